@@ -1,0 +1,44 @@
+# Imported targets for libraries that a plain find_package cannot serve. Also installed, since
+# a program that uses Gnomon needs the same ones.
+
+# OpenSubdiv's package configuration names static libraries that Debian does not ship.
+if(NOT TARGET gnomon::OpenSubdiv)
+  find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/version.h REQUIRED)
+  find_library(OPENSUBDIV_CPU_LIBRARY osdCPU REQUIRED)
+  add_library(gnomon::OpenSubdiv UNKNOWN IMPORTED)
+  set_target_properties(gnomon::OpenSubdiv PROPERTIES
+    IMPORTED_LOCATION ${OPENSUBDIV_CPU_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${OPENSUBDIV_INCLUDE_DIR})
+endif()
+
+# Embree 4 (newer systems) or 3 (Debian 12): the CMake target is called embree in both.
+if(NOT TARGET embree)
+  find_package(embree 4 QUIET)
+  if(NOT embree_FOUND)
+    find_package(embree 3 REQUIRED)
+  endif()
+endif()
+
+# libepoxy ships a pkg-config file only.
+if(NOT TARGET gnomon::Epoxy)
+  find_path(EPOXY_INCLUDE_DIR epoxy/egl.h REQUIRED)
+  find_library(EPOXY_LIBRARY epoxy REQUIRED)
+  add_library(gnomon::Epoxy UNKNOWN IMPORTED)
+  set_target_properties(gnomon::Epoxy PROPERTIES
+    IMPORTED_LOCATION ${EPOXY_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${EPOXY_INCLUDE_DIR})
+endif()
+
+# OpenImageIO's package configuration insists on files of other Debian packages (its tools), and so
+# does that of Imath, whose headers it needs.
+if(NOT TARGET gnomon::OpenImageIO)
+  find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
+  find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
+  find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
+  find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
+  add_library(gnomon::OpenImageIO UNKNOWN IMPORTED)
+  set_target_properties(gnomon::OpenImageIO PROPERTIES
+    IMPORTED_LOCATION ${OPENIMAGEIO_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES "${OPENIMAGEIO_INCLUDE_DIR};${IMATH_INCLUDE_DIR}"
+    INTERFACE_LINK_LIBRARIES ${OPENIMAGEIO_UTIL_LIBRARY})
+endif()

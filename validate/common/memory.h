@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace gnomon {
+
+/// Bytes that this process may still take: the kernel's estimate of available memory
+/// (/proc/meminfo, MemAvailable), or what the control group leaves where that is less.
+std::uint64_t availableMemoryBytes();
+
+/// Refuses a request that cannot fit, before anything is allocated.
+/// @param bytes  what the request would take
+/// @param what   what is asked for, and which key makes it smaller: it opens the message
+/// @throws MemoryError with both figures if `bytes` exceeds nine tenths of the available memory
+void requireMemory(double bytes, const std::string& what);
+
+/// "1.0 MB", "2.51 GB": decimal units as the papers use them, three significant digits.
+std::string formatBytes(double bytes);
+
+}  // namespace gnomon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "common/vec.h"
+
+namespace gnomon {
+
+/// What a height field does outside its texels.
+enum class Wrap { repeat, clamp };
+
+/// A height map h(x, y): *the bilinear interpolant of its texels*, whose centres lie at
+/// (i + 0.5, j + 0.5). Truth, bake and shaders all use this one function. Coordinates are texels;
+/// heights are height units (texels or world units: see Relief). Texels are stored row by row, y
+/// slowest; row 0 is at v = 0.
+class HeightField {
+ public:
+  /// @throws InputError if a size is not positive, the number of texels is not width × height, or a
+  ///   height is not finite (naming the texel)
+  HeightField(int width, int height, std::vector<float> texels, Wrap wrap);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] Wrap wrap() const { return wrap_; }
+  [[nodiscard]] const std::vector<float>& texels() const { return texels_; }
+  [[nodiscard]] float minimum() const { return minimum_; }
+  [[nodiscard]] float maximum() const { return maximum_; }
+
+  /// Height of texel (i, j); outside the map by the wrap rule.
+  [[nodiscard]] float texel(int i, int j) const;
+  /// h(x, y), any finite position.
+  [[nodiscard]] double at(Vec2 texelPosition) const;
+
+ private:
+  int width_;
+  int height_;
+  std::vector<float> texels_;
+  Wrap wrap_;
+  float minimum_;
+  float maximum_;
+};
+
+/// The index of texel i by the wrap rule: i modulo size, or i clamped to [0, size).
+int wrappedIndex(int i, int size, Wrap wrap);
+
+}  // namespace gnomon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "common/progress.h"
+#include "relief/height_field.h"
+
+namespace gnomon {
+
+struct BakeSettings {
+  int azimuths = 32;          ///< M ≥ 1: directions φ_m = 2πm/M, counter-clockwise from +x
+  double radiusTexels = 128;  ///< D > 0: how far occluders are searched
+};
+
+/// Horizons of the *flat* relief, per texel centre p and azimuth m (e the unit vector of φ_m):
+///   horizon  δ = sup over 0 < r ≤ D of (h(p + r e) - h(p)) / r, height units per texel: the
+///            tangent of the horizon angle (Max 1988)
+///   distance d = the smallest r that attains it, texels; 0 where the supremum is the limit r → 0⁺,
+///            the directional derivative (Onoue, Max & Nishita 2004, Fig. 1)
+/// Layout: [m][y][x], index (m * height + y) * width + x.
+struct HorizonTables {
+  int width = 0;
+  int height = 0;
+  int azimuths = 0;
+  double radiusTexels = 0;
+  Wrap wrap = Wrap::repeat;
+  std::vector<float> horizon;
+  std::vector<float> distance;
+};
+
+/// Exact suprema of the bilinear function (up to float rounding): along a ray inside one cell h is
+/// A + B r + C r², so that the slope's extremum is at a crossing or at r = √((A - h₀) / C). Both
+/// tables in one sweep, on all threads; results do not depend on their number.
+/// @throws InputError for settings out of range; MemoryError if the tables cannot fit
+HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,
+                           const Progress& progress = {});
+
+}  // namespace gnomon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "common/vec.h"
+#include "surface/limit_surface.h"
+
+namespace gnomon {
+
+/// The frame in which a bump map lives at one point of a surface: texture coordinates in texels and
+/// the world vectors per texel, by the chain rule P_s = P_x x_s + P_y y_s (and so for t).
+struct TexelFrame {
+  Vec3 position;  ///< P, world
+  Vec3 normal;    ///< n, unit, the surface's outward side whatever the texture's handedness
+  Vec3 px, py;    ///< P_x, P_y: world length per texel
+  Vec2 texel;     ///< (x, y) in texels: uv × texelsPerUv
+  /// False where the surface or the texture map is degenerate: vectors are then zero.
+  bool defined;
+};
+
+/// @param texelsPerUv  repeats × map size: texels that one unit of u and of v spans
+TexelFrame texelFrame(const LimitPoint& point, Vec2 texelsPerUv);
+
+/// The light as horizon methods see it from one frame.
+struct LocalLight {
+  Vec2 direction;        ///< e: unit vector of the light's azimuth in the texture plane (texels)
+  double azimuth;        ///< φ = atan2(e_y, e_x), radians
+  double worldPerTexel;  ///< σ = |e_x P_x + e_y P_y|: world length of one texel along e
+  double slope;          ///< tan θ = (L·n) / |L - (L·n) n|: elevation over the tangent plane
+};
+
+/// Solves L = ℓ_x P_x + ℓ_y P_y + c n for ℓ by the 2 × 2 metric system, since P_x and P_y need be
+/// neither orthogonal nor equally long. A light along the normal has direction (1, 0) and slope
+/// ±infinity.
+/// @param light  L, unit vector toward the light; the frame must be defined
+LocalLight localLight(const TexelFrame& frame, const Vec3& light);
+
+}  // namespace gnomon
