@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "compare/mask.h"
+
+namespace gnomon {
+
+/// The confusion matrix of a candidate mask against the truth; *positive means shadowed*. Weighted
+/// by area where weights are given: the four cells then sum to the area, not to the count.
+struct Counts {
+  double truePositive = 0;   ///< shadowed in both
+  double falsePositive = 0;  ///< false shadow: the candidate shadows what is lit
+  double falseNegative = 0;  ///< false light: the candidate lights what is shadowed
+  double trueNegative = 0;   ///< lit in both
+  std::size_t samples = 0;   ///< how many samples were compared
+
+  [[nodiscard]] double total() const {
+    return truePositive + falsePositive + falseNegative + trueNegative;
+  }
+};
+
+/// Compares where `selected` holds (everywhere, if it is empty) and both masks have a sample.
+/// Sums run in one fixed order: the same input gives the same bits.
+/// @param weights   one a sample, ≥ 0, or empty for 1 each
+/// @param selected  non-zero where a sample takes part, or empty for all
+/// @throws InputError if sizes differ, a weight is negative or not finite, or one mask has a sample
+/// where the
+///   other has none (both come from the same view, so that is a fault, not a case)
+Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights = {},
+                    std::span<const std::uint8_t> selected = {});
+
+}  // namespace gnomon

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/counts.h"
+
+namespace gnomon {
+
+/// What one run of one study found: plain data, written by `report`. Every figure is one that the
+/// run computed.
+
+/// Where the run took place.
+struct EnvironmentRecord {
+  std::string gnomonVersion;
+  std::string commit;  ///< of the sources, or empty outside a checkout
+  std::string cpu;
+  int threads = 0;
+  std::string glRenderer;
+  std::string glVersion;
+  std::string embreeVersion;
+  std::string openSubdivVersion;
+};
+
+/// How far the truth itself can be trusted.
+struct UncertaintyRecord {
+  std::string view;
+  std::string light;
+  double flipRate = 0;  ///< share of samples that change at half the micro-mesh's resolution
+};
+
+struct TruthRecord {
+  std::uint64_t microTriangles = 0;
+  double stepTexels = 0;   ///< longest micro-edge along a texture axis, texels
+  double uncertainty = 0;  ///< the largest flip rate below
+  std::uint64_t bvhBytes = 0;
+  std::uint64_t meshBytes = 0;
+  std::vector<UncertaintyRecord> flips;
+};
+
+/// A method as this study runs it.
+struct MethodRecord {
+  std::string label;  ///< unique in the study; rows refer to it
+  std::string name;   ///< the method's own name
+  std::string title;
+  std::string citation;
+};
+
+/// One method against the truth, for one light, view and region ("all" or a region's name).
+struct ResultRecord {
+  std::string method;  ///< a MethodRecord's label
+  std::string light;
+  std::string view;
+  std::string region;
+  Counts counts;
+};
+
+struct CostRecord {
+  std::string method;
+  std::uint64_t polygons = 0;     ///< triangles drawn a frame
+  std::uint64_t tableBytes = 0;   ///< horizon, distance and like tables
+  std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
+  std::optional<double> frameMs;  ///< median GL time of one frame of the first camera view
+};
+
+struct TimingRecord {
+  std::string stage;
+  double seconds = 0;
+};
+
+/// A gate: `!(value <= maximum)` or `!(value >= minimum)` fails, and so does an undefined value.
+struct ThresholdRecord {
+  std::string method, light, view, region, metric;
+  std::optional<double> value;
+  std::optional<double> minimum, maximum;
+  bool passed = false;
+};
+
+enum class Verdict { held, failed, notDistinguishable, notEvaluated };
+
+/// A claim of a paper and whether the run bears it out.
+struct ClaimRecord {
+  std::string text;
+  std::string source;
+  Verdict verdict = Verdict::notEvaluated;
+  std::string detail;  ///< the figures it was judged by
+};
+
+/// One picture of a panel. `path` is relative to the run's folder.
+struct PictureRecord {
+  enum class Kind { shaded, difference, displaced };
+  Kind kind = Kind::shaded;
+  std::string method;  ///< a label, or "truth"
+  std::string caption;
+  std::string path;
+};
+
+/// The pictures of one view under one light, in the order of Figure 8.
+struct PanelRecord {
+  std::string view;
+  std::string light;
+  int width = 0;
+  int height = 0;
+  std::vector<PictureRecord> pictures;
+};
+
+struct StudyRecord {
+  std::string name;
+  std::string title;
+  std::string source;   ///< the figure or question the study stands for
+  std::string file;     ///< the study file, as given
+  std::string command;  ///< reproduces the run
+  EnvironmentRecord environment;
+  TruthRecord truth;
+  std::vector<MethodRecord> methods;
+  std::vector<ResultRecord> results;
+  std::vector<CostRecord> cost;
+  std::vector<TimingRecord> timings;
+  std::vector<ThresholdRecord> thresholds;
+  std::vector<ClaimRecord> claims;
+  std::vector<PanelRecord> panels;
+  std::uint64_t undefinedSamples = 0;  ///< left out: no frame exists there
+
+  /// True unless a threshold failed.
+  [[nodiscard]] bool passed() const;
+};
+
+}  // namespace gnomon
