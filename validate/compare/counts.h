@@ -1,9 +1,10 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
-#include "compare/mask.h"
+#include "common/mask.h"
 
 namespace gnomon {
 
@@ -22,12 +23,12 @@ struct Counts {
 };
 
 /// Compares where `selected` holds (everywhere, if it is empty) and both masks have a sample.
-/// Sums run in one fixed order: the same input gives the same bits.
+/// Sums run in one fixed order (a row at a time): the same input gives the same bits.
 /// @param weights   one a sample, ≥ 0, or empty for 1 each
 /// @param selected  non-zero where a sample takes part, or empty for all
-/// @throws InputError if sizes differ, a weight is negative or not finite, or one mask has a sample
-/// where the
-///   other has none (both come from the same view, so that is a fault, not a case)
+/// @throws InputError if sizes differ, a weight is negative or not finite (selected or not), the
+///   weights sum to more than a double holds, or where `selected` holds one mask has a sample and
+///   the other has none (both come from the same view, so that is a fault, not a case)
 Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights = {},
                     std::span<const std::uint8_t> selected = {});
 

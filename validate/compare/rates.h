@@ -9,8 +9,7 @@
 
 namespace gnomon {
 
-/// One metric. Undefined values have no number but a reason; they are never
-/// reported as 0 or 1.
+/// One metric. Undefined values have no number but a reason; they are never reported as 0 or 1.
 struct Metric {
   std::string_view name;        ///< as reports and thresholds spell it
   std::optional<double> value;  ///< dimensionless; 0 to 1, mcc -1 to 1
@@ -28,6 +27,9 @@ struct Metric {
 ///   f1            2 TP / (2 TP + FP + FN)
 ///   mcc           (TP TN - FP FN) / √((TP+FP)(TP+FN)(TN+FP)(TN+FN))  Matthews correlation
 ///   prevalence    (TP + FN) / all           share of shadow in the truth
+/// f1 is undefined where iou is, and f1 = 2 iou / (1 + iou); ber where fpr or fnr is; mcc where
+/// either mask is all lit or all shadowed. Nothing is defined without samples or without area.
+/// @throws InternalError if a cell is negative or not finite
 std::vector<Metric> rates(const Counts& counts);
 
 /// One metric by name.

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "common/vec.h"
 #include "surface/cage.h"
@@ -18,6 +19,10 @@ struct LimitPoint {
   Vec2 uv, uvDs, uvDt;  ///< texture coordinates and their first derivatives
 };
 
+/// P_s × P_t normalised: the surface's outward side, since faces run counter-clockwise seen from
+/// outside. Zero where P_s and P_t span no area.
+Vec3 outwardNormal(const LimitPoint& point);
+
 /// The Catmull-Clark limit surface of a cage (Catmull & Clark 1978), evaluated at any parameter by
 /// OpenSubdiv's Bfr at smooth approximation level 8, which errs by about 1e-6 of the cage's size
 /// beside extraordinary vertices and not at all elsewhere.
@@ -26,7 +31,11 @@ struct LimitPoint {
 /// called from several threads at once.
 class LimitSurface {
  public:
-  /// @throws InputError if the cage has no face with a limit surface or OpenSubdiv refuses it
+  /// @throws InputError naming the face, vertex or crease: an index out of range, a coordinate that
+  ///   is not finite or beyond 1e12, a face with a repeated vertex, an edge that more than two
+  ///   faces share or that two traverse in the same direction, a vertex whose faces form more than
+  ///   one fan, a crease that is no edge, no face with a limit surface, a grid of another size
+  /// @throws MemoryError if it cannot fit
   explicit LimitSurface(const Cage& cage);
   ~LimitSurface();
   LimitSurface(LimitSurface&&) noexcept;
@@ -49,5 +58,8 @@ class LimitSurface {
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// "3.5.0": the version that this program was built against.
+std::string openSubdivVersion();
 
 }  // namespace gnomon

@@ -1,0 +1,56 @@
+// The height map: the bilinear interpolant of its texels, whose centres lie at + 0.5. Truth and bake
+// use the same function. Filtered by hand from single texels, so that a mask does not depend on the
+// precision of a GPU's filter.
+
+ivec2 wrapTexel(ivec2 at, ivec2 size) {
+#ifdef WRAP_REPEAT
+  return ((at % size) + size) % size;
+#else
+  return clamp(at, ivec2(0), size - 1);
+#endif
+}
+
+#ifdef TABLE_HEIGHT
+
+uniform sampler2D heightMap;
+
+struct Cell {
+  vec4 heights;   // h00, h10, h01, h11
+  vec2 fraction;  // place in the cell, 0 to 1
+};
+
+Cell heightCell(vec2 at) {
+  ivec2 size = textureSize(heightMap, 0);
+  vec2 corner = floor(at - 0.5);
+  ivec2 i = wrapTexel(ivec2(corner), size);
+  ivec2 j = wrapTexel(ivec2(corner) + 1, size);
+  Cell cell;
+  cell.heights = vec4(texelFetch(heightMap, i, 0).r, texelFetch(heightMap, ivec2(j.x, i.y), 0).r,
+                      texelFetch(heightMap, ivec2(i.x, j.y), 0).r, texelFetch(heightMap, j, 0).r);
+  cell.fraction = at - 0.5 - corner;
+  return cell;
+}
+
+// h(x, y), height units.
+float heightAt(vec2 at) {
+  Cell cell = heightCell(at);
+  vec2 rows = mix(cell.heights.xz, cell.heights.yw, cell.fraction.x);
+  return mix(rows.x, rows.y, cell.fraction.y);
+}
+
+// (∂h/∂x, ∂h/∂y) of the bilinear function, height units per texel.
+vec2 heightGradient(vec2 at) {
+  Cell cell = heightCell(at);
+  return vec2(mix(cell.heights.y - cell.heights.x, cell.heights.w - cell.heights.z, cell.fraction.y),
+              mix(cell.heights.z - cell.heights.x, cell.heights.w - cell.heights.y, cell.fraction.x));
+}
+
+// N' of bump mapping (Blinn 1978): the normal of P + a h n, with the change of n left out.
+vec3 bumpedNormal(Pixel pixel, vec2 gradient) {
+  vec3 alongX = pixel.px + pixel.worldPerHeight * gradient.x * pixel.normal;
+  vec3 alongY = pixel.py + pixel.worldPerHeight * gradient.y * pixel.normal;
+  float side = dot(cross(pixel.px, pixel.py), pixel.normal) < 0.0 ? -1.0 : 1.0;
+  return normalize(side * cross(alongX, alongY));
+}
+
+#endif

@@ -1,0 +1,207 @@
+#include "compare/counts.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "common/error.h"
+#include "compare/masks.h"
+
+namespace gnomon {
+namespace {
+
+using test::arbitraryComparison;
+using test::Comparison;
+using test::complement;
+using test::row;
+
+void expectCells(const Counts& c, double tp, double fp, double fn, double tn, std::size_t samples) {
+  EXPECT_EQ(c.truePositive, tp);
+  EXPECT_EQ(c.falsePositive, fp);
+  EXPECT_EQ(c.falseNegative, fn);
+  EXPECT_EQ(c.trueNegative, tn);
+  EXPECT_EQ(c.samples, samples);
+}
+
+bool sameBits(const Counts& a, const Counts& b) {
+  return a.truePositive == b.truePositive && a.falsePositive == b.falsePositive &&
+         a.falseNegative == b.falseNegative && a.trueNegative == b.trueNegative &&
+         a.samples == b.samples;
+}
+
+std::string messageOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "(no InputError)";
+}
+
+TEST(Counts, ByHand) {
+  // Columns: both shadowed 3, false shadow 2, false light 1, both lit 4, background 2.
+  expectCells(countSamples(row("### ##.....  "), row("### ..#....  ")), 3, 2, 1, 4, 10);
+}
+
+TEST(Counts, WeightsAreSummedPerCell) {
+  const std::vector<double> weights = {0.5, 0.25, 8, 2, 1, 1024};
+  expectCells(countSamples(row("##.. #"), row("#.#. #"), weights), 0.5 + 1024, 0.25, 8, 2, 5);
+}
+
+TEST(Counts, SelectionLeavesTheRestOut) {
+  const std::vector<std::uint8_t> selected = {1, 0, 0, 255, 1};
+  expectCells(countSamples(row("##..#"), row("#.#.#"), {}, selected), 2, 0, 0, 1, 3);
+}
+
+TEST(Counts, ColumnsAreIndependentOfTheMasksShape) {
+  Mask candidate = row("##..#.");
+  Mask truth = row("#.#.##");
+  const Counts flat = countSamples(candidate, truth);
+  candidate.width = truth.width = 2;
+  candidate.height = truth.height = 3;
+  EXPECT_TRUE(sameBits(flat, countSamples(candidate, truth)));
+}
+
+TEST(Counts, EmptyMasksHaveNoSamples) {
+  expectCells(countSamples(Mask{}, Mask{}), 0, 0, 0, 0, 0);
+  expectCells(countSamples(Mask{0, 7, {}}, Mask{0, 7, {}}), 0, 0, 0, 0, 0);
+  expectCells(countSamples(row("   "), row("   ")), 0, 0, 0, 0, 0);
+}
+
+TEST(Counts, RandomMasksAgreeWithAnIndependentTally) {
+  EXPECT_TRUE(rc::check([] {
+    const Comparison c = arbitraryComparison();
+    // One pass per cell, in extended precision and without rows.
+    const auto tally = [&](Shade candidate, Shade truth) {
+      long double sum = 0;
+      for (std::size_t i = 0; i < c.weights.size(); ++i) {
+        const bool counts = c.selected[i] != 0 && c.candidate.samples[i] == candidate &&
+                            c.truth.samples[i] == truth;
+        sum += counts ? static_cast<long double>(c.weights[i]) : 0;
+      }
+      return static_cast<double>(sum);
+    };
+    const Counts counts = countSamples(c.candidate, c.truth, c.weights, c.selected);
+    // At most 48 + 48 roundings of half an ulp each, none of them cancelling.
+    const auto near = [](double a, double b) { return std::abs(a - b) <= 96 * 1.2e-16 * b; };
+    RC_ASSERT(near(counts.truePositive, tally(Shade::shadowed, Shade::shadowed)));
+    RC_ASSERT(near(counts.falsePositive, tally(Shade::shadowed, Shade::lit)));
+    RC_ASSERT(near(counts.falseNegative, tally(Shade::lit, Shade::shadowed)));
+    RC_ASSERT(near(counts.trueNegative, tally(Shade::lit, Shade::lit)));
+  }));
+}
+
+TEST(Counts, SwappingTheMasksSwapsTheErrors) {
+  EXPECT_TRUE(rc::check([] {
+    const Comparison c = arbitraryComparison();
+    const Counts ab = countSamples(c.candidate, c.truth, c.weights, c.selected);
+    Counts ba = countSamples(c.truth, c.candidate, c.weights, c.selected);
+    std::swap(ba.falsePositive, ba.falseNegative);
+    RC_ASSERT(sameBits(ab, ba));
+  }));
+}
+
+TEST(Counts, ComplementSwapsPositiveAndNegative) {
+  EXPECT_TRUE(rc::check([] {
+    const Comparison c = arbitraryComparison();
+    const Counts counts = countSamples(c.candidate, c.truth, c.weights, c.selected);
+    Counts other =
+        countSamples(complement(c.candidate), complement(c.truth), c.weights, c.selected);
+    std::swap(other.truePositive, other.trueNegative);
+    std::swap(other.falsePositive, other.falseNegative);
+    RC_ASSERT(sameBits(counts, other));
+  }));
+}
+
+TEST(Counts, AMaskAgreesWithItself) {
+  EXPECT_TRUE(rc::check([] {
+    const Comparison c = arbitraryComparison();
+    const Counts counts = countSamples(c.truth, c.truth, c.weights);
+    RC_ASSERT(counts.falsePositive == 0 && counts.falseNegative == 0);
+  }));
+}
+
+TEST(Counts, ASelectionAndItsRestAddUp) {
+  EXPECT_TRUE(rc::check([] {
+    const Comparison c = arbitraryComparison();
+    std::vector<std::uint8_t> rest;
+    for (const std::uint8_t s : c.selected) rest.push_back(s == 0 ? 1 : 0);
+    const Counts all = countSamples(c.candidate, c.truth);
+    const Counts in = countSamples(c.candidate, c.truth, {}, c.selected);
+    const Counts out = countSamples(c.candidate, c.truth, {}, rest);
+    RC_ASSERT(c.selected.empty() || all.samples == in.samples + out.samples);
+    RC_ASSERT(c.selected.empty() || all.total() == in.total() + out.total());
+  }));
+}
+
+TEST(Counts, UnitWeightsAreTheSameAsNone) {
+  EXPECT_TRUE(rc::check([] {
+    const Comparison c = arbitraryComparison();
+    const std::vector<double> ones(c.truth.size(), 1.0);
+    RC_ASSERT(
+        sameBits(countSamples(c.candidate, c.truth), countSamples(c.candidate, c.truth, ones)));
+  }));
+}
+
+TEST(Counts, RefusesWeightsThatAreNoAreas) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinite, -infinite, -1e-300}) {
+    const std::vector<double> weights = {1, 1, bad};
+    // The last sample is background and not selected: still a fault of whoever made the weights.
+    EXPECT_THROW(countSamples(row(".. "), row(".. "), weights), InputError);
+    const std::vector<std::uint8_t> selected = {1, 1, 0};
+    EXPECT_THROW(countSamples(row("..."), row("..."), weights, selected), InputError);
+  }
+  const std::vector<double> huge = {1e308, 1e308};
+  EXPECT_THROW(countSamples(row("#."), row("##"), huge), InputError);
+}
+
+TEST(Counts, RefusesMasksOfDifferentSizes) {
+  EXPECT_EQ(messageOf([] { countSamples(row("..."), row("..")); }),
+            "candidate mask: 3 x 1 samples, but the truth has 2 x 1");
+  Mask turned = row("......");
+  turned.width = 2;
+  turned.height = 3;
+  Mask upright = turned;
+  std::swap(upright.width, upright.height);
+  EXPECT_THROW(countSamples(turned, upright), InputError);
+}
+
+TEST(Counts, RefusesMasksThatAreNotWhole) {
+  EXPECT_THROW(countSamples(Mask{2, 2, {}}, Mask{2, 2, {}}), InputError);
+  EXPECT_THROW(countSamples(Mask{-1, -1, {Shade::lit}}, Mask{-1, -1, {Shade::lit}}), InputError);
+  EXPECT_THROW(countSamples(Mask{-1, 0, {}}, Mask{-1, 0, {}}), InputError);
+}
+
+TEST(Counts, RefusesArraysOfAnotherLength) {
+  const std::vector<double> weights(2, 1.0);
+  const std::vector<std::uint8_t> selected(4, 1);
+  EXPECT_THROW(countSamples(row("..."), row("..."), weights), InputError);
+  EXPECT_THROW(countSamples(row("..."), row("..."), {}, selected), InputError);
+}
+
+TEST(Counts, RefusesASampleThatOnlyOneMaskHas) {
+  EXPECT_THROW(countSamples(row(". "), row("..")), InputError);
+  Mask truth{2, 2, {Shade::lit, Shade::lit, Shade::lit, Shade::none}};
+  Mask candidate{2, 2, std::vector<Shade>(4, Shade::lit)};
+  EXPECT_NE(messageOf([&] { countSamples(candidate, truth); }).find("column 1, row 1"),
+            std::string::npos);
+  const std::vector<std::uint8_t> elsewhere = {1, 1, 1, 0};
+  EXPECT_EQ(countSamples(candidate, truth, {}, elsewhere).samples, 3U);
+}
+
+TEST(Counts, RefusesAShadeThatDoesNotExist) {
+  Mask mask = row("..");
+  mask.samples[1] = static_cast<Shade>(7);
+  EXPECT_THROW(countSamples(mask, row("..")), InputError);
+  EXPECT_THROW(countSamples(mask, mask), InputError);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,45 @@
+#include "report/number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+TEST(NumberText, PercentHasTwoDecimals) {
+  EXPECT_EQ(percentText(0.098), "9.80");
+  EXPECT_EQ(percentText(1.0), "100.00");
+  EXPECT_EQ(percentText(0.00005), "0.01");
+}
+
+TEST(NumberText, OnlyZeroReadsAsZero) {
+  EXPECT_EQ(percentText(0.0), "0.00");
+  EXPECT_EQ(percentText(0.00004), "<0.01");
+  EXPECT_EQ(percentText(1e-300), "<0.01");
+}
+
+TEST(NumberText, UndefinedIsADash) {
+  EXPECT_EQ(percentText(std::nullopt), "–");
+}
+
+TEST(NumberText, NotFiniteIsAnError) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(percentText(nan), InternalError);
+  EXPECT_THROW(exactText(infinite), InternalError);
+  EXPECT_THROW(requireFinite(-infinite, "x"), InternalError);
+  EXPECT_EQ(requireFinite(-1.5, "x"), -1.5);
+}
+
+TEST(NumberText, ThousandsAreApart) {
+  EXPECT_EQ(groupedText(0), "0");
+  EXPECT_EQ(groupedText(999), "999");
+  EXPECT_EQ(groupedText(1000), "1\u202f000");
+  EXPECT_EQ(groupedText(33'554'432), "33\u202f554\u202f432");
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/record.h"
+
+namespace gnomon::test {
+
+/// A made-up run: every field is set, figures are round so that expectations can be worked out by
+/// hand, and the text holds what writers must escape.
+inline StudyRecord emptyRecord() {
+  StudyRecord record;
+  record.name = "sample";
+  record.title = "Columns on a sphere <script>alert(\"1\")</script>";
+  record.source = "Figure 8 & its \"claims\"";
+  record.file = "scenes/sample.toml";
+  record.command = "gnomon run scenes/sample.toml --set 'truth.step=1/8' > \"out\"";
+  record.environment = {"0.1.0",        "0123abc", "A processor",       2,
+                        "A rasteriser", "4.5",     "3.13.5 <built-in>", "3.5.0"};
+  record.truth = {2'000'000, 0.125, 0.004, 28'000'000, 24'000'000, {}};
+  record.undefinedSamples = 12;
+  return record;
+}
+
+inline ResultRecord result(const std::string& method, const std::string& light,
+                           const std::string& view, const std::string& region,
+                           const Counts& counts) {
+  return {method, light, view, region, counts};
+}
+
+/// Counts over `samples` samples, a quarter of them shadowed in the truth.
+inline Counts countsOf(std::size_t samples, double falseShadow, double falseLight) {
+  const auto n = static_cast<double>(samples);
+  return {0.25 * n - falseLight, falseShadow, falseLight, 0.75 * n - falseShadow, samples};
+}
+
+/// Three methods, `lights` lights, one view, three regions ("distant" has no sample).
+/// Method "best" has 10 wrong samples of 1000 per light, "close" 12, "rough, \"old\"" 100.
+inline StudyRecord sampleRecord(int lights = 2) {
+  StudyRecord record = emptyRecord();
+  record.methods = {{"rough, \"old\"", "max-forsyth", "Flat", "Max 1988"},
+                    {"close", "onoue-2004", "Curved <b>", "Onoue et al. 2004"},
+                    {"best", "resampled-horizon", "Resampled", ""}};
+  for (int i = 0; i < lights; ++i) {
+    const std::string light = "elevation " + std::to_string(15 + 15 * i) + "°";
+    record.truth.flips.push_back({"camera", light, 0.002 + 0.002 * (i == 0 ? 0 : 1)});
+    const auto add = [&](const std::string& method, double falseShadow, double falseLight) {
+      const Counts all = countsOf(1000, falseShadow, falseLight);
+      record.results.push_back(result(method, light, "camera", "all", all));
+      const Counts lit{0, falseShadow, 0, 750 - falseShadow, 750};
+      record.results.push_back(result(method, light, "camera", "lit", lit));
+      record.results.push_back(result(method, light, "camera", "distant", Counts{}));
+    };
+    add("rough, \"old\"", 80, 20);
+    add("close", 4, 8);
+    add("best", 5, 5);
+  }
+  record.cost = {{"best", 960, 524'288, 16'384, 1.25}, {"close", 960, 1'048'576, 0, std::nullopt}};
+  record.timings = {{"truth", 1.5}, {"render", 0.25}};
+  record.thresholds = {
+      {"best", "elevation 15°", "camera", "all", "error_rate", 0.01, std::nullopt, 0.02, true},
+      {"close", "elevation 15°", "camera", "distant", "iou", std::nullopt, 0.5, std::nullopt,
+       false}};
+  record.claims = {{"As long as in <i>the</i> displaced mesh", "the paper's section 4",
+                    Verdict::held, "ratio 0.99"},
+                   {"Closer than the flat one", "", Verdict::failed, "1.2 % against 1.0 %"},
+                   {"No worse at noon", "", Verdict::notDistinguishable, ""},
+                   {"Faster", "", Verdict::notEvaluated, ""}};
+  return record;
+}
+
+}  // namespace gnomon::test

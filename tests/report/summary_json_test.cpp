@@ -1,0 +1,174 @@
+#include "report/summary_json.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+#include "compare/rates.h"
+#include "report/sample_record.h"
+
+namespace gnomon {
+namespace {
+
+using nlohmann::ordered_json;
+using test::sampleRecord;
+
+StudyRecord recordWithPanel() {
+  StudyRecord record = sampleRecord();
+  using Kind = PictureRecord::Kind;
+  record.panels = {{"camera",
+                    "elevation 15°",
+                    64,
+                    48,
+                    {{Kind::shaded, "best", "a", "images/a.png"},
+                     {Kind::difference, "best", "b", "images/b.png"},
+                     {Kind::displaced, "truth", "c", "images/c.png"}}}};
+  return record;
+}
+
+ordered_json written(const StudyRecord& record) {
+  return ordered_json::parse(summaryJson(record));
+}
+
+std::vector<std::string> keysOf(const ordered_json& object) {
+  std::vector<std::string> keys;
+  for (const auto& item : object.items()) keys.push_back(item.key());
+  return keys;
+}
+
+using Keys = std::vector<std::string>;
+
+TEST(SummaryJson, HasEveryKeyInOrder) {
+  const ordered_json json = written(recordWithPanel());
+  EXPECT_EQ(keysOf(json),
+            (Keys{"schema", "status", "study", "environment", "truth", "methods", "results", "cost",
+                  "timings", "thresholds", "claims", "panels", "undefined_samples"}));
+  EXPECT_EQ(json["schema"], "gnomon-summary/1");
+  EXPECT_EQ(keysOf(json["study"]), (Keys{"name", "title", "source", "file", "command"}));
+  EXPECT_EQ(keysOf(json["environment"]),
+            (Keys{"gnomon_version", "commit", "cpu", "threads", "gl_renderer", "gl_version",
+                  "embree_version", "opensubdiv_version"}));
+  EXPECT_EQ(keysOf(json["truth"]), (Keys{"micro_triangles", "step_texels", "uncertainty",
+                                         "bvh_bytes", "mesh_bytes", "flips"}));
+  EXPECT_EQ(keysOf(json["truth"]["flips"][0]), (Keys{"view", "light", "flip_rate"}));
+  EXPECT_EQ(keysOf(json["methods"][0]), (Keys{"label", "name", "title", "citation"}));
+  EXPECT_EQ(keysOf(json["cost"][0]),
+            (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms"}));
+  EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
+  EXPECT_EQ(keysOf(json["thresholds"][0]), (Keys{"method", "light", "view", "region", "metric",
+                                                 "value", "minimum", "maximum", "passed"}));
+  EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"text", "source", "verdict", "detail"}));
+  EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
+  EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]), (Keys{"kind", "method", "caption", "path"}));
+
+  Keys resultKeys{"method", "light", "view", "region", "samples", "tp", "fp", "fn", "tn"};
+  for (const std::string_view name : metricNames()) resultKeys.emplace_back(name);
+  resultKeys.emplace_back("undefined");
+  EXPECT_EQ(keysOf(json["results"][0]), resultKeys);
+}
+
+TEST(SummaryJson, ValuesSurviveTheTrip) {
+  const StudyRecord record = recordWithPanel();
+  const ordered_json json = written(record);
+  EXPECT_EQ(json["study"]["title"], record.title);
+  EXPECT_EQ(json["study"]["command"], record.command);
+  EXPECT_EQ(json["truth"]["micro_triangles"], 2'000'000);
+  EXPECT_EQ(json["truth"]["step_texels"], 0.125);
+  EXPECT_EQ(json["undefined_samples"], 12);
+  ASSERT_EQ(json["results"].size(), record.results.size());
+  const ordered_json& first = json["results"][0];
+  EXPECT_EQ(first["light"], "elevation 15°");
+  EXPECT_EQ(first["samples"], 1000);
+  EXPECT_EQ(first["tp"], 230);
+  EXPECT_EQ(first["fp"], 80);
+  EXPECT_EQ(first["fn"], 20);
+  EXPECT_EQ(first["tn"], 670);
+  EXPECT_EQ(first["error_rate"].get<double>(), 0.1);
+  EXPECT_EQ(first["iou"].get<double>(), 230.0 / 330);
+  EXPECT_TRUE(first["undefined"].empty());
+  EXPECT_EQ(json["cost"][0]["frame_ms"], 1.25);
+  EXPECT_TRUE(json["cost"][1]["frame_ms"].is_null());
+  EXPECT_EQ(json["panels"][0]["pictures"][2]["kind"], "displaced");
+  EXPECT_EQ(json["claims"][0]["verdict"], "held");
+  EXPECT_EQ(json["claims"][1]["verdict"], "failed");
+  EXPECT_EQ(json["claims"][2]["verdict"], "not distinguishable");
+  EXPECT_EQ(json["claims"][3]["verdict"], "not evaluated");
+}
+
+TEST(SummaryJson, UndefinedIsNullWithAReason) {
+  const ordered_json json = written(sampleRecord());
+  const ordered_json& lit = json["results"][1];
+  ASSERT_EQ(lit["region"], "lit");
+  EXPECT_TRUE(lit["fnr"].is_null());
+  EXPECT_EQ(lit["undefined"]["fnr"], "the truth has no shadow");
+  EXPECT_FALSE(lit["undefined"].contains("error_rate"));
+  const ordered_json& distant = json["results"][2];
+  for (const std::string_view name : metricNames()) {
+    EXPECT_TRUE(distant[std::string(name)].is_null()) << name;
+    EXPECT_EQ(distant["undefined"][std::string(name)], "no samples") << name;
+  }
+  EXPECT_TRUE(json["thresholds"][1]["value"].is_null());
+  EXPECT_TRUE(json["thresholds"][1]["maximum"].is_null());
+}
+
+TEST(SummaryJson, StatusFollowsTheThresholds) {
+  StudyRecord record = sampleRecord();
+  EXPECT_EQ(written(record)["status"], "fail");
+  record.thresholds.pop_back();
+  EXPECT_EQ(written(record)["status"], "pass");
+  record.thresholds.clear();
+  EXPECT_EQ(written(record)["status"], "pass");
+}
+
+TEST(SummaryJson, EmptyListsAreListsAndNotNull) {
+  const ordered_json json = written(StudyRecord{});
+  for (const char* key :
+       {"methods", "results", "cost", "timings", "thresholds", "claims", "panels"}) {
+    EXPECT_TRUE(json[key].is_array()) << key;
+  }
+}
+
+TEST(SummaryJson, RefusesNumbersThatAreNotFinite) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    StudyRecord record = sampleRecord();
+    record.truth.uncertainty = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.truth.flips[1].flipRate = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.truth.stepTexels = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.results[0].counts.truePositive = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.timings[0].seconds = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.cost[0].frameMs = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.thresholds[0].value = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.thresholds[0].maximum = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+  }
+}
+
+TEST(SummaryJson, BytesThatAreNoUtf8DoNotStopIt) {
+  StudyRecord record = sampleRecord();
+  record.file = "scenes/\xff.toml";
+  EXPECT_EQ(written(record)["study"]["file"], "scenes/\uFFFD.toml");
+}
+
+TEST(SummaryJson, SameRecordSameBytes) {
+  EXPECT_EQ(summaryJson(recordWithPanel()), summaryJson(recordWithPanel()));
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,105 @@
+#include "cli/run_command.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <set>
+
+#include "cli/terminal_progress.h"
+#include "common/atomic_file.h"
+#include "common/memory.h"
+#include "relief/table_file.h"
+#include "render/gl_context.h"
+#include "report/folder_writer.h"
+#include "report/metrics_csv.h"
+#include "report/report_html.h"
+#include "report/summary_json.h"
+#include "report/terminal_table.h"
+#include "study/claims.h"
+#include "study/run_study.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+/// All studies are read before the first is run: a typing error in the last one shows at once.
+std::vector<StudySpec> readStudies(const RunRequest& request) {
+  std::vector<StudySpec> studies;
+  std::set<std::string> names;
+  for (const fs::path& file : request.studies) {
+    studies.push_back(readStudy(file, request.options));
+    if (!names.insert(studies.back().name).second) {
+      throw InputError(fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
+                                   file.string(), studies.back().name));
+    }
+    if (request.check && studies.back().thresholds.empty()) {
+      throw InputError(fmt::format("{}: no [[threshold]], so there is nothing to check",
+                                   file.string()));
+    }
+  }
+  return studies;
+}
+
+StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
+  const fs::path folder = request.out / study.name;
+  // An older summary must not stand beside newer pictures.
+  std::error_code ignored;
+  fs::remove(folder / "summary.json", ignored);
+  FolderWriter writer(folder);
+  TerminalProgress progress(study.name);
+  StudyRecord record = runStudy(
+      study, gl, writer, [&](std::string_view stage, double share) { progress.update(stage, share); });
+  record.command = request.command;
+  return record;
+}
+
+void writeReports(const StudyRecord& record, const fs::path& folder) {
+  writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
+  writeTextAtomically(folder / "report.html", reportHtml(record, folder));
+  writeTextAtomically(folder / "summary.json", summaryJson(record));
+}
+
+}  // namespace
+
+ExitStatus runStudies(const RunRequest& request) {
+  const std::vector<StudySpec> studies = readStudies(request);
+  const GlContext gl;
+  std::vector<StudyRecord> records;
+  for (const StudySpec& study : studies) records.push_back(runOne(study, gl, request));
+  bool passed = true;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    records[i].claims = judgeClaims(studies[i].claims, records, i);
+    passed = passed && records[i].passed();
+  }
+  for (const StudyRecord& record : records) {
+    const fs::path folder = request.out / record.name;
+    writeReports(record, folder);
+    fmt::print("{}\nReport: {}\n\n", resultTable(record, coloursWanted()),
+               (folder / "report.html").string());
+  }
+  return request.check && !passed ? ExitStatus::thresholdFailed : ExitStatus::pass;
+}
+
+ExitStatus bakeStudies(const RunRequest& request) {
+  for (const StudySpec& study : readStudies(request)) {
+    TerminalProgress progress(study.name);
+    const HeightField& field = study.relief.field;
+    const HorizonTables tables = bakeHorizons(
+        field, study.bake.settings, [&](double share) { progress.update("bake", share); });
+    const StoredHorizons stored{tables.width,
+                                tables.height,
+                                tables.azimuths,
+                                tables.radiusTexels,
+                                tables.wrap,
+                                storeTable(tables.horizon, study.bake.bits),
+                                storeTable(tables.distance, study.bake.bits)};
+    const fs::path path = request.out / study.name / "tables.exr";
+    writeHorizons(path, stored);
+    fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), tables.width,
+               tables.height, tables.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
+               static_cast<int>(study.bake.bits));
+  }
+  return ExitStatus::pass;
+}
+
+}  // namespace gnomon

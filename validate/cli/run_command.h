@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "study/study_file.h"
+
+namespace gnomon {
+
+/// What `gnomon run` and `gnomon check` were asked for.
+struct RunRequest {
+  std::vector<std::filesystem::path> studies;
+  std::filesystem::path out = "out";
+  StudyOptions options;
+  bool check = false;   ///< thresholds decide the exit status, and a study must have some
+  std::string command;  ///< the command line, for the report
+};
+
+/// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks as they are
+/// made, then metrics.csv, report.html and last summary.json, whose presence says that the run is whole.
+/// Prints a table for each.
+/// @return pass, or thresholdFailed where `check` is set and a gate failed
+ExitStatus runStudies(const RunRequest& request);
+
+/// Bakes the tables of the studies and writes them as `out/NAME/tables.exr`.
+ExitStatus bakeStudies(const RunRequest& request);
+
+}  // namespace gnomon

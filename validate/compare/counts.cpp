@@ -1,0 +1,106 @@
+#include "compare/counts.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+/// Checks that a mask holds what its width and height promise, without overflow for any of the two.
+void requireWhole(const Mask& mask, const char* who) {
+  const bool negative = mask.width < 0 || mask.height < 0;
+  const std::size_t expected =
+      negative ? 0 : static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height);
+  if (negative || mask.size() != expected) {
+    throw InputError(fmt::format("{} mask: {} x {} expected, {} samples found", who, mask.width,
+                                 mask.height, mask.size()));
+  }
+}
+
+void requireSameSize(const Mask& candidate, const Mask& truth) {
+  if (candidate.width != truth.width || candidate.height != truth.height) {
+    throw InputError(fmt::format("candidate mask: {} x {} samples, but the truth has {} x {}",
+                                 candidate.width, candidate.height, truth.width, truth.height));
+  }
+}
+
+void requireOnePerSample(std::size_t found, std::size_t samples, const char* what) {
+  if (found != 0 && found != samples) {
+    throw InputError(fmt::format("{}: {} values for {} samples, one each or none expected", what,
+                                 found, samples));
+  }
+}
+
+void requireWeights(std::span<const double> weights) {
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!(weights[i] >= 0 && std::isfinite(weights[i]))) {
+      throw InputError(fmt::format(
+          "weights: sample {} has weight {}, a finite one of at least 0 expected", i, weights[i]));
+    }
+  }
+}
+
+[[noreturn]] void refusePair(const Mask& mask, std::size_t i, Shade candidate, Shade truth) {
+  const auto width = static_cast<std::size_t>(mask.width);
+  throw InputError(fmt::format(
+      "masks differ in where they have samples: column {}, row {} is {} in the candidate and {} in "
+      "the truth (0 lit, 1 shadowed, 2 none), both or neither expected",
+      i % width, i / width, static_cast<int>(candidate), static_cast<int>(truth)));
+}
+
+bool isAnswer(Shade shade) {
+  return shade == Shade::lit || shade == Shade::shadowed;
+}
+
+double& cell(Counts& counts, Shade candidate, Shade truth) {
+  if (truth == Shade::shadowed) {
+    return candidate == Shade::shadowed ? counts.truePositive : counts.falseNegative;
+  }
+  return candidate == Shade::shadowed ? counts.falsePositive : counts.trueNegative;
+}
+
+void add(Counts& sum, const Counts& part) {
+  sum.truePositive += part.truePositive;
+  sum.falsePositive += part.falsePositive;
+  sum.falseNegative += part.falseNegative;
+  sum.trueNegative += part.trueNegative;
+  sum.samples += part.samples;
+}
+
+}  // namespace
+
+Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights,
+                    std::span<const std::uint8_t> selected) {
+  requireWhole(candidate, "candidate");
+  requireWhole(truth, "truth");
+  requireSameSize(candidate, truth);
+  requireOnePerSample(weights.size(), truth.size(), "weights");
+  requireOnePerSample(selected.size(), truth.size(), "selection");
+  requireWeights(weights);
+
+  const auto width = static_cast<std::size_t>(truth.width);
+  Counts sum;
+  // Row sums first: the rounding error then grows with the sides of a mask, not with its area.
+  for (std::size_t begin = 0; begin < truth.size(); begin += width) {
+    Counts row;
+    for (std::size_t i = begin; i < begin + width; ++i) {
+      if (!selected.empty() && selected[i] == 0) continue;
+      const Shade ours = candidate.samples[i];
+      const Shade theirs = truth.samples[i];
+      if (ours == Shade::none && theirs == Shade::none) continue;
+      if (!isAnswer(ours) || !isAnswer(theirs)) refusePair(truth, i, ours, theirs);
+      cell(row, ours, theirs) += weights.empty() ? 1.0 : weights[i];
+      ++row.samples;
+    }
+    add(sum, row);
+  }
+  if (!std::isfinite(sum.total())) {
+    throw InputError("weights: their sum is larger than a double holds");
+  }
+  return sum;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,103 @@
+#include "relief/height_field.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+void checkSize(int width, int height, std::size_t texelCount) {
+  if (width < 1 || height < 1) {
+    throw InputError(
+        fmt::format("height map: {} x {} texels, at least 1 x 1 expected", width, height));
+  }
+  const std::size_t expected = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (texelCount != expected) {
+    throw InputError(fmt::format("height map: {} heights for {} x {} texels, {} expected",
+                                 texelCount, width, height, expected));
+  }
+}
+
+void checkFinite(int width, const std::vector<float>& texels) {
+  const auto bad =
+      std::find_if(texels.begin(), texels.end(), [](float h) { return !std::isfinite(h); });
+  if (bad == texels.end()) return;
+  const auto index = bad - texels.begin();
+  throw InputError(fmt::format("height map: texel ({}, {}) is {}, a finite height expected",
+                               index % width, index / width, *bad));
+}
+
+/// The two texels between whose centres a coordinate lies, and its share of the way.
+struct Neighbours {
+  int first, second;
+  double share;
+};
+
+Neighbours neighbours(double coordinate, int size, Wrap wrap) {
+  // Reduced in floating point first: the coordinate may exceed what an int holds.
+  double c = coordinate - 0.5;
+  if (wrap == Wrap::repeat) {
+    c = std::fmod(c, size);
+    if (c < 0) c += size;
+  } else {
+    c = std::clamp(c, 0.0, static_cast<double>(size - 1));
+  }
+  const double below = std::floor(c);
+  const int first = static_cast<int>(below);
+  return {wrappedIndex(first, size, wrap), wrappedIndex(first + 1, size, wrap), c - below};
+}
+
+double mix(double a, double b, double share) {
+  return a + (b - a) * share;
+}
+
+}  // namespace
+
+int wrappedIndex(int i, int size, Wrap wrap) {
+  if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
+  const int remainder = i % size;
+  return remainder < 0 ? remainder + size : remainder;
+}
+
+HeightField::HeightField(int width, int height, std::vector<float> texels, Wrap wrap)
+    : width_(width),
+      height_(height),
+      texels_(std::move(texels)),
+      wrap_(wrap),
+      minimum_(0),
+      maximum_(0) {
+  checkSize(width_, height_, texels_.size());
+  checkFinite(width_, texels_);
+  const auto [least, greatest] = std::minmax_element(texels_.begin(), texels_.end());
+  minimum_ = *least;
+  maximum_ = *greatest;
+}
+
+float HeightField::texel(int i, int j) const {
+  const auto column = static_cast<std::size_t>(wrappedIndex(i, width_, wrap_));
+  const auto row = static_cast<std::size_t>(wrappedIndex(j, height_, wrap_));
+  return texels_[row * static_cast<std::size_t>(width_) + column];
+}
+
+double HeightField::at(Vec2 texelPosition) const {
+  if (!std::isfinite(texelPosition.x) || !std::isfinite(texelPosition.y)) {
+    throw InternalError(fmt::format("height asked for at texel position ({}, {})",
+                                    texelPosition.x, texelPosition.y));
+  }
+  const Neighbours x = neighbours(texelPosition.x, width_, wrap_);
+  const Neighbours y = neighbours(texelPosition.y, height_, wrap_);
+  const auto stored = [this](int i, int j) -> double {
+    return texels_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_) +
+                   static_cast<std::size_t>(i)];
+  };
+  return mix(mix(stored(x.first, y.first), stored(x.second, y.first), x.share),
+             mix(stored(x.first, y.second), stored(x.second, y.second), x.share), y.share);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,236 @@
+#include "relief/patterns.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/error.h"
+#include "common/memory.h"
+#include "common/parallel.h"
+#include "common/vec.h"
+
+namespace gnomon {
+namespace {
+
+void checkBetween(std::string_view key, double value, double least, double most) {
+  if (!(value >= least && value <= most)) {
+    throw InputError(
+        fmt::format("relief.{}: {} found, {} to {} expected", key, value, least, most));
+  }
+}
+
+constexpr double longest = 1e9;  // texels: coordinates stay exact far beyond any map
+
+void checkPeriod(double period) {
+  // Shorter ones fall between the texels.
+  checkBetween("period", period, 1, longest);
+}
+
+void checkMap(int width, int height, double amplitude) {
+  if (width < 1 || height < 1) {
+    throw InputError(
+        fmt::format("relief.size: {} x {} texels found, at least 1 x 1 expected", width, height));
+  }
+  if (!std::isfinite(amplitude)) {
+    throw InputError(
+        fmt::format("relief.height: {} found, a finite number expected", amplitude));
+  }
+  requireMemory(static_cast<double>(width) * height * sizeof(float),
+                fmt::format("relief.size: a map of {} x {} texels", width, height));
+}
+
+/// amplitude × function at every texel centre.
+template <typename Function>
+HeightField sample(int width, int height, double amplitude, Wrap wrap, const Function& function) {
+  std::vector<float> texels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  parallelFor(0, static_cast<std::size_t>(height), [&](std::size_t row) {
+    for (int x = 0; x < width; ++x) {
+      const Vec2 centre(x + 0.5, static_cast<double>(row) + 0.5);
+      texels[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
+          static_cast<float>(amplitude * function(centre));
+    }
+  });
+  return {width, height, std::move(texels), wrap};
+}
+
+double smoothstep(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// From a coordinate to the nearest line of a lattice through the cells' centres.
+double toCentre(double x, double period) {
+  const double within = x - period * std::floor(x / period);
+  return within - period / 2;
+}
+
+/// A number in [0, 1) for a lattice point. An integer hash (the mixing steps are those of Murmur 3's
+/// finaliser), so that it is the same on every machine.
+double hashed(std::uint32_t x, std::uint32_t y, std::uint32_t salt) {
+  std::uint32_t h = x * 0x9E3779B1U ^ (y + 0x7F4A7C15U) * 0x85EBCA77U ^ salt * 0xC2B2AE3DU;
+  h = (h ^ (h >> 16)) * 0x85EBCA6BU;
+  h = (h ^ (h >> 13)) * 0xC2B2AE35U;
+  h ^= h >> 16;
+  return h * 0x1p-32;
+}
+
+/// How many periods make up a side, or 0 if it is no whole number of them: then nothing repeats.
+long long periodsIn(int side, double period) {
+  const double count = std::round(side / period);
+  const bool whole = count >= 1 && std::abs(count * period - side) <= 1e-9 * side;
+  return whole ? static_cast<long long>(count) : 0;
+}
+
+/// The jittered points of the cells: squares in rows, each row half a square beside the one below
+/// as scales lie, or as near to half as lets the pattern tile.
+struct CellLattice {
+  const CellsPattern& pattern;
+  long long across, up;  ///< squares after which the points repeat, or 0
+
+  [[nodiscard]] Vec2 point(long long i, long long j) const {
+    const long long column = wrapped(i, across);
+    const long long row = wrapped(j, up);
+    const auto x = static_cast<std::uint32_t>(column);
+    const auto y = static_cast<std::uint32_t>(row);
+    const Vec2 random(hashed(x, y, 2 * pattern.seed), hashed(x, y, 2 * pattern.seed + 1));
+    const double step = up > 0 ? std::round(0.5 * static_cast<double>(up)) / static_cast<double>(up)
+                               : 0.5;
+    const double beside = step * static_cast<double>(row);
+    const Vec2 corner(static_cast<double>(i) + beside - std::floor(beside), static_cast<double>(j));
+    return pattern.period * (corner + 0.5 + pattern.jitter * (random - 0.5));
+  }
+
+ private:
+  static long long wrapped(long long k, long long count) {
+    return count > 0 ? ((k % count) + count) % count : k;
+  }
+};
+
+/// A position among the cells: how far it is from the nearest point, and from the borders of that
+/// point's cell, with the corners rounded.
+struct CellPosition {
+  double fromCentre, fromBorder;
+};
+
+/// -s log Σ exp(-v / s): the least of the values, or up to a few s less where several are near it.
+template <std::size_t count>
+double softMinimum(const std::array<double, count>& values, double s) {
+  const double least = *std::min_element(values.begin(), values.end());
+  double sum = 0;
+  for (const double v : values) sum += std::exp((least - v) / s);
+  return least - s * std::log(sum);
+}
+
+CellPosition cellPosition(const CellLattice& lattice, Vec2 p) {
+  const auto column = static_cast<long long>(std::floor(p.x / lattice.pattern.period));
+  const auto row = static_cast<long long>(std::floor(p.y / lattice.pattern.period));
+  // The two nearest points are less than two squares away, and a row is shifted by less than one.
+  std::array<Vec2, 30> points;
+  std::size_t count = 0;
+  for (long long j = row - 2; j <= row + 2; ++j) {
+    for (long long i = column - 3; i <= column + 2; ++i) points[count++] = lattice.point(i, j);
+  }
+  const auto nearest = std::min_element(points.begin(), points.end(), [p](Vec2 a, Vec2 b) {
+    return glm::dot(a - p, a - p) < glm::dot(b - p, b - p);
+  });
+  std::array<double, points.size()> fromBisectors;
+  std::transform(points.begin(), points.end(), fromBisectors.begin(), [&](Vec2 other) {
+    const double apart = glm::length(other - *nearest);
+    return apart > 0 ? glm::dot(0.5 * (*nearest + other) - p, other - *nearest) / apart
+                     : lattice.pattern.period * 10;
+  });
+  const double softness = 0.3 * lattice.pattern.groove;
+  return {glm::length(*nearest - p), std::max(softMinimum(fromBisectors, softness), 0.0)};
+}
+
+/// A ripple from trough (t = 0) over the crest (t = windward) to the next trough (t = 1): rounded in
+/// the trough, bulging to windward, with an edge at the crest where the sand slides down.
+double rippleProfile(double t, double windward) {
+  if (t < windward) return std::pow(std::sin(pi / 2 * t / windward), 1.5);
+  return std::pow((1 - t) / (1 - windward), 1.5);
+}
+
+/// How far crest lines are displaced, between -1 and 1: three waves, a whole number of each across
+/// the map.
+class Meanders {
+ public:
+  Meanders(int width, int height, double period)
+      : alongX_(2 * pi / width), alongY_(2 * pi / height),
+        x_{waves(width, 23 * period), waves(width, 11 * period), waves(width, 6 * period)},
+        y_{waves(height, 13 * period), waves(height, 6 * period), waves(height, 3.5 * period)} {}
+
+  [[nodiscard]] double at(Vec2 p) const {
+    const double u = alongX_ * p.x;
+    const double v = alongY_ * p.y;
+    return 0.5 * std::sin(y_[0] * v + x_[0] * u) + 0.3 * std::sin(y_[1] * v - x_[1] * u + 1) +
+           0.2 * std::sin(y_[2] * v + x_[2] * u + 2);
+  }
+
+ private:
+  static double waves(int side, double length) { return std::max(1.0, std::round(side / length)); }
+  double alongX_, alongY_;
+  std::array<double, 3> x_, y_;
+};
+
+}  // namespace
+
+HeightField makeColumns(int width, int height, const ColumnsPattern& pattern, double amplitude,
+                        Wrap wrap) {
+  checkMap(width, height, amplitude);
+  checkPeriod(pattern.period);
+  checkBetween("radius", pattern.radius, 0, longest);
+  checkBetween("wall", pattern.wall, 0, longest);
+  return sample(width, height, amplitude, wrap, [&](Vec2 p) {
+    const double beyond =
+        std::hypot(toCentre(p.x, pattern.period), toCentre(p.y, pattern.period)) - pattern.radius;
+    if (beyond <= 0) return 1.0;
+    return beyond < pattern.wall ? 1 - beyond / pattern.wall : 0.0;
+  });
+}
+
+HeightField makeCosine(int width, int height, const CosinePattern& pattern, double amplitude,
+                       Wrap wrap) {
+  checkMap(width, height, amplitude);
+  checkPeriod(pattern.period);
+  const double phase = 2 * pi / pattern.period;
+  return sample(width, height, amplitude, wrap, [phase](Vec2 p) {
+    return (2 - std::cos(phase * p.x) - std::cos(phase * p.y)) / 4;
+  });
+}
+
+HeightField makeCells(int width, int height, const CellsPattern& pattern, double amplitude,
+                      Wrap wrap) {
+  checkMap(width, height, amplitude);
+  checkPeriod(pattern.period);
+  checkBetween("jitter", pattern.jitter, 0, 1);
+  checkBetween("groove", pattern.groove, 1e-3, longest);
+  const CellLattice lattice{pattern, periodsIn(width, pattern.period),
+                            periodsIn(height, pattern.period)};
+  return sample(width, height, amplitude, wrap, [&](Vec2 p) {
+    const CellPosition at = cellPosition(lattice, p);
+    const double away = std::min(at.fromCentre / pattern.period, 1.0);
+    return smoothstep(at.fromBorder / pattern.groove) * (1 - 0.6 * away * away);
+  });
+}
+
+HeightField makeRipples(int width, int height, const RipplesPattern& pattern, double amplitude,
+                        Wrap wrap) {
+  checkMap(width, height, amplitude);
+  checkPeriod(pattern.period);
+  checkBetween("windward", pattern.windward, 0.01, 0.99);
+  checkBetween("meander", pattern.meander, 0, longest);
+  const Meanders meanders(width, height, pattern.period);
+  return sample(width, height, amplitude, wrap, [&](Vec2 p) {
+    const double shift = meanders.at(p);
+    const double phase = (p.x + pattern.meander * shift) / pattern.period;
+    return rippleProfile(phase - std::floor(phase), pattern.windward);
+  });
+}
+
+}  // namespace gnomon

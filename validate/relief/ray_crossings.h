@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "common/vec.h"
+
+namespace gnomon {
+
+/// Unit vector of azimuth φ_m = 2πm/M, exact where it lies on an axis, with equal components on a
+/// diagonal, and with the same digits in every quadrant.
+Vec2 azimuthDirection(int azimuth, int azimuths);
+
+/// A node of the lattice of texel centres, relative to the ray's origin.
+struct Node {
+  int x, y;
+};
+
+/// The part of a ray inside one cell of the lattice of texel centres (a unit square between four
+/// of them) and the point where it leaves the cell, on the lattice line between two nodes.
+struct Crossing {
+  double enter;    ///< r where the ray enters the cell, texels
+  double leave;    ///< r where it leaves it
+  Node cell;       ///< the cell's lower left node
+  Node from, to;   ///< the height at `leave` is h(from) + share · (h(to) - h(from))
+  double share;    ///< 0 to 1; 0 on a node
+};
+
+/// A ray from a texel centre, cut at every lattice line. Since all texel centres are nodes, the
+/// cuts are the same for each of them.
+struct RayCrossings {
+  Vec2 direction;                   ///< unit
+  std::vector<Crossing> crossings;  ///< by distance; lines met at one node count once
+  double radius;                    ///< D, where the ray ends
+  Node lastCell;                    ///< the cell in which it ends
+  /// Where the ray enters the last cell; equal to `radius` if it ends on a lattice line.
+  double lastEnter;
+};
+
+/// @param direction  unit; @param radius  D > 0, texels
+RayCrossings cutRay(Vec2 direction, double radius);
+
+}  // namespace gnomon

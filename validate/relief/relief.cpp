@@ -1,0 +1,18 @@
+#include "relief/relief.h"
+
+#include <cmath>
+
+namespace gnomon {
+
+double worldPerHeight(HeightSpace space, const TexelFrame& frame) {
+  if (space == HeightSpace::world) return 1;
+  return std::sqrt(glm::length(glm::cross(frame.px, frame.py)));
+}
+
+Vec3 displaced(const Relief& relief, const TexelFrame& frame) {
+  if (!frame.defined) return frame.position;
+  const double height = worldPerHeight(relief.space, frame) * relief.field.at(frame.texel);
+  return frame.position + height * frame.normal;
+}
+
+}  // namespace gnomon

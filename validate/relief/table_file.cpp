@@ -1,0 +1,352 @@
+#include "relief/table_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "common/atomic_file.h"
+#include "common/error.h"
+#include "common/memory.h"
+
+namespace gnomon {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr int mostAzimuths = 1000;  // three digits in a channel's name
+constexpr int rowsAtOnce = 16;      // what EXR's zip compression packs together
+
+std::string oneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
+  throw InputError(fmt::format("{}: {}", path.string(), oneLine(reason)));
+}
+
+/// How one entry of a table lies in the file. Converted by hand, since the image library scales
+/// integers when it converts them.
+OIIO::TypeDesc pixelType(TableBits bits) {
+  if (bits == TableBits::sixteen) return OIIO::TypeDesc::UINT32;
+  return bits == TableBits::eight ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+}
+
+/// How it lies in the buffers handed to the image library: 32 bits each.
+OIIO::TypeDesc bufferType(TableBits bits) {
+  return bits == TableBits::sixteen ? OIIO::TypeDesc::UINT32 : OIIO::TypeDesc::FLOAT;
+}
+
+std::size_t bytesAnEntry(TableBits bits) {
+  return static_cast<std::size_t>(bits) / 8;
+}
+
+std::uint32_t bitsOf(float value) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, &value, sizeof word);
+  return word;
+}
+
+float floatOf(std::uint32_t word) {
+  float value = 0;
+  std::memcpy(&value, &word, sizeof value);
+  return value;
+}
+
+/// A buffer word from an entry's bytes.
+std::uint32_t wordFromEntry(const std::uint8_t* entry, TableBits bits) {
+  if (bits == TableBits::eight) return bitsOf(*entry);
+  std::uint32_t word = 0;
+  std::uint16_t code = 0;
+  if (bits == TableBits::sixteen) {
+    std::memcpy(&code, entry, sizeof code);
+    return code;
+  }
+  std::memcpy(&word, entry, sizeof word);
+  return word;
+}
+
+/// An entry's bytes from a buffer word; false where the word is no such entry.
+bool entryFromWord(std::uint32_t word, TableBits bits, std::uint8_t* entry) {
+  if (bits == TableBits::sixteen) {
+    const auto code = static_cast<std::uint16_t>(word);
+    std::memcpy(entry, &code, sizeof code);
+    return code == word;
+  }
+  const float value = floatOf(word);
+  if (!std::isfinite(value)) return false;
+  if (bits == TableBits::eight) {
+    if (!(value >= 0 && value <= 255 && value == std::floor(value))) return false;
+    *entry = static_cast<std::uint8_t>(value);
+    return true;
+  }
+  std::memcpy(entry, &word, sizeof word);
+  return true;
+}
+
+/// Where one channel of the file lives in the tables.
+struct Channel {
+  bool isDistance;
+  int azimuth;
+};
+
+std::string channelName(Channel channel) {
+  return fmt::format("{}.{:03}", channel.isDistance ? "distance" : "horizon", channel.azimuth);
+}
+
+std::size_t entryIndex(const StoredHorizons& tables, int azimuth, int row, int x) {
+  const auto width = static_cast<std::size_t>(tables.width);
+  const auto height = static_cast<std::size_t>(tables.height);
+  return (static_cast<std::size_t>(azimuth) * height + static_cast<std::size_t>(row)) * width +
+         static_cast<std::size_t>(x);
+}
+
+void checkConsistent(const fs::path& path, const StoredHorizons& tables) {
+  const std::size_t entries = entryIndex(tables, tables.azimuths, 0, 0);
+  if (tables.width < 1 || tables.height < 1 || tables.azimuths < 1 ||
+      tables.azimuths > mostAzimuths || tables.horizon.bits != tables.distance.bits ||
+      tables.horizon.entryCount() != entries || tables.distance.entryCount() != entries) {
+    refuse(path, fmt::format("cannot hold tables of {} x {} texels and {} azimuths with {} and {} "
+                             "entries: both of width x height x azimuths entries of the same bits "
+                             "and at most {} azimuths expected",
+                             tables.width, tables.height, tables.azimuths,
+                             tables.horizon.entryCount(), tables.distance.entryCount(),
+                             mostAzimuths));
+  }
+}
+
+OIIO::ImageSpec specOf(const StoredHorizons& tables) {
+  OIIO::ImageSpec spec(tables.width, tables.height, 2 * tables.azimuths,
+                       pixelType(tables.horizon.bits));
+  for (int c = 0; c < 2 * tables.azimuths; ++c) {
+    const Channel channel{c < tables.azimuths, c % tables.azimuths};
+    spec.channelnames[static_cast<std::size_t>(c)] = channelName(channel);
+  }
+  spec.alpha_channel = spec.z_channel = -1;
+  spec.attribute("compression", "zip");
+  spec.attribute("gnomon:azimuths", tables.azimuths);
+  // As text, since EXR metadata of this library holds no doubles.
+  spec.attribute("gnomon:radiusTexels", fmt::format("{}", tables.radiusTexels));
+  spec.attribute("gnomon:wrap", tables.wrap == Wrap::repeat ? "repeat" : "clamp");
+  spec.attribute("gnomon:bits", static_cast<int>(tables.horizon.bits));
+  spec.attribute("gnomon:horizonLow", tables.horizon.low);
+  spec.attribute("gnomon:horizonHigh", tables.horizon.high);
+  spec.attribute("gnomon:distanceLow", tables.distance.low);
+  spec.attribute("gnomon:distanceHigh", tables.distance.high);
+  return spec;
+}
+
+/// The image's rows [top, top + rows) from the tables, channels innermost. The image's first row is
+/// the tables' last, as in a height image.
+void gatherRows(const StoredHorizons& tables, int top, int rows, std::vector<std::uint32_t>& out) {
+  const TableBits bits = tables.horizon.bits;
+  const int channels = 2 * tables.azimuths;
+  auto word = out.begin();
+  for (int y = top; y < top + rows; ++y) {
+    for (int x = 0; x < tables.width; ++x) {
+      for (int c = 0; c < channels; ++c) {
+        const StoredTable& table = c < tables.azimuths ? tables.distance : tables.horizon;
+        const auto entry = entryIndex(tables, c % tables.azimuths, tables.height - 1 - y, x);
+        *word++ = wordFromEntry(table.bytes.data() + entry * bytesAnEntry(bits), bits);
+      }
+    }
+  }
+}
+
+void writePixels(const fs::path& path, OIIO::ImageOutput& image, const StoredHorizons& tables) {
+  const OIIO::TypeDesc type = bufferType(tables.horizon.bits);
+  std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * 2 *
+                                    static_cast<std::size_t>(tables.azimuths) * rowsAtOnce);
+  for (int top = 0; top < tables.height; top += rowsAtOnce) {
+    const int rows = std::min(rowsAtOnce, tables.height - top);
+    gatherRows(tables, top, rows, buffer);
+    if (!image.write_scanlines(top, top + rows, 0, type, buffer.data())) {
+      refuse(path, "cannot be written: " + image.geterror());
+    }
+  }
+}
+
+int readInt(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& name) {
+  const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeDesc::INT);
+  if (!found) refuse(path, fmt::format("no attribute {}: not tables that Gnomon wrote", name));
+  return found->get_int();
+}
+
+float readFloat(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& name) {
+  const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeDesc::FLOAT);
+  if (!found) refuse(path, fmt::format("no attribute {}: not tables that Gnomon wrote", name));
+  const float value = found->get_float();
+  if (!std::isfinite(value)) refuse(path, fmt::format("{} is {}, not finite", name, value));
+  return value;
+}
+
+std::string readText(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& name) {
+  const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeDesc::STRING);
+  if (!found) refuse(path, fmt::format("no attribute {}: not tables that Gnomon wrote", name));
+  return found->get_string();
+}
+
+TableBits readBits(const fs::path& path, const OIIO::ImageSpec& spec) {
+  const int bits = readInt(path, spec, "gnomon:bits");
+  if (bits != 8 && bits != 16 && bits != 32) {
+    refuse(path, fmt::format("gnomon:bits is {}, 8, 16 or 32 expected", bits));
+  }
+  return static_cast<TableBits>(bits);
+}
+
+Wrap readWrap(const fs::path& path, const OIIO::ImageSpec& spec) {
+  const std::string wrap = readText(path, spec, "gnomon:wrap");
+  if (wrap != "repeat" && wrap != "clamp") {
+    refuse(path, fmt::format("gnomon:wrap is '{}', repeat or clamp expected", wrap));
+  }
+  return wrap == "repeat" ? Wrap::repeat : Wrap::clamp;
+}
+
+double readRadius(const fs::path& path, const OIIO::ImageSpec& spec) {
+  const std::string text = readText(path, spec, "gnomon:radiusTexels");
+  char* end = nullptr;
+  const double radius = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !(radius > 0) || !std::isfinite(radius)) {
+    refuse(path, fmt::format("gnomon:radiusTexels is '{}', a number over 0 expected", text));
+  }
+  return radius;
+}
+
+StoredTable readRange(const fs::path& path, const OIIO::ImageSpec& spec, TableBits bits,
+                      const std::string& name) {
+  StoredTable table;
+  table.bits = bits;
+  table.low = readFloat(path, spec, fmt::format("gnomon:{}Low", name));
+  table.high = readFloat(path, spec, fmt::format("gnomon:{}High", name));
+  if (table.low > table.high) {
+    refuse(path, fmt::format("gnomon:{}Low is {}, at most gnomon:{}High = {} expected", name,
+                             table.low, name, table.high));
+  }
+  return table;
+}
+
+/// Everything but the entries.
+StoredHorizons readHeader(const fs::path& path, const OIIO::ImageSpec& spec) {
+  StoredHorizons tables;
+  tables.azimuths = readInt(path, spec, "gnomon:azimuths");
+  tables.radiusTexels = readRadius(path, spec);
+  tables.wrap = readWrap(path, spec);
+  const TableBits bits = readBits(path, spec);
+  tables.horizon = readRange(path, spec, bits, "horizon");
+  tables.distance = readRange(path, spec, bits, "distance");
+  tables.width = spec.width;
+  tables.height = spec.height;
+  if (tables.azimuths < 1 || tables.azimuths > mostAzimuths ||
+      spec.nchannels != 2 * tables.azimuths || spec.width < 1 || spec.height < 1 ||
+      spec.depth > 1 || spec.deep) {
+    refuse(path, fmt::format("{} x {} pixels with {} channels for gnomon:azimuths = {}, two flat "
+                             "channels an azimuth expected",
+                             spec.width, spec.height, spec.nchannels, tables.azimuths));
+  }
+  if (spec.format != pixelType(bits) || !spec.channelformats.empty()) {
+    refuse(path, fmt::format("pixels are {}, {} expected for gnomon:bits = {}",
+                             spec.format.c_str(), pixelType(bits).c_str(), static_cast<int>(bits)));
+  }
+  return tables;
+}
+
+/// Which table entry each of the file's channels holds: the image library may reorder them.
+std::vector<Channel> channelsOf(const fs::path& path, const OIIO::ImageSpec& spec, int azimuths) {
+  std::vector<Channel> channels(static_cast<std::size_t>(spec.nchannels));
+  for (const bool isDistance : {false, true}) {
+    for (int m = 0; m < azimuths; ++m) {
+      const std::string name = channelName({isDistance, m});
+      const int found = spec.channelindex(name);
+      if (found < 0) refuse(path, fmt::format("no channel {}", name));
+      channels[static_cast<std::size_t>(found)] = {isDistance, m};
+    }
+  }
+  return channels;
+}
+
+void scatterRows(const fs::path& path, const std::vector<std::uint32_t>& buffer, int top, int rows,
+                 const std::vector<Channel>& channels, StoredHorizons& tables) {
+  const TableBits bits = tables.horizon.bits;
+  auto word = buffer.begin();
+  for (int y = top; y < top + rows; ++y) {
+    for (int x = 0; x < tables.width; ++x) {
+      for (const Channel channel : channels) {
+        StoredTable& table = channel.isDistance ? tables.distance : tables.horizon;
+        const auto entry = entryIndex(tables, channel.azimuth, tables.height - 1 - y, x);
+        if (!entryFromWord(*word++, bits, table.bytes.data() + entry * bytesAnEntry(bits))) {
+          refuse(path, fmt::format("pixel ({}, {}) of channel {} is no code of {} bits", x, y,
+                                   channelName(channel), static_cast<int>(bits)));
+        }
+      }
+    }
+  }
+}
+
+void readPixels(const fs::path& path, OIIO::ImageInput& image, const OIIO::ImageSpec& spec,
+                StoredHorizons& tables) {
+  const std::vector<Channel> channels = channelsOf(path, spec, tables.azimuths);
+  const OIIO::TypeDesc type = bufferType(tables.horizon.bits);
+  std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * channels.size() *
+                                    rowsAtOnce);
+  for (int top = 0; top < tables.height; top += rowsAtOnce) {
+    const int rows = std::min(rowsAtOnce, tables.height - top);
+    // Scanlines are counted from the data window's own origin.
+    if (!image.read_scanlines(0, 0, spec.y + top, spec.y + top + rows, 0, 0, spec.nchannels, type,
+                              buffer.data())) {
+      refuse(path, "its pixels cannot be read: " + image.geterror());
+    }
+    scatterRows(path, buffer, top, rows, channels, tables);
+  }
+}
+
+double bytesToHold(const StoredHorizons& tables) {
+  const double texels = static_cast<double>(tables.width) * tables.height;
+  const double bufferBytes = 8.0 * tables.width * tables.azimuths * rowsAtOnce;
+  return 2 * texels * tables.azimuths * static_cast<double>(bytesAnEntry(tables.horizon.bits)) +
+         bufferBytes;
+}
+
+}  // namespace
+
+void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
+  checkConsistent(path, tables);
+  writeAtomically(path, [&](const fs::path& temporary) {
+    const auto image = OIIO::ImageOutput::create(temporary.string());
+    if (!image || image->format_name() != std::string("openexr")) {
+      refuse(path, "a name that ends in .exr expected");
+    }
+    if (!image->open(temporary.string(), specOf(tables))) {
+      refuse(path, "cannot be written: " + image->geterror());
+    }
+    writePixels(path, *image, tables);
+    if (!image->close()) refuse(path, "cannot be written: " + image->geterror());
+  });
+}
+
+StoredHorizons readHorizons(const fs::path& path) {
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) refuse(path, "no such file, tables in EXR expected");
+  const auto image = OIIO::ImageInput::open(path.string());
+  if (!image) refuse(path, "not an EXR that can be read: " + OIIO::geterror());
+  const OIIO::ImageSpec spec = image->spec();
+  StoredHorizons tables = readHeader(path, spec);
+  requireMemory(bytesToHold(tables),
+                fmt::format("{}: tables of {} x {} texels and {} azimuths", path.string(),
+                            tables.width, tables.height, tables.azimuths));
+  const std::size_t entries = entryIndex(tables, tables.azimuths, 0, 0);
+  tables.horizon.bytes.resize(entries * bytesAnEntry(tables.horizon.bits));
+  tables.distance.bytes.resize(entries * bytesAnEntry(tables.distance.bits));
+  readPixels(path, *image, spec, tables);
+  return tables;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,137 @@
+#include "render/method.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view opening = "/* gnomon-method";
+
+/// Errors of one declaration, with the line in the GLSL file.
+class Declaration {
+ public:
+  Declaration(std::string file, std::string_view text) : file_(std::move(file)) {
+    const std::size_t begin = text.find(opening);
+    const std::size_t end = text.find("*/");
+    if (begin != 0 || end == std::string_view::npos) {
+      throw InputError(fmt::format("{}:1: a comment `{} … */` with the method's declaration expected",
+                                   file_, opening));
+    }
+    try {
+      // The comment's opening takes the first line, so that TOML's line k is the file's line k.
+      table_ = toml::parse(std::string(opening.size(), ' ')
+                               .append(text.substr(opening.size(), end - opening.size())));
+    } catch (const toml::parse_error& error) {
+      throw InputError(
+          fmt::format("{}:{}: {}", file_, error.source().begin.line, error.description()));
+    }
+  }
+
+  [[nodiscard]] const toml::table& table() const { return table_; }
+
+  [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
+    throw InputError(fmt::format("{}:{}: {}", file_, node.source().begin.line, what));
+  }
+
+  void allowOnly(const toml::table& table, std::initializer_list<std::string_view> keys) const {
+    for (const auto& [key, node] : table) {
+      if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
+        fail(node, fmt::format("unknown key `{}`, expected {}", key.str(), fmt::join(keys, ", ")));
+      }
+    }
+  }
+
+  [[nodiscard]] std::string text(std::string_view key) const {
+    const auto value = table_[key].value<std::string>();
+    if (!value) throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", file_, key));
+    return *value;
+  }
+
+  [[nodiscard]] double number(const toml::table& table, std::string_view key) const {
+    const auto value = table[key].value<double>();
+    if (!value) fail(table, fmt::format("`{}` is missing, a number expected", key));
+    return *value;
+  }
+
+ private:
+  std::string file_;
+  toml::table table_;
+};
+
+MethodTables readTables(const Declaration& declaration) {
+  MethodTables tables;
+  const toml::array* list = declaration.table()["tables"].as_array();
+  if (list == nullptr) return tables;
+  for (const toml::node& node : *list) {
+    const auto name = node.value<std::string>().value_or("");
+    if (name == "height") tables.height = true;
+    else if (name == "horizon") tables.horizon = true;
+    else if (name == "distance") tables.distance = true;
+    else declaration.fail(node, fmt::format("table `{}`, expected height, horizon or distance", name));
+  }
+  return tables;
+}
+
+std::map<std::string, MethodParameter> readParameters(const Declaration& declaration) {
+  std::map<std::string, MethodParameter> parameters;
+  const toml::table* tables = declaration.table()["parameters"].as_table();
+  if (tables == nullptr) return parameters;
+  for (const auto& [name, node] : *tables) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) declaration.fail(node, "a table with default, minimum, maximum expected");
+    declaration.allowOnly(*table, {"default", "minimum", "maximum", "about"});
+    MethodParameter parameter;
+    parameter.standard = declaration.number(*table, "default");
+    parameter.minimum = declaration.number(*table, "minimum");
+    parameter.maximum = declaration.number(*table, "maximum");
+    parameter.about = (*table)["about"].value_or(std::string());
+    if (!(parameter.minimum <= parameter.standard && parameter.standard <= parameter.maximum)) {
+      declaration.fail(node, "the default lies outside minimum … maximum");
+    }
+    parameters.emplace(name.str(), parameter);
+  }
+  return parameters;
+}
+
+}  // namespace
+
+Method readMethod(const fs::path& path) {
+  Method method;
+  method.source = readShader(path);
+  method.name = path.stem().string();
+  const Declaration declaration(method.source.file, method.source.text);
+  declaration.allowOnly(declaration.table(), {"title", "citation", "tables", "parameters"});
+  method.title = declaration.text("title");
+  method.citation = declaration.text("citation");
+  method.tables = readTables(declaration);
+  method.parameters = readParameters(declaration);
+  return method;
+}
+
+fs::path methodFile(const fs::path& shaders, const std::string& name) {
+  const std::vector<std::string> names = methodNames(shaders);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw InputError(fmt::format("no method `{}`, there are {}", name, fmt::join(names, ", ")));
+  }
+  return shaders / "methods" / (name + ".glsl");
+}
+
+std::vector<std::string> methodNames(const fs::path& shaders) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(shaders / "methods")) {
+    if (entry.path().extension() == ".glsl") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace gnomon

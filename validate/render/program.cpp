@@ -1,0 +1,77 @@
+#include "render/program.h"
+
+#include <fmt/core.h>
+
+#include <regex>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+std::string joinPieces(const std::vector<ShaderPiece>& pieces,
+                       const std::vector<std::string>& defines) {
+  std::string text = "#version 450 core\n";
+  for (const std::string& name : defines) text += fmt::format("#define {}\n", name);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    // The second number is how the compiler's messages name the piece.
+    text += fmt::format("#line 1 {}\n{}\n", i, pieces[i].text);
+  }
+  return text;
+}
+
+template <typename Get, typename GetLog>
+std::string infoLog(GLuint name, const Get& get, const GetLog& getLog) {
+  GLint length = 0;
+  get(name, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+  getLog(name, length, nullptr, log.data());
+  log.resize(log.find('\0') == std::string::npos ? log.size() : log.find('\0'));
+  return log;
+}
+
+/// "2:14(5): error: …" (Mesa) or "2(14) : error …" (NVIDIA) as "FILE:14: …".
+std::string located(const std::string& log, const std::vector<ShaderPiece>& pieces) {
+  static const std::regex pattern(R"((\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?([^\n]*))");
+  std::smatch match;
+  if (!std::regex_search(log, match, pattern)) return fmt::format("{}: {}", pieces.back().file, log);
+  const auto piece = std::min<std::size_t>(std::stoul(match[1]), pieces.size() - 1);
+  return fmt::format("{}:{}: {}", pieces[piece].file, match[match[2].matched ? 2 : 3].str(),
+                     match[4].str());
+}
+
+gl::Shader compile(GLenum stage, const std::vector<ShaderPiece>& pieces,
+                   const std::vector<std::string>& defines) {
+  const std::string text = joinPieces(pieces, defines);
+  const char* source = text.c_str();
+  gl::Shader shader(glCreateShader(stage));
+  glShaderSource(shader.name(), 1, &source, nullptr);
+  glCompileShader(shader.name());
+  GLint compiled = GL_FALSE;
+  glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
+  if (compiled == GL_FALSE) {
+    throw InputError(located(infoLog(shader.name(), glGetShaderiv, glGetShaderInfoLog), pieces));
+  }
+  return shader;
+}
+
+}  // namespace
+
+gl::Program makeProgram(const std::vector<ShaderPiece>& vertex,
+                        const std::vector<ShaderPiece>& fragment,
+                        const std::vector<std::string>& defines) {
+  const gl::Shader vertexShader = compile(GL_VERTEX_SHADER, vertex, defines);
+  const gl::Shader fragmentShader = compile(GL_FRAGMENT_SHADER, fragment, defines);
+  gl::Program program(glCreateProgram());
+  glAttachShader(program.name(), vertexShader.name());
+  glAttachShader(program.name(), fragmentShader.name());
+  glLinkProgram(program.name());
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+  if (linked == GL_FALSE) {
+    throw InputError(located(infoLog(program.name(), glGetProgramiv, glGetProgramInfoLog), fragment));
+  }
+  return program;
+}
+
+}  // namespace gnomon

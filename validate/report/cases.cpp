@@ -1,0 +1,69 @@
+#include "report/cases.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+template <typename T>
+void appendOnce(std::vector<T>& list, const T& item) {
+  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
+
+bool belongsTo(const ResultRecord& result, const Case& which) {
+  return result.view == which.view && result.light == which.light;
+}
+
+}  // namespace
+
+std::vector<Case> casesOf(const StudyRecord& record) {
+  std::vector<Case> cases;
+  for (const ResultRecord& result : record.results) {
+    appendOnce(cases, Case{result.view, result.light});
+  }
+  return cases;
+}
+
+std::vector<std::string> methodsOf(const StudyRecord& record) {
+  std::vector<std::string> withResults;
+  for (const ResultRecord& result : record.results) appendOnce(withResults, result.method);
+  std::vector<std::string> methods;
+  for (const MethodRecord& method : record.methods) {
+    const auto found = std::find(withResults.begin(), withResults.end(), method.label);
+    if (found != withResults.end()) appendOnce(methods, method.label);
+  }
+  for (const std::string& label : withResults) appendOnce(methods, label);
+  return methods;
+}
+
+std::vector<std::string> regionsOf(const StudyRecord& record, const Case& which) {
+  std::vector<std::string> regions;
+  for (const ResultRecord& result : record.results) {
+    if (belongsTo(result, which)) appendOnce(regions, result.region);
+  }
+  return regions;
+}
+
+const ResultRecord* findResult(const StudyRecord& record, std::string_view method,
+                               const Case& which, std::string_view region) {
+  const auto found = std::find_if(record.results.begin(), record.results.end(), [&](const auto& r) {
+    return r.method == method && r.region == region && belongsTo(r, which);
+  });
+  return found == record.results.end() ? nullptr : &*found;
+}
+
+std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which) {
+  for (const UncertaintyRecord& flip : record.truth.flips) {
+    if (flip.view == which.view && flip.light == which.light) return flip.flipRate;
+  }
+  const bool measured = !record.truth.flips.empty() || record.truth.uncertainty > 0;
+  return measured ? std::optional(record.truth.uncertainty) : std::nullopt;
+}
+
+bool notDistinguishable(std::optional<double> a, std::optional<double> b,
+                        std::optional<double> uncertainty) {
+  return a && b && uncertainty && std::abs(*a - *b) <= *uncertainty;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/record.h"
+
+namespace gnomon {
+
+/// The region that holds every sample.
+constexpr std::string_view wholeRegion = "all";
+
+/// One view under one light.
+struct Case {
+  std::string view;
+  std::string light;
+  bool operator==(const Case&) const = default;
+};
+
+/// The cases of a record, in the order in which its results first name them.
+std::vector<Case> casesOf(const StudyRecord& record);
+
+/// The labels of the methods that have results: as `methods` lists them, then any others.
+std::vector<std::string> methodsOf(const StudyRecord& record);
+
+/// The regions of one case, in the order of the results.
+std::vector<std::string> regionsOf(const StudyRecord& record, const Case& which);
+
+/// The row of one method, or nullptr.
+const ResultRecord* findResult(const StudyRecord& record, std::string_view method,
+                               const Case& which, std::string_view region = wholeRegion);
+
+/// The share of samples that flip in the truth of this case. Where the run has none for the case,
+/// its largest; nothing, if it measured none at all.
+std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which);
+
+/// Whether two error rates differ by no more than the truth's own uncertainty. If one of the three
+/// is not known, that cannot be said.
+bool notDistinguishable(std::optional<double> a, std::optional<double> b,
+                        std::optional<double> uncertainty);
+
+}  // namespace gnomon

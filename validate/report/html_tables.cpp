@@ -1,0 +1,267 @@
+#include "report/html_tables.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "common/memory.h"
+#include "compare/rates.h"
+#include "report/html_text.h"
+#include "report/number_text.h"
+
+namespace gnomon {
+namespace {
+
+std::string textCell(std::string_view text) {
+  return fmt::format("<td>{}</td>", escapeHtml(text));
+}
+
+std::string numberCell(std::string_view html, std::string_view tooltip = "") {
+  const std::string title =
+      tooltip.empty() ? "" : fmt::format(" title=\"{}\"", escapeHtml(tooltip));
+  return fmt::format("<td class=\"n\"{}>{}</td>", title, html);
+}
+
+std::string rateText(std::optional<double> share) {
+  return escapeHtml(percentText(share));
+}
+
+std::string metricCell(const Metric& metric) {
+  return numberCell(rateText(metric.value), metric.reason);
+}
+
+std::string headCells(std::initializer_list<std::string_view> texts,
+                      std::initializer_list<std::string_view> numbers) {
+  std::string cells;
+  for (const auto& text : texts) cells += fmt::format("<th>{}</th>", text);
+  for (const auto& number : numbers) cells += fmt::format("<th class=\"n\">{}</th>", number);
+  return cells;
+}
+
+std::string withUncertainty(std::optional<double> share, std::optional<double> uncertainty) {
+  if (!uncertainty) return rateText(share);
+  return fmt::format("{} <small>±&#8239;{}</small>", rateText(share), rateText(uncertainty));
+}
+
+/// A bar of the two kinds of error, `full` being the longest.
+std::string errorBar(double falseShadow, double falseLight, double full) {
+  if (!(full > 0)) return "";
+  return fmt::format(
+      "<span class=\"bar\" aria-hidden=\"true\"><i class=\"shadow\" style=\"width:{:.2f}%\"></i>"
+      "<i class=\"light\" style=\"width:{:.2f}%\"></i></span>",
+      100 * falseShadow / full, 100 * falseLight / full);
+}
+
+/// "≈ a, b and 2 more", or nothing.
+std::string indistinguishableText(const std::vector<std::string>& labels) {
+  if (labels.empty()) return "";
+  constexpr std::size_t shown = 3;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(shown, labels.size()); ++i) {
+    names += (i > 0 ? ", " : "") + escapeHtml(labels[i]);
+  }
+  if (labels.size() > shown) names += fmt::format(" and {} more", labels.size() - shown);
+  return fmt::format("<small class=\"same\">not distinguishable from {}</small>", names);
+}
+
+/// How many cases a mean leaves out, where it does.
+std::string meanCell(const Mean& mean, std::size_t cases) {
+  if (mean.cases == cases) return numberCell(rateText(mean.value));
+  return numberCell(rateText(mean.value),
+                    fmt::format("defined in {} of {} cases", mean.cases, cases));
+}
+
+std::string rankedRow(const RankedMethod& method, std::size_t rank, std::size_t allCases,
+                      double longest) {
+  const std::string partial = method.cases == allCases
+                                  ? ""
+                                  : fmt::format("<small class=\"same\">{} of {} cases only</small>",
+                                                method.cases, allCases);
+  return fmt::format(
+      "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}{}{}</td>{}{}{}{}{}</tr>\n", rank,
+      escapeHtml(method.label),
+      errorBar(method.falseShadow.value.value_or(0), method.falseLight.value.value_or(0), longest),
+      indistinguishableText(method.indistinguishable), partial,
+      numberCell("<b>" + withUncertainty(method.errorRate.value, method.uncertainty) + "</b>"),
+      meanCell(method.falseShadow, method.cases), meanCell(method.falseLight, method.cases),
+      meanCell(method.iou, method.cases), meanCell(method.ber, method.cases));
+}
+
+constexpr std::array<std::string_view, 7> caseMetrics = {
+    "error_rate", "false_shadow", "false_light", "iou", "f1", "ber", "mcc"};
+
+/// The Matthews correlation is no share: it is shown as it is.
+std::string correlationCell(const Metric& metric) {
+  if (!metric.value) return metricCell(metric);
+  return numberCell(fmt::format("{:.3f}", requireFinite(*metric.value, metric.name)));
+}
+
+std::vector<std::string> othersInUncertainty(const StudyRecord& record, const ResultRecord& row,
+                                             const Case& which) {
+  const auto error = [](const ResultRecord& r) { return rate(r.counts, "error_rate").value; };
+  std::vector<std::string> labels;
+  for (const std::string& method : methodsOf(record)) {
+    const ResultRecord* other = findResult(record, method, which);
+    if (other == nullptr || other == &row) continue;
+    if (notDistinguishable(error(row), error(*other), uncertaintyOf(record, which))) {
+      labels.push_back(method);
+    }
+  }
+  return labels;
+}
+
+std::string caseRow(const StudyRecord& record, const ResultRecord& row, const Case& which) {
+  std::string cells = fmt::format("<td class=\"method\">{}{}</td>", escapeHtml(row.method),
+                                  indistinguishableText(othersInUncertainty(record, row, which)));
+  for (const std::string_view name : caseMetrics) {
+    const Metric metric = rate(row.counts, name);
+    cells += name == "mcc" ? correlationCell(metric) : metricCell(metric);
+  }
+  return fmt::format("<tr>{}</tr>\n", cells);
+}
+
+std::string regionTooltip(const Counts& counts) {
+  return fmt::format("{} samples, false shadow {} %, false light {} %", groupedText(counts.samples),
+                     percentText(rate(counts, "false_shadow").value),
+                     percentText(rate(counts, "false_light").value));
+}
+
+/// @param worst  the table's largest error rate: its cell gets the full shade
+std::string regionCell(const ResultRecord* row, double worst) {
+  if (row == nullptr) return numberCell("", "not evaluated");
+  const Metric error = rate(row->counts, "error_rate");
+  if (!error.value) return metricCell(error);
+  const double shade = worst > 0 ? *error.value / worst : 0;
+  return fmt::format("<td class=\"n heat\" style=\"--heat:{:.3f}\" title=\"{}\">{}</td>", shade,
+                     escapeHtml(regionTooltip(row->counts)), rateText(error.value));
+}
+
+/// The samples of a region, where all methods were asked at the same ones.
+std::string regionSamples(const StudyRecord& record, const Case& which, std::string_view region) {
+  std::optional<std::size_t> samples;
+  for (const std::string& method : methodsOf(record)) {
+    const ResultRecord* row = findResult(record, method, which, region);
+    if (row == nullptr) continue;
+    if (samples && *samples != row->counts.samples) return "differing samples";
+    samples = row->counts.samples;
+  }
+  return samples ? groupedText(*samples) + " samples" : "";
+}
+
+std::string boundText(const ThresholdRecord& threshold) {
+  std::string text;
+  if (threshold.minimum) text += "≥ " + exactText(*threshold.minimum);
+  if (threshold.minimum && threshold.maximum) text += ", ";
+  if (threshold.maximum) text += "≤ " + exactText(*threshold.maximum);
+  return text;
+}
+
+}  // namespace
+
+std::string rankingTable(const std::vector<RankedMethod>& ranked) {
+  std::size_t allCases = 0;
+  double longest = 0;
+  for (const RankedMethod& method : ranked) {
+    allCases = std::max(allCases, method.cases);
+    longest = std::max(longest, method.errorRate.value.value_or(0));
+  }
+  std::string body;
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
+    body += rankedRow(ranked[i], i + 1, allCases, longest);
+  }
+  return htmlTable(
+      "ranking", headCells({"", "Method"}, {"Error", "False shadow", "False light", "IoU", "BER"}),
+      body);
+}
+
+std::string caseTable(const StudyRecord& record, const Case& which) {
+  std::string body;
+  for (const std::string& method : methodsOf(record)) {
+    if (const ResultRecord* row = findResult(record, method, which)) {
+      body += caseRow(record, *row, which);
+    }
+  }
+  return htmlTable("metrics",
+                   headCells({"Method"}, {"Error", "False shadow", "False light", "IoU", "F1",
+                                          "BER", "MCC (−1 to 1)"}),
+                   body);
+}
+
+std::string regionTable(const StudyRecord& record, const Case& which) {
+  const std::vector<std::string> regions = regionsOf(record, which);
+  if (regions.size() < 2) return "";
+  const std::vector<std::string> methods = methodsOf(record);
+  std::string head = "<th>Method</th>";
+  double worst = 0;
+  for (const std::string& region : regions) {
+    head += fmt::format("<th class=\"n\">{}<small>{}</small></th>", escapeHtml(region),
+                        regionSamples(record, which, region));
+    for (const std::string& method : methods) {
+      const ResultRecord* row = findResult(record, method, which, region);
+      if (row != nullptr) {
+        worst = std::max(worst, rate(row->counts, "error_rate").value.value_or(0));
+      }
+    }
+  }
+  std::string body;
+  for (const std::string& method : methods) {
+    if (findResult(record, method, which) == nullptr) continue;
+    body += fmt::format("<tr><td class=\"method\">{}</td>", escapeHtml(method));
+    for (const std::string& region : regions) {
+      body += regionCell(findResult(record, method, which, region), worst);
+    }
+    body += "</tr>\n";
+  }
+  return htmlTable("regions", head, body);
+}
+
+std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds) {
+  std::string body;
+  for (const ThresholdRecord& t : thresholds) {
+    body += fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}</tr>\n",
+                        t.passed ? "held" : "failed", t.passed ? "met" : "failed",
+                        textCell(t.method), textCell(t.view), textCell(t.light), textCell(t.region),
+                        textCell(t.metric), numberCell(t.value ? exactText(*t.value) : "undefined"),
+                        numberCell(boundText(t)));
+  }
+  return htmlTable(
+      "thresholds",
+      headCells({"", "Method", "View", "Light", "Region", "Metric"}, {"Value", "Limit"}), body);
+}
+
+std::string costTable(const std::vector<CostRecord>& cost) {
+  std::string body;
+  for (const CostRecord& c : cost) {
+    const auto bytes = [](std::uint64_t count) { return formatBytes(static_cast<double>(count)); };
+    body += fmt::format(
+        "<tr><td class=\"method\">{}</td>{}{}{}{}</tr>\n", escapeHtml(c.method),
+        numberCell(groupedText(c.polygons)), numberCell(bytes(c.tableBytes)),
+        numberCell(bytes(c.heightBytes)),
+        c.frameMs ? numberCell(fmt::format("{:.2f}", requireFinite(*c.frameMs, "frame_ms")))
+                  : numberCell("–", "not measured"));
+  }
+  return htmlTable("cost",
+                   headCells({"Method"}, {"Triangles", "Tables", "Height map", "Frame, ms"}), body);
+}
+
+std::string flipTable(const std::vector<UncertaintyRecord>& flips) {
+  std::string body;
+  for (const UncertaintyRecord& flip : flips) {
+    body += fmt::format("<tr>{}{}{}</tr>\n", textCell(flip.view), textCell(flip.light),
+                        numberCell(rateText(flip.flipRate)));
+  }
+  return htmlTable("flips", headCells({"View", "Light"}, {"Samples that flip"}), body);
+}
+
+std::string timingTable(const std::vector<TimingRecord>& timings) {
+  std::string body;
+  for (const TimingRecord& timing : timings) {
+    body += fmt::format(
+        "<tr>{}{}</tr>\n", textCell(timing.stage),
+        numberCell(fmt::format("{:.2f}", requireFinite(timing.seconds, "timings.seconds"))));
+  }
+  return htmlTable("timings", headCells({"Stage"}, {"Seconds"}), body);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace gnomon {
+
+/// A picture of 8-bit sRGB values: three a pixel, row by row, row 0 at the top.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+}  // namespace gnomon

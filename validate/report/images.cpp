@@ -1,0 +1,159 @@
+#include "report/images.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "common/atomic_file.h"
+#include "common/error.h"
+#include "common/memory.h"
+
+namespace gnomon {
+namespace {
+
+/// Whether `count` values fill width × height pixels of `channels` values each.
+bool fills(std::size_t count, int width, int height, std::size_t channels) {
+  return width >= 0 && height >= 0 &&
+         count == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels;
+}
+
+void requireWhole(const Mask& mask) {
+  if (!fills(mask.size(), mask.width, mask.height, 1)) {
+    throw InternalError(fmt::format("mask: {} x {} expected, {} samples found", mask.width,
+                                    mask.height, mask.size()));
+  }
+}
+
+void requireWhole(const Image& image) {
+  if (!fills(image.rgb.size(), image.width, image.height, 3)) {
+    throw InternalError(fmt::format("image: {} x {} pixels of 3 values expected, {} values found",
+                                    image.width, image.height, image.rgb.size()));
+  }
+}
+
+Image emptyImage(const Mask& mask) {
+  Image image{mask.width, mask.height, {}};
+  image.rgb.reserve(3 * mask.size());
+  return image;
+}
+
+void append(Image& image, const Rgb& colour) {
+  image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+}
+
+const Rgb& maskColour(Shade shade) {
+  static constexpr Rgb lit = MaskColours::lit;
+  static constexpr Rgb shadowed = MaskColours::shadowed;
+  static constexpr Rgb none = MaskColours::none;
+  return shade == Shade::lit ? lit : shade == Shade::shadowed ? shadowed : none;
+}
+
+Rgb differenceColour(Shade candidate, Shade truth) {
+  if (truth == Shade::none) return DifferenceColours::none;
+  if (candidate == truth) {
+    return truth == Shade::lit ? DifferenceColours::bothLit : DifferenceColours::bothShadowed;
+  }
+  return truth == Shade::lit ? DifferenceColours::falseShadow : DifferenceColours::falseLight;
+}
+
+Shade shadeOf(const Image& image, std::size_t pixel) {
+  const Rgb colour{image.rgb[3 * pixel], image.rgb[3 * pixel + 1], image.rgb[3 * pixel + 2]};
+  if (colour == MaskColours::lit) return Shade::lit;
+  if (colour == MaskColours::shadowed) return Shade::shadowed;
+  if (colour == MaskColours::none) return Shade::none;
+  const auto width = static_cast<std::size_t>(image.width);
+  throw InputError(
+      fmt::format("mask image: column {}, row {} is ({}, {}, {}), but white (lit), black "
+                  "(shadowed) or 128 grey "
+                  "(no sample) was expected",
+                  pixel % width, pixel / width, colour[0], colour[1], colour[2]));
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const char* what,
+                         const std::string& why) {
+  throw InputError(fmt::format("{}: {}: {}", path.string(), what, why));
+}
+
+void writeWith(OIIO::ImageOutput& output, const std::filesystem::path& temporary,
+               const std::filesystem::path& path, const Image& image) {
+  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+  const bool written = output.open(temporary.string(), spec) &&
+                       output.write_image(OIIO::TypeDesc::UINT8, image.rgb.data()) &&
+                       output.close();
+  if (!written) refuse(path, "cannot be written", output.geterror());
+}
+
+std::vector<std::uint8_t> threeChannels(const std::vector<std::uint8_t>& grey) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(3 * grey.size());
+  for (const std::uint8_t value : grey) rgb.insert(rgb.end(), 3, value);
+  return rgb;
+}
+
+}  // namespace
+
+Image maskImage(const Mask& mask) {
+  requireWhole(mask);
+  Image image = emptyImage(mask);
+  for (const Shade shade : mask.samples) append(image, maskColour(shade));
+  return image;
+}
+
+Mask maskFromImage(const Image& image) {
+  requireWhole(image);
+  Mask mask{image.width, image.height, {}};
+  const std::size_t pixels = image.rgb.size() / 3;
+  mask.samples.reserve(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) mask.samples.push_back(shadeOf(image, i));
+  return mask;
+}
+
+Image differenceImage(const Mask& candidate, const Mask& truth) {
+  requireWhole(candidate);
+  requireWhole(truth);
+  if (candidate.width != truth.width || candidate.height != truth.height) {
+    throw InputError(fmt::format("candidate mask: {} x {} samples, but the truth has {} x {}",
+                                 candidate.width, candidate.height, truth.width, truth.height));
+  }
+  Image image = emptyImage(truth);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if ((candidate.samples[i] == Shade::none) != (truth.samples[i] == Shade::none)) {
+      const auto width = static_cast<std::size_t>(truth.width);
+      throw InputError(fmt::format("masks: column {}, row {} has a sample in only one of the two",
+                                   i % width, i / width));
+    }
+    append(image, differenceColour(candidate.samples[i], truth.samples[i]));
+  }
+  return image;
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  requireWhole(image);
+  if (image.rgb.empty()) {
+    throw InternalError(fmt::format("{}: an image without pixels", path.string()));
+  }
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
+  if (!output) throw InternalError("OpenImageIO: no writer for PNG: " + OIIO::geterror());
+  writeAtomically(path, [&](const std::filesystem::path& temporary) {
+    writeWith(*output, temporary, path, image);
+  });
+}
+
+Image readImage(const std::filesystem::path& path) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
+  if (!input) refuse(path, "cannot be read", OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.nchannels != 1 && spec.nchannels != 3) {
+    refuse(path, "1 or 3 channels expected", fmt::format("{} found", spec.nchannels));
+  }
+  requireMemory(4 * static_cast<double>(spec.image_pixels()) * spec.nchannels, path.string());
+  std::vector<std::uint8_t> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, values.data())) {
+    refuse(path, "cannot be read", input->geterror());
+  }
+  if (spec.nchannels == 1) values = threeChannels(values);
+  return {spec.width, spec.height, std::move(values)};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,64 @@
+#include "report/metrics_csv.h"
+
+#include <string_view>
+#include <vector>
+
+#include "compare/rates.h"
+#include "report/number_text.h"
+
+namespace gnomon {
+namespace {
+
+std::string csvCell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) {
+    if (c == '"') cell += '"';
+    cell += c;
+  }
+  return cell + '"';
+}
+
+void appendLine(std::string& csv, const std::vector<std::string>& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) csv += ',';
+    csv += csvCell(cells[i]);
+  }
+  csv += '\n';
+}
+
+std::vector<std::string> header() {
+  std::vector<std::string> cells = {"study",   "method", "light", "view", "region",
+                                    "samples", "tp",     "fp",    "fn",   "tn"};
+  for (const std::string_view name : metricNames()) cells.emplace_back(name);
+  return cells;
+}
+
+std::vector<std::string> row(const std::string& study, const ResultRecord& result) {
+  const Counts& counts = result.counts;
+  std::vector<std::string> cells = {study,
+                                    result.method,
+                                    result.light,
+                                    result.view,
+                                    result.region,
+                                    std::to_string(counts.samples),
+                                    exactText(counts.truePositive),
+                                    exactText(counts.falsePositive),
+                                    exactText(counts.falseNegative),
+                                    exactText(counts.trueNegative)};
+  for (const Metric& metric : rates(counts)) {
+    cells.push_back(metric.value ? exactText(*metric.value) : "");
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::string metricsCsv(const StudyRecord& record) {
+  std::string csv;
+  appendLine(csv, header());
+  for (const ResultRecord& result : record.results) appendLine(csv, row(record.name, result));
+  return csv;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,34 @@
+#include "report/number_text.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "common/error.h"
+
+namespace gnomon {
+
+double requireFinite(double value, std::string_view what) {
+  if (!std::isfinite(value)) {
+    throw InternalError(fmt::format("{}: {} found, a finite number expected", what, value));
+  }
+  return value;
+}
+
+std::string percentText(std::optional<double> share) {
+  if (!share) return "–";
+  const double percent = 100 * requireFinite(*share, "rate");
+  return percent > 0 && percent < 0.005 ? "<0.01" : fmt::format("{:.2f}", percent);
+}
+
+std::string exactText(double value) {
+  return fmt::format("{}", requireFinite(value, "value"));
+}
+
+std::string groupedText(std::uint64_t value) {
+  std::string digits = fmt::format("{}", value);
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, "\u202f");
+  return digits;
+}
+
+}  // namespace gnomon

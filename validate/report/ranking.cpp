@@ -1,0 +1,83 @@
+#include "report/ranking.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "compare/rates.h"
+#include "report/cases.h"
+
+namespace gnomon {
+namespace {
+
+using Rows = std::vector<const ResultRecord*>;
+
+Mean meanOf(const Rows& rows, std::string_view metric) {
+  double sum = 0;
+  std::size_t defined = 0;
+  for (const ResultRecord* row : rows) {
+    if (const auto value = rate(row->counts, metric).value) {
+      sum += *value;
+      ++defined;
+    }
+  }
+  if (defined == 0) return {};
+  return {sum / static_cast<double>(defined), defined};
+}
+
+std::optional<double> meanUncertainty(const StudyRecord& record, const Rows& rows) {
+  double sum = 0;
+  for (const ResultRecord* row : rows) {
+    const auto flips = uncertaintyOf(record, {row->view, row->light});
+    if (!flips) return std::nullopt;
+    sum += *flips;
+  }
+  return rows.empty() ? std::nullopt : std::optional(sum / static_cast<double>(rows.size()));
+}
+
+RankedMethod summarise(const StudyRecord& record, const std::string& label,
+                       const std::vector<Case>& cases) {
+  Rows rows;
+  for (const Case& which : cases) {
+    if (const ResultRecord* row = findResult(record, label, which)) rows.push_back(row);
+  }
+  RankedMethod method;
+  method.label = label;
+  method.cases = rows.size();
+  method.errorRate = meanOf(rows, "error_rate");
+  method.falseShadow = meanOf(rows, "false_shadow");
+  method.falseLight = meanOf(rows, "false_light");
+  method.iou = meanOf(rows, "iou");
+  method.ber = meanOf(rows, "ber");
+  method.uncertainty = meanUncertainty(record, rows);
+  return method;
+}
+
+void markIndistinguishable(std::vector<RankedMethod>& ranked) {
+  for (RankedMethod& method : ranked) {
+    for (const RankedMethod& other : ranked) {
+      if (&other != &method &&
+          notDistinguishable(method.errorRate.value, other.errorRate.value, method.uncertainty)) {
+        method.indistinguishable.push_back(other.label);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<RankedMethod> rankMethods(const StudyRecord& record) {
+  const std::vector<Case> cases = casesOf(record);
+  std::vector<RankedMethod> ranked;
+  for (const std::string& label : methodsOf(record)) {
+    ranked.push_back(summarise(record, label, cases));
+  }
+  const auto key = [](const RankedMethod& method) {
+    return method.errorRate.value.value_or(std::numeric_limits<double>::infinity());
+  };
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  markIndistinguishable(ranked);
+  return ranked;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/record.h"
+
+namespace gnomon {
+
+/// A metric averaged over cases, each with the same weight.
+struct Mean {
+  std::optional<double> value;  ///< over the cases that define it; none, if no case does
+  std::size_t cases = 0;        ///< how many those are
+};
+
+/// What one method's results over all lights and views come to, in the region of all samples.
+struct RankedMethod {
+  std::string label;
+  std::size_t cases = 0;  ///< view × light pairs with results
+  Mean errorRate, falseShadow, falseLight, iou, ber;
+  std::optional<double> uncertainty;           ///< the truth's, mean over the same cases
+  std::vector<std::string> indistinguishable;  ///< labels whose mean error is as close as that
+};
+
+/// The methods from the lowest mean error rate to the highest; equal ones keep the record's order,
+/// and a method without any defined error rate comes last.
+std::vector<RankedMethod> rankMethods(const StudyRecord& record);
+
+}  // namespace gnomon

@@ -1,0 +1,246 @@
+#include "report/report_html.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/memory.h"
+#include "report/cases.h"
+#include "report/html_figures.h"
+#include "report/html_tables.h"
+#include "report/html_text.h"
+#include "report/names.h"
+#include "report/number_text.h"
+#include "report/ranking.h"
+#include "report/report_style.h"
+
+namespace gnomon {
+namespace {
+
+std::string headingOf(const StudyRecord& record) {
+  return escapeHtml(record.title.empty() ? record.name : record.title);
+}
+
+std::string head(const StudyRecord& record) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+      "style-src 'unsafe-inline'\">\n"
+      "<title>{} – Gnomon</title>\n<style>\n{}{}</style>\n</head>\n",
+      headingOf(record), differenceProperties(), reportStyle());
+}
+
+std::string section(std::string_view id, std::string_view title, const std::string& content) {
+  if (content.empty()) return "";
+  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, title, content);
+}
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string verdictHtml(const StudyRecord& record) {
+  const auto& thresholds = record.thresholds;
+  if (thresholds.empty()) return "<span class=\"tag open\">no thresholds set</span>";
+  const auto met = std::count_if(thresholds.begin(), thresholds.end(),
+                                 [](const ThresholdRecord& t) { return t.passed; });
+  return fmt::format("<span class=\"tag {}\">{}</span> {} of {} met",
+                     record.passed() ? "held" : "failed", record.passed() ? "pass" : "fail", met,
+                     plural(thresholds.size(), "threshold"));
+}
+
+/// One sentence: which method is closest to the truth, and how sure the truth is.
+std::string leadHtml(const std::vector<RankedMethod>& ranked) {
+  if (ranked.empty() || !ranked.front().errorRate.value) return "No result has an error rate.";
+  const RankedMethod& best = ranked.front();
+  std::string text = fmt::format(
+      "Of {} over {}, <b>{}</b> is closest to the truth: it gets "
+      "<b>{}&#8239;%</b> of the samples wrong.",
+      plural(ranked.size(), "method"), plural(best.cases, "case"), escapeHtml(best.label),
+      escapeHtml(percentText(best.errorRate.value)));
+  if (!best.uncertainty) return text + " How sure the truth itself is was not measured.";
+  text += fmt::format(" The truth itself is uncertain by {}&#8239;%{}.",
+                      escapeHtml(percentText(best.uncertainty)),
+                      notDistinguishable(best.errorRate.value, 0.0, best.uncertainty)
+                          ? ": so small an error cannot be told from none"
+                          : "");
+  if (best.indistinguishable.empty()) return text;
+  return text + fmt::format(" {} cannot be told from the best.",
+                            plural(best.indistinguishable.size(), "other method"));
+}
+
+std::string header(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
+  return fmt::format(
+      "<header>\n<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n<h1>{}</h1>\n"
+      "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n"
+      "</header>\n",
+      headingOf(record), escapeHtml(record.source), verdictHtml(record), leadHtml(ranked));
+}
+
+std::string rankingSection(const std::vector<RankedMethod>& ranked) {
+  if (ranked.empty()) return "";
+  return section(
+      "ranking", "Methods, best first",
+      "<p class=\"note\">Percent of the samples, mean over all lights and views. <b>±</b> is the "
+      "truth’s own uncertainty: the share of its samples that change at half its resolution. "
+      "The bar shows the error’s two parts: <i class=\"chip shadow\"></i> false shadow, "
+      "<i class=\"chip light\"></i> false light.</p>\n" +
+          rankingTable(ranked));
+}
+
+std::string tagClass(Verdict verdict) {
+  return verdict == Verdict::held ? "held" : verdict == Verdict::failed ? "failed" : "open";
+}
+
+std::string claimsSection(const std::vector<ClaimRecord>& claims) {
+  std::string items;
+  for (const ClaimRecord& claim : claims) {
+    items += fmt::format(
+        "<li><span class=\"tag {}\">{}</span><div><p>{}</p><p class=\"note\">{}</p>"
+        "<p class=\"note\">{}</p></div></li>\n",
+        tagClass(claim.verdict), verdictName(claim.verdict), escapeHtml(claim.text),
+        escapeHtml(claim.detail), escapeHtml(claim.source));
+  }
+  if (items.empty()) return "";
+  return section("claims", "What was claimed", "<ul class=\"claims\">\n" + items + "</ul>\n");
+}
+
+std::string thresholdSection(const StudyRecord& record) {
+  if (record.thresholds.empty()) return "";
+  return section("thresholds", "Thresholds", thresholdTable(record.thresholds));
+}
+
+std::vector<Case> casesWithPictures(const StudyRecord& record) {
+  std::vector<Case> cases = casesOf(record);
+  for (const PanelRecord& panel : record.panels) {
+    const Case which{panel.view, panel.light};
+    if (std::find(cases.begin(), cases.end(), which) == cases.end()) cases.push_back(which);
+  }
+  return cases;
+}
+
+std::string caseTables(const StudyRecord& record, const Case& which) {
+  if (findResult(record, methodsOf(record).empty() ? "" : methodsOf(record).front(), which) ==
+          nullptr &&
+      regionsOf(record, which).empty()) {
+    return "";
+  }
+  std::string html = "<h3>All samples</h3>\n" + caseTable(record, which);
+  const std::string regions = regionTable(record, which);
+  if (!regions.empty()) {
+    html +=
+        "<h3>Error by region</h3>\n<p class=\"note\">Percent of the region’s own samples; a darker "
+        "cell is a larger error.</p>\n" +
+        regions;
+  }
+  return html;
+}
+
+std::string caseSection(const StudyRecord& record, const Case& which, std::size_t number,
+                        const std::filesystem::path& folder) {
+  std::string content;
+  for (const PanelRecord& panel : record.panels) {
+    if (Case{panel.view, panel.light} != which) continue;
+    content += panelFigures(record, panel, folder) + differenceLegend();
+  }
+  content += caseTables(record, which);
+  return section(fmt::format("case-{}", number),
+                 fmt::format("{} <span class=\"light\">{}</span>", escapeHtml(which.view),
+                             escapeHtml(which.light)),
+                 content);
+}
+
+std::string costSection(const std::vector<CostRecord>& cost) {
+  if (cost.empty()) return "";
+  return section("cost", "What each method costs",
+                 "<p class=\"note\">Memory of the tables and the height map that a frame reads; "
+                 "the median time of one frame.</p>\n" +
+                     costTable(cost));
+}
+
+std::string fact(std::string_view term, std::string_view text) {
+  if (text.empty()) return "";
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escapeHtml(text));
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  return formatBytes(static_cast<double>(bytes));
+}
+
+std::string truthSection(const StudyRecord& record) {
+  const TruthRecord& truth = record.truth;
+  const bool measured = !truth.flips.empty() || truth.uncertainty > 0;
+  std::string content =
+      "<dl>\n" + fact("Micro-triangles", groupedText(truth.microTriangles)) +
+      fact("Longest step",
+           fmt::format("{:.4g} texels", requireFinite(truth.stepTexels, "truth.step_texels"))) +
+      fact("Largest uncertainty",
+           measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
+      fact("Ray tracing structure", bytesText(truth.bvhBytes)) +
+      fact("Mesh", bytesText(truth.meshBytes)) +
+      fact("Left out",
+           fmt::format("{} samples where no frame exists", groupedText(record.undefinedSamples))) +
+      "</dl>\n";
+  if (!truth.flips.empty()) content += flipTable(truth.flips);
+  return section("truth", "The truth", content);
+}
+
+std::string timingSection(const std::vector<TimingRecord>& timings) {
+  if (timings.empty()) return "";
+  return section("timings", "Where the time went", timingTable(timings));
+}
+
+std::string citations(const std::vector<MethodRecord>& methods) {
+  std::string items;
+  for (const MethodRecord& method : methods) {
+    items += fmt::format("<dt>{}</dt><dd>{}{}<code>{}</code><small>{}</small></dd>\n",
+                         escapeHtml(method.label), escapeHtml(method.title),
+                         method.title.empty() ? "" : " ", escapeHtml(method.name),
+                         escapeHtml(method.citation));
+  }
+  return items.empty() ? "" : section("methods", "The methods", "<dl>\n" + items + "</dl>\n");
+}
+
+std::string reproduceSection(const StudyRecord& record) {
+  const EnvironmentRecord& e = record.environment;
+  return section(
+      "reproduce", "Run it again",
+      fmt::format("<pre><code>{}</code></pre>\n<dl>\n", escapeHtml(record.command)) +
+          fact("Study", record.file) + fact("Gnomon", e.gnomonVersion) + fact("Commit", e.commit) +
+          fact("CPU", e.threads > 0
+                          ? fmt::format("{}, {}", e.cpu,
+                                        plural(static_cast<std::size_t>(e.threads), "thread"))
+                          : e.cpu) +
+          fact("OpenGL", e.glRenderer) + fact("OpenGL version", e.glVersion) +
+          fact("Embree", e.embreeVersion) + fact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
+}
+
+/// Links to the cases: with many lights a reader needs them.
+std::string navigation(const std::vector<Case>& cases) {
+  if (cases.size() < 2) return "";
+  std::string links;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    links += fmt::format("<a href=\"#case-{}\">{} · {}</a>\n", i + 1, escapeHtml(cases[i].view),
+                         escapeHtml(cases[i].light));
+  }
+  return "<nav aria-label=\"Cases\">\n" + links + "</nav>\n";
+}
+
+}  // namespace
+
+std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder) {
+  const std::vector<RankedMethod> ranked = rankMethods(record);
+  const std::vector<Case> cases = casesWithPictures(record);
+  std::string html = head(record) + "<body>\n" + header(record, ranked) + "<main>\n" +
+                     rankingSection(ranked) + claimsSection(record.claims) +
+                     thresholdSection(record) + navigation(cases);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    html += caseSection(record, cases[i], i + 1, folder);
+  }
+  return html + costSection(record.cost) + truthSection(record) + citations(record.methods) +
+         timingSection(record.timings) + reproduceSection(record) + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace gnomon

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "study/record.h"
+
+namespace gnomon {
+
+/// The value of "schema". A reader may rely on the keys below as long as it does not change.
+constexpr std::string_view summarySchema = "gnomon-summary/1";
+
+/// A whole run as JSON, keys in a fixed order, text as UTF-8 (bytes that are not become U+FFFD):
+///   schema, status ("pass" or "fail"), study, environment, truth, methods, results, cost, timings,
+///   thresholds, claims, panels, undefined_samples
+/// A row of `results` has method, light, view, region, samples, the cells tp, fp, fn, tn (areas in
+/// weighted views), every metric by name, and `undefined`: for each metric that is null, why.
+/// @throws InternalError naming the key for a number that is not finite
+std::string summaryJson(const StudyRecord& record);
+
+}  // namespace gnomon

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gnomon {
+
+/// Text for a terminal, measured in its columns: a wide character takes two, a combining one none.
+/// Control characters become '?' and bytes that are not UTF-8 U+FFFD, so that no label can move the
+/// cursor. Line breaks count as control characters.
+
+/// The columns that `text` takes.
+std::size_t displayWidth(std::string_view text);
+
+/// The text, padded with spaces or cut (then it ends in "…") to exactly `width` columns.
+std::string fitLeft(std::string_view text, std::size_t width);
+
+/// As fitLeft, but the text stands at the right.
+std::string fitRight(std::string_view text, std::size_t width);
+
+/// The text broken at spaces into lines of at most `width` columns (≥ 1); a longer word is cut into
+/// pieces. No text gives no line.
+std::vector<std::string> wrapText(std::string_view text, std::size_t width);
+
+}  // namespace gnomon

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "study/record.h"
+#include "study/study_file.h"
+
+namespace gnomon {
+
+/// Judges the claims of one study of a run.
+///
+/// "`less` has a smaller metric than `than`" is judged in every light and view over all samples:
+///   held                 smaller everywhere, by more than the truth's uncertainty there
+///   failed               larger somewhere, by more than that
+///   not distinguishable  anything between
+/// With `gainExceeds` the mean of (than - less) over lights and views is compared with the same
+/// mean in the study of that name, by the sum of both studies' largest uncertainties; without that
+/// study in the run the claim is not evaluated, and says what to run.
+/// @param run  the records of all studies of this run
+/// @param own  which of them the claims belong to
+std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
+                                     std::span<const StudyRecord> run, std::size_t own);
+
+}  // namespace gnomon

@@ -1,0 +1,41 @@
+#include "study/environment.h"
+
+#include <tbb/global_control.h>
+
+#include <fstream>
+
+#include "surface/limit_surface.h"
+#include "truth/micro_scene.h"
+
+namespace gnomon {
+namespace {
+
+std::string processorName() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string line;
+  while (std::getline(file, line)) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+EnvironmentRecord describeEnvironment(const GlContext& gl) {
+  EnvironmentRecord environment;
+  environment.gnomonVersion = GNOMON_VERSION;
+  environment.commit = GNOMON_COMMIT;
+  environment.cpu = processorName();
+  environment.threads = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  environment.glRenderer = gl.renderer();
+  environment.glVersion = gl.version();
+  environment.embreeVersion = MicroScene::embreeVersion();
+  environment.openSubdivVersion = openSubdivVersion();
+  return environment;
+}
+
+}  // namespace gnomon

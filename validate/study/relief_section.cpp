@@ -1,0 +1,86 @@
+#include "study/relief_section.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "relief/height_image.h"
+#include "relief/patterns.h"
+
+namespace gnomon {
+namespace {
+
+/// What every pattern takes.
+struct PatternSize {
+  int width;
+  int height;
+  double amplitude;
+  Wrap wrap;
+};
+
+HeightField readColumns(const TomlReader& section, const PatternSize& size) {
+  ColumnsPattern pattern;
+  pattern.period = section.number("period", positive, pattern.period);
+  pattern.radius = section.number("radius", positive, pattern.radius);
+  pattern.wall = section.number("wall", Range{0}, pattern.wall);
+  return makeColumns(size.width, size.height, pattern, size.amplitude, size.wrap);
+}
+
+HeightField readCosine(const TomlReader& section, const PatternSize& size) {
+  CosinePattern pattern;
+  pattern.period = section.number("period", positive, pattern.period);
+  return makeCosine(size.width, size.height, pattern, size.amplitude, size.wrap);
+}
+
+HeightField readCells(const TomlReader& section, const PatternSize& size) {
+  CellsPattern pattern;
+  pattern.period = section.number("period", positive, pattern.period);
+  pattern.jitter = section.number("jitter", Range{0, 1}, pattern.jitter);
+  pattern.groove = section.number("groove", positive, pattern.groove);
+  pattern.seed = static_cast<std::uint32_t>(
+      section.integer("seed", 0, std::numeric_limits<int>::max(), static_cast<int>(pattern.seed)));
+  return makeCells(size.width, size.height, pattern, size.amplitude, size.wrap);
+}
+
+HeightField readRipples(const TomlReader& section, const PatternSize& size) {
+  RipplesPattern pattern;
+  pattern.period = section.number("period", positive, pattern.period);
+  pattern.windward = section.number("windward", Range{0, 1}, pattern.windward);
+  pattern.meander = section.number("meander", Range{0}, pattern.meander);
+  return makeRipples(size.width, size.height, pattern, size.amplitude, size.wrap);
+}
+
+HeightField readPattern(const TomlReader& section, double height, Wrap wrap) {
+  constexpr int mostTexels = 16384;
+  constexpr std::array readers = {readColumns, readCosine, readCells, readRipples};
+  const auto reader =
+      readers.at(section.choice("pattern", {"columns", "cosine", "cells", "ripples"}));
+  const Vec2 texels = section.vec2("texels", Range{1, mostTexels});
+  const PatternSize size{static_cast<int>(texels.x), static_cast<int>(texels.y), height, wrap};
+  if (size.width != texels.x || size.height != texels.y) {
+    section.fail("texels", "two whole numbers expected");
+  }
+  return reader(section, size);
+}
+
+}  // namespace
+
+Relief readReliefSection(const TomlReader& section, const std::filesystem::path& folder) {
+  if (section.has("image") == section.has("pattern")) {
+    section.fail("pattern", "either `pattern` or `image` expected");
+  }
+  constexpr std::array wraps = {Wrap::repeat, Wrap::clamp};
+  constexpr std::array spaces = {HeightSpace::world, HeightSpace::texture};
+  const double height = section.number("height", Range{-1e6, 1e6});
+  const Wrap wrap = wraps.at(section.choice("wrap", {"repeat", "clamp"}, 0));
+  const HeightSpace space = spaces.at(section.choice("height_space", {"world", "texture"}));
+  const Vec2 repeats = section.vec2("repeats", positive, Vec2(1));
+  if (section.has("image")) {
+    constexpr int mostChannels = 1023;
+    const int channel = section.integer("channel", 0, mostChannels, 0);
+    return {readHeightImage(folder / section.text("image"), channel, height, wrap), space, repeats};
+  }
+  return {readPattern(section, height, wrap), space, repeats};
+}
+
+}  // namespace gnomon

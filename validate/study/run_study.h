@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/gl_context.h"
+#include "study/record.h"
+#include "study/run_writer.h"
+#include "study/stage_clock.h"
+#include "study/study_file.h"
+
+namespace gnomon {
+
+/// Measures a study: builds surface and relief, bakes tables, traces the truth at full and half
+/// resolution, renders every method at the truth's samples, compares. Masks and pictures go to
+/// `writer`, figures into the record. Claims are left to `judgeClaims`, since some need other
+/// studies of the same run.
+/// @param gl  current on this thread
+StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer,
+                     const StageProgress& progress = {});
+
+/// Names as parts of file names: letters, digits, dots and dashes, distinct for distinct indices.
+std::vector<std::string> fileNames(const std::vector<std::string>& names);
+
+}  // namespace gnomon

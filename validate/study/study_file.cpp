@@ -1,0 +1,314 @@
+#include "study/study_file.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "common/error.h"
+#include "compare/rates.h"
+#include "render/method.h"
+#include "study/relief_section.h"
+#include "study/surface_section.h"
+#include "study/toml_reader.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int mostPixelsASide = 16384;
+
+BakeSpec readBake(const TomlReader& section, BakeSpec bake) {
+  constexpr std::array bits = {8, 16, 32};
+  bake.settings.azimuths = section.integer("azimuths", 1, 1024, bake.settings.azimuths);
+  bake.settings.radiusTexels =
+      section.number("radius", Range{0, 1e5, true}, bake.settings.radiusTexels);
+  const int asked = section.integer("bits", 8, 32, static_cast<int>(bake.bits));
+  if (std::find(bits.begin(), bits.end(), asked) == bits.end()) {
+    section.fail("bits", fmt::format("{} found, 8, 16 or 32 expected", asked));
+  }
+  bake.bits = static_cast<TableBits>(asked);
+  section.finish();
+  return bake;
+}
+
+/// By default occluders are searched over the longer side of the map: one whole tile.
+BakeSpec standardBake(const Relief& relief) {
+  BakeSpec bake;
+  bake.settings.radiusTexels = std::max(relief.field.width(), relief.field.height());
+  return bake;
+}
+
+int readSubdivisions(const TomlReader& section, int fallback) {
+  const int subdivisions = section.integer("subdivisions", 1, 1024, fallback);
+  section.finish();
+  return subdivisions;
+}
+
+Camera readCamera(const TomlReader& section) {
+  Camera camera;
+  camera.eye = section.vec3("eye");
+  camera.target = section.vec3("target", Vec3(0));
+  camera.up = section.vec3("up", Vec3(0, 1, 0));
+  camera.verticalFov = radians(section.number("fov", Range{0.1, 170}, 30));
+  camera.width = section.integer("width", 1, mostPixelsASide);
+  camera.height = section.integer("height", 1, mostPixelsASide);
+  return camera;
+}
+
+ViewSpec readView(const TomlReader& section, bool quick) {
+  const std::size_t kind = section.choice("type", {"camera", "atlas"});
+  ViewSpec view;
+  view.name = section.text("name", kind == 0 ? "camera" : "atlas");
+  const auto reduced = [quick](int side) { return quick ? std::max(1, side / 4) : side; };
+  if (kind == 0) {
+    Camera camera = readCamera(section);
+    camera.width = reduced(camera.width);
+    camera.height = reduced(camera.height);
+    view.kind = camera;
+  } else {
+    view.kind = AtlasSpec{reduced(section.integer("samples", 1, 4096))};
+  }
+  section.finish();
+  return view;
+}
+
+/// A light, or a sweep: every elevation with every azimuth.
+void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
+  const auto elevations = section.numbers("elevation", Range{-90, 90});
+  const auto azimuths = section.numbers("azimuth", anyNumber, 0);
+  const bool single = elevations.size() * azimuths.size() == 1;
+  if (section.has("name") && !single) section.fail("name", "a sweep of lights names itself");
+  for (const double azimuth : azimuths) {
+    for (const double elevation : elevations) {
+      const std::string standard = fmt::format("elevation {}° azimuth {}°", elevation, azimuth);
+      lights.push_back(
+          {section.text("name", standard), radians(azimuth), radians(elevation)});
+    }
+  }
+  section.finish();
+}
+
+/// What methods are read against.
+struct MethodDefaults {
+  fs::path folder;  ///< of the study
+  fs::path shaders;
+  BakeSpec bake;
+  int baseSubdivisions;
+};
+
+MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
+  if (section.has("name") == section.has("file")) {
+    section.fail("name", "either `name` of a built-in method or `file` expected");
+  }
+  MethodSpec method;
+  if (section.has("file")) {
+    method.file = defaults.folder / section.text("file");
+  } else {
+    try {
+      method.file = methodFile(defaults.shaders, section.text("name"));
+    } catch (const InputError& error) {
+      section.fail("name", error.what());
+    }
+  }
+  method.label = section.text("label", method.file.stem().string());
+  constexpr std::array filters = {TableFilter::exact, TableFilter::hardware};
+  method.filter = filters.at(section.choice("filter", {"exact", "hardware"}, 0));
+  method.bake = defaults.bake;
+  if (const auto bake = section.optionalTable("bake")) method.bake = readBake(*bake, method.bake);
+  method.baseSubdivisions = defaults.baseSubdivisions;
+  if (const auto base = section.optionalTable("base")) {
+    method.baseSubdivisions = readSubdivisions(*base, method.baseSubdivisions);
+  }
+  if (const auto parameters = section.optionalTable("parameters")) {
+    for (const auto& [name, value] : parameters->allNumbers()) method.parameters[name] = value;
+  }
+  section.finish();
+  return method;
+}
+
+std::string readMetric(const TomlReader& section) {
+  std::string metric = section.text("metric", "error_rate");
+  const auto& names = metricNames();
+  if (std::find(names.begin(), names.end(), metric) == names.end()) {
+    section.fail("metric", fmt::format("\"{}\" found, one of {} expected", metric,
+                                       fmt::join(names, ", ")));
+  }
+  return metric;
+}
+
+/// Refuses a name that no entry of the study bears; an empty one stands for all.
+template <typename Entries, typename NameOf>
+std::string readFilter(const TomlReader& section, const char* key, const Entries& entries,
+                       const NameOf& nameOf, std::string_view fallback) {
+  std::string asked = section.text(key, fallback);
+  if (asked.empty()) return asked;
+  std::vector<std::string> names;
+  for (const auto& entry : entries) names.emplace_back(nameOf(entry));
+  if (std::find(names.begin(), names.end(), asked) == names.end()) {
+    section.fail(key, fmt::format("\"{}\" found, one of {} expected", asked,
+                                  fmt::join(names, ", ")));
+  }
+  return asked;
+}
+
+std::vector<std::string> regionNames() {
+  std::vector<std::string> names = {"all"};
+  for (const Region region : reportedRegions) names.emplace_back(regionName(region));
+  return names;
+}
+
+ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
+  const auto label = [](const MethodSpec& method) { return method.label; };
+  const auto name = [](const auto& entry) { return entry.name; };
+  const auto itself = [](const std::string& text) { return text; };
+  ThresholdSpec threshold;
+  threshold.method = readFilter(section, "method", study.methods, label, "");
+  threshold.light = readFilter(section, "light", study.lights, name, "");
+  threshold.view = readFilter(section, "view", study.views, name, "");
+  threshold.region = readFilter(section, "region", regionNames(), itself, "all");
+  threshold.metric = readMetric(section);
+  threshold.minimum = section.optionalNumber("min", anyNumber);
+  threshold.maximum = section.optionalNumber("max", anyNumber);
+  if (!threshold.minimum && !threshold.maximum) section.fail("max", "`max` or `min` expected");
+  section.finish();
+  return threshold;
+}
+
+ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
+  const auto label = [](const MethodSpec& method) { return method.label; };
+  ClaimSpec claim;
+  claim.text = section.text("text");
+  claim.source = section.text("source");
+  claim.less = readFilter(section, "less", study.methods, label, section.text("less"));
+  claim.than = readFilter(section, "than", study.methods, label, section.text("than"));
+  claim.metric = readMetric(section);
+  claim.gainExceeds = section.text("gain_exceeds", "");
+  section.finish();
+  return claim;
+}
+
+template <typename Entries, typename NameOf>
+void requireDistinct(const Entries& entries, const NameOf& nameOf, const std::string& file,
+                     const char* what) {
+  std::set<std::string> seen;
+  for (const auto& entry : entries) {
+    if (!seen.insert(nameOf(entry)).second) {
+      throw InputError(
+          fmt::format("{}: {} \"{}\" appears twice, distinct names expected", file, what, nameOf(entry)));
+    }
+  }
+}
+
+/// Keeps the methods that the command line names, by label or by name; and drops the gates and claims that
+/// speak of others.
+void keepMethods(StudySpec& study, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return;
+  const auto isNamed = [](const MethodSpec& method, const std::string& name) {
+    return method.label == name || method.file.stem() == name;
+  };
+  for (const std::string& name : wanted) {
+    if (std::none_of(study.methods.begin(), study.methods.end(),
+                     [&](const MethodSpec& method) { return isNamed(method, name); })) {
+      std::vector<std::string> labels;
+      for (const MethodSpec& method : study.methods) labels.push_back(method.label);
+      throw UsageError(fmt::format("--method {}: {} has {}", name, study.file.string(),
+                                   fmt::join(labels, ", ")));
+    }
+  }
+  std::erase_if(study.methods, [&](const MethodSpec& method) {
+    return std::none_of(wanted.begin(), wanted.end(),
+                        [&](const std::string& name) { return isNamed(method, name); });
+  });
+  const auto isGone = [&](const std::string& label) {
+    return !label.empty() &&
+           std::none_of(study.methods.begin(), study.methods.end(),
+                        [&](const MethodSpec& method) { return method.label == label; });
+  };
+  std::erase_if(study.thresholds, [&](const ThresholdSpec& gate) { return isGone(gate.method); });
+  std::erase_if(study.claims, [&](const ClaimSpec& claim) { return isGone(claim.less) || isGone(claim.than); });
+}
+
+/// Names become file names.
+void requirePlainName(const TomlReader& section, const std::string& name) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
+  };
+  if (name.front() == '.' || !std::all_of(name.begin(), name.end(), plain)) {
+    section.fail("name", fmt::format("\"{}\" found, letters, digits, - and _ expected", name));
+  }
+}
+
+}  // namespace
+
+Vec3 LightSpec::direction() const {
+  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+          std::sin(elevation)};
+}
+
+StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
+  const toml::table table = parseToml(file, options.overrides);
+  const TomlReader root(table, file.string(), "");
+  const TomlReader header = root.table("study");
+  const TomlReader surface = root.table("surface");
+  const TomlReader relief = root.table("relief");
+  StudySpec study{file,
+                  header.text("name"),
+                  header.text("title"),
+                  header.text("source"),
+                  readSurfaceSection(surface, file.parent_path()),
+                  readReliefSection(relief, file.parent_path()),
+                  {},
+                  1,
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
+  requirePlainName(header, study.name);
+  for (const TomlReader* section : {&header, &surface, &relief}) section->finish();
+
+  study.bake = standardBake(study.relief);
+  if (const auto bake = root.optionalTable("bake")) study.bake = readBake(*bake, study.bake);
+  if (const auto base = root.optionalTable("base")) {
+    study.baseSubdivisions = readSubdivisions(*base, 1);
+  }
+  if (const auto truth = root.optionalTable("truth")) {
+    study.truth.stepTexels = truth->optionalNumber("step", positive);
+    truth->finish();
+  }
+  if (options.quick) {
+    if (study.truth.stepTexels) *study.truth.stepTexels *= 4;
+    study.truth.leastTriangles /= 16;
+  }
+  for (const TomlReader& view : root.tables("view")) {
+    study.views.push_back(readView(view, options.quick));
+  }
+  for (const TomlReader& light : root.tables("light")) readLights(light, study.lights);
+  const MethodDefaults defaults{file.parent_path(), shaderFolder(), study.bake,
+                                study.baseSubdivisions};
+  for (const TomlReader& method : root.tables("method")) {
+    study.methods.push_back(readMethodSection(method, defaults));
+  }
+  const auto name = [](const auto& entry) { return entry.name; };
+  requireDistinct(study.views, name, file.string(), "view");
+  requireDistinct(study.lights, name, file.string(), "light");
+  requireDistinct(
+      study.methods, [](const MethodSpec& m) { return m.label; }, file.string(), "method label");
+  for (const TomlReader& gate : root.optionalTables("threshold")) {
+    study.thresholds.push_back(readThreshold(gate, study));
+  }
+  for (const TomlReader& claim : root.optionalTables("claim")) {
+    study.claims.push_back(readClaim(claim, study));
+  }
+  root.finish();
+  keepMethods(study, options.methods);
+  return study;
+}
+
+}  // namespace gnomon

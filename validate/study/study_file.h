@@ -1,0 +1,99 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/camera.h"
+#include "common/vec.h"
+#include "relief/horizon_bake.h"
+#include "relief/relief.h"
+#include "relief/stored_table.h"
+#include "render/passes.h"
+#include "study/record.h"
+#include "surface/cage.h"
+#include "truth/micro_mesh.h"
+
+namespace gnomon {
+
+/// A study, as its TOML file asks for it, checked: what to measure, not what was found. The README
+/// lists every key; here is what they become.
+
+struct BakeSpec {
+  BakeSettings settings;
+  TableBits bits = TableBits::eight;
+};
+
+struct AtlasSpec {
+  int samplesPerSide;  ///< of every face
+};
+
+struct ViewSpec {
+  std::string name;
+  std::variant<Camera, AtlasSpec> kind;
+};
+
+/// A directional light. Azimuth counter-clockwise from +x about +z, elevation over the xy plane.
+struct LightSpec {
+  std::string name;
+  double azimuth;    ///< radians
+  double elevation;  ///< radians
+  /// The unit vector toward the light.
+  [[nodiscard]] Vec3 direction() const;
+};
+
+struct MethodSpec {
+  std::filesystem::path file;  ///< its GLSL
+  std::string label;           ///< unique in the study
+  BakeSpec bake;               ///< the study's, with the method's overrides
+  int baseSubdivisions = 1;
+  TableFilter filter = TableFilter::exact;
+  std::map<std::string, double> parameters;
+};
+
+/// A gate on one metric. Empty strings leave a dimension free: every row that matches is gated.
+struct ThresholdSpec {
+  std::string method, light, view, region, metric;
+  std::optional<double> minimum, maximum;
+};
+
+/// A claim that one method's metric is smaller than another's in every light and view; or, with
+/// `gainExceeds`, that the mean difference between them is larger than in the study of that name.
+struct ClaimSpec {
+  std::string text, source;
+  std::string less, than;  ///< method labels
+  std::string metric;
+  std::string gainExceeds;
+};
+
+struct StudySpec {
+  std::filesystem::path file;
+  std::string name, title, source;
+  Cage cage;
+  Relief relief;
+  BakeSpec bake;
+  int baseSubdivisions = 1;
+  MicroMeshSettings truth;
+  std::vector<ViewSpec> views;
+  std::vector<LightSpec> lights;
+  std::vector<MethodSpec> methods;
+  std::vector<ThresholdSpec> thresholds;
+  std::vector<ClaimSpec> claims;
+};
+
+/// What the command line changes in a study.
+struct StudyOptions {
+  std::vector<std::string> overrides;  ///< `key.path=value`
+  std::vector<std::string> methods;    ///< labels or names to keep; all, if empty
+  /// A quarter of each view's side and a sixteenth of the micro-mesh: a preview, not a measurement.
+  bool quick = false;
+};
+
+/// Reads and checks a study: paths in it are relative to its own folder.
+/// @throws InputError naming file, line, key, what was found and what was expected
+StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& options = {});
+
+}  // namespace gnomon

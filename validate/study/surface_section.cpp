@@ -1,0 +1,95 @@
+#include "study/surface_section.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "surface/obj_reader.h"
+#include "surface/shapes.h"
+
+namespace gnomon {
+namespace {
+
+constexpr int mostFacesASide = 4096;
+
+struct Quads {
+  int columns;
+  int rows;
+};
+
+Quads readQuads(const TomlReader& section) {
+  const Vec2 quads = section.vec2("quads", Range{1, mostFacesASide});
+  const Quads result{static_cast<int>(quads.x), static_cast<int>(quads.y)};
+  if (result.columns != quads.x || result.rows != quads.y) {
+    section.fail("quads", "two whole numbers expected");
+  }
+  return result;
+}
+
+Cage readPlane(const TomlReader& section) {
+  const Quads quads = readQuads(section);
+  const Vec2 size = section.vec2("size", positive);
+  return makePlane(size.x, size.y, quads.columns, quads.rows);
+}
+
+/// Angle that an arc of `length` spans at `curvature`; a full turn where it comes within rounding.
+double arcAngle(double length, double curvature) {
+  const double angle = length * curvature;
+  return std::abs(angle - 2 * pi) < 1e-6 ? 2 * pi : angle;
+}
+
+Cage readCylinder(const TomlReader& section) {
+  const Quads quads = readQuads(section);
+  const double curvature = section.number("curvature", positive);
+  const Vec2 size = section.vec2("size", positive);
+  return makeCylinder(1 / curvature, arcAngle(size.x, curvature), size.y, quads.columns, quads.rows);
+}
+
+Cage readSphere(const TomlReader& section) {
+  const Quads quads = readQuads(section);
+  const double curvature = section.number("curvature", positive);
+  const Vec2 size = section.vec2("size", positive);
+  return makeSphere(1 / curvature, arcAngle(size.x, curvature), size.y * curvature, quads.columns,
+                    quads.rows);
+}
+
+Cage readTorus(const TomlReader& section) {
+  const Quads quads = readQuads(section);
+  const double major = section.number("major", positive);
+  const double minor = section.number("minor", Range{0, major, true});
+  return makeTorus(major, minor, quads.columns, quads.rows);
+}
+
+Cage readBezier(const TomlReader& section) {
+  const Quads quads = readQuads(section);
+  const std::vector<Vec3> list = section.points("points");
+  std::array<Vec3, 16> points{};
+  if (list.size() != points.size()) section.fail("points", "16 points expected, row by row");
+  std::copy(list.begin(), list.end(), points.begin());
+  return makeBezier(points, quads.columns, quads.rows);
+}
+
+Cage readBSpline(const TomlReader& section) {
+  const std::vector<Vec3> points = section.points("points");
+  const int columns = section.integer("columns", 4, mostFacesASide + 3);
+  const int rows = static_cast<int>(points.size()) / columns;
+  if (rows < 4 || static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) != points.size()) {
+    section.fail("points", "at least 4 rows of `columns` points expected");
+  }
+  return makeBSpline(points, columns, rows);
+}
+
+}  // namespace
+
+Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& folder) {
+  if (section.has("obj") == section.has("shape")) {
+    section.fail("shape", "either `shape` or `obj` expected");
+  }
+  if (section.has("obj")) return readObj(folder / section.text("obj"));
+  constexpr std::array readers = {readPlane, readCylinder, readSphere,
+                                  readTorus, readBezier,   readBSpline};
+  return readers.at(section.choice(
+      "shape", {"plane", "cylinder", "sphere", "torus", "bezier", "b-spline"}))(section);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,45 @@
+#include "study/thresholds.h"
+
+#include <fmt/core.h>
+
+#include "common/error.h"
+#include "compare/rates.h"
+
+namespace gnomon {
+namespace {
+
+bool matches(const std::string& filter, const std::string& name) {
+  return filter.empty() || filter == name;
+}
+
+ThresholdRecord judge(const ThresholdSpec& gate, const ResultRecord& result) {
+  ThresholdRecord record{result.method, result.light,  result.view,  result.region, gate.metric,
+                         std::nullopt,  gate.minimum, gate.maximum, false};
+  record.value = rate(result.counts, gate.metric).value;
+  record.passed = record.value && (!gate.maximum || *record.value <= *gate.maximum) &&
+                  (!gate.minimum || *record.value >= *gate.minimum);
+  return record;
+}
+
+}  // namespace
+
+std::vector<ThresholdRecord> judgeThresholds(const std::vector<ThresholdSpec>& thresholds,
+                                             const std::vector<ResultRecord>& results) {
+  std::vector<ThresholdRecord> records;
+  for (const ThresholdSpec& gate : thresholds) {
+    const std::size_t before = records.size();
+    for (const ResultRecord& result : results) {
+      if (matches(gate.method, result.method) && matches(gate.light, result.light) &&
+          matches(gate.view, result.view) && matches(gate.region, result.region)) {
+        records.push_back(judge(gate, result));
+      }
+    }
+    if (records.size() == before) {
+      throw InputError(
+          fmt::format("threshold on {} of \"{}\": no result matches it", gate.metric, gate.method));
+    }
+  }
+  return records;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/vec.h"
+
+namespace gnomon {
+
+/// The numbers that a key takes, both ends included unless said.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool openBelow = false;  ///< `least` itself is not allowed
+};
+
+constexpr Range anyNumber{};
+constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
+
+/// A TOML table whose every key must be read: whoever asks for a key names its type and range, and
+/// `finish` refuses the keys that nobody asked for. All errors are InputError and read
+/// `file:line: table.key: what was found, what was expected`.
+class TomlReader {
+ public:
+  /// @param path  the table's place in the file, as `relief` or `light.2`; empty for the root
+  TomlReader(const toml::table& table, std::string file, std::string path);
+
+  [[nodiscard]] bool has(std::string_view key) const;
+  /// The table or list of tables below a key; a missing one is an error, unless `optional` is in the name.
+  [[nodiscard]] TomlReader table(std::string_view key) const;
+  [[nodiscard]] std::optional<TomlReader> optionalTable(std::string_view key) const;
+  [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
+  [[nodiscard]] std::vector<TomlReader> optionalTables(std::string_view key) const;
+
+  [[nodiscard]] std::string text(std::string_view key) const;
+  [[nodiscard]] std::string text(std::string_view key, std::string_view fallback) const;
+  /// The index of the value among `choices`.
+  [[nodiscard]] std::size_t choice(std::string_view key,
+                                   std::initializer_list<std::string_view> choices) const;
+  [[nodiscard]] std::size_t choice(std::string_view key,
+                                   std::initializer_list<std::string_view> choices,
+                                   std::size_t fallback) const;
+  [[nodiscard]] double number(std::string_view key, Range range) const;
+  [[nodiscard]] double number(std::string_view key, Range range, double fallback) const;
+  [[nodiscard]] std::optional<double> optionalNumber(std::string_view key, Range range) const;
+  [[nodiscard]] int integer(std::string_view key, int least, int most) const;
+  [[nodiscard]] int integer(std::string_view key, int least, int most, int fallback) const;
+  /// A number, or a list of at least one.
+  [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range) const;
+  [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range,
+                                            double fallback) const;
+  [[nodiscard]] Vec2 vec2(std::string_view key, Range range) const;
+  [[nodiscard]] Vec2 vec2(std::string_view key, Range range, Vec2 fallback) const;
+  [[nodiscard]] Vec3 vec3(std::string_view key) const;
+  [[nodiscard]] Vec3 vec3(std::string_view key, Vec3 fallback) const;
+  /// A list of points of three numbers.
+  [[nodiscard]] std::vector<Vec3> points(std::string_view key) const;
+  /// All keys of this table with a number each.
+  [[nodiscard]] std::vector<std::pair<std::string, double>> allNumbers() const;
+
+  /// @throws InputError naming the first key that nobody read
+  void finish() const;
+  /// Refuses the value of a key for a reason of the caller's.
+  [[noreturn]] void fail(std::string_view key, const std::string& what) const;
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+ private:
+  [[nodiscard]] const toml::node* find(std::string_view key) const;
+  [[nodiscard]] const toml::node& require(std::string_view key, std::string_view expected) const;
+  [[nodiscard]] std::string place(const toml::node& node, std::string_view key) const;
+  [[noreturn]] void mismatch(const toml::node& node, std::string_view key,
+                             const std::string& expected) const;
+  [[nodiscard]] double checked(const toml::node& node, std::string_view key, Range range) const;
+  [[nodiscard]] std::vector<double> list(const toml::node& node, std::string_view key, Range range,
+                                         std::size_t length) const;
+
+  const toml::table* table_;
+  std::string file_;
+  std::string path_;
+  mutable std::set<std::string, std::less<>> read_;
+};
+
+/// Parses a TOML file and applies overrides.
+/// @param overrides  `key.path=value`, as `relief.height=4` or `light.0.elevation=30`; the value is
+///   TOML, or a string where it is not
+/// @throws InputError for a file that is missing or no TOML (with line and column); UsageError for
+///   an override without `=` or whose path leads into something that is not a table or list
+toml::table parseToml(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+
+}  // namespace gnomon

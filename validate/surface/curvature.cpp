@@ -1,0 +1,65 @@
+#include "surface/curvature.h"
+
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+/// An orthonormal frame of the tangent plane, e1 along P_s, and minus the second fundamental form
+/// in it: a symmetric matrix whose eigenvalues are the principal curvatures, convex positive. In
+/// this frame H and √(H² - K) need no difference of large numbers.
+struct ShapeOperator {
+  Vec3 e1, e2;
+  double l11, l12, l22;
+  bool defined;
+};
+
+ShapeOperator shapeOperator(const LimitPoint& point) {
+  const Vec3 n = outwardNormal(point);
+  if (n == Vec3(0)) return {Vec3(0), Vec3(0), 0, 0, 0, false};
+  const double length = glm::length(point.ds);
+  const Vec3 e1 = point.ds / length;
+  const Vec3 e2 = glm::cross(n, e1);
+  // P_t = a e1 + b e2, so e2 = (P_t - (a / length) P_s) / b.
+  const double a = glm::dot(point.dt, e1) / length;
+  const double b = glm::dot(point.dt, e2);
+  const double e = -glm::dot(point.dss, n);
+  const double f = -glm::dot(point.dst, n);
+  const double g = -glm::dot(point.dtt, n);
+  const double l11 = e / (length * length);
+  const double l12 = (f - a * e) / (length * b);
+  const double l22 = (g - 2 * a * f + a * a * e) / (b * b);
+  const bool finite = std::isfinite(l11) && std::isfinite(l12) && std::isfinite(l22);
+  return {e1, e2, l11, l12, l22, finite};
+}
+
+}  // namespace
+
+PrincipalCurvatures principalCurvatures(const LimitPoint& point) {
+  const ShapeOperator shape = shapeOperator(point);
+  if (!shape.defined) return {0, 0, Vec3(0), Vec3(0)};
+  const double mean = (shape.l11 + shape.l22) / 2;
+  const double difference = (shape.l11 - shape.l22) / 2;
+  const double radius = std::hypot(difference, shape.l12);
+  // Where the curvatures differ by less than a turn of 1e-10 over a face, the directions are
+  // rounding: an umbilic.
+  const double turn = radius * std::max(glm::length(point.ds), glm::length(point.dt));
+  const double angle = turn > 1e-10 ? std::atan2(shape.l12, difference) / 2 : 0;
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {mean + radius, mean - radius, c * shape.e1 + s * shape.e2, c * shape.e2 - s * shape.e1};
+}
+
+double normalCurvature(const LimitPoint& point, const Vec3& direction) {
+  const ShapeOperator shape = shapeOperator(point);
+  if (!shape.defined) return 0;
+  const double x = glm::dot(direction, shape.e1);
+  const double y = glm::dot(direction, shape.e2);
+  const double tangential = std::hypot(x, y);
+  if (!(tangential > 1e-12 * glm::length(direction))) return 0;
+  const double c = x / tangential;
+  const double s = y / tangential;
+  return shape.l11 * c * c + 2 * shape.l12 * c * s + shape.l22 * s * s;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,41 @@
+#include "surface/texel_frame.h"
+
+#include <cmath>
+#include <limits>
+
+namespace gnomon {
+
+TexelFrame texelFrame(const LimitPoint& point, Vec2 texelsPerUv) {
+  const Vec2 texel = point.uv * texelsPerUv;
+  const Vec2 xyS = point.uvDs * texelsPerUv;
+  const Vec2 xyT = point.uvDt * texelsPerUv;
+  const double determinant = xyS.x * xyT.y - xyS.y * xyT.x;
+  const Vec3 normal = outwardNormal(point);
+  const bool flat = !(std::abs(determinant) > 1e-12 * glm::length(xyS) * glm::length(xyT));
+  if (flat || normal == Vec3(0)) return {point.position, Vec3(0), Vec3(0), Vec3(0), texel, false};
+  // The inverse of P_s = P_x x_s + P_y y_s, P_t = P_x x_t + P_y y_t.
+  const Vec3 px = (xyT.y * point.ds - xyS.y * point.dt) / determinant;
+  const Vec3 py = (xyS.x * point.dt - xyT.x * point.ds) / determinant;
+  return {point.position, normal, px, py, texel, true};
+}
+
+LocalLight localLight(const TexelFrame& frame, const Vec3& light) {
+  const double rise = glm::dot(light, frame.normal);
+  const double run = glm::length(light - rise * frame.normal);
+  // An angle of 1e-12 from the normal is rounding; it has no azimuth.
+  if (!(run > 1e-12)) {
+    return {Vec2(1, 0), 0, glm::length(frame.px),
+            std::copysign(std::numeric_limits<double>::infinity(), rise)};
+  }
+  const double xx = glm::dot(frame.px, frame.px);
+  const double xy = glm::dot(frame.px, frame.py);
+  const double yy = glm::dot(frame.py, frame.py);
+  const double lightX = glm::dot(light, frame.px);
+  const double lightY = glm::dot(light, frame.py);
+  // Both components carry the factor 1 / (xx yy - xy²) > 0, which the unit vector does not need.
+  const Vec2 direction = glm::normalize(Vec2(yy * lightX - xy * lightY, xx * lightY - xy * lightX));
+  return {direction, std::atan2(direction.y, direction.x),
+          glm::length(direction.x * frame.px + direction.y * frame.py), rise / run};
+}
+
+}  // namespace gnomon

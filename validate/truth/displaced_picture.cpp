@@ -1,0 +1,55 @@
+#include "truth/displaced_picture.h"
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+#include "common/parallel.h"
+#include "truth/flush_denormals.h"
+
+namespace gnomon {
+namespace {
+
+bool reached(const MicroScene& scene, const Vec3& origin, const Vec3& light) {
+  RayPacket packet{};
+  packet.active.front() = true;
+  packet.origins.front() = origin;
+  packet.lengths.front() = std::numeric_limits<double>::infinity();
+  return !scene.occluded(packet, light).front();
+}
+
+}  // namespace
+
+std::vector<float> displacedPicture(const MicroMesh& mesh, const MicroScene& scene,
+                                    const Camera& camera, const Vec3& light,
+                                    const Progress& progress) {
+  const auto width = static_cast<std::size_t>(camera.width);
+  const auto height = static_cast<std::size_t>(camera.height);
+  const CameraAxes axis = axes(camera);
+  const Vec3 eye = camera.eye - mesh.centre();
+  // Primary hits are found by a float ray: the lift covers its rounding at the eye's distance.
+  const double lift = 4e-6 * std::max(mesh.extent(), glm::length(eye));
+  std::vector<float> picture(width * height, -1.0F);
+  std::mutex reporting;
+  int done = 0;
+  parallelFor(0, height, [&](std::size_t row) {
+    const FlushDenormals flush;
+    for (std::size_t column = 0; column < width; ++column) {
+      const Vec3 direction =
+          pixelDirection(camera, axis, static_cast<int>(column), static_cast<int>(row));
+      const auto hit = scene.nearest(eye, direction);
+      if (!hit) continue;
+      const double cosine = glm::dot(hit->normal, light);
+      const Vec3 point = eye + hit->distance * direction + lift * hit->normal;
+      const bool lit = cosine > 0 && reached(scene, point, light);
+      picture[row * width + column] = lit ? static_cast<float>(cosine) : 0.0F;
+    }
+    if (progress) {
+      const std::scoped_lock lock(reporting);
+      progress(++done / static_cast<double>(height));
+    }
+  });
+  return picture;
+}
+
+}  // namespace gnomon

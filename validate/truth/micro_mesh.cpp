@@ -1,0 +1,277 @@
+#include "truth/micro_mesh.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "common/error.h"
+#include "common/memory.h"
+#include "common/parallel.h"
+#include "surface/texel_frame.h"
+
+namespace gnomon {
+namespace {
+
+// Measured on Embree 3.13: what its grid hierarchy takes beside the vertices.
+constexpr double hierarchyBytesPerQuad = 18;
+constexpr double bytesPerVertex = 12;
+// Embree stores a grid's sides in 16 bits.
+constexpr std::size_t longestSide = 32767;
+
+/// Rising parameters in [0, 1]: the places of texel centres where the axis runs from texel `begin`
+/// to `end`, and between them even steps of at most `step` texels.
+std::vector<double> alignedLines(double begin, double end, double step) {
+  const double length = end - begin;
+  const double tolerance = 1e-9 * std::max(1.0, std::abs(end));
+  std::vector<double> stops = {begin};
+  for (double centre = std::floor(begin) + 0.5; centre < end - tolerance; centre += 1) {
+    if (centre > begin + tolerance) stops.push_back(centre);
+  }
+  stops.push_back(end);
+  std::vector<double> lines = {0};
+  for (std::size_t k = 1; k < stops.size(); ++k) {
+    const double gap = stops[k] - stops[k - 1];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(gap / step - 1e-6)));
+    for (int p = 1; p <= pieces; ++p) {
+      lines.push_back((stops[k - 1] - begin + gap * p / pieces) / length);
+    }
+  }
+  lines.back() = 1;
+  return lines;
+}
+
+std::vector<double> evenLines(int pieces) {
+  std::vector<double> lines(static_cast<std::size_t>(pieces) + 1);
+  for (int i = 0; i <= pieces; ++i) lines[static_cast<std::size_t>(i)] = double(i) / pieces;
+  return lines;
+}
+
+double texelArea(const LimitSurface& surface, Vec2 texelsPerUv, int face) {
+  const LimitPoint middle = surface.evaluate(face, 0.5, 0.5);
+  const Vec2 ds = middle.uvDs * texelsPerUv;
+  const Vec2 dt = middle.uvDt * texelsPerUv;
+  return std::abs(ds.x * dt.y - ds.y * dt.x);
+}
+
+/// The side of a face in texels if all faces were squares of the mean area.
+double meanFaceSide(const LimitSurface& surface, Vec2 texelsPerUv) {
+  double area = 0;
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    area += texelArea(surface, texelsPerUv, face);
+  }
+  return std::sqrt(area / surface.faceCount());
+}
+
+/// Triangles that a step gives, without placing a line.
+double estimatedTriangles(const LimitSurface& surface, Vec2 texelsPerUv, double step) {
+  if (const auto grid = surface.grid()) {
+    const double perColumn = std::ceil(texelsPerUv.x / grid->columns / step);
+    const double perRow = std::ceil(texelsPerUv.y / grid->rows / step);
+    return 2 * perColumn * grid->columns * perRow * grid->rows;
+  }
+  const double pieces = std::ceil(meanFaceSide(surface, texelsPerUv) / step);
+  return 2 * pieces * pieces * surface.faceCount();
+}
+
+double chooseStep(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMeshSettings& settings) {
+  if (settings.stepTexels) return *settings.stepTexels;
+  int perTexel = 4;
+  while (estimatedTriangles(surface, texelsPerUv, 1.0 / perTexel) < settings.leastTriangles) {
+    perTexel += 4;
+  }
+  return 1.0 / perTexel;
+}
+
+Vec3 cageCentre(const LimitSurface& surface) {
+  Vec3 low(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    const Vec3 position = surface.evaluate(face, 0.5, 0.5).position;
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  return (low + high) / 2.0;
+}
+
+/// Vertices of a grid's side k, from corner k to corner k + 1.
+std::size_t sideVertex(const MicroMesh::Grid& grid, int side, int i) {
+  const int lastColumn = grid.columns - 1;
+  const int lastRow = grid.rows - 1;
+  const std::array<std::pair<int, int>, 4> at = {std::pair{i, 0}, std::pair{lastColumn, i},
+                                                 std::pair{lastColumn - i, lastRow},
+                                                 std::pair{0, lastRow - i}};
+  const auto [column, row] = at.at(static_cast<std::size_t>(side));
+  return grid.firstVertex + static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+         static_cast<std::size_t>(column);
+}
+
+int sideLength(const MicroMesh::Grid& grid, int side) {
+  return side % 2 == 0 ? grid.columns : grid.rows;
+}
+
+}  // namespace
+
+MicroMesh::MicroMesh(const LimitSurface& surface, const Relief& relief,
+                     const MicroMeshSettings& settings, const Progress& progress) {
+  const Vec2 texelsPerUv = relief.texelsPerUv();
+  stepTexels_ = chooseStep(surface, texelsPerUv, settings);
+  if (!(stepTexels_ > 0) || !std::isfinite(stepTexels_)) {
+    throw InputError(fmt::format("truth.step: {} texels found, a positive length expected", stepTexels_));
+  }
+  const double quads = estimatedTriangles(surface, texelsPerUv, stepTexels_) / 2;
+  requireMemory(quads * (bytesPerVertex + hierarchyBytesPerQuad),
+                fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", stepTexels_, 2 * quads));
+  placeLines(surface, texelsPerUv, stepTexels_);
+  centre_ = cageCentre(surface);
+  displace(surface, relief, progress);
+  weld(surface);
+  for (const float coordinate : coordinates_) {
+    extent_ = std::max(extent_, std::abs(static_cast<double>(coordinate)));
+  }
+}
+
+void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double step) {
+  const auto chart = surface.grid();
+  if (chart) {
+    const Vec2 side = texelsPerUv / Vec2(chart->columns, chart->rows);
+    for (int c = 0; c < chart->columns; ++c) {
+      lines_.push_back(alignedLines(c * side.x, (c + 1) * side.x, step));
+    }
+    for (int r = 0; r < chart->rows; ++r) {
+      lines_.push_back(alignedLines(r * side.y, (r + 1) * side.y, step));
+    }
+  } else {
+    const double pieces = std::ceil(meanFaceSide(surface, texelsPerUv) / step);
+    lines_.push_back(evenLines(std::max(1, static_cast<int>(pieces))));
+  }
+  for (const std::vector<double>& lines : lines_) {
+    if (lines.size() > longestSide) {
+      throw InputError(fmt::format(
+          "truth.step = {}: {} lines across one face, at most {} are possible: use a cage of more faces",
+          step, lines.size(), longestSide));
+    }
+  }
+  std::uint64_t vertices = 0;
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    Grid grid{};
+    grid.sLines = chart ? face % chart->columns : 0;
+    grid.tLines = chart ? chart->columns + face / chart->columns : 0;
+    grid.columns = static_cast<int>(lines(grid.sLines).size());
+    grid.rows = static_cast<int>(lines(grid.tLines).size());
+    grid.firstVertex = static_cast<std::uint32_t>(vertices);
+    const auto columns = static_cast<std::uint64_t>(grid.columns);
+    const auto rows = static_cast<std::uint64_t>(grid.rows);
+    vertices += columns * rows;
+    triangleCount_ += 2 * (columns - 1) * (rows - 1);
+    grids_.push_back(grid);
+  }
+  if (vertices > std::numeric_limits<std::uint32_t>::max()) {
+    throw InputError(fmt::format(
+        "truth.step = {}: {} micro-vertices, at most 2^32 can be numbered", step, vertices));
+  }
+  requireMemory(static_cast<double>(vertices) * (bytesPerVertex + hierarchyBytesPerQuad),
+                fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", step,
+                            static_cast<double>(triangleCount_)));
+  // One float of padding: Embree reads vertices as four floats.
+  coordinates_.assign(static_cast<std::size_t>(vertices) * 3 + 1, 0.0F);
+}
+
+void MicroMesh::displace(const LimitSurface& surface, const Relief& relief,
+                         const Progress& progress) {
+  const Vec2 texelsPerUv = relief.texelsPerUv();
+  std::mutex reporting;
+  std::size_t done = 0;
+  parallelFor(0, grids_.size(), [&](std::size_t face) {
+    const Grid& grid = grids_[face];
+    float* out = &coordinates_[std::size_t{grid.firstVertex} * 3];
+    for (const double t : lines(grid.tLines)) {
+      for (const double s : lines(grid.sLines)) {
+        const LimitPoint point = surface.evaluate(static_cast<int>(face), s, t);
+        const Vec3 position = displaced(relief, texelFrame(point, texelsPerUv)) - centre_;
+        for (int axis = 0; axis < 3; ++axis) *out++ = static_cast<float>(position[axis]);
+      }
+    }
+    if (progress) {
+      const std::scoped_lock lock(reporting);
+      progress(static_cast<double>(++done) / static_cast<double>(grids_.size()));
+    }
+  });
+}
+
+void MicroMesh::weld(const LimitSurface& surface) {
+  using Side = std::pair<std::size_t, int>;  // face, side
+  std::map<std::pair<int, int>, Side> firstSide;
+  std::vector<std::int64_t> firstCorner(static_cast<std::size_t>(surface.vertexCount()), -1);
+  const auto copyVertex = [this](std::size_t from, std::size_t to) {
+    std::copy_n(&coordinates_[3 * from], 3, &coordinates_[3 * to]);
+  };
+  // Sides first, without their ends, from the first face that has them; then corners. What is
+  // copied from is never itself overwritten before, since its face is the first.
+  for (std::size_t face = 0; face < grids_.size(); ++face) {
+    const std::array<int, 4> corners = surface.corners(static_cast<int>(face));
+    for (int side = 0; side < 4; ++side) {
+      const int a = corners.at(static_cast<std::size_t>(side));
+      const int b = corners.at(static_cast<std::size_t>((side + 1) % 4));
+      const auto [entry, isFirst] = firstSide.try_emplace(std::minmax(a, b), face, side);
+      if (isFirst) continue;
+      const auto [otherFace, otherSide] = entry->second;
+      const int length = sideLength(grids_[face], side);
+      const bool sameSense = surface.corners(static_cast<int>(otherFace))
+                                 .at(static_cast<std::size_t>(otherSide)) == a;
+      for (int i = 1; i + 1 < length; ++i) {
+        copyVertex(sideVertex(grids_[otherFace], otherSide, sameSense ? i : length - 1 - i),
+                   sideVertex(grids_[face], side, i));
+      }
+    }
+  }
+  for (std::size_t face = 0; face < grids_.size(); ++face) {
+    const std::array<int, 4> corners = surface.corners(static_cast<int>(face));
+    for (int corner = 0; corner < 4; ++corner) {
+      const auto vertex = static_cast<std::size_t>(corners.at(static_cast<std::size_t>(corner)));
+      const std::size_t own = sideVertex(grids_[face], corner, 0);
+      if (firstCorner[vertex] < 0) {
+        firstCorner[vertex] = static_cast<std::int64_t>(own);
+      } else {
+        copyVertex(static_cast<std::size_t>(firstCorner[vertex]), own);
+      }
+    }
+  }
+}
+
+Vec3 MicroMesh::vertex(std::size_t index) const {
+  return {coordinates_[3 * index], coordinates_[3 * index + 1], coordinates_[3 * index + 2]};
+}
+
+Facet MicroMesh::facet(int face, double s, double t) const {
+  const Grid& grid = grids_[static_cast<std::size_t>(face)];
+  const auto cell = [](const std::vector<double>& lines, double at) {
+    const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
+    const double low = *(above - 1);
+    return std::pair{static_cast<std::size_t>(above - lines.begin()) - 1,
+                     std::clamp((at - low) / (*above - low), 0.0, 1.0)};
+  };
+  const auto [column, a] = cell(lines(grid.sLines), s);
+  const auto [row, b] = cell(lines(grid.tLines), t);
+  const auto stride = static_cast<std::size_t>(grid.columns);
+  const std::size_t first = grid.firstVertex + row * stride + column;
+  // Embree cuts a grid's cell along the diagonal from (1, 0) to (0, 1).
+  const Vec3 v10 = vertex(first + 1);
+  const Vec3 v01 = vertex(first + stride);
+  const bool lower = a + b <= 1;
+  const Vec3 corner = vertex(lower ? first : first + stride + 1);
+  const Vec3 alongS = lower ? v10 - corner : v01 - corner;
+  const Vec3 alongT = lower ? v01 - corner : v10 - corner;
+  const Vec3 normal = glm::cross(alongS, alongT);
+  const double area = glm::length(normal);
+  return {corner + (lower ? a : 1 - a) * alongS + (lower ? b : 1 - b) * alongT,
+          area > 0 ? normal / area : Vec3(0)};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/progress.h"
+#include "relief/relief.h"
+#include "surface/limit_surface.h"
+
+namespace gnomon {
+
+/// How finely the displaced surface is cut.
+struct MicroMeshSettings {
+  /// Longest micro-edge along a texture axis, texels. Where unset, the largest 1/4, 1/8, 1/12 … of
+  /// a texel that gives at least `leastTriangles`.
+  std::optional<double> stepTexels;
+  double leastTriangles = 4e6;
+};
+
+/// A flat piece of the displaced surface.
+struct Facet {
+  Vec3 point;   ///< the asked point on it, in the mesh's own (centred) coordinates
+  Vec3 normal;  ///< unit, outward; zero where the facet has no area
+};
+
+/// The displaced limit surface as one grid of vertices a face. Vertices that faces share (corners,
+/// and edges of equal cage vertices) are computed once, by the first of the faces, so that
+/// neighbours agree to the bit and a closed cage gives a closed mesh. Across a texture seam, where
+/// the heights of the two sides differ, the first face's height rules the common edge.
+///
+/// On a cage that is a regular grid with affine texture coordinates the lines of texel centres are
+/// among the grid lines: the kinks of the bilinear relief then lie on micro-edges. Elsewhere
+/// every face has the same number of evenly spaced lines.
+class MicroMesh {
+ public:
+  /// @throws MemoryError naming `truth.step` where mesh and hierarchy cannot fit;
+  ///   InputError for a step that is not positive
+  MicroMesh(const LimitSurface& surface, const Relief& relief, const MicroMeshSettings& settings,
+            const Progress& progress = {});
+
+  /// Grid of one face: vertex (i, j) is `firstVertex + j * columns + i`.
+  struct Grid {
+    std::uint32_t firstVertex;
+    int sLines;   ///< index into lines(): parameters s of the columns
+    int tLines;   ///< index into lines(): parameters t of the rows
+    int columns;  ///< vertices along s
+    int rows;     ///< vertices along t
+  };
+
+  [[nodiscard]] const std::vector<Grid>& grids() const { return grids_; }
+  /// Rising parameters from 0 to 1.
+  [[nodiscard]] const std::vector<double>& lines(int index) const {
+    return lines_[static_cast<std::size_t>(index)];
+  }
+  /// x, y, z of each vertex relative to `centre()`, and one float of padding at the end.
+  [[nodiscard]] const std::vector<float>& coordinates() const { return coordinates_; }
+  [[nodiscard]] std::size_t vertexCount() const { return coordinates_.size() / 3; }
+  [[nodiscard]] std::uint64_t triangleCount() const { return triangleCount_; }
+  [[nodiscard]] const Vec3& centre() const { return centre_; }
+  /// Largest absolute coordinate, world units: the scale of float rounding.
+  [[nodiscard]] double extent() const { return extent_; }
+  [[nodiscard]] double stepTexels() const { return stepTexels_; }
+
+  /// The facet above (s, t) of a face, and the point on it: no search, no ray.
+  [[nodiscard]] Facet facet(int face, double s, double t) const;
+
+ private:
+  void placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double step);
+  void displace(const LimitSurface& surface, const Relief& relief, const Progress& progress);
+  void weld(const LimitSurface& surface);
+  [[nodiscard]] Vec3 vertex(std::size_t index) const;
+
+  std::vector<std::vector<double>> lines_;
+  std::vector<Grid> grids_;
+  std::vector<float> coordinates_;
+  Vec3 centre_{0, 0, 0};
+  double extent_ = 0;
+  double stepTexels_ = 0;
+  std::uint64_t triangleCount_ = 0;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,118 @@
+#include "truth/micro_scene.h"
+
+#include <fmt/core.h>
+#include <tbb/global_control.h>
+
+#include <limits>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+bool countBytes(void* counter, ssize_t bytes, bool /*post*/) {
+  static_cast<std::atomic<std::int64_t>*>(counter)->fetch_add(bytes);
+  return true;
+}
+
+void throwOnError(RTCDevice device, const char* task) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_NONE) return;
+  if (error == RTC_ERROR_OUT_OF_MEMORY) {
+    throw MemoryError(fmt::format("Embree ran out of memory while {}: make truth.step larger", task));
+  }
+  throw InternalError(fmt::format("Embree failed with error {} while {}", static_cast<int>(error), task));
+}
+
+embree::Device makeDevice() {
+  const auto threads =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  embree::Device device(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
+  if (!device) throwOnError(nullptr, "starting");
+  return device;
+}
+
+embree::Geometry makeGrids(RTCDevice device, const MicroMesh& mesh) {
+  embree::Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID));
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             mesh.coordinates().data(), 0, 3 * sizeof(float), mesh.vertexCount());
+  auto* grids = static_cast<RTCGrid*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID,
+                              sizeof(RTCGrid), mesh.grids().size()));
+  throwOnError(device, "taking the micro-mesh");
+  for (const MicroMesh::Grid& grid : mesh.grids()) {
+    const auto columns = static_cast<unsigned short>(grid.columns);
+    *grids++ = {grid.firstVertex, columns, columns, static_cast<unsigned short>(grid.rows)};
+  }
+  rtcCommitGeometry(geometry.get());
+  return geometry;
+}
+
+}  // namespace
+
+MicroScene::MicroScene(const MicroMesh& mesh) : device_(makeDevice()) {
+  rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
+  scene_.reset(rtcNewScene(device_.get()));
+  const embree::Geometry geometry = makeGrids(device_.get(), mesh);
+  rtcAttachGeometry(scene_.get(), geometry.get());
+  // Robust, so that no ray slips between neighbouring facets. Not compact: packets of 16 with the
+  // coherent flag hang on compact scenes on AVX-512.
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
+  rtcCommitScene(scene_.get());
+  throwOnError(device_.get(), "building its hierarchy");
+}
+
+std::array<bool, RayPacket::size> MicroScene::occluded(const RayPacket& rays,
+                                                       const Vec3& direction) const {
+  alignas(64) std::array<int, RayPacket::size> valid{};
+  RTCRay16 packet;
+  for (int k = 0; k < RayPacket::size; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    valid.at(i) = rays.active.at(i) ? -1 : 0;
+    packet.org_x[k] = static_cast<float>(rays.origins.at(i).x);
+    packet.org_y[k] = static_cast<float>(rays.origins.at(i).y);
+    packet.org_z[k] = static_cast<float>(rays.origins.at(i).z);
+    packet.dir_x[k] = static_cast<float>(direction.x);
+    packet.dir_y[k] = static_cast<float>(direction.y);
+    packet.dir_z[k] = static_cast<float>(direction.z);
+    packet.tnear[k] = 0;
+    packet.tfar[k] = static_cast<float>(rays.lengths.at(i));
+    packet.time[k] = 0;
+    packet.mask[k] = ~0U;
+    packet.id[k] = static_cast<unsigned>(k);
+    packet.flags[k] = 0;
+  }
+  embree::occluded16(valid.data(), scene_.get(), packet);
+  std::array<bool, RayPacket::size> result{};
+  for (int k = 0; k < RayPacket::size; ++k) {
+    // Embree marks an occluded ray by a negative end.
+    result.at(static_cast<std::size_t>(k)) =
+        valid.at(static_cast<std::size_t>(k)) != 0 && packet.tfar[k] < 0;
+  }
+  return result;
+}
+
+std::optional<SurfaceHit> MicroScene::nearest(const Vec3& origin, const Vec3& direction) const {
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(origin.x);
+  ray.ray.org_y = static_cast<float>(origin.y);
+  ray.ray.org_z = static_cast<float>(origin.z);
+  ray.ray.dir_x = static_cast<float>(direction.x);
+  ray.ray.dir_y = static_cast<float>(direction.y);
+  ray.ray.dir_z = static_cast<float>(direction.z);
+  ray.ray.tnear = 0;
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0U;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect1(scene_.get(), ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const Vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+  const double length = glm::length(normal);
+  return SurfaceHit{ray.ray.tfar, static_cast<int>(ray.hit.primID),
+                    length > 0 ? normal / length : Vec3(0)};
+}
+
+std::string MicroScene::embreeVersion() { return RTC_VERSION_STRING; }
+
+}  // namespace gnomon

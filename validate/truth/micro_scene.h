@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "truth/embree.h"
+#include "truth/micro_mesh.h"
+
+namespace gnomon {
+
+/// Sixteen shadow rays that share a direction.
+struct RayPacket {
+  static constexpr int size = 16;
+  std::array<Vec3, size> origins;          ///< in the mesh's centred coordinates
+  std::array<double, size> lengths;        ///< world units; infinity for no end
+  std::array<bool, size> active{};         ///< the others are left alone
+};
+
+/// The nearest surface along one ray.
+struct SurfaceHit {
+  double distance;  ///< world units along a unit direction
+  int face;
+  Vec3 normal;  ///< of the facet, unit, outward
+};
+
+/// A micro-mesh in Embree, as grids that share its vertices: nothing is copied, so the mesh must
+/// outlive the scene.
+class MicroScene {
+ public:
+  /// @throws MemoryError or InternalError with Embree's reason
+  explicit MicroScene(const MicroMesh& mesh);
+  MicroScene(const MicroScene&) = delete;
+  MicroScene& operator=(const MicroScene&) = delete;
+  ~MicroScene() = default;
+
+  /// Whether each active ray toward `direction` (unit) meets the surface within its length.
+  [[nodiscard]] std::array<bool, RayPacket::size> occluded(const RayPacket& rays,
+                                                           const Vec3& direction) const;
+  /// The nearest hit of a ray with a unit direction, if any.
+  [[nodiscard]] std::optional<SurfaceHit> nearest(const Vec3& origin, const Vec3& direction) const;
+
+  /// What Embree holds for this scene, bytes, without the shared vertices.
+  [[nodiscard]] std::uint64_t byteCount() const {
+    return static_cast<std::uint64_t>(bytes_.load());
+  }
+  [[nodiscard]] static std::string embreeVersion();
+
+ private:
+  std::atomic<std::int64_t> bytes_{0};  // outlives the device, which counts into it
+  embree::Device device_;
+  embree::Scene scene_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "common/mask.h"
+#include "common/progress.h"
+#include "relief/relief.h"
+#include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
+#include "truth/micro_scene.h"
+
+namespace gnomon {
+
+/// Why a sample is as it is. Every sample of a view is in exactly one region.
+enum class Region : std::uint8_t {
+  none,              ///< no sample, or no frame there
+  lit,               ///< the light reaches it
+  attached,          ///< its own facet is turned from the light
+  cast,              ///< shadowed by an occluder within the tables' radius
+  distant,           ///< shadowed only by an occluder beyond that radius
+  beyondTerminator,  ///< the undisplaced surface is turned from the light, n·L ≤ 0: lit or not
+};
+
+/// As reports and thresholds spell it: "lit", "attached", "cast", "distant", "beyond-terminator".
+std::string_view regionName(Region region);
+
+/// The regions that results are reported for, in order.
+constexpr std::array<Region, 5> reportedRegions = {Region::lit, Region::attached, Region::cast,
+                                                   Region::distant, Region::beyondTerminator};
+
+/// The exact answer for every sample of a view under one light.
+struct Truth {
+  Mask mask;
+  std::vector<Region> regions;       ///< one a sample
+  std::size_t undefinedSamples = 0;  ///< samples without a frame: Shade::none in the mask
+};
+
+/// Light and range of one trace.
+struct TraceSettings {
+  Vec3 light{0, 0, 1};       ///< unit vector toward the directional light
+  double radiusTexels = 128; ///< D: farther occluders are `distant`
+  /// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.
+  double liftShare = 1e-6;
+};
+
+/// Traces one shadow ray a sample. A ray starts on the facet that holds the sample's displaced
+/// point (known from (s, t)), lifted along the facet's normal; a facet turned from the light is
+/// shadowed without a ray. The horizontal reach of an occluder is measured as the horizon tables
+/// do: texels along the light's azimuth, at the sample's own metric.
+/// Results do not depend on the number of threads.
+Truth traceShadows(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
+                   const MicroScene& scene, const SampleGrid& samples,
+                   const TraceSettings& settings, const Progress& progress = {});
+
+/// Share of the samples that both masks hold and on which they differ: the truth's own error,
+/// where one mask was traced at half the resolution of the other. 0 where there is no sample.
+double flipRate(const Mask& a, const Mask& b);
+
+}  // namespace gnomon
