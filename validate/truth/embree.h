@@ -37,7 +37,9 @@ inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays) {
   rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
-inline void intersect1(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &ray, nullptr); }
+inline void intersect1(RTCScene scene, RTCRayHit& ray) {
+  rtcIntersect1(scene, &ray, nullptr);
+}
 
 #else
 

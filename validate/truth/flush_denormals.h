@@ -16,7 +16,9 @@ class FlushDenormals {
     constexpr unsigned denormalsAreZero = 0x0040;
     _mm_setcsr(before_ | flushToZero | denormalsAreZero);
   }
-  ~FlushDenormals() { _mm_setcsr(before_); }
+  ~FlushDenormals() {
+    _mm_setcsr(before_);
+  }
 #else
   FlushDenormals() = default;
   ~FlushDenormals() = default;

@@ -80,7 +80,8 @@ double estimatedTriangles(const LimitSurface& surface, Vec2 texelsPerUv, double 
   return 2 * pieces * pieces * surface.faceCount();
 }
 
-double chooseStep(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMeshSettings& settings) {
+double chooseStep(const LimitSurface& surface, Vec2 texelsPerUv,
+                  const MicroMeshSettings& settings) {
   if (settings.stepTexels) return *settings.stepTexels;
   int perTexel = 4;
   while (estimatedTriangles(surface, texelsPerUv, 1.0 / perTexel) < settings.leastTriangles) {
@@ -123,11 +124,13 @@ MicroMesh::MicroMesh(const LimitSurface& surface, const Relief& relief,
   const Vec2 texelsPerUv = relief.texelsPerUv();
   stepTexels_ = chooseStep(surface, texelsPerUv, settings);
   if (!(stepTexels_ > 0) || !std::isfinite(stepTexels_)) {
-    throw InputError(fmt::format("truth.step: {} texels found, a positive length expected", stepTexels_));
+    throw InputError(
+        fmt::format("truth.step: {} texels found, a positive length expected", stepTexels_));
   }
   const double quads = estimatedTriangles(surface, texelsPerUv, stepTexels_) / 2;
-  requireMemory(quads * (bytesPerVertex + hierarchyBytesPerQuad),
-                fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", stepTexels_, 2 * quads));
+  requireMemory(
+      quads * (bytesPerVertex + hierarchyBytesPerQuad),
+      fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", stepTexels_, 2 * quads));
   placeLines(surface, texelsPerUv, stepTexels_);
   centre_ = cageCentre(surface);
   displace(surface, relief, progress);
@@ -153,9 +156,10 @@ void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double
   }
   for (const std::vector<double>& lines : lines_) {
     if (lines.size() > longestSide) {
-      throw InputError(fmt::format(
-          "truth.step = {}: {} lines across one face, at most {} are possible: use a cage of more faces",
-          step, lines.size(), longestSide));
+      throw InputError(
+          fmt::format("truth.step = {}: {} lines across one face, at most {} are possible: use a "
+                      "cage of more faces",
+                      step, lines.size(), longestSide));
     }
   }
   std::uint64_t vertices = 0;
@@ -173,8 +177,8 @@ void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double
     grids_.push_back(grid);
   }
   if (vertices > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError(fmt::format(
-        "truth.step = {}: {} micro-vertices, at most 2^32 can be numbered", step, vertices));
+    throw InputError(fmt::format("truth.step = {}: {} micro-vertices, at most 2^32 can be numbered",
+                                 step, vertices));
   }
   requireMemory(static_cast<double>(vertices) * (bytesPerVertex + hierarchyBytesPerQuad),
                 fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", step,
@@ -223,8 +227,8 @@ void MicroMesh::weld(const LimitSurface& surface) {
       if (isFirst) continue;
       const auto [otherFace, otherSide] = entry->second;
       const int length = sideLength(grids_[face], side);
-      const bool sameSense = surface.corners(static_cast<int>(otherFace))
-                                 .at(static_cast<std::size_t>(otherSide)) == a;
+      const bool sameSense =
+          surface.corners(static_cast<int>(otherFace)).at(static_cast<std::size_t>(otherSide)) == a;
       for (int i = 1; i + 1 < length; ++i) {
         copyVertex(sideVertex(grids_[otherFace], otherSide, sameSense ? i : length - 1 - i),
                    sideVertex(grids_[face], side, i));

@@ -19,9 +19,11 @@ void throwOnError(RTCDevice device, const char* task) {
   const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) {
-    throw MemoryError(fmt::format("Embree ran out of memory while {}: make truth.step larger", task));
+    throw MemoryError(
+        fmt::format("Embree ran out of memory while {}: make truth.step larger", task));
   }
-  throw InternalError(fmt::format("Embree failed with error {} while {}", static_cast<int>(error), task));
+  throw InternalError(
+      fmt::format("Embree failed with error {} while {}", static_cast<int>(error), task));
 }
 
 embree::Device makeDevice() {
@@ -36,9 +38,9 @@ embree::Geometry makeGrids(RTCDevice device, const MicroMesh& mesh) {
   embree::Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID));
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                              mesh.coordinates().data(), 0, 3 * sizeof(float), mesh.vertexCount());
-  auto* grids = static_cast<RTCGrid*>(
-      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID,
-                              sizeof(RTCGrid), mesh.grids().size()));
+  auto* grids = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_GRID,
+                                                              0, RTC_FORMAT_GRID, sizeof(RTCGrid),
+                                                              mesh.grids().size()));
   throwOnError(device, "taking the micro-mesh");
   for (const MicroMesh::Grid& grid : mesh.grids()) {
     const auto columns = static_cast<unsigned short>(grid.columns);
@@ -113,6 +115,8 @@ std::optional<SurfaceHit> MicroScene::nearest(const Vec3& origin, const Vec3& di
                     length > 0 ? normal / length : Vec3(0)};
 }
 
-std::string MicroScene::embreeVersion() { return RTC_VERSION_STRING; }
+std::string MicroScene::embreeVersion() {
+  return RTC_VERSION_STRING;
+}
 
 }  // namespace gnomon

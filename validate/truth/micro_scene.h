@@ -14,9 +14,9 @@ namespace gnomon {
 /// Sixteen shadow rays that share a direction.
 struct RayPacket {
   static constexpr int size = 16;
-  std::array<Vec3, size> origins;          ///< in the mesh's centred coordinates
-  std::array<double, size> lengths;        ///< world units; infinity for no end
-  std::array<bool, size> active{};         ///< the others are left alone
+  std::array<Vec3, size> origins;    ///< in the mesh's centred coordinates
+  std::array<double, size> lengths;  ///< world units; infinity for no end
+  std::array<bool, size> active{};   ///< the others are left alone
 };
 
 /// The nearest surface along one ray.

@@ -70,7 +70,8 @@ class TileTracer {
   /// Length of the ray whose trace on the tangent plane is D texels long.
   [[nodiscard]] double rayLengthOfRadius(const TexelFrame& frame) const {
     const LocalLight local = localLight(frame, settings_.light);
-    const double cosine = 1 / std::hypot(1.0, local.slope);  // |L - (L·n) n|; 0 for a light at the zenith
+    const double cosine =
+        1 / std::hypot(1.0, local.slope);  // |L - (L·n) n|; 0 for a light at the zenith
     return cosine > 0 ? settings_.radiusTexels * local.worldPerTexel / cosine
                       : std::numeric_limits<double>::infinity();
   }
@@ -115,12 +116,18 @@ std::size_t countUndefined(const SampleGrid& samples, const Mask& mask) {
 
 std::string_view regionName(Region region) {
   switch (region) {
-    case Region::none: return "none";
-    case Region::lit: return "lit";
-    case Region::attached: return "attached";
-    case Region::cast: return "cast";
-    case Region::distant: return "distant";
-    case Region::beyondTerminator: return "beyond-terminator";
+    case Region::none:
+      return "none";
+    case Region::lit:
+      return "lit";
+    case Region::attached:
+      return "attached";
+    case Region::cast:
+      return "cast";
+    case Region::distant:
+      return "distant";
+    case Region::beyondTerminator:
+      return "beyond-terminator";
   }
   throw InternalError("a region without a name");
 }

@@ -40,8 +40,8 @@ struct Truth {
 
 /// Light and range of one trace.
 struct TraceSettings {
-  Vec3 light{0, 0, 1};       ///< unit vector toward the directional light
-  double radiusTexels = 128; ///< D: farther occluders are `distant`
+  Vec3 light{0, 0, 1};        ///< unit vector toward the directional light
+  double radiusTexels = 128;  ///< D: farther occluders are `distant`
   /// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.
   double liftShare = 1e-6;
 };

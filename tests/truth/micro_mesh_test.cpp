@@ -1,0 +1,190 @@
+#include "truth/micro_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "common/error.h"
+#include "surface/texel_frame.h"
+#include "truth/micro_scene.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::cubeCage;
+using test::flatRelief;
+using test::randomRelief;
+
+MicroMeshSettings step(double texels) {
+  return {texels, 0};
+}
+
+Vec3 vertexOf(const MicroMesh& mesh, std::size_t index) {
+  return Vec3(mesh.coordinates()[3 * index], mesh.coordinates()[3 * index + 1],
+              mesh.coordinates()[3 * index + 2]) +
+         mesh.centre();
+}
+
+TEST(MicroMesh, PutsGridLinesOnTexelCentres) {
+  const LimitSurface surface(makePlane(12, 8, 5, 3));
+  const Relief relief = flatRelief(12, 8);
+  const MicroMesh mesh(surface, relief, step(0.3));
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    const MicroMesh::Grid& grid = mesh.grids()[static_cast<std::size_t>(face)];
+    const double begin = 12.0 / 5 * (face % 5);
+    const double length = 12.0 / 5;
+    const std::vector<double>& lines = mesh.lines(grid.sLines);
+    for (double centre = std::floor(begin) + 0.5; centre < begin + length; centre += 1) {
+      if (centre <= begin) continue;
+      const double s = (centre - begin) / length;
+      EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                              [s](double line) { return std::abs(line - s) < 1e-12; }))
+          << "no line at texel " << centre;
+    }
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+      EXPECT_GT(lines[k], lines[k - 1]);
+      EXPECT_LE((lines[k] - lines[k - 1]) * length, 0.3 + 1e-9);
+    }
+  }
+}
+
+TEST(MicroMesh, VerticesAreDisplacedLimitPoints) {
+  const LimitSurface surface(makeTorus(30, 10, 66, 66));
+  const Relief relief = randomRelief(64, 32, 2, 7);
+  const MicroMesh mesh(surface, relief, step(0.5));
+  const MicroMesh::Grid& grid = mesh.grids()[100];
+  double worst = 0;
+  for (int j = 0; j < grid.rows; ++j) {
+    for (int i = 0; i < grid.columns; ++i) {
+      const LimitPoint point =
+          surface.evaluate(100, mesh.lines(grid.sLines)[static_cast<std::size_t>(i)],
+                           mesh.lines(grid.tLines)[static_cast<std::size_t>(j)]);
+      const Vec3 expected = displaced(relief, texelFrame(point, relief.texelsPerUv()));
+      const Vec3 found =
+          vertexOf(mesh, grid.firstVertex +
+                             static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.columns) +
+                             static_cast<std::size_t>(i));
+      worst = std::max(worst, glm::length(found - expected));
+    }
+  }
+  EXPECT_LT(worst, 1e-5);  // float coordinates of about 40
+}
+
+TEST(MicroMesh, ReachesTheAskedNumberOfTrianglesByDefault) {
+  const LimitSurface surface(makePlane(32, 32, 4, 4));
+  const MicroMesh mesh(surface, flatRelief(32, 32), {std::nullopt, 3e5});
+  EXPECT_GE(mesh.triangleCount(), 300000U);
+  EXPECT_LT(mesh.triangleCount(), 600000U);
+}
+
+/// Counts rays from inside a closed surface that meet nothing.
+int escapes(const MicroMesh& mesh, const Vec3& inside, int rays) {
+  const MicroScene scene(mesh);
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  int escaped = 0;
+  for (int k = 0; k < rays; ++k) {
+    const Vec3 direction = glm::normalize(Vec3(normal(random), normal(random), normal(random)));
+    escaped += scene.nearest(inside - mesh.centre(), direction) ? 0 : 1;
+  }
+  return escaped;
+}
+
+TEST(MicroMesh, ClosedCageGivesClosedMeshAcrossSeams) {
+  const LimitSurface surface(cubeCage());
+  const MicroMesh mesh(surface, randomRelief(16, 16, 1.5, 5), step(0.21));
+  EXPECT_EQ(escapes(mesh, Vec3(0), 200000), 0);
+}
+
+TEST(MicroMesh, ClosedTorusGivesClosedMesh) {
+  const LimitSurface surface(makeTorus(30, 10, 66, 66));
+  const MicroMesh mesh(surface, randomRelief(64, 32, 2, 7), step(0.5));
+  EXPECT_EQ(escapes(mesh, Vec3(30, 0, 0), 200000), 0);
+}
+
+TEST(MicroMesh, EveryEdgeOfAClosedMeshIsSharedByTwoTriangles) {
+  // By position, bit for bit: what rays can only sample, an edge count proves.
+  const LimitSurface surface(cubeCage());
+  const MicroMesh mesh(surface, randomRelief(16, 16, 1.5, 5), step(0.9));
+  using Point = std::array<float, 3>;
+  std::map<std::pair<Point, Point>, int> edges;
+  const auto point = [&](std::size_t v) {
+    return Point{mesh.coordinates()[3 * v], mesh.coordinates()[3 * v + 1],
+                 mesh.coordinates()[3 * v + 2]};
+  };
+  const auto addEdge = [&](std::size_t a, std::size_t b) {
+    const auto low = std::min(point(a), point(b));
+    const auto high = std::max(point(a), point(b));
+    if (low != high) ++edges[{low, high}];
+  };
+  for (const MicroMesh::Grid& grid : mesh.grids()) {
+    const auto stride = static_cast<std::size_t>(grid.columns);
+    for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(grid.rows); ++j) {
+      for (std::size_t i = 0; i + 1 < stride; ++i) {
+        const std::size_t v = grid.firstVertex + j * stride + i;
+        for (const auto& [a, b, c] :
+             {std::array{v, v + 1, v + stride}, std::array{v + stride + 1, v + stride, v + 1}}) {
+          addEdge(a, b);
+          addEdge(b, c);
+          addEdge(c, a);
+        }
+      }
+    }
+  }
+  EXPECT_GT(edges.size(), 1000U);
+  for (const auto& [edge, count] : edges) EXPECT_EQ(count, 2);
+}
+
+TEST(MicroMesh, FacetIsTheOneThatARayMeets) {
+  // Random heights give cells that are far from flat: cut along the other diagonal, the facet would
+  // lie elsewhere.
+  const LimitSurface surface(makePlane(16, 16, 3, 3));
+  const Relief relief = randomRelief(16, 16, 3, 11);
+  const MicroMesh mesh(surface, relief, step(0.5));
+  const MicroScene scene(mesh);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0.001, 0.999);
+  for (int k = 0; k < 5000; ++k) {
+    const int face = static_cast<int>(random() % 9);
+    const Facet facet = mesh.facet(face, uniform(random), uniform(random));
+    const Vec3 above = facet.point + 1e-3 * facet.normal;
+    const auto hit = scene.nearest(above, -facet.normal);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->distance, 1e-3, 1e-5);
+    EXPECT_EQ(hit->face, face);
+    EXPECT_GT(glm::dot(hit->normal, facet.normal), 1 - 1e-4);
+  }
+}
+
+TEST(MicroMesh, FacetLiesOnTheDisplacedSurfaceAsTheMeshGrowsFiner) {
+  const LimitSurface surface(makeSphere(50, 1, 1, 16, 16));
+  const Relief relief = randomRelief(16, 16, 2, 3);
+  const auto worstDistance = [&](double texels) {
+    const MicroMesh mesh(surface, relief, step(texels));
+    double worst = 0;
+    for (int k = 0; k < 400; ++k) {
+      const double s = (k % 20 + 0.37) / 20;
+      const double t = (k / 20 + 0.61) / 20;
+      const Vec3 exact =
+          displaced(relief, texelFrame(surface.evaluate(k % 256, s, t), relief.texelsPerUv()));
+      worst = std::max(worst, glm::length(mesh.facet(k % 256, s, t).point + mesh.centre() - exact));
+    }
+    return worst;
+  };
+  const double coarse = worstDistance(0.25);
+  const double fine = worstDistance(0.125);
+  // Second order in the step: kinks lie on micro-edges.
+  EXPECT_LT(fine, coarse / 3);
+}
+
+TEST(MicroMesh, RefusesWhatCannotFit) {
+  const LimitSurface surface(makePlane(16, 16, 2, 2));
+  EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(1e-6)), MemoryError);
+  EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(0)), InputError);
+  EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(std::nan(""))), InputError);
+}
+
+}  // namespace
+}  // namespace gnomon

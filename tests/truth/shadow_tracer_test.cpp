@@ -1,0 +1,211 @@
+#include "truth/shadow_tracer.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::flatRelief;
+using test::lightToward;
+using test::randomRelief;
+using test::sampleAt;
+using test::sampleLine;
+using test::samplesOfAllFaces;
+using test::stepRelief;
+
+/// A surface with its relief, ready to be traced.
+struct TruthScene {
+  LimitSurface surface;
+  Relief relief;
+  MicroMesh mesh;
+  MicroScene scene;
+
+  TruthScene(const Cage& cage, Relief heights, double stepTexels)
+      : surface(cage),
+        relief(std::move(heights)),
+        mesh(surface, relief, {stepTexels, 0}),
+        scene(mesh) {}
+
+  [[nodiscard]] Truth trace(const SampleGrid& samples, const Vec3& light,
+                            double radiusTexels = 1000) const {
+    return traceShadows(surface, relief, mesh, scene, samples, {light, radiusTexels, 1e-6});
+  }
+};
+
+/// Where along a line of samples the shadow ends: the place of the last shadowed sample.
+double lastShadowed(const Truth& truth) {
+  double last = -1;
+  for (std::size_t i = 0; i < truth.mask.size(); ++i) {
+    if (truth.mask.samples[i] == Shade::shadowed) last = static_cast<double>(i);
+  }
+  return (last + 1) / static_cast<double>(truth.mask.size());
+}
+
+/// A wall across a plane of one world unit a texel: 4 texels thick, 6 high. Its top ends at the
+/// centre of its last texel, x = 31.5.
+TruthScene wallScene() {
+  return {makePlane(96, 32, 12, 4),
+          stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }), 0.25};
+}
+
+class WallShadow : public testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
+  const auto [azimuth, elevation] = GetParam();
+  const TruthScene scene = wallScene();
+  // The light stands on the wall's far side, turned by `azimuth` from straight across.
+  const Vec3 light = lightToward(180 + azimuth, elevation);
+  const double length = 6 / std::tan(radians(elevation)) * std::cos(radians(azimuth));
+  constexpr int count = 4000;
+  const Truth truth =
+      scene.trace(sampleLine(scene.surface, scene.relief, {32.5, 16}, {62.5, 16}, count), light);
+  EXPECT_NEAR(lastShadowed(truth) * 30 + 32.5, 31.5 + length, 30.0 / count + 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lights, WallShadow,
+                         testing::Values(std::pair{0.0, 60.0}, std::pair{0.0, 45.0},
+                                         std::pair{0.0, 20.0}, std::pair{0.0, 13.0},
+                                         std::pair{25.0, 45.0}, std::pair{-40.0, 30.0},
+                                         std::pair{30.0, 15.0}));
+
+TEST(ShadowTracer, TellsCastFromDistantByTheTablesRadius) {
+  const TruthScene scene = wallScene();
+  const double slope = std::tan(radians(20));
+  // A ray from the floor at x meets the wall's lee face, which falls from 6 at 31.5 to 0 at 32.5,
+  // or passes over it where the shadow has ended.
+  const auto reach = [slope](double x) { return x - (6 * 32.5 - x * slope) / (6 - slope); };
+  const double end = 31.5 + 6 / slope;
+  const SampleGrid samples = sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
+  const Truth truth = scene.trace(samples, lightToward(180, 20), 10);
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const double x = 32.6 + 30 * (static_cast<double>(i) + 0.5) / 300;
+    if (std::abs(x - end) < 0.01 || std::abs(reach(x) - 10) < 0.01) continue;
+    const Region expected = x > end ? Region::lit : reach(x) > 10 ? Region::distant : Region::cast;
+    EXPECT_EQ(truth.regions[i], expected) << x;
+  }
+}
+
+TEST(ShadowTracer, FacetsTurnedFromTheLightAreAttached) {
+  const TruthScene scene = wallScene();
+  // The wall's lee side, between the centres of its last texel and the next.
+  const SampleGrid lee = sampleLine(scene.surface, scene.relief, {31.6, 16}, {32.4, 16}, 16);
+  const Truth truth = scene.trace(lee, lightToward(180, 45));
+  for (std::size_t i = 0; i < lee.samples.size(); ++i) {
+    EXPECT_EQ(truth.mask.samples[i], Shade::shadowed);
+    EXPECT_EQ(truth.regions[i], Region::attached);
+  }
+}
+
+TEST(ShadowTracer, BareSphereIsLitUpToItsTerminator) {
+  constexpr double radius = 40;
+  const TruthScene scene(makeSphere(radius, 2.4, 1.2, 64, 32), flatRelief(96, 48), 0.1);
+  const Vec3 light = lightToward(0, 30);
+  const SampleGrid samples = samplesOfAllFaces(scene.surface, 5);
+  const Truth truth = scene.trace(samples, light);
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const SurfaceSample& sample = samples.samples[i];
+    const Vec3 normal = scene.surface.evaluate(sample.face, sample.s, sample.t).position / radius;
+    const double elevation = glm::dot(normal, light);
+    if (std::abs(elevation) < 2e-3)
+      continue;  // a facet is tilted by half its angle from its samples
+    EXPECT_EQ(truth.mask.samples[i], elevation > 0 ? Shade::lit : Shade::shadowed);
+    EXPECT_EQ(truth.regions[i], elevation > 0 ? Region::lit : Region::beyondTerminator);
+    lit += elevation > 0 ? 1 : 0;
+  }
+  EXPECT_GT(lit, samples.samples.size() / 10);
+  EXPECT_LT(lit, samples.samples.size() * 9 / 10);
+}
+
+/// Eq. (3) of Onoue, Max & Nishita 2004: from height h over a bare sphere the horizon lies
+/// arccos(R / (R + h)) below the tangent plane.
+TEST(ShadowTracer, TipOfAPinIsLitDownToTheSpheresHorizon) {
+  constexpr double radius = 60;
+  constexpr double height = 5;
+  const TruthScene scene(
+      makeSphere(radius, 2, 2, 40, 40),
+      stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; }), 0.1);
+  const double dip = std::acos(radius / (radius + height)) * 180 / pi;
+  SampleGrid tip{1, 1, {sampleAt(scene.surface, scene.relief, {40.5, 40.5})}};
+  // From (+, +): the tip's own facet, of the cell toward greater x and y, faces that way.
+  EXPECT_EQ(scene.trace(tip, lightToward(45, -dip + 0.1)).mask.samples[0], Shade::lit);
+  EXPECT_EQ(scene.trace(tip, lightToward(45, -dip - 0.1)).mask.samples[0], Shade::shadowed);
+  EXPECT_EQ(scene.trace(tip, lightToward(45, -dip + 0.1)).regions[0], Region::beyondTerminator);
+}
+
+TEST(ShadowTracer, ColumnOnASphereShadesAsTheCircleSays) {
+  // In the plane of the light the ground at arc angle γ from the column's foot is shadowed where
+  // (cos γ - 1/(1 + κh)) / sin γ, the exact horizon on a circle, exceeds the light's slope there.
+  constexpr double radius = 80;
+  constexpr double height = 6;
+  const TruthScene scene(makeSphere(radius, 1.6, 0.4, 64, 16),
+                         stepRelief(128, 32, height, [](int i, int) { return i >= 60 && i < 64; }),
+                         0.1);
+  const SampleGrid samples = sampleLine(scene.surface, scene.relief, {64.6, 16}, {94.6, 16}, 4000);
+  const Vec3 light =
+      lightToward(180, 0) * std::cos(radians(25)) + Vec3(0, 0, std::sin(radians(25)));
+  const Truth truth = scene.trace(samples, light);
+  const double edge = (63.5 - 64) / 128 * 1.6;  // longitude of the wall's upper edge
+  const auto shadowed = [&](double longitude) {
+    const double gamma = longitude - edge;
+    const double horizon = (std::cos(gamma) - radius / (radius + height)) / std::sin(gamma);
+    return std::tan(radians(25) - longitude) < horizon;
+  };
+  double expected = 0;
+  for (int k = 0; k < 400000; ++k) {
+    const double texel = 64.6 + 30 * (k + 0.5) / 400000;
+    if (shadowed((texel - 64) / 128 * 1.6)) expected = (k + 1) / 400000.0;
+  }
+  ASSERT_GT(expected, 0.1);
+  ASSERT_LT(expected, 0.9);
+  EXPECT_NEAR(lastShadowed(truth), expected, 1e-3);
+}
+
+TEST(ShadowTracer, DegenerateFramesAreLeftOutAndCounted) {
+  Cage cage = makePlane(8, 8, 2, 2);
+  std::fill(cage.uvs.begin(), cage.uvs.end(), Vec2(0.5));
+  cage.grid.reset();
+  const TruthScene scene(cage, flatRelief(8, 8), 0.5);
+  const Truth truth = scene.trace(samplesOfAllFaces(scene.surface, 3), lightToward(0, 45));
+  EXPECT_EQ(truth.undefinedSamples, truth.mask.size());
+  for (const Shade shade : truth.mask.samples) EXPECT_EQ(shade, Shade::none);
+}
+
+TEST(ShadowTracer, DoesNotDependOnTheNumberOfThreads) {
+  const Cage cage = makeTorus(30, 10, 66, 66);
+  const auto masksWith = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const TruthScene scene(cage, randomRelief(256, 96, 2, 7), 0.5);
+    return scene.trace(samplesOfAllFaces(scene.surface, 5), lightToward(30, 20)).mask.samples;
+  };
+  EXPECT_EQ(masksWith(1), masksWith(2));
+}
+
+TEST(ShadowTracer, FlipRateCountsDifferences) {
+  const Mask a{2, 2, {Shade::lit, Shade::shadowed, Shade::none, Shade::lit}};
+  const Mask b{2, 2, {Shade::lit, Shade::lit, Shade::lit, Shade::shadowed}};
+  EXPECT_DOUBLE_EQ(flipRate(a, a), 0);
+  EXPECT_DOUBLE_EQ(flipRate(a, b), 2.0 / 3);
+}
+
+TEST(ShadowTracer, HalfTheResolutionFlipsFew) {
+  const Cage cage = makeSphere(60, 2, 1, 40, 20);
+  const auto mask = [&](double step) {
+    const TruthScene scene(cage, randomRelief(30, 15, 1.5, 9), step);
+    return scene.trace(samplesOfAllFaces(scene.surface, 9), lightToward(20, 30)).mask;
+  };
+  const Mask finest = mask(0.02);
+  const double coarse = flipRate(mask(0.25), finest);
+  const double fine = flipRate(mask(0.0625), finest);
+  EXPECT_GT(coarse, 0);  // else the comparison shows nothing
+  EXPECT_LT(fine, coarse / 2);
+  EXPECT_LT(fine, 0.005);
+}
+
+}  // namespace
+}  // namespace gnomon

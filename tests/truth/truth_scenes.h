@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "relief/relief.h"
+#include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
+#include "surface/shapes.h"
+
+namespace gnomon::test {
+
+/// A relief that is `height` where `isHigh(i, j)` holds and 0 elsewhere.
+template <typename IsHigh>
+Relief stepRelief(int width, int height, double amplitude, const IsHigh& isHigh,
+                  Wrap wrap = Wrap::clamp) {
+  std::vector<float> texels;
+  for (int j = 0; j < height; ++j) {
+    for (int i = 0; i < width; ++i) {
+      texels.push_back(isHigh(i, j) ? static_cast<float>(amplitude) : 0.0F);
+    }
+  }
+  return {HeightField(width, height, std::move(texels), wrap), HeightSpace::world, Vec2(1)};
+}
+
+inline Relief flatRelief(int width, int height) {
+  return stepRelief(width, height, 0, [](int, int) { return false; });
+}
+
+/// Independent heights in [0, amplitude): the roughest relief there is.
+inline Relief randomRelief(int width, int height, double amplitude, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<float> texels(static_cast<std::size_t>(width * height));
+  for (float& texel : texels) {
+    texel = static_cast<float>(amplitude * static_cast<double>(random()) / 4294967296.0);
+  }
+  return {HeightField(width, height, std::move(texels), Wrap::repeat), HeightSpace::world, Vec2(1)};
+}
+
+/// The unit vector toward a light; degrees.
+inline Vec3 lightToward(double azimuth, double elevation) {
+  const double a = radians(azimuth);
+  const double e = radians(elevation);
+  return {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
+}
+
+/// The sample of a grid chart at texture position (x, y) in texels of a map of the given size.
+inline SurfaceSample sampleAt(const LimitSurface& surface, const Relief& relief, Vec2 texel) {
+  const GridChart grid = surface.grid().value();
+  const Vec2 place = texel / relief.texelsPerUv() * Vec2(grid.columns, grid.rows);
+  const Vec2 cell = glm::min(glm::floor(place), Vec2(grid.columns - 1, grid.rows - 1));
+  return {static_cast<int>(cell.y) * grid.columns + static_cast<int>(cell.x),
+          static_cast<float>(place.x - cell.x), static_cast<float>(place.y - cell.y)};
+}
+
+/// A row of samples at texture positions from `begin` to `end`.
+inline SampleGrid sampleLine(const LimitSurface& surface, const Relief& relief, Vec2 begin,
+                             Vec2 end, int count) {
+  SampleGrid grid{count, 1, {}};
+  for (int k = 0; k < count; ++k) {
+    const double share = (k + 0.5) / count;
+    grid.samples.push_back(sampleAt(surface, relief, begin + share * (end - begin)));
+  }
+  return grid;
+}
+
+/// `side` × `side` samples of every face, one row of the grid a face.
+inline SampleGrid samplesOfAllFaces(const LimitSurface& surface, int side) {
+  SampleGrid grid{side * side, surface.faceCount(), {}};
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    for (int k = 0; k < side * side; ++k) {
+      grid.samples.push_back({face,
+                              (static_cast<float>(k % side) + 0.5F) / static_cast<float>(side),
+                              (static_cast<float>(k / side) + 0.5F) / static_cast<float>(side)});
+    }
+  }
+  return grid;
+}
+
+/// A cube's cage: a closed surface of six faces, each with the whole texture, so that every edge is
+/// a seam whose two sides have different heights.
+inline Cage cubeCage() {
+  Cage cage;
+  for (int k = 0; k < 8; ++k) {
+    cage.positions.push_back(10.0 * Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
+  }
+  cage.faceVertices = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  cage.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int face = 0; face < 6; ++face) {
+    for (int corner = 0; corner < 4; ++corner) cage.faceUvs.push_back(corner);
+  }
+  return cage;
+}
+
+}  // namespace gnomon::test
