@@ -101,16 +101,24 @@ GlContext::GlContext() : egl_(std::make_unique<Egl>()) {
       egl_->close();
     }
   }
-  throw NoGlError(
-      fmt::format("no OpenGL 4.5 context: {}. Install a driver (Debian: libgl1-mesa-dri)", answers));
+  throw NoGlError(fmt::format(
+      "no OpenGL 4.5 context: {}. Install a driver (Debian: libgl1-mesa-dri)", answers));
 }
 
 GlContext::~GlContext() = default;
 
-std::string GlContext::renderer() const { return glString(GL_RENDERER); }
-std::string GlContext::version() const { return glString(GL_VERSION); }
-int GlContext::largestTexture() const { return glInteger(GL_MAX_TEXTURE_SIZE); }
-int GlContext::largestVolume() const { return glInteger(GL_MAX_3D_TEXTURE_SIZE); }
+std::string GlContext::renderer() const {
+  return glString(GL_RENDERER);
+}
+std::string GlContext::version() const {
+  return glString(GL_VERSION);
+}
+int GlContext::largestTexture() const {
+  return glInteger(GL_MAX_TEXTURE_SIZE);
+}
+int GlContext::largestVolume() const {
+  return glInteger(GL_MAX_3D_TEXTURE_SIZE);
+}
 
 void throwOnGlError(const char* task) {
   const GLenum error = glGetError();

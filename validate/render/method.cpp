@@ -23,8 +23,8 @@ class Declaration {
     const std::size_t begin = text.find(opening);
     const std::size_t end = text.find("*/");
     if (begin != 0 || end == std::string_view::npos) {
-      throw InputError(fmt::format("{}:1: a comment `{} … */` with the method's declaration expected",
-                                   file_, opening));
+      throw InputError(fmt::format(
+          "{}:1: a comment `{} … */` with the method's declaration expected", file_, opening));
     }
     try {
       // The comment's opening takes the first line, so that TOML's line k is the file's line k.
@@ -52,7 +52,8 @@ class Declaration {
 
   [[nodiscard]] std::string text(std::string_view key) const {
     const auto value = table_[key].value<std::string>();
-    if (!value) throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", file_, key));
+    if (!value)
+      throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", file_, key));
     return *value;
   }
 
@@ -73,10 +74,14 @@ MethodTables readTables(const Declaration& declaration) {
   if (list == nullptr) return tables;
   for (const toml::node& node : *list) {
     const auto name = node.value<std::string>().value_or("");
-    if (name == "height") tables.height = true;
-    else if (name == "horizon") tables.horizon = true;
-    else if (name == "distance") tables.distance = true;
-    else declaration.fail(node, fmt::format("table `{}`, expected height, horizon or distance", name));
+    if (name == "height")
+      tables.height = true;
+    else if (name == "horizon")
+      tables.horizon = true;
+    else if (name == "distance")
+      tables.distance = true;
+    else
+      declaration.fail(node, fmt::format("table `{}`, expected height, horizon or distance", name));
   }
   return tables;
 }

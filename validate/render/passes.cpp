@@ -207,11 +207,11 @@ SampleGrid SamplesPass::render(const RenderView& view, const GpuMesh& mesh) cons
 }
 
 ShadePass::ShadePass(const fs::path& shaders, Wrap wrap)
-    : program_(makePass(shaders,
-                        {readShader(shaders / "common/pixel.glsl"),
-                         readShader(shaders / "common/relief.glsl"),
-                         readShader(shaders / "common/shade.frag")},
-                        reliefDefines(wrap, true))) {}
+    : program_(makePass(
+          shaders,
+          {readShader(shaders / "common/pixel.glsl"), readShader(shaders / "common/relief.glsl"),
+           readShader(shaders / "common/shade.frag")},
+          reliefDefines(wrap, true))) {}
 
 std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawing& drawing,
                                             const Mask& mask) const {
@@ -243,13 +243,14 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap,
       throw InputError(fmt::format("method {}: it has no parameter `{}`", method.name, name));
     }
   }
-  program_ = makePass(
-      shaders,
-      {readShader(shaders / "common/pixel.glsl"), readShader(shaders / "common/relief.glsl"),
-       readShader(shaders / "common/tables.glsl"),
-       {method.source.file + " (parameters)", parameterUniforms(method)},
-       method.source, readShader(shaders / "common/mask.frag")},
-      defines);
+  program_ = makePass(shaders,
+                      {readShader(shaders / "common/pixel.glsl"),
+                       readShader(shaders / "common/relief.glsl"),
+                       readShader(shaders / "common/tables.glsl"),
+                       {method.source.file + " (parameters)", parameterUniforms(method)},
+                       method.source,
+                       readShader(shaders / "common/mask.frag")},
+                      defines);
   for (const auto& [name, parameter] : method.parameters) {
     glProgramUniform1f(program_.name(), glGetUniformLocation(program_.name(), name.c_str()),
                        static_cast<GLfloat>(parameterValue(method, name, values)));

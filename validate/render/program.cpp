@@ -9,13 +9,15 @@
 namespace gnomon {
 namespace {
 
+constexpr std::size_t linesPerPiece = 1000000;
+
 std::string joinPieces(const std::vector<ShaderPiece>& pieces,
                        const std::vector<std::string>& defines) {
   std::string text = "#version 450 core\n";
   for (const std::string& name : defines) text += fmt::format("#define {}\n", name);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    // The second number is how the compiler's messages name the piece.
-    text += fmt::format("#line 1 {}\n{}\n", i, pieces[i].text);
+    // Lines tell the piece, too: Mesa forgets the source number of some messages.
+    text += fmt::format("#line {}\n{}\n", 1 + i * linesPerPiece, pieces[i].text);
   }
   return text;
 }
@@ -30,14 +32,14 @@ std::string infoLog(GLuint name, const Get& get, const GetLog& getLog) {
   return log;
 }
 
-/// "2:14(5): error: …" (Mesa) or "2(14) : error …" (NVIDIA) as "FILE:14: …".
+/// "0:4000014(5): error: …" (Mesa) or "0(4000014) : error …" (NVIDIA) as "FILE:14: error: …".
 std::string located(const std::string& log, const std::vector<ShaderPiece>& pieces) {
-  static const std::regex pattern(R"((\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?([^\n]*))");
+  static const std::regex pattern(R"(\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?([^\n]*))");
   std::smatch match;
   if (!std::regex_search(log, match, pattern)) return fmt::format("{}: {}", pieces.back().file, log);
-  const auto piece = std::min<std::size_t>(std::stoul(match[1]), pieces.size() - 1);
-  return fmt::format("{}:{}: {}", pieces[piece].file, match[match[2].matched ? 2 : 3].str(),
-                     match[4].str());
+  const std::size_t line = std::stoul(match[match[1].matched ? 1 : 2]);
+  const std::size_t piece = std::min(line / linesPerPiece, pieces.size() - 1);
+  return fmt::format("{}:{}: {}", pieces[piece].file, line % linesPerPiece, match[3].str());
 }
 
 gl::Shader compile(GLenum stage, const std::vector<ShaderPiece>& pieces,
@@ -69,7 +71,8 @@ gl::Program makeProgram(const std::vector<ShaderPiece>& vertex,
   GLint linked = GL_FALSE;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
   if (linked == GL_FALSE) {
-    throw InputError(located(infoLog(program.name(), glGetProgramiv, glGetProgramInfoLog), fragment));
+    throw InputError(
+        located(infoLog(program.name(), glGetProgramiv, glGetProgramInfoLog), fragment));
   }
   return program;
 }

@@ -25,6 +25,8 @@ fs::path shaderFolder() {
                                installed.string(), GNOMON_SOURCE_SHADERS));
 }
 
-ShaderPiece readShader(const fs::path& path) { return {path.string(), readFile(path)}; }
+ShaderPiece readShader(const fs::path& path) {
+  return {path.string(), readFile(path)};
+}
 
 }  // namespace gnomon

@@ -6,8 +6,9 @@
 
 namespace gnomon {
 
-/// The folder that holds `common/` and `methods/`: the environment's GNOMON_SHADERS, else beside the installed
-/// program (../share/gnomon/shaders), else the source tree that the program was built from.
+/// The folder that holds `common/` and `methods/`: the environment's GNOMON_SHADERS, else beside
+/// the installed program (../share/gnomon/shaders), else the source tree that the program was built
+/// from.
 /// @throws InputError if none of them is there
 std::filesystem::path shaderFolder();
 

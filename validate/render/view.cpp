@@ -31,7 +31,8 @@ Sphere boundingSphere(const BaseMesh& mesh) {
 
 RenderView cameraView(const Camera& camera, const BaseMesh& mesh) {
   const Vec3 back = camera.eye - camera.target;
-  if (glm::length(glm::cross(back, camera.up)) <= 1e-9 * glm::length(back) * glm::length(camera.up)) {
+  if (glm::length(glm::cross(back, camera.up)) <=
+      1e-9 * glm::length(back) * glm::length(camera.up)) {
     throw InputError("view: `eye`, `target` and `up` lie on one line, no camera looks that way");
   }
   const Sphere bounds = boundingSphere(mesh);

@@ -22,8 +22,8 @@ struct RenderView {
 RenderView cameraView(const Camera& camera, const BaseMesh& mesh);
 
 /// A regular grid of `samplesPerSide`² samples over every face's parameters, each face a square
-/// tile; a grid chart keeps its faces side by side, others fill rows of a square. Parameters of sample (i, j) of
-/// a face: ((i + 0.5) / samplesPerSide, (j + 0.5) / samplesPerSide), t upward.
+/// tile; a grid chart keeps its faces side by side, others fill rows of a square. Parameters of
+/// sample (i, j) of a face: ((i + 0.5) / samplesPerSide, (j + 0.5) / samplesPerSide), t upward.
 RenderView atlasView(const LimitSurface& surface, int samplesPerSide);
 
 }  // namespace gnomon

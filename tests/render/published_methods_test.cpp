@@ -1,0 +1,245 @@
+// The shaders against closed forms, and against the same formulas in double precision on the limit
+// surface itself.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/render_scene.h"
+#include "surface/curvature.h"
+#include "surface/texel_frame.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::difference;
+using test::flatRelief;
+using test::lightToward;
+using test::randomRelief;
+using test::RenderScene;
+using test::shareShadowed;
+using test::stepRelief;
+
+class WallShadow : public testing::TestWithParam<std::pair<double, double>> {};
+
+/// As the truth's own test: a wall 6 high whose top ends at x = 31.5, now through bake and shader.
+TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
+  const auto [azimuth, elevation] = GetParam();
+  const GlContext gl;
+  // 72 azimuths: the light's is one of them, so that nothing is interpolated between directions.
+  const RenderScene scene(makePlane(96, 32, 12, 4),
+                          stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }),
+                          {72, 60}, TableBits::thirtyTwo);
+  constexpr int side = 48;  // samples a face, 6 a texel
+  const RenderView view = atlasView(scene.surface, side);
+  const Vec3 light = lightToward(180 + azimuth, elevation);
+  const Mask mask = scene.answer("max-forsyth", view, light);
+  const int row = view.height / 2;
+  double end = 0;
+  for (int column = 0; column < view.width; ++column) {
+    const auto i = static_cast<std::size_t>(row * view.width + column);
+    if (mask.samples[i] == Shade::shadowed) end = (column + 1) * 96.0 / view.width;
+  }
+  const double length = 6 / std::tan(radians(elevation)) * std::cos(radians(azimuth));
+  // The horizon's slope is interpolated between texel centres: H / x is convex, so its chord lies
+  // above it and the shadow is too long, by at most 1 / (4 x) texels at distance x.
+  const double tolerance = 96.0 / view.width + 1 / (4 * length);
+  EXPECT_NEAR(end, 31.5 + length, tolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lights, WallShadow,
+                         testing::Values(std::pair{0.0, 60.0}, std::pair{0.0, 45.0},
+                                         std::pair{0.0, 20.0}, std::pair{0.0, 13.0},
+                                         std::pair{25.0, 45.0}, std::pair{-40.0, 30.0},
+                                         std::pair{30.0, 15.0}));
+
+TEST(PublishedMethods, AreIdenticalOnAPlane) {
+  const GlContext gl;
+  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
+                          TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 32);
+  for (const double elevation : {60.0, 40.0, 25.0, 10.0}) {
+    const Vec3 light = lightToward(20, elevation);
+    const Mask flat = scene.answer("max-forsyth", view, light);
+    EXPECT_EQ(difference(flat, scene.answer("onoue-2004", view, light)), 0) << elevation;
+    EXPECT_GT(shareShadowed(flat), 0.01);
+    EXPECT_LT(shareShadowed(flat), 0.99);
+  }
+}
+
+TEST(PublishedMethods, DifferOnASphere) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 4, 3), {32, 64},
+                          TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 8);
+  const Vec3 light = lightToward(20, 35);
+  EXPECT_GT(
+      difference(scene.answer("max-forsyth", view, light), scene.answer("onoue-2004", view, light)),
+      0.01);
+}
+
+/// Eq. (3): the tip of a pin of height h on a bare sphere is lit down to -arccos(R / (R + h)).
+TEST(PublishedMethods, CurvatureAwareTipOfAPinIsLitDownToTheSpheresHorizon) {
+  const GlContext gl;
+  constexpr double radius = 60;
+  constexpr double height = 5;
+  const RenderScene scene(
+      makeSphere(radius, 1.35, 1.35, 81, 81),
+      stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; }), {32, 40},
+      TableBits::thirtyTwo);
+  // One face a texel and one sample a face: the sample of the middle face is the pin's tip.
+  const RenderView view = atlasView(scene.surface, 1);
+  const std::size_t tip = 40 * 81 + 40;
+  const double dip = std::acos(radius / (radius + height)) * 180 / pi;
+  for (const double azimuth : {0.0, 33.0, 190.0}) {
+    const auto shade = [&](const char* method, double elevation) {
+      return scene.answer(method, view, lightToward(azimuth, elevation)).samples[tip];
+    };
+    EXPECT_EQ(shade("onoue-2004", -dip + 0.05), Shade::lit);
+    EXPECT_EQ(shade("onoue-2004", -dip - 0.05), Shade::shadowed);
+  }
+}
+
+TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(40, 2.4, 1.2, 64, 32), flatRelief(96, 48), {8, 40},
+                          TableBits::eight, 4);
+  const RenderView view = atlasView(scene.surface, 4);
+  const Vec3 light = lightToward(0, 30);
+  const SampleGrid samples = scene.samples(view);
+  for (const char* method : {"max-forsyth", "onoue-2004", "unshadowed"}) {
+    const Mask mask = scene.answer(method, view, light);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      const SurfaceSample& sample = samples.samples[i];
+      const double cosine =
+          glm::dot(scene.surface.evaluate(sample.face, sample.s, sample.t).position / 40.0, light);
+      if (std::abs(cosine) < 1e-3) continue;
+      ASSERT_EQ(mask.samples[i], cosine > 0 ? Shade::lit : Shade::shadowed) << method;
+    }
+  }
+}
+
+/// The table's value as a shader reads it, in double: linear in both texture axes and the azimuth.
+double interpolated(const RenderScene& scene, const StoredTable& table, Vec2 texel,
+                    double azimuth) {
+  const HorizonTables& size = scene.tables;
+  const double place = azimuth / (2 * pi) * size.azimuths;
+  const auto layer = [&](int m) {
+    const Vec2 corner = glm::floor(texel - 0.5);
+    const Vec2 share = texel - 0.5 - corner;
+    const auto entry = [&](int dx, int dy) {
+      const int x = wrappedIndex(static_cast<int>(corner.x) + dx, size.width, size.wrap);
+      const int y = wrappedIndex(static_cast<int>(corner.y) + dy, size.height, size.wrap);
+      return static_cast<double>(table.value(
+          static_cast<std::size_t>((m % size.azimuths * size.height + y) * size.width + x)));
+    };
+    return (1 - share.y) * ((1 - share.x) * entry(0, 0) + share.x * entry(1, 0)) +
+           share.y * ((1 - share.x) * entry(0, 1) + share.x * entry(1, 1));
+  };
+  const int below = static_cast<int>(std::floor(place));
+  return (1 - (place - below)) * layer(below) + (place - below) * layer(below + 1);
+}
+
+/// onoue-2004 on the exact frame of the limit surface.
+bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const Vec3& light) {
+  const TexelFrame frame = texelFrame(point, scene.relief.texelsPerUv());
+  const LocalLight local = localLight(frame, light);
+  const double scale = worldPerHeight(scene.relief.space, frame);
+  const double azimuth = local.azimuth < 0 ? local.azimuth + 2 * pi : local.azimuth;
+  const double slope =
+      scale * interpolated(scene, scene.horizon, frame.texel, azimuth) / local.worldPerTexel;
+  const double reach =
+      interpolated(scene, scene.distance, frame.texel, azimuth) * local.worldPerTexel;
+  const double height = scale * scene.relief.field.at(frame.texel);
+  const double curvature =
+      normalCurvature(point, light - glm::dot(light, frame.normal) * frame.normal);
+  double horizon = slope * (1 - curvature * height) - curvature * reach / 2;
+  if (curvature > 0) {
+    const double c = 1 / (curvature * std::max(height, 0.0) + 1);
+    horizon = std::max(horizon, -std::sqrt(1 - c * c) / c);
+  }
+  return !(local.slope > horizon);
+}
+
+/// Base frames of a fine mesh are those of the limit surface up to its chords: what differs is
+/// rounding near the threshold.
+TEST(PublishedMethods, CurvatureAwareShaderIsItsFormulaOnTheLimitSurface) {
+  const GlContext gl;
+  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
+    Relief relief = randomRelief(64, 32, 2, 21);
+    relief.space = space;
+    // A torus: curvature of both signs, frames that are neither square nor even.
+    const RenderScene scene(makeTorus(30, 10, 96, 66), relief, {16, 24}, TableBits::sixteen, 6);
+    const RenderView view = atlasView(scene.surface, 3);
+    const SampleGrid samples = scene.samples(view);
+    const Vec3 light = lightToward(50, 30);
+    const Mask mask = scene.answer("onoue-2004", view, light);
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      const SurfaceSample& sample = samples.samples[i];
+      const bool dark =
+          referenceShadowed(scene, scene.surface.evaluate(sample.face, sample.s, sample.t), light);
+      differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
+    }
+    EXPECT_GT(shareShadowed(mask), 0.2);
+    EXPECT_LT(shareShadowed(mask), 0.9);
+    EXPECT_LT(static_cast<double>(differ) / static_cast<double>(mask.size()), 1e-3);
+  }
+}
+
+TEST(PublishedMethods, MirroredTextureGivesTheMirroredRelief) {
+  // u runs backward and the map with it: the relief in the world is the same, and so must the mask
+  // be.
+  const GlContext gl;
+  const Relief relief = randomRelief(32, 32, 2, 5);
+  std::vector<float> mirrored;
+  for (int j = 0; j < 32; ++j) {
+    for (int i = 0; i < 32; ++i) mirrored.push_back(relief.field.texel(31 - i, j));
+  }
+  const Relief mirroredRelief{HeightField(32, 32, mirrored, Wrap::repeat), HeightSpace::world,
+                              Vec2(1)};
+  const Cage cage = makeSphere(40, 1, 1, 16, 16);
+  Cage mirroredCage = cage;
+  for (Vec2& uv : mirroredCage.uvs) uv.x = 1 - uv.x;
+  mirroredCage.grid.reset();
+  const RenderScene scene(cage, relief, {32, 32}, TableBits::thirtyTwo);
+  const RenderScene mirroredScene(mirroredCage, mirroredRelief, {32, 32}, TableBits::thirtyTwo);
+  const Vec3 light = lightToward(20, 30);
+  for (const char* method : {"max-forsyth", "onoue-2004", "unshadowed"}) {
+    // The mirrored cage has no chart, so its atlas of 16 × 16 tiles is the same by its number of
+    // faces.
+    const Mask a = scene.answer(method, atlasView(scene.surface, 8), light);
+    const Mask b = mirroredScene.answer(method, atlasView(mirroredScene.surface, 8), light);
+    EXPECT_LT(difference(a, b), 5e-4) << method;
+    EXPECT_GT(shareShadowed(a), 0.1) << method;
+  }
+}
+
+TEST(PublishedMethods, HardwareFilterChangesLittleButSomething) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 4, 3), {32, 64},
+                          TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 16);
+  const Vec3 light = lightToward(20, 35);
+  const double change = difference(scene.answer("onoue-2004", view, light),
+                                   scene.answer("onoue-2004", view, light, TableFilter::hardware));
+  EXPECT_GT(change, 0);
+  EXPECT_LT(change, 0.01);
+}
+
+TEST(PublishedMethods, RoughReliefShadowsMoreAsTheLightSinks) {
+  const GlContext gl;
+  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
+                          TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 16);
+  double before = -1;
+  for (const double elevation : {80.0, 60.0, 40.0, 20.0, 10.0, 5.0}) {
+    const double now = shareShadowed(scene.answer("max-forsyth", view, lightToward(20, elevation)));
+    EXPECT_GT(now, before);
+    before = now;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

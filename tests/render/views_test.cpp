@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include "common/error.h"
+#include "render/render_scene.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::flatRelief;
+using test::RenderScene;
+
+TEST(AtlasView, HasEverySampleOfARegularGridOnce) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          TableBits::eight);
+  constexpr int side = 7;
+  const RenderView view = atlasView(scene.surface, side);
+  ASSERT_EQ(view.width, 20 * side);
+  ASSERT_EQ(view.height, 15 * side);
+  const SampleGrid grid = scene.samples(view);
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const auto i = static_cast<std::size_t>(row * view.width + column);
+      const int up = view.height - 1 - row;
+      const SurfaceSample& sample = grid.samples[i];
+      ASSERT_EQ(sample.face, up / side * 20 + column / side);
+      EXPECT_NEAR(sample.s, (column % side + 0.5) / side, 2e-6);
+      EXPECT_NEAR(sample.t, (up % side + 0.5) / side, 2e-6);
+    }
+  }
+}
+
+TEST(AtlasView, AreasSumToTheSurfacesArea) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          TableBits::eight);
+  const SampleGrid grid = scene.samples(atlasView(scene.surface, 5));
+  double sum = 0;
+  for (const double area : sampleAreas(scene.surface, grid, 25)) sum += area;
+  const double exact = 60.0 * 60 * 1.6 * 2 * std::sin(0.6);
+  EXPECT_NEAR(sum / exact, 1, 1e-4);
+}
+
+TEST(CameraView, SamplesLieUnderTheirPixels) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          TableBits::eight, 8);
+  Camera camera;
+  camera.eye = {40, -60, 200};
+  camera.target = {0, 0, 50};
+  camera.width = 160;
+  camera.height = 120;
+  const SampleGrid grid = scene.samples(cameraView(camera, scene.mesh));
+  const CameraAxes axis = axes(camera);
+  std::size_t seen = 0;
+  for (int row = 0; row < camera.height; ++row) {
+    for (int column = 0; column < camera.width; ++column) {
+      const SurfaceSample& sample =
+          grid.samples[static_cast<std::size_t>(row * camera.width + column)];
+      if (sample.face < 0) continue;
+      ++seen;
+      const LimitPoint point = scene.surface.evaluate(sample.face, sample.s, sample.t);
+      const Vec3 direction = pixelDirection(camera, axis, column, row);
+      const Vec3 toPoint = point.position - camera.eye;
+      const double beside = glm::length(toPoint - glm::dot(toPoint, direction) * direction);
+      const double facing = -glm::dot(glm::normalize(glm::cross(point.ds, point.dt)), direction);
+      // The chords of the base mesh lie up to 60 (0.08 / 8)² / 8 = 8e-4 below the sphere.
+      if (facing > 0.2) {
+        EXPECT_LT(beside, 5e-3);
+      }
+    }
+  }
+  EXPECT_GT(seen, 3000U);
+}
+
+TEST(CameraView, RefusesACameraWithoutADirection) {
+  const GlContext gl;
+  const RenderScene scene(makePlane(8, 8, 2, 2), flatRelief(8, 8), {4, 4}, TableBits::eight);
+  Camera camera;
+  camera.eye = {0, 0, 10};
+  camera.up = {0, 0, 1};
+  EXPECT_THROW(cameraView(camera, scene.mesh), InputError);
+}
+
+TEST(ShadePass, IsDarkWhereTheMaskIs) {
+  const GlContext gl;
+  const RenderScene scene(makePlane(32, 32, 4, 4), flatRelief(32, 32), {4, 4}, TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 8);
+  Mask mask{view.width, view.height, {}};
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      mask.samples.push_back(row < 5 && column < 9 ? Shade::shadowed : Shade::lit);
+    }
+  }
+  const ShadePass pass(shaderFolder(), scene.relief.field.wrap());
+  const auto rgb = pass.render(view, scene.drawing({0, 0, 1}), mask);
+  const auto red = [&](int row, int column) {
+    return rgb[static_cast<std::size_t>(3 * (row * view.width + column))];
+  };
+  EXPECT_LT(red(2, 4), 120);
+  EXPECT_GT(red(2, 12), 220);
+  EXPECT_GT(red(20, 4), 220);
+}
+
+}  // namespace
+}  // namespace gnomon
