@@ -21,8 +21,21 @@ TEST(NumberText, OnlyZeroReadsAsZero) {
   EXPECT_EQ(percentText(1e-300), "<0.01");
 }
 
+TEST(NumberText, OnlyAllReadsAsAll) {
+  EXPECT_EQ(percentText(0.99996), ">99.99");
+  EXPECT_EQ(percentText(0.9999), "99.99");
+  EXPECT_EQ(correlationText(1.0), "1.000");
+  EXPECT_EQ(correlationText(0.99951), ">0.999");
+  EXPECT_EQ(correlationText(0.9994), "0.999");
+  EXPECT_EQ(correlationText(-0.99951), "<−0.999");
+  EXPECT_EQ(correlationText(-1.0), "−1.000");
+  EXPECT_EQ(correlationText(-0.25), "−0.250");
+  EXPECT_EQ(correlationText(-1e-9), "0.000");
+}
+
 TEST(NumberText, UndefinedIsADash) {
   EXPECT_EQ(percentText(std::nullopt), "–");
+  EXPECT_EQ(correlationText(std::nullopt), "–");
 }
 
 TEST(NumberText, NotFiniteIsAnError) {

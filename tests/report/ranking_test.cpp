@@ -84,5 +84,14 @@ TEST(Cases, AnUncertaintyOfZeroIsAMeasurement) {
   EXPECT_FALSE(notDistinguishable(0.1, 0.11, 0.0));
 }
 
+TEST(Cases, TheUncertaintyIsTheLimitInBothDirections) {
+  EXPECT_TRUE(notDistinguishable(0.10, 0.11, 0.011));
+  EXPECT_TRUE(notDistinguishable(0.11, 0.10, 0.011));
+  EXPECT_FALSE(notDistinguishable(0.10, 0.11, 0.009));
+  EXPECT_FALSE(notDistinguishable(0.11, 0.10, 0.009));
+  EXPECT_FALSE(notDistinguishable(0.1, std::nullopt, 1.0));
+  EXPECT_FALSE(notDistinguishable(0.1, 0.1, std::nullopt));
+}
+
 }  // namespace
 }  // namespace gnomon

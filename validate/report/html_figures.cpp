@@ -123,6 +123,15 @@ std::string legendEntry(std::string_view property, std::string_view text) {
   return fmt::format("<li><i style=\"background:var({})\"></i>{}</li>", property, text);
 }
 
+/// What the colours of a signed difference mean.
+std::string differenceLegend() {
+  return "<ul class=\"legend\"><li>Lower pictures, method against truth:</li>" +
+         legendEntry("--false-shadow", "false shadow: dark, but the truth is lit") +
+         legendEntry("--false-light", "false light: lit, but the truth is shadowed") +
+         legendEntry("--both-lit", "both lit") + legendEntry("--both-shadowed", "both shadowed") +
+         "</ul>\n";
+}
+
 }  // namespace
 
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
@@ -133,15 +142,10 @@ std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
   for (std::size_t i = 0; i < figures.size(); ++i) {
     html += figureHtml(record, panel, figures[i], i, folder);
   }
-  return html + "</div>\n";
-}
-
-std::string differenceLegend() {
-  return "<ul class=\"legend\"><li>Lower pictures, method against truth:</li>" +
-         legendEntry("--false-shadow", "false shadow: dark, but the truth is lit") +
-         legendEntry("--false-light", "false light: lit, but the truth is shadowed") +
-         legendEntry("--both-lit", "both lit") + legendEntry("--both-shadowed", "both shadowed") +
-         "</ul>\n";
+  const bool signedOnes = std::any_of(figures.begin(), figures.end(), [](const Figure& figure) {
+    return has(figure, PictureRecord::Kind::difference);
+  });
+  return html + "</div>\n" + (signedOnes ? differenceLegend() : "");
 }
 
 std::string differenceProperties() {

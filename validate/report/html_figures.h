@@ -9,14 +9,11 @@ namespace gnomon {
 
 /// The pictures of one case as lettered figures, one a method, in the order of the record: the
 /// shading, under it the signed difference (or, for the truth, the displaced surface as one sees
-/// it), and a caption with the method's error rate. Pictures are embedded as base64; `folder` is
-/// where their paths start.
+/// it), and a caption with the method's error rate; below them what the colours of the differences
+/// mean. Pictures are embedded as base64; `folder` is where their paths start.
 /// @throws InputError if a picture cannot be read, InternalError if it is no PNG
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
                          const std::filesystem::path& folder);
-
-/// What the colours of a signed difference mean.
-std::string differenceLegend();
 
 /// CSS properties --false-shadow, --false-light, --both-lit, --both-shadowed: the colours that the
 /// difference pictures hold.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "common/memory.h"
 #include "compare/rates.h"
@@ -93,8 +94,7 @@ constexpr std::array<std::string_view, 7> caseMetrics = {
 
 /// The Matthews correlation is no share: it is shown as it is.
 std::string correlationCell(const Metric& metric) {
-  if (!metric.value) return metricCell(metric);
-  return numberCell(fmt::format("{:.3f}", requireFinite(*metric.value, metric.name)));
+  return numberCell(escapeHtml(correlationText(metric.value)), metric.reason);
 }
 
 std::vector<std::string> othersInUncertainty(const StudyRecord& record, const ResultRecord& row,
@@ -132,7 +132,8 @@ std::string regionCell(const ResultRecord* row, double worst) {
   if (row == nullptr) return numberCell("", "not evaluated");
   const Metric error = rate(row->counts, "error_rate");
   if (!error.value) return metricCell(error);
-  const double shade = worst > 0 ? *error.value / worst : 0;
+  // By the square root: beside a control that gets everything wrong, small errors still differ.
+  const double shade = worst > 0 ? std::sqrt(*error.value / worst) : 0;
   return fmt::format("<td class=\"n heat\" style=\"--heat:{:.3f}\" title=\"{}\">{}</td>", shade,
                      escapeHtml(regionTooltip(row->counts)), rateText(error.value));
 }

@@ -18,7 +18,18 @@ double requireFinite(double value, std::string_view what) {
 std::string percentText(std::optional<double> share) {
   if (!share) return "–";
   const double percent = 100 * requireFinite(*share, "rate");
-  return percent > 0 && percent < 0.005 ? "<0.01" : fmt::format("{:.2f}", percent);
+  if (percent > 0 && percent < 0.005) return "<0.01";
+  if (percent < 100 && percent > 99.995) return ">99.99";
+  return fmt::format("{:.2f}", percent);
+}
+
+std::string correlationText(std::optional<double> value) {
+  if (!value) return "–";
+  const double correlation = requireFinite(*value, "correlation");
+  if (correlation < 1 && correlation > 0.9995) return ">0.999";
+  if (correlation > -1 && correlation < -0.9995) return "<−0.999";
+  const std::string digits = fmt::format("{:.3f}", std::abs(correlation));
+  return correlation < 0 && digits != "0.000" ? "−" + digits : digits;
 }
 
 std::string exactText(double value) {

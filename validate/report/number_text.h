@@ -12,9 +12,12 @@ namespace gnomon {
 /// @throws InternalError
 double requireFinite(double value, std::string_view what);
 
-/// A share as percent with two decimals, without the sign: "9.80". "–" where undefined, "<0.01"
-/// where a value above zero would read as zero: 0.00 always means none.
+/// A share as percent with two decimals, without the sign: "9.80". "–" where undefined; "<0.01" or
+/// ">99.99" where a value would round to an end of the scale: 0.00 always means none, 100.00 all.
 std::string percentText(std::optional<double> share);
+
+/// A correlation with three decimals, treated likewise: 1.000 always means that nothing differs.
+std::string correlationText(std::optional<double> value);
 
 /// The shortest text that reads back as the same number: "0.1", "1e-05".
 std::string exactText(double value);

@@ -131,8 +131,8 @@ std::string caseTables(const StudyRecord& record, const Case& which) {
   const std::string regions = regionTable(record, which);
   if (!regions.empty()) {
     html +=
-        "<h3>Error by region</h3>\n<p class=\"note\">Percent of the region’s own samples; a darker "
-        "cell is a larger error.</p>\n" +
+        "<h3>Error by region</h3>\n<p class=\"note\">Percent of the region’s own samples; the "
+        "stronger the tint, the larger the error.</p>\n" +
         regions;
   }
   return html;
@@ -143,7 +143,7 @@ std::string caseSection(const StudyRecord& record, const Case& which, std::size_
   std::string content;
   for (const PanelRecord& panel : record.panels) {
     if (Case{panel.view, panel.light} != which) continue;
-    content += panelFigures(record, panel, folder) + differenceLegend();
+    content += panelFigures(record, panel, folder);
   }
   content += caseTables(record, which);
   return section(fmt::format("case-{}", number),
