@@ -263,7 +263,9 @@ TEST(Bezier, AgreesWithDeCasteljau) {
     points[i] =
         Vec3(static_cast<double>(i % 4), static_cast<double>(i / 4), 0) + random.vector(0.8);
   }
-  for (const auto& [columns, rows] : {std::pair(1, 1), {3, 2}, {7, 16}}) {
+  for (const std::array cuts : {std::array{1, 1}, std::array{3, 2}, std::array{7, 16}}) {
+    const int columns = cuts[0];
+    const int rows = cuts[1];
     const LimitSurface surface(makeBezier(points, columns, rows));
     expectUvIsTheGrid(surface);
     const double hs = 1.0 / columns;

@@ -14,7 +14,7 @@ struct BaseVertex {
   Vec3 normal;
   Vec3 px, py;    ///< world per texel
   Vec3 v1, v2;    ///< principal directions, world, unit
-  double k1, k2;  ///< principal curvatures, 1 / world
+  double k1, k2;  ///< curvatures along v1 and v2, 1 / world; k1 < k2 where they were swapped
   Vec2 texel;     ///< texture coordinates in texels
   int face;       ///< the limit face it belongs to
   Vec2 st;        ///< its parameters there
@@ -34,9 +34,11 @@ struct BaseMesh {
 /// triangles along its (0,0)-(1,1) diagonal. Principal directions are lines without a sign or order
 /// of their own; those of a face's vertices are turned and swapped to agree with its first vertex,
 /// so that interpolation between them means something (eq. (1) of Onoue, Max & Nishita 2004
-/// interpolates V₁ and V₂).
+/// interpolates V₁ and V₂). Where a vertex is degenerate, its directions and normal are zero.
 /// @param texelsPerUv   as in texelFrame
 /// @param subdivisions  1 to 1024
+/// @throws InputError for other subdivisions or 2³² vertices and more, MemoryError if they cannot
+/// fit
 BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivisions);
 
 }  // namespace gnomon

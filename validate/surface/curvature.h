@@ -8,7 +8,8 @@ namespace gnomon {
 /// Principal curvatures of a surface, 1 / world length, *positive where the surface bends away from
 /// the outward normal* (convex: +1/R on a sphere), largest first, with their unit tangent
 /// directions in world space. At an umbilic, where every direction is principal, v1 is the
-/// direction of P_s: finite always.
+/// direction of P_s: finite always. Curvatures whose difference turns the normal by less
+/// than 1e-10 over a face count as equal.
 struct PrincipalCurvatures {
   double k1, k2;
   Vec3 v1, v2;
@@ -16,7 +17,8 @@ struct PrincipalCurvatures {
 
 /// From the fundamental forms I = (E, F, G), II = (e, f, g): with H = (eG - 2fF + gE) / 2(EG - F²)
 /// and K = (eg - f²) / (EG - F²), the curvatures are H ± √(H² - K) (do Carmo 1976, §3-3), sign
-/// turned. Where P_s × P_t vanishes all is zero.
+/// turned. They satisfy k1 + k2 = -2 H, k1 k2 = K, v1 × v2 = n. Where P_s × P_t vanishes all is
+/// zero.
 PrincipalCurvatures principalCurvatures(const LimitPoint& point);
 
 /// κ(V) = -II(V, V) / I(V, V) for the tangential part of a world vector V; 0 where that vanishes.

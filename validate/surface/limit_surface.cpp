@@ -1,8 +1,8 @@
 #include "surface/limit_surface.h"
 
 #include <fmt/format.h>
-#include <opensubdiv/version.h>
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
+#include <opensubdiv/version.h>
 
 #include <mutex>
 #include <shared_mutex>
@@ -23,16 +23,19 @@ using Cache =
                                      std::unique_lock<std::shared_mutex>>;
 using Factory = Bfr::RefinerSurfaceFactory<Cache>;
 
-constexpr int approximationLevel = 8;
-/// A face's surface, patch points and corners, and its share of OpenSubdiv's topology meanwhile.
+/// OpenSubdiv's last level. It costs little, since faces of like topology share their patches, and
+/// what is left of the approximation is worst where it falls only threefold a level: along the
+/// surface beside a vertex of high valence, and at the end of an infinitely sharp crease.
+constexpr int approximationLevel = 10;
+/// A regular face's surface, patch points and corners, and its share of OpenSubdiv's topology
+/// meanwhile.
 constexpr double bytesPerFace = 1500;
 constexpr std::size_t grain = 64;
 
 Factory::Options factoryOptions() {
   Factory::Options options;
   options.SetApproxLevelSmooth(approximationLevel);
-  // A crease of sharpness s takes s levels to become smooth.
-  options.SetApproxLevelSharp(10);
+  options.SetApproxLevelSharp(approximationLevel);
   return options;
 }
 

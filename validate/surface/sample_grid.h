@@ -21,8 +21,8 @@ struct SampleGrid {
 };
 
 /// The world area that each sample of a regular parameter grid stands for, |P_s × P_t| / count,
-/// where `samplesPerFace` samples share a face; 0 where there is no sample. For a sphere they sum to its
-/// area as the grid grows finer.
+/// where `samplesPerFace` samples share a face; 0 where there is no sample. For a sphere they sum
+/// to its area as the grid grows finer.
 std::vector<double> sampleAreas(const LimitSurface& surface, const SampleGrid& grid,
                                 int samplesPerFace);
 

@@ -12,7 +12,8 @@ struct TexelFrame {
   Vec3 normal;    ///< n, unit, the surface's outward side whatever the texture's handedness
   Vec3 px, py;    ///< P_x, P_y: world length per texel
   Vec2 texel;     ///< (x, y) in texels: uv × texelsPerUv
-  /// False where the surface or the texture map is degenerate: vectors are then zero.
+  /// False where the surface or the texture map is degenerate (directions within 1e-12 of parallel,
+  /// or of no length): normal, P_x and P_y are then zero.
   bool defined;
 };
 

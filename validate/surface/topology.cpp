@@ -18,6 +18,9 @@ using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
 
 /// Beyond it, products of derivatives would leave the range of double (and GPU floats be coarse).
 constexpr double largestCoordinate = 1e12;
+/// Time and memory for the faces about a vertex grow as the cube of their number: half a second
+/// here.
+constexpr int mostVertexFaces = 256;
 
 std::string part(const PartNames& names, const std::vector<int>& lines, std::size_t index,
                  std::string_view what) {
@@ -117,6 +120,11 @@ void requireManifold(const Far::TopologyLevel& level, const PartNames& names) {
   }
   for (int vertex = 0; vertex < level.GetNumVertices(); ++vertex) {
     const auto faces = level.GetVertexFaces(vertex);
+    if (faces.size() > mostVertexFaces) {
+      throw InputError(fmt::format("{}: vertex {} has {} faces, expected at most {}",
+                                   names.face(static_cast<std::size_t>(faces[0])),
+                                   vertex + names.firstFace, faces.size(), mostVertexFaces));
+    }
     if (faces.size() == 0 || !level.IsVertexNonManifold(vertex)) continue;
     throw InputError(fmt::format(
         "{}: the {} faces about vertex {} form more than one fan, expected "

@@ -43,9 +43,10 @@ struct PartNames {
 /// Checks the polygons and connects them for Catmull-Clark subdivision.
 /// @param withUvs  adds the texture coordinates as face-varying channel 0, linear everywhere
 /// @throws InputError naming the part: an index out of range, a coordinate that is not finite or
-///   beyond 1e12, a face with fewer than three corners or with a repeated vertex, an edge that more
-///   than two faces share or that two traverse in the same direction, a vertex whose faces form
-///   more than one fan, a crease where no edge is, a sharpness that is negative or not finite
+///   beyond 1e12, a vertex of more than 256 faces, a face with fewer than three corners or with a
+///   repeated vertex, an edge that more than two faces share or that two traverse in the same
+///   direction, a vertex whose faces form more than one fan, a crease where no edge is, a sharpness
+///   that is negative or not finite
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> connect(const Polygons& polygons,
                                                           const PartNames& names, bool withUvs);
 
