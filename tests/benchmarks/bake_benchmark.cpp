@@ -12,6 +12,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -73,7 +74,9 @@ double marchRate(const std::string& name, int size, int radius) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < samples; ++i) {
     const double angle = 2 * gnomon::pi * static_cast<double>(random() % 32) / 32;
-    const auto texel = [&] { return 0.5 + static_cast<double>(random() % static_cast<unsigned>(size)); };
+    const auto texel = [&] {
+      return 0.5 + static_cast<double>(random() % static_cast<unsigned>(size));
+    };
     const Vec2 p(texel(), texel());
     benchmark::DoNotOptimize(march(field, p, {std::cos(angle), std::sin(angle)}, radius));
   }
@@ -92,8 +95,7 @@ void bake(benchmark::State& state, const std::string& name) {
   std::chrono::duration<double> seconds{0};
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const auto tables =
-        gnomon::bakeHorizons(field, {azimuths, static_cast<double>(radius)});
+    const auto tables = gnomon::bakeHorizons(field, {azimuths, static_cast<double>(radius)});
     benchmark::DoNotOptimize(tables.horizon.data());
     seconds += std::chrono::steady_clock::now() - start;
   }

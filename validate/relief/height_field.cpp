@@ -43,8 +43,7 @@ Neighbours neighbours(double coordinate, int size, Wrap wrap) {
   // Reduced in floating point first: the coordinate may exceed what an int holds.
   double c = coordinate - 0.5;
   if (wrap == Wrap::repeat) {
-    c = std::fmod(c, size);
-    if (c < 0) c += size;
+    c = std::fmod(c, size);  // may be negative: wrappedIndex sees to that
   } else {
     c = std::clamp(c, 0.0, static_cast<double>(size - 1));
   }
@@ -87,8 +86,8 @@ float HeightField::texel(int i, int j) const {
 
 double HeightField::at(Vec2 texelPosition) const {
   if (!std::isfinite(texelPosition.x) || !std::isfinite(texelPosition.y)) {
-    throw InternalError(fmt::format("height asked for at texel position ({}, {})",
-                                    texelPosition.x, texelPosition.y));
+    throw InternalError(fmt::format("height asked for at texel position ({}, {})", texelPosition.x,
+                                    texelPosition.y));
   }
   const Neighbours x = neighbours(texelPosition.x, width_, wrap_);
   const Neighbours y = neighbours(texelPosition.y, height_, wrap_);

@@ -28,7 +28,8 @@ class HeightField {
 
   /// Height of texel (i, j); outside the map by the wrap rule.
   [[nodiscard]] float texel(int i, int j) const;
-  /// h(x, y), any finite position.
+  /// h(x, y), any finite position, however far outside the map.
+  /// @throws InternalError if the position is not finite
   [[nodiscard]] double at(Vec2 texelPosition) const;
 
  private:

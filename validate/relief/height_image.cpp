@@ -47,14 +47,14 @@ void checkSpec(const fs::path& path, const OIIO::ImageSpec& spec, int channel) {
                                  spec.width, spec.height, spec.depth, spec.deep ? "deep " : ""));
   }
   if (channel < 0 || channel >= spec.nchannels) {
-    throw InputError(fmt::format("{}: no channel {}, the image has 0 to {}", path.string(),
-                                 channel, spec.nchannels - 1));
+    throw InputError(fmt::format("{}: no channel {}, the image has 0 to {}", path.string(), channel,
+                                 spec.nchannels - 1));
   }
   // The library may hold a converted copy of the image beside the channel and the map.
   const double pixels = static_cast<double>(spec.width) * spec.height;
-  requireMemory(pixels * (2 * sizeof(float) + static_cast<double>(spec.pixel_bytes(true))),
-                fmt::format("{}: an image of {} x {} pixels", path.string(), spec.width,
-                            spec.height));
+  requireMemory(
+      pixels * (2 * sizeof(float) + static_cast<double>(spec.pixel_bytes(true))),
+      fmt::format("{}: an image of {} x {} pixels", path.string(), spec.width, spec.height));
 }
 
 /// The image's rows from the top.
@@ -63,8 +63,8 @@ std::vector<float> readChannel(const fs::path& path, OIIO::ImageInput& image,
   std::vector<float> pixels(static_cast<std::size_t>(spec.width) *
                             static_cast<std::size_t>(spec.height));
   if (!image.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, pixels.data())) {
-    throw InputError(fmt::format("{}: its pixels cannot be read: {}", path.string(),
-                                 oneLine(image.geterror())));
+    throw InputError(
+        fmt::format("{}: its pixels cannot be read: {}", path.string(), oneLine(image.geterror())));
   }
   return pixels;
 }

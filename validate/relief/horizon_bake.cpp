@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <vector>
 
 #include "common/error.h"
 #include "common/memory.h"
@@ -62,8 +63,8 @@ struct Tap {
 /// Crossings that are skipped together, with all that they touch.
 struct Group {
   std::size_t begin, end;
-  float inverseEnter, inverseLeave;     ///< 1 / r at the begin and the end
-  int lowX, lowY, highX, highY;         ///< nodes touched, relative to the texel
+  float inverseEnter, inverseLeave;  ///< 1 / r at the begin and the end
+  int lowX, lowY, highX, highY;      ///< nodes touched, relative to the texel
 };
 
 /// What all texels share for one azimuth.
@@ -108,8 +109,8 @@ void fillHeights(const HeightField& field, PaddedMap& map) {
   parallelFor(0, static_cast<std::size_t>(map.rows), [&](std::size_t y) {
     const int j = wrappedIndex(static_cast<int>(static_cast<std::ptrdiff_t>(y) - map.margin),
                                field.height(), field.wrap());
-    const float* row =
-        field.texels().data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(field.width());
+    const float* row = field.texels().data() +
+                       static_cast<std::size_t>(j) * static_cast<std::size_t>(field.width());
     float* out = map.heights.data() + y * columns.size();
     for (std::size_t x = 0; x < columns.size(); ++x) {
       out[x] = static_cast<float>(row[columns[x]] - middle);
@@ -233,8 +234,8 @@ void offer(Chunk& chunk, std::size_t lane, double slope, double r, double range)
   const auto distance = static_cast<float>(r);
   const double tolerance = toleranceShare * range / r;
   const bool greater = slope > chunk.threshold[lane];
-  const bool equalAndNearer = distance < chunk.distance[lane] &&
-                              slope + tolerance >= chunk.slope[lane];
+  const bool equalAndNearer =
+      distance < chunk.distance[lane] && slope + tolerance >= chunk.slope[lane];
   if (!greater && !equalAndNearer) return;
   chunk.slope[lane] = static_cast<float>(slope);
   chunk.distance[lane] = distance;
@@ -280,20 +281,20 @@ void offerMarkedPeaks(const PaddedMap& map, const AzimuthPlan& plan, const Group
     for (auto bits = static_cast<std::uint32_t>(chunk.peaks[lane]); bits != 0; bits &= bits - 1) {
       const auto bit = static_cast<std::size_t>(__builtin_ctz(bits));
       const Crossing& c = plan.ray.crossings[group.begin + bit];
-      const Profile g =
-          profileInCell(chunk, lane, map.stride, plan.ray.direction, c.cell, c.enter);
+      const Profile g = profileInCell(chunk, lane, map.stride, plan.ray.direction, c.cell, c.enter);
       offerPeak(chunk, lane, g, c.enter, c.leave, map.range);
     }
   }
 }
 
 /// The end of the ray inside its last cell, and a peak before it.
-void finishLastCell(const PaddedMap& map, const AzimuthPlan& plan, Chunk& chunk) {
+void finishLastCell(const PaddedMap& map, const AzimuthPlan& plan, std::size_t begin,
+                    std::size_t end, Chunk& chunk) {
   const double enter = plan.ray.lastEnter;
   const double rho = plan.ray.radius - enter;
-  for (std::size_t lane = 0; lane < chunkWidth; ++lane) {
-    const Profile g = profileInCell(chunk, lane, map.stride, plan.ray.direction,
-                                    plan.ray.lastCell, enter);
+  for (std::size_t lane = begin; lane < end; ++lane) {
+    const Profile g =
+        profileInCell(chunk, lane, map.stride, plan.ray.direction, plan.ray.lastCell, enter);
     if (enter > 0) offerPeak(chunk, lane, g, enter, plan.ray.radius, map.range);
     const double slope = (g.rise + rho * (g.slope + rho * g.bend)) / plan.ray.radius;
     if (slope > chunk.threshold[lane]) offer(chunk, lane, slope, plan.ray.radius, map.range);
@@ -359,10 +360,13 @@ template <int lanes>
 GNOMON_INLINE bool anyPositive(const typename Vector<lanes>::Floats& values) {
   using Ints = typename Vector<lanes>::Ints;
   const Ints positive = values > 0 ? Ints{} + 1 : Ints{};
-  std::array<std::uint64_t, lanes / 2> words;
-  std::memcpy(words.data(), &positive, sizeof positive);
-  std::uint64_t all = 0;
-  for (const std::uint64_t word : words) all |= word;
+  // Narrowed first: few words are left to look at.
+  using Bytes __attribute__((vector_size(lanes))) = std::int8_t;
+  const Bytes bytes = __builtin_convertvector(positive, Bytes);
+  std::array<std::uint32_t, lanes / 4> words;
+  std::memcpy(words.data(), &bytes, sizeof bytes);
+  std::uint32_t all = 0;
+  for (const std::uint32_t word : words) all |= word;
   return all != 0;
 }
 
@@ -389,8 +393,8 @@ GNOMON_INLINE void slopeAt(const Lanes<lanes>& at, const Tap& tap,
 
 /// The slope where a group begins.
 template <int lanes>
-GNOMON_INLINE void slopeBefore(const AzimuthPlan& plan, const Group& group,
-                               const Lanes<lanes>& at, typename Vector<lanes>::Floats& slope) {
+GNOMON_INLINE void slopeBefore(const AzimuthPlan& plan, const Group& group, const Lanes<lanes>& at,
+                               typename Vector<lanes>::Floats& slope) {
   slope = at.slope;
   if (group.begin > 0) slopeAt<lanes>(at, plan.taps[group.begin - 1], slope);
 }
@@ -480,13 +484,27 @@ GNOMON_INLINE bool meetGroup(const PaddedMap& map, const AzimuthPlan& plan, cons
   return open;
 }
 
+/// The cell in which the ray ends, for those texels whose horizon it could raise.
+template <int lanes>
+GNOMON_INLINE void meetLastCell(const PaddedMap& map, const AzimuthPlan& plan, Chunk& chunk) {
+  const Group& cell = plan.lastCell;
+  const float highest = highestTouched(map, chunk, cell);
+  for (std::size_t first = 0; first < chunkWidth; first += lanes) {
+    Lanes<lanes> at;
+    loadLanes<lanes>(chunk, first, at);
+    if (canRaise<lanes>(at, highest, cell.inverseEnter, cell.inverseLeave)) {
+      finishLastCell(map, plan, first, first + lanes, chunk);
+    }
+  }
+}
+
 template <int lanes>
 GNOMON_INLINE void bakeChunkWith(const PaddedMap& map, const AzimuthPlan& plan, Chunk& chunk) {
   startChunk(map, plan.ray.direction, chunk);
   for (const Group& group : plan.groups) {
     if (!meetGroup<lanes>(map, plan, group, chunk)) return;
   }
-  if (plan.ray.lastEnter < plan.ray.radius) finishLastCell(map, plan, chunk);
+  if (plan.ray.lastEnter < plan.ray.radius) meetLastCell<lanes>(map, plan, chunk);
 }
 
 using BakeChunk = void (*)(const PaddedMap&, const AzimuthPlan&, Chunk&);
@@ -531,6 +549,15 @@ void checkSettings(const BakeSettings& settings) {
   }
 }
 
+void checkHeights(const HeightField& field) {
+  // Differences of differences of heights are taken in floats.
+  const double range = static_cast<double>(field.maximum()) - field.minimum();
+  if (range > 1e37) {
+    throw InputError(fmt::format("height map: heights from {} to {}, at most 1e+37 apart expected",
+                                 field.minimum(), field.maximum()));
+  }
+}
+
 void checkMemory(const HeightField& field, const BakeSettings& settings) {
   const double texels = static_cast<double>(field.width()) * field.height();
   const double padded = paddedTexels(field, settings.radiusTexels);
@@ -538,10 +565,10 @@ void checkMemory(const HeightField& field, const BakeSettings& settings) {
   const double bytes = 2 * sizeof(float) * texels * settings.azimuths +
                        2 * sizeof(float) * 1.01 * padded +
                        (sizeof(Crossing) + sizeof(Tap)) * crossings * settings.azimuths;
-  requireMemory(bytes, fmt::format("bake.azimuths = {} and bake.radius = {} on a map of {} x {} "
-                                   "texels",
-                                   settings.azimuths, settings.radiusTexels, field.width(),
-                                   field.height()));
+  requireMemory(
+      bytes, fmt::format("bake.azimuths = {} and bake.radius = {} on a map of {} x {} "
+                         "texels",
+                         settings.azimuths, settings.radiusTexels, field.width(), field.height()));
 }
 
 HorizonTables emptyTables(const HeightField& field, const BakeSettings& settings) {
@@ -590,7 +617,8 @@ class Tiling {
 void bakeTile(const PaddedMap& map, const AzimuthPlan& plan, const Tile& tile, BakeChunk bakeChunk,
               HorizonTables& tables) {
   const auto width = static_cast<std::size_t>(tables.width);
-  const auto count = std::min<std::size_t>(chunkWidth, width - static_cast<std::size_t>(tile.column));
+  const auto count =
+      std::min<std::size_t>(chunkWidth, width - static_cast<std::size_t>(tile.column));
   Chunk chunk;
   for (int y = tile.row; y < std::min(tile.row + tileRows, tables.height); ++y) {
     chunk.column = map.margin + tile.column;
@@ -603,7 +631,8 @@ void bakeTile(const PaddedMap& map, const AzimuthPlan& plan, const Tile& tile, B
         (tile.azimuth * static_cast<std::size_t>(tables.height) + static_cast<std::size_t>(y)) *
             width +
         static_cast<std::size_t>(tile.column);
-    std::copy_n(chunk.slope.begin(), count, tables.horizon.begin() + static_cast<std::ptrdiff_t>(first));
+    std::copy_n(chunk.slope.begin(), count,
+                tables.horizon.begin() + static_cast<std::ptrdiff_t>(first));
     std::copy_n(chunk.distance.begin(), count,
                 tables.distance.begin() + static_cast<std::ptrdiff_t>(first));
   }
@@ -631,6 +660,7 @@ class Counter {
 HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,
                            const Progress& progress) {
   checkSettings(settings);
+  checkHeights(field);
   checkMemory(field, settings);
   const PaddedMap map = padMap(field, settings.radiusTexels);
   std::vector<AzimuthPlan> plans(static_cast<std::size_t>(settings.azimuths));

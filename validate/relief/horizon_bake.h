@@ -30,8 +30,14 @@ struct HorizonTables {
 
 /// Exact suprema of the bilinear function (up to float rounding): along a ray inside one cell h is
 /// A + B r + C r², so that the slope's extremum is at a crossing or at r = √((A - h₀) / C). Both
-/// tables in one sweep, on all threads; results do not depend on their number.
-/// @throws InputError for settings out of range; MemoryError if the tables cannot fit
+/// tables in one sweep, on all threads; results depend neither on their number nor on the
+/// processor's vectors.
+///
+/// A slope found at r counts as greater than one at r' < r only if it exceeds it by more than
+/// 2⁻²⁰ (highest - lowest) / max(r', 1), about what float rounding may add to either. So d is 0 on
+/// a plane and at the near end of anything that rises evenly, and δ is off by no more than that.
+/// @throws InputError for settings out of range (`bake.azimuths`, `bake.radius`) or heights more
+///   than 1e37 apart; MemoryError if the tables cannot fit
 HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,
                            const Progress& progress = {});
 

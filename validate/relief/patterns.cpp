@@ -38,8 +38,7 @@ void checkMap(int width, int height, double amplitude) {
         fmt::format("relief.size: {} x {} texels found, at least 1 x 1 expected", width, height));
   }
   if (!std::isfinite(amplitude)) {
-    throw InputError(
-        fmt::format("relief.height: {} found, a finite number expected", amplitude));
+    throw InputError(fmt::format("relief.height: {} found, a finite number expected", amplitude));
   }
   requireMemory(static_cast<double>(width) * height * sizeof(float),
                 fmt::format("relief.size: a map of {} x {} texels", width, height));
@@ -70,8 +69,8 @@ double toCentre(double x, double period) {
   return within - period / 2;
 }
 
-/// A number in [0, 1) for a lattice point. An integer hash (the mixing steps are those of Murmur 3's
-/// finaliser), so that it is the same on every machine.
+/// A number in [0, 1) for a lattice point. An integer hash (the mixing steps are those of Murmur
+/// 3's finaliser), so that it is the same on every machine.
 double hashed(std::uint32_t x, std::uint32_t y, std::uint32_t salt) {
   std::uint32_t h = x * 0x9E3779B1U ^ (y + 0x7F4A7C15U) * 0x85EBCA77U ^ salt * 0xC2B2AE3DU;
   h = (h ^ (h >> 16)) * 0x85EBCA6BU;
@@ -87,8 +86,8 @@ long long periodsIn(int side, double period) {
   return whole ? static_cast<long long>(count) : 0;
 }
 
-/// The jittered points of the cells: squares in rows, each row half a square beside the one below
-/// as scales lie, or as near to half as lets the pattern tile.
+/// The jittered points of the cells, one in each square; every second row of squares lies half a
+/// square beside the others, as scales do.
 struct CellLattice {
   const CellsPattern& pattern;
   long long across, up;  ///< squares after which the points repeat, or 0
@@ -99,10 +98,8 @@ struct CellLattice {
     const auto x = static_cast<std::uint32_t>(column);
     const auto y = static_cast<std::uint32_t>(row);
     const Vec2 random(hashed(x, y, 2 * pattern.seed), hashed(x, y, 2 * pattern.seed + 1));
-    const double step = up > 0 ? std::round(0.5 * static_cast<double>(up)) / static_cast<double>(up)
-                               : 0.5;
-    const double beside = step * static_cast<double>(row);
-    const Vec2 corner(static_cast<double>(i) + beside - std::floor(beside), static_cast<double>(j));
+    const double beside = row % 2 == 0 ? 0 : 0.5;
+    const Vec2 corner(static_cast<double>(i) + beside, static_cast<double>(j));
     return pattern.period * (corner + 0.5 + pattern.jitter * (random - 0.5));
   }
 
@@ -149,8 +146,8 @@ CellPosition cellPosition(const CellLattice& lattice, Vec2 p) {
   return {glm::length(*nearest - p), std::max(softMinimum(fromBisectors, softness), 0.0)};
 }
 
-/// A ripple from trough (t = 0) over the crest (t = windward) to the next trough (t = 1): rounded in
-/// the trough, bulging to windward, with an edge at the crest where the sand slides down.
+/// A ripple from trough (t = 0) over the crest (t = windward) to the next trough (t = 1): rounded
+/// in the trough, bulging to windward, with an edge at the crest where the sand slides down.
 double rippleProfile(double t, double windward) {
   if (t < windward) return std::pow(std::sin(pi / 2 * t / windward), 1.5);
   return std::pow((1 - t) / (1 - windward), 1.5);
@@ -161,7 +158,8 @@ double rippleProfile(double t, double windward) {
 class Meanders {
  public:
   Meanders(int width, int height, double period)
-      : alongX_(2 * pi / width), alongY_(2 * pi / height),
+      : alongX_(2 * pi / width),
+        alongY_(2 * pi / height),
         x_{waves(width, 23 * period), waves(width, 11 * period), waves(width, 6 * period)},
         y_{waves(height, 13 * period), waves(height, 6 * period), waves(height, 3.5 * period)} {}
 

@@ -24,8 +24,8 @@ struct CosinePattern {
 };
 
 /// Reptile skin: rounded scales parted by grooves, the cells of a jittered lattice of points (from
-/// `seed`), one a period × period square, each row of squares half a square beside the one below
-/// (or as near to half as tiles). With F1 the distance to the nearest point P (Worley 1996) and b_i
+/// `seed`), one a period × period square, every second row of squares shifted by half a square.
+/// With F1 the distance to the nearest point P (Worley 1996) and b_i
 /// the distances to the bisectors between P and the other points P_i,
 ///   b = -s log Σ exp(-b_i / s), s = 0.3 groove, at least 0: to the border, with rounded corners
 ///   smoothstep(b / groove) · (1 - 0.6 (F1 / period)²): a rim as wide as `groove`, a domed top.

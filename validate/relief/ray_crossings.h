@@ -19,11 +19,11 @@ struct Node {
 /// The part of a ray inside one cell of the lattice of texel centres (a unit square between four
 /// of them) and the point where it leaves the cell, on the lattice line between two nodes.
 struct Crossing {
-  double enter;    ///< r where the ray enters the cell, texels
-  double leave;    ///< r where it leaves it
-  Node cell;       ///< the cell's lower left node
-  Node from, to;   ///< the height at `leave` is h(from) + share · (h(to) - h(from))
-  double share;    ///< 0 to 1; 0 on a node
+  double enter;   ///< r where the ray enters the cell, texels
+  double leave;   ///< r where it leaves it
+  Node cell;      ///< the cell's lower left node
+  Node from, to;  ///< the height at `leave` is h(from) + share · (h(to) - h(from))
+  double share;   ///< 0 to 1; 0 on a node
 };
 
 /// A ray from a texel centre, cut at every lattice line. Since all texel centres are nodes, the

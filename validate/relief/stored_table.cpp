@@ -26,8 +26,8 @@ void checkFinite(const std::vector<float>& values) {
   const auto bad =
       std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
   if (bad == values.end()) return;
-  throw InputError(fmt::format("table: entry {} is {}, a finite value expected",
-                               bad - values.begin(), *bad));
+  throw InputError(
+      fmt::format("table: entry {} is {}, a finite value expected", bad - values.begin(), *bad));
 }
 
 template <typename Code>
@@ -55,8 +55,8 @@ float StoredTable::value(std::size_t entry) const {
   const double code = bits == TableBits::eight ? entryAt<std::uint8_t>(bytes, entry)
                                                : entryAt<std::uint16_t>(bytes, entry);
   // lerp is exact at both ends, whatever the magnitudes.
-  return static_cast<float>(std::lerp(static_cast<double>(low), static_cast<double>(high),
-                                      code / largestCode(bits)));
+  return static_cast<float>(
+      std::lerp(static_cast<double>(low), static_cast<double>(high), code / largestCode(bits)));
 }
 
 StoredTable storeTable(const std::vector<float>& values, TableBits bits) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,7 +25,9 @@ struct StoredTable {
 };
 
 /// Stores values with `low` and `high` their extremes, so that both are exact; rounds to nearest:
-/// no entry is off by more than half a step, (high - low) / (2^bits - 1) / 2.
+/// no entry is off by more than half a step, (high - low) / (2^bits - 1) / 2. Distances are never
+/// negative, so a distance of 0 (attached shadow) is stored exactly. No values: low = high = 0.
+/// @throws InputError if a value is not finite, naming its index
 StoredTable storeTable(const std::vector<float>& values, TableBits bits);
 
 }  // namespace gnomon

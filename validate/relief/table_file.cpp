@@ -4,14 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "common/atomic_file.h"
@@ -115,12 +115,12 @@ void checkConsistent(const fs::path& path, const StoredHorizons& tables) {
   if (tables.width < 1 || tables.height < 1 || tables.azimuths < 1 ||
       tables.azimuths > mostAzimuths || tables.horizon.bits != tables.distance.bits ||
       tables.horizon.entryCount() != entries || tables.distance.entryCount() != entries) {
-    refuse(path, fmt::format("cannot hold tables of {} x {} texels and {} azimuths with {} and {} "
-                             "entries: both of width x height x azimuths entries of the same bits "
-                             "and at most {} azimuths expected",
-                             tables.width, tables.height, tables.azimuths,
-                             tables.horizon.entryCount(), tables.distance.entryCount(),
-                             mostAzimuths));
+    refuse(path,
+           fmt::format("cannot hold tables of {} x {} texels and {} azimuths with {} and {} "
+                       "entries: both of width x height x azimuths entries of the same bits "
+                       "and at most {} azimuths expected",
+                       tables.width, tables.height, tables.azimuths, tables.horizon.entryCount(),
+                       tables.distance.entryCount(), mostAzimuths));
   }
 }
 
@@ -213,9 +213,10 @@ Wrap readWrap(const fs::path& path, const OIIO::ImageSpec& spec) {
 
 double readRadius(const fs::path& path, const OIIO::ImageSpec& spec) {
   const std::string text = readText(path, spec, "gnomon:radiusTexels");
-  char* end = nullptr;
-  const double radius = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(radius > 0) || !std::isfinite(radius)) {
+  const char* end = text.data() + text.size();
+  double radius = 0;
+  const auto parsed = std::from_chars(text.data(), end, radius);
+  if (parsed.ec != std::errc() || parsed.ptr != end || !(radius > 0) || !std::isfinite(radius)) {
     refuse(path, fmt::format("gnomon:radiusTexels is '{}', a number over 0 expected", text));
   }
   return radius;
@@ -253,8 +254,8 @@ StoredHorizons readHeader(const fs::path& path, const OIIO::ImageSpec& spec) {
                              spec.width, spec.height, spec.nchannels, tables.azimuths));
   }
   if (spec.format != pixelType(bits) || !spec.channelformats.empty()) {
-    refuse(path, fmt::format("pixels are {}, {} expected for gnomon:bits = {}",
-                             spec.format.c_str(), pixelType(bits).c_str(), static_cast<int>(bits)));
+    refuse(path, fmt::format("pixels are {}, {} expected for gnomon:bits = {}", spec.format.c_str(),
+                             pixelType(bits).c_str(), static_cast<int>(bits)));
   }
   return tables;
 }

@@ -25,9 +25,12 @@ struct StoredHorizons {
 
 /// Writes both tables into one EXR: channels `horizon.000`… and `distance.000`…, one an azimuth,
 /// with the stored codes themselves (half holds 8-bit codes exactly, uint 16-bit ones) or floats,
-/// and attributes `gnomon:azimuths`, `gnomon:radiusTexels`, `gnomon:wrap`, `gnomon:bits` and the
-/// ranges. Reading gives back the same bytes.
-/// @throws InputError naming the file
+/// and attributes `gnomon:azimuths`, `gnomon:radiusTexels` (as text, which keeps every digit),
+/// `gnomon:wrap` (repeat or clamp), `gnomon:bits`, `gnomon:horizonLow`, `gnomon:horizonHigh`,
+/// `gnomon:distanceLow` and `gnomon:distanceHigh`. The image's first row is v = 1, as in a height
+/// image. Reading gives back the same bytes. The file is written whole or not at all.
+/// @throws InputError naming the file: a name without .exr, tables of unlike sizes or over 1000
+///   azimuths; a file that is missing, damaged, foreign or holds entries that are no codes
 void writeHorizons(const std::filesystem::path& path, const StoredHorizons& horizons);
 StoredHorizons readHorizons(const std::filesystem::path& path);
 

@@ -1,0 +1,455 @@
+#include "relief/horizon_bake.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <thread>
+
+#include "common/error.h"
+#include "relief/error_messages.h"
+
+namespace gnomon {
+namespace {
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+HeightField sampled(int width, int height, Wrap wrap, const std::function<double(int, int)>& h) {
+  std::vector<float> texels;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) texels.push_back(static_cast<float>(h(x, y)));
+  }
+  return {width, height, texels, wrap};
+}
+
+HeightField noise(int width, int height, Wrap wrap, unsigned seed = 1, double offset = 0) {
+  std::mt19937 random(seed);
+  return sampled(width, height, wrap,
+                 [&](int, int) { return offset + static_cast<double>(random()) * 0x1p-32; });
+}
+
+/// Noise with plateaus, steps and single peaks: many exact ties.
+HeightField coarseNoise(int width, int height, Wrap wrap, unsigned seed) {
+  std::mt19937 random(seed);
+  return sampled(width, height, wrap,
+                 [&](int, int) { return 0.5 * static_cast<int>(random() % 3); });
+}
+
+float horizonAt(const HorizonTables& t, int m, int x, int y) {
+  return t.horizon[static_cast<std::size_t>((m * t.height + y) * t.width + x)];
+}
+
+float distanceAt(const HorizonTables& t, int m, int x, int y) {
+  return t.distance[static_cast<std::size_t>((m * t.height + y) * t.width + x)];
+}
+
+/// (h(p + r e) - h(p)) / r, by the height field itself, in double precision.
+class SlopeAlongRay {
+ public:
+  SlopeAlongRay(const HeightField& field, Vec2 p, Vec2 e)
+      : field_(field), p_(p), e_(e), h0_(field.at(p)) {}
+  double operator()(double r) const { return (field_.at(p_ + r * e_) - h0_) / r; }
+
+ private:
+  const HeightField& field_;
+  Vec2 p_, e_;
+  double h0_;
+};
+
+struct Supremum {
+  double slope, distance;
+};
+
+/// The maximum of a slope between two crossings: samples, then a golden section around the best.
+Supremum maximumBetween(const SlopeAlongRay& slope, double near, double far) {
+  constexpr int steps = 24;
+  const auto position = [&](int i) { return i == steps ? far : near + (far - near) * i / steps; };
+  int best = 1;
+  for (int i = 1; i <= steps; ++i) {
+    if (slope(position(i)) > slope(position(best))) best = i;
+  }
+  double a = position(best - 1);
+  double b = position(std::min(best + 1, steps));
+  if (a <= 0) a = b * 1e-9;
+  constexpr double golden = 0.6180339887498949;
+  while (b - a > 1e-9) {
+    const double c = b - golden * (b - a);
+    const double d = a + golden * (b - a);
+    if (slope(c) >= slope(d))
+      b = d;
+    else
+      a = c;
+  }
+  const double middle = 0.5 * (a + b);
+  const double sample = position(best);
+  return slope(sample) >= slope(middle) ? Supremum{slope(sample), sample}
+                                        : Supremum{slope(middle), middle};
+}
+
+/// The supremum by brute force: every stretch between lattice lines on its own.
+Supremum bruteForce(const HeightField& field, Vec2 p, Vec2 e, double radius) {
+  std::vector<double> ends{radius};
+  for (const double component : {std::abs(e.x), std::abs(e.y)}) {
+    for (int k = 1; component > 1e-9 && k / component < radius; ++k) ends.push_back(k / component);
+  }
+  std::sort(ends.begin(), ends.end());
+  const SlopeAlongRay slope(field, p, e);
+  // The limit r → 0⁺, with the profile's bend taken out.
+  Supremum best{2 * slope(1e-5) - slope(2e-5), 0};
+  double near = 0;
+  for (const double far : ends) {
+    if (far - near > 1e-9) {
+      const Supremum found = maximumBetween(slope, near, far);
+      if (found.slope > best.slope + 1e-9) best = found;
+    }
+    near = far;
+  }
+  return best;
+}
+
+void expectExact(const HeightField& field, const BakeSettings& settings) {
+  const HorizonTables tables = bakeHorizons(field, settings);
+  const double range = static_cast<double>(field.maximum()) - field.minimum();
+  // Float heights and slopes, and the tolerance by which slopes count as equal: all shares of the
+  // range, since no crossing is nearer than one texel.
+  const double allowed = 3e-6 * range + 1e-9;
+  int failures = 0;
+  for (int m = 0; m < settings.azimuths; ++m) {
+    const double angle = 2 * pi * m / settings.azimuths;
+    const Vec2 e(std::cos(angle), std::sin(angle));
+    for (int y = 0; y < field.height(); ++y) {
+      for (int x = 0; x < field.width(); ++x) {
+        const Vec2 p(x + 0.5, y + 0.5);
+        const Supremum truth = bruteForce(field, p, e, settings.radiusTexels);
+        const double delta = horizonAt(tables, m, x, y);
+        const double d = distanceAt(tables, m, x, y);
+        const SlopeAlongRay slope(field, p, e);
+        const double there = d == 0 ? 2 * slope(1e-5) - slope(2e-5) : slope(d);
+        const bool right = std::abs(delta - truth.slope) <= allowed &&
+                           std::abs(there - truth.slope) <= allowed && d >= 0 &&
+                           d <= settings.radiusTexels * (1 + 1e-6) &&
+                           // The smallest that attains it: nothing nearer does.
+                           d <= truth.distance + 0.02;
+        if (right) continue;
+        ADD_FAILURE() << "azimuth " << m << " texel " << x << " " << y << " radius "
+                      << settings.radiusTexels << ": slope " << delta << " at " << d << " (there "
+                      << there << "), expected " << truth.slope << " at " << truth.distance;
+        if (++failures > 5) return;
+      }
+    }
+  }
+}
+
+// --- against brute force ------------------------------------------------------------------------
+
+TEST(HorizonBake, IsTheSupremumOnNoise) {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+    const HeightField field = noise(19, 14, wrap);
+    expectExact(field, {7, 12.34});
+    expectExact(field, {8, 6});
+    expectExact(field, {12, 3.7});
+  }
+}
+
+TEST(HorizonBake, IsTheSupremumWhereSlopesTie) {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+    expectExact(coarseNoise(13, 17, wrap, 4), {16, 9.5});
+  }
+}
+
+TEST(HorizonBake, IsTheSupremumOnSmoothHills) {
+  const HeightField hills = sampled(24, 24, Wrap::repeat, [](int x, int y) {
+    return 6 * std::sin(2 * pi * x / 24) * std::cos(4 * pi * y / 24) + 100;
+  });
+  expectExact(hills, {10, 20});
+}
+
+TEST(HorizonBake, IsTheSupremumWithinAnyRadius) {
+  const HeightField field = noise(9, 7, Wrap::repeat, 3);
+  for (const double radius : {0.01, 0.4, 1.0, 1.2, std::sqrt(2.0), 2.0, 5.01, 40.0}) {
+    expectExact(field, {8, radius});
+  }
+  expectExact(noise(9, 7, Wrap::clamp, 3), {5, 33.3});
+}
+
+TEST(HorizonBake, IsTheSupremumOnMapsOfAnyShape) {
+  expectExact(noise(1, 1, Wrap::repeat), {8, 5});
+  expectExact(noise(1, 9, Wrap::clamp), {8, 5});
+  expectExact(noise(67, 2, Wrap::repeat), {8, 5});
+  expectExact(noise(130, 1, Wrap::clamp), {4, 5});
+  expectExact(noise(6, 6, Wrap::repeat), {1, 5});
+}
+
+TEST(HorizonBake, AHighOffsetCostsNoPrecision) {
+  // Heights around 1000 that floats hold to 6e-5: the map is what the floats say, and exact.
+  expectExact(noise(12, 12, Wrap::repeat, 8, 1000), {9, 10});
+}
+
+// --- closed forms -------------------------------------------------------------------------------
+
+TEST(HorizonBake, FlatGroundHasNoHorizonAndNoDistance) {
+  for (const float height : {0.F, 1000.3F, -1e-20F}) {
+    const HeightField flat(20, 10, std::vector<float>(200, height), Wrap::repeat);
+    const HorizonTables tables = bakeHorizons(flat, {16, 31.4});
+    for (const float slope : tables.horizon) EXPECT_EQ(slope, 0);
+    for (const float distance : tables.distance) EXPECT_EQ(distance, 0);
+  }
+}
+
+TEST(HorizonBake, APlaneIsInTheShadowOfItsOwnSlope) {
+  for (const Vec2 gradient : {Vec2(0.25, 0.125), Vec2(0.1, -0.7), Vec2(-1e-3, 3)}) {
+    for (const double offset : {0.0, 12.3}) {
+      const HeightField plane = sampled(64, 64, Wrap::clamp, [&](int x, int y) {
+        return offset + gradient.x * x + gradient.y * y;
+      });
+      const HorizonTables tables = bakeHorizons(plane, {24, 20});
+      for (int m = 0; m < 24; ++m) {
+        const Vec2 e(std::cos(2 * pi * m / 24), std::sin(2 * pi * m / 24));
+        for (int i = 22; i < 42; ++i) {
+          EXPECT_NEAR(horizonAt(tables, m, i, 63 - i), glm::dot(gradient, e),
+                      64 * 2e-6 * glm::length(gradient));
+          EXPECT_EQ(distanceAt(tables, m, i, 63 - i), 0) << m << " " << gradient.x;
+        }
+      }
+    }
+  }
+}
+
+TEST(HorizonBake, AStepIsSeenFromItsEdge) {
+  // Ground 0, from column 40 on 3: the top of the wall stands on the line x = 40 of centres.
+  const HeightField step =
+      sampled(64, 8, Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
+  constexpr int azimuths = 16;
+  const HorizonTables tables = bakeHorizons(step, {azimuths, 60});
+  for (const int m : {0, 1, 2, 3, azimuths - 1, azimuths - 3}) {
+    const double c = std::cos(2 * pi * m / azimuths);
+    // From the texel at its foot the wall is a ramp: all of it has one slope.
+    EXPECT_NEAR(horizonAt(tables, m, 39, 4), 3 * c, 3e-6);
+    EXPECT_EQ(distanceAt(tables, m, 39, 4), 0);
+    for (int x = 20; x < 39; ++x) {
+      const double distance = (40 - x) / c;
+      if (distance > 60) continue;
+      EXPECT_NEAR(horizonAt(tables, m, x, 4), 3 / distance, 3e-6);
+      EXPECT_NEAR(distanceAt(tables, m, x, 4), distance, 1e-5 * distance);
+    }
+    EXPECT_EQ(horizonAt(tables, m, 50, 4), 0) << "on top it is flat";
+    EXPECT_EQ(distanceAt(tables, m, 50, 4), 0);
+  }
+}
+
+TEST(HorizonBake, AStepBeyondTheRadiusIsNotSeen) {
+  const HeightField step =
+      sampled(64, 1, Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
+  const HorizonTables tables = bakeHorizons(step, {1, 10});
+  EXPECT_EQ(horizonAt(tables, 0, 28, 0), 0);
+  EXPECT_FLOAT_EQ(horizonAt(tables, 0, 30, 0), 0.3F) << "at the radius itself";
+  // The wall is one texel wide: half a texel before its edge it is half as high.
+  const HorizonTables half = bakeHorizons(step, {1, 10.5});
+  EXPECT_FLOAT_EQ(horizonAt(half, 0, 29, 0), static_cast<float>(1.5 / 10.5));
+  EXPECT_FLOAT_EQ(distanceAt(half, 0, 29, 0), 10.5F);
+}
+
+TEST(HorizonBake, AWedgeIsSeenUpToTheRadiusThenFromItsRidge) {
+  // Ground 0 up to x = 10, then a ramp of slope 1/2 to a ridge of height 8 at x = 26, then down.
+  const HeightField roof = sampled(
+      96, 4, Wrap::clamp, [](int x, int) { return std::max(0.0, std::min(x - 10, 42 - x) * 0.5); });
+  const HorizonTables ridge = bakeHorizons(roof, {8, 64});
+  const HorizonTables ramp = bakeHorizons(roof, {8, 16});
+  for (const int m : {0, 1, 7}) {
+    const double c = m == 0 ? 1 : std::sqrt(0.5);
+    for (int x = 2; x < 10; ++x) {
+      EXPECT_NEAR(horizonAt(ridge, m, x, 1), 8 * c / (26 - x), 8e-6);
+      EXPECT_NEAR(distanceAt(ridge, m, x, 1), (26 - x) / c, 1e-4);
+      // The ray ends on the ramp: the slope still grows there.
+      const double height = std::max(0.0, (x + 16 * c - 10) * 0.5);
+      EXPECT_NEAR(horizonAt(ramp, m, x, 1), height / 16, 8e-6);
+      if (height > 0.1) {
+        EXPECT_FLOAT_EQ(distanceAt(ramp, m, x, 1), 16);
+      }
+    }
+    for (int x = 10; x < 26; ++x) {
+      EXPECT_NEAR(horizonAt(ridge, m, x, 1), 0.5 * c, 8e-6);
+      EXPECT_EQ(distanceAt(ridge, m, x, 1), 0) << "on the ramp, attached";
+    }
+  }
+}
+
+TEST(HorizonBake, AConeIsSeenFromItsApex) {
+  // Apex 6 high at texel (32, 32), slope 1: foot at 6 texels.
+  const HeightField cone = sampled(64, 64, Wrap::clamp, [](int x, int y) {
+    return std::max(0.0, 6 - std::hypot(x - 32, y - 32));
+  });
+  const HorizonTables tables = bakeHorizons(cone, {8, 40});
+  const std::vector<std::pair<int, int>> toward{{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                                {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  for (int m = 0; m < 8; ++m) {
+    const auto [dx, dy] = toward[static_cast<std::size_t>(m)];
+    const double unit = std::hypot(dx, dy);
+    for (int k = 7; k < 20; ++k) {
+      EXPECT_NEAR(horizonAt(tables, m, 32 - k * dx, 32 - k * dy), 6 / (k * unit), 6e-6);
+      EXPECT_NEAR(distanceAt(tables, m, 32 - k * dx, 32 - k * dy), k * unit, 1e-5 * k);
+    }
+  }
+  for (int k = 1; k < 6; ++k) {
+    EXPECT_FLOAT_EQ(horizonAt(tables, 0, 32 - k, 32), 1);
+    EXPECT_EQ(distanceAt(tables, 0, 32 - k, 32), 0) << "all of its slope ties: attached";
+  }
+}
+
+TEST(HorizonBake, ASaddleIsSeenFromInsideItsCell) {
+  // Texels (3, 2) and (2, 3) are 1, all others 0. Along the diagonal from texel (0, 0) the cell
+  // between them has height 2 t (1 - t) at distance √2 (2 + t): most at t = √6 - 2.
+  const HeightField saddle = sampled(12, 12, Wrap::clamp, [](int x, int y) {
+    return (x == 3 && y == 2) || (x == 2 && y == 3) ? 1.0 : 0.0;
+  });
+  const HorizonTables tables = bakeHorizons(saddle, {8, 8});
+  const double t = std::sqrt(6.0) - 2;
+  EXPECT_NEAR(horizonAt(tables, 1, 0, 0), 2 * t * (1 - t) / std::sqrt(12.0), 1e-6);
+  EXPECT_NEAR(distanceAt(tables, 1, 0, 0), std::sqrt(12.0), 1e-5);
+  // A radius that ends inside that cell, before and after the peak.
+  EXPECT_NEAR(distanceAt(bakeHorizons(saddle, {8, 3.3}), 1, 0, 0), 3.3, 1e-5);
+  EXPECT_NEAR(distanceAt(bakeHorizons(saddle, {8, 3.6}), 1, 0, 0), std::sqrt(12.0), 1e-5);
+}
+
+// --- identities ---------------------------------------------------------------------------------
+
+TEST(HorizonBake, AShiftedMapHasShiftedTablesToTheBit) {
+  // Which texels share a vector, and what is skipped with it, must not show.
+  const HeightField field = noise(150, 90, Wrap::repeat, 6);
+  const HeightField shifted =
+      sampled(150, 90, Wrap::repeat, [&](int x, int y) { return field.texel(x + 37, y + 11); });
+  const HorizonTables a = bakeHorizons(field, {12, 100});
+  const HorizonTables b = bakeHorizons(shifted, {12, 100});
+  for (int m = 0; m < 12; ++m) {
+    for (int y = 0; y < 90; ++y) {
+      for (int x = 0; x < 150; ++x) {
+        ASSERT_EQ(horizonAt(b, m, x, y), horizonAt(a, m, (x + 37) % 150, (y + 11) % 90));
+        ASSERT_EQ(distanceAt(b, m, x, y), distanceAt(a, m, (x + 37) % 150, (y + 11) % 90));
+      }
+    }
+  }
+}
+
+TEST(HorizonBake, ATurnedMapHasTurnedTables) {
+  const HeightField field = noise(40, 40, Wrap::repeat, 7);
+  // A quarter turn counter-clockwise: (x, y) goes to (39 - y, x).
+  const HeightField turned =
+      sampled(40, 40, Wrap::repeat, [&](int x, int y) { return field.texel(y, 39 - x); });
+  const HorizonTables a = bakeHorizons(field, {12, 30});
+  const HorizonTables b = bakeHorizons(turned, {12, 30});
+  for (int m = 0; m < 12; ++m) {
+    for (int y = 0; y < 40; ++y) {
+      for (int x = 0; x < 40; ++x) {
+        ASSERT_NEAR(horizonAt(b, (m + 3) % 12, 39 - y, x), horizonAt(a, m, x, y), 2e-6);
+      }
+    }
+  }
+}
+
+TEST(HorizonBake, HeightsScaleSlopesAndLeaveDistances) {
+  const HeightField field = noise(40, 30, Wrap::repeat, 2);
+  const HeightField higher =
+      sampled(40, 30, Wrap::repeat, [&](int x, int y) { return 8.0 * field.texel(x, y); });
+  const HorizonTables a = bakeHorizons(field, {10, 25});
+  const HorizonTables b = bakeHorizons(higher, {10, 25});
+  for (std::size_t i = 0; i < a.horizon.size(); ++i) {
+    ASSERT_EQ(b.horizon[i], 8 * a.horizon[i]);
+    ASSERT_EQ(b.distance[i], a.distance[i]);
+  }
+}
+
+TEST(HorizonBake, ALongerRadiusNeverLowersAHorizon) {
+  const HeightField field = noise(50, 50, Wrap::clamp, 2);
+  const HorizonTables near = bakeHorizons(field, {6, 10});
+  const HorizonTables far = bakeHorizons(field, {6, 30});
+  for (std::size_t i = 0; i < near.horizon.size(); ++i) {
+    ASSERT_GE(far.horizon[i], near.horizon[i] - 1e-6);
+  }
+}
+
+TEST(HorizonBake, DoesNotDependOnTheNumberOfThreads) {
+  const HeightField field = noise(200, 120, Wrap::repeat, 12);
+  const auto bakeOn = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return bakeHorizons(field, {9, 60.5});
+  };
+  const HorizonTables one = bakeOn(1);
+  const HorizonTables two = bakeOn(2);
+  EXPECT_EQ(one.horizon, two.horizon);
+  EXPECT_EQ(one.distance, two.distance);
+}
+
+// --- the function as such -----------------------------------------------------------------------
+
+TEST(HorizonBake, DescribesItsTables) {
+  const HorizonTables tables = bakeHorizons(noise(5, 3, Wrap::clamp), {6, 2.5});
+  EXPECT_EQ(tables.width, 5);
+  EXPECT_EQ(tables.height, 3);
+  EXPECT_EQ(tables.azimuths, 6);
+  EXPECT_EQ(tables.radiusTexels, 2.5);
+  EXPECT_EQ(tables.wrap, Wrap::clamp);
+  EXPECT_EQ(tables.horizon.size(), 90U);
+  EXPECT_EQ(tables.distance.size(), 90U);
+}
+
+TEST(HorizonBake, ReportsProgressOneCallAtATime) {
+  std::atomic<int> inside = 0;
+  double last = 0;
+  int calls = 0;
+  bakeHorizons(noise(128, 64, Wrap::repeat), {16, 20}, [&](double share) {
+    EXPECT_EQ(++inside, 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that another would meet it
+    EXPECT_GT(share, last);
+    last = share;
+    ++calls;
+    --inside;
+  });
+  EXPECT_EQ(last, 1);
+  EXPECT_GT(calls, 10);
+}
+
+TEST(HorizonBake, RefusesSettingsOutOfRange) {
+  const HeightField field = noise(4, 4, Wrap::repeat);
+  for (const int azimuths : {0, -3}) {
+    EXPECT_THAT(messageOf<InputError>([&] {
+                  bakeHorizons(field, {azimuths, 5});
+                }),
+                HasSubstr("bake.azimuths"));
+  }
+  for (const double radius : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THAT(messageOf<InputError>([&] {
+                  bakeHorizons(field, {8, radius});
+                }),
+                HasSubstr("bake.radius"));
+  }
+}
+
+TEST(HorizonBake, RefusesWhatCannotFit) {
+  const HeightField field = noise(64, 64, Wrap::repeat);
+  EXPECT_THAT(messageOf<MemoryError>([&] {
+                bakeHorizons(field, {2000000000, 5});
+              }),
+              AllOf(HasSubstr("bake.azimuths"), HasSubstr("64 x 64")));
+  EXPECT_THAT(messageOf<MemoryError>([&] {
+                bakeHorizons(field, {8, 1e300});
+              }),
+              HasSubstr("bake.radius"));
+}
+
+TEST(HorizonBake, ExtremeHeightsStayFinite) {
+  constexpr float most = std::numeric_limits<float>::max();
+  const HeightField field =
+      sampled(9, 9, Wrap::repeat, [](int x, int y) { return (x + y) % 2 == 0 ? most : -most; });
+  EXPECT_THAT(messageOf<InputError>([&] { bakeHorizons(field, {8, 5}); }), HasSubstr("1e+37"));
+  const HeightField fair = sampled(9, 9, Wrap::repeat, [](int x, int) { return x * 1e30; });
+  for (const float slope : bakeHorizons(fair, {8, 5}).horizon) EXPECT_TRUE(std::isfinite(slope));
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,243 @@
+#include "relief/patterns.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "common/error.h"
+#include "relief/error_messages.h"
+
+namespace gnomon {
+namespace {
+using ::testing::HasSubstr;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+struct NamedField {
+  std::string name;
+  HeightField field;
+};
+
+/// All patterns on a map that holds a whole number of periods, 3 (odd) up and 4 across.
+std::vector<NamedField> allPatterns(double amplitude) {
+  return {{"columns", makeColumns(128, 96, {}, amplitude, Wrap::repeat)},
+          {"cosine", makeCosine(128, 96, {}, amplitude, Wrap::repeat)},
+          {"cells", makeCells(128, 96, {}, amplitude, Wrap::repeat)},
+          {"ripples", makeRipples(128, 96, {}, amplitude, Wrap::repeat)}};
+}
+
+/// The largest difference between the texels of two neighbouring columns, or rows.
+double largestJump(const HeightField& field, int i, bool alongX) {
+  double most = 0;
+  for (int j = 0; j < (alongX ? field.height() : field.width()); ++j) {
+    const float here = alongX ? field.texel(i, j) : field.texel(j, i);
+    const float next = alongX ? field.texel(i + 1, j) : field.texel(j, i + 1);
+    most = std::max(most, std::abs(static_cast<double>(next) - here));
+  }
+  return most;
+}
+
+TEST(Patterns, RiseFromAboutZeroToAboutTheAmplitude) {
+  for (const auto& [name, field] : allPatterns(5)) {
+    EXPECT_GE(field.minimum(), 0) << name;
+    EXPECT_LT(field.minimum(), 0.15) << name;
+    EXPECT_LE(field.maximum(), 5) << name;
+    EXPECT_GT(field.maximum(), 4.5) << name;
+  }
+}
+
+TEST(Patterns, ScaleWithTheAmplitude) {
+  const auto one = allPatterns(1);
+  const auto minusTwo = allPatterns(-2);
+  for (std::size_t p = 0; p < one.size(); ++p) {
+    for (std::size_t i = 0; i < one[p].field.texels().size(); ++i) {
+      ASSERT_EQ(minusTwo[p].field.texels()[i], -2 * one[p].field.texels()[i]) << one[p].name;
+    }
+  }
+}
+
+TEST(Patterns, HaveNoSeamWherePeriodsFit) {
+  for (const auto& [name, field] : allPatterns(1)) {
+    double inX = 0;
+    double inY = 0;
+    for (int i = 0; i + 1 < field.width(); ++i) inX = std::max(inX, largestJump(field, i, true));
+    for (int j = 0; j + 1 < field.height(); ++j) inY = std::max(inY, largestJump(field, j, false));
+    EXPECT_LE(largestJump(field, field.width() - 1, true), inX) << name;
+    EXPECT_LE(largestJump(field, field.height() - 1, false), inY) << name;
+    EXPECT_GT(inX, 0) << name;
+  }
+}
+
+TEST(Patterns, CellsContinueAcrossTheSeam) {
+  // The same points on a map twice as large would not repeat, but the first map's border must look
+  // like any other place: compare second differences, which a hidden cut would raise.
+  for (const int up : {1, 2, 3, 5}) {
+    const HeightField field = makeCells(128, 32 * up, {}, 1, Wrap::repeat);
+    const auto bend = [&](int j) {
+      double most = 0;
+      for (int i = 0; i < field.width(); ++i) {
+        most = std::max<double>(
+            most, std::abs(field.texel(i, j - 1) - 2 * field.texel(i, j) + field.texel(i, j + 1)));
+      }
+      return most;
+    };
+    double inside = 0;
+    for (int j = 1; j + 1 < field.height(); ++j) inside = std::max(inside, bend(j));
+    EXPECT_LE(bend(0), inside * 1.05) << up;
+    EXPECT_LE(bend(field.height() - 1), inside * 1.05) << up;
+  }
+}
+
+TEST(Patterns, ColumnsAreCylindersWithLinearWalls) {
+  const HeightField field = makeColumns(64, 64, {32, 8, 2}, 3, Wrap::repeat);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double dx = std::fmod(x + 0.5, 32) - 16;
+      const double dy = std::fmod(y + 0.5, 32) - 16;
+      const double share = std::clamp((10 - std::sqrt(dx * dx + dy * dy)) / 2, 0.0, 1.0);
+      ASSERT_NEAR(field.texel(x, y), 3 * share, 1e-6) << x << " " << y;
+    }
+  }
+  const HeightField steep = makeColumns(32, 32, {32, 8, 0}, 1, Wrap::repeat);
+  for (const float h : steep.texels()) EXPECT_TRUE(h == 0 || h == 1);
+}
+
+TEST(Patterns, CosineIsItsFormula) {
+  const HeightField field = makeCosine(20, 10, {10}, 2, Wrap::repeat);
+  EXPECT_NEAR(field.texel(2, 4), 2 * (2 - std::cos(0.5 * pi) - std::cos(0.9 * pi)) / 4, 1e-6);
+}
+
+TEST(Patterns, RepeatAfterAPeriod) {
+  const HeightField columns = makeColumns(100, 70, {16, 5, 1}, 1, Wrap::clamp);
+  const HeightField cosine = makeCosine(100, 70, {16}, 1, Wrap::clamp);
+  for (int y = 0; y + 16 < 70; ++y) {
+    for (int x = 0; x + 16 < 100; ++x) {
+      ASSERT_EQ(columns.texel(x, y), columns.texel(x + 16, y + 16));
+      ASSERT_NEAR(cosine.texel(x, y), cosine.texel(x + 16, y), 1e-6);
+    }
+  }
+}
+
+TEST(Patterns, CellsAreOnePlateauAPeriodSquareAndDependOnTheSeed) {
+  const HeightField field = makeCells(256, 256, {}, 1, Wrap::repeat);
+  // Scales are the connected sets above half the height: 8 × 8 points, one scale each.
+  std::vector<bool> seen(field.texels().size());
+  int scales = 0;
+  for (int start = 0; start < 256 * 256; ++start) {
+    std::vector<std::pair<int, int>> open{{start % 256, start / 256}};
+    bool counted = false;
+    while (!open.empty()) {
+      const auto [i, j] = open.back();
+      open.pop_back();
+      const auto index = static_cast<std::size_t>(wrappedIndex(j, 256, Wrap::repeat) * 256 +
+                                                  wrappedIndex(i, 256, Wrap::repeat));
+      if (seen[index] || field.texels()[index] < 0.4F) continue;
+      seen[index] = counted = true;
+      for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        open.emplace_back(i + di, j + dj);
+      }
+    }
+    scales += counted ? 1 : 0;
+  }
+  EXPECT_EQ(scales, 64);
+  CellsPattern other;
+  other.seed = 2;
+  EXPECT_NE(makeCells(256, 256, other, 1, Wrap::repeat).texels(), field.texels());
+  EXPECT_EQ(makeCells(256, 256, {}, 1, Wrap::repeat).texels(), field.texels());
+}
+
+TEST(Patterns, RipplesAreGentleToWindward) {
+  RipplesPattern straight;
+  straight.meander = 0;
+  straight.period = 80;
+  const HeightField field = makeRipples(160, 16, straight, 1, Wrap::repeat);
+  double steepestUp = 0;
+  double steepestDown = 0;
+  int rising = 0;
+  for (int x = 0; x < 160; ++x) {
+    const double step = field.texel(x + 1, 3) - field.texel(x, 3);
+    steepestUp = std::max(steepestUp, step);
+    steepestDown = std::max(steepestDown, -step);
+    rising += step > 0 ? 1 : 0;
+    EXPECT_EQ(field.texel(x, 3), field.texel(x, 12)) << "without meanders crests are straight";
+  }
+  EXPECT_GT(steepestDown, 1.5 * steepestUp);
+  EXPECT_NEAR(rising / 160.0, 0.7, 0.07);
+}
+
+TEST(Patterns, RipplesMeanderByNoMoreThanTheySay) {
+  RipplesPattern pattern;
+  pattern.period = 64;
+  pattern.meander = 10;
+  const HeightField field = makeRipples(256, 512, pattern, 1, Wrap::repeat);
+  // Within 64 texels each row has one crest; unmoved it lies at 0.7 · 64.
+  double least = 1e9;
+  double most = -1e9;
+  for (int y = 0; y < 512; ++y) {
+    int crest = 20;
+    for (int x = 20; x < 70; ++x) {
+      if (field.texel(x, y) > field.texel(crest, y)) crest = x;
+    }
+    least = std::min(least, crest + 0.5 - 44.8);
+    most = std::max(most, crest + 0.5 - 44.8);
+  }
+  EXPECT_GE(least, -11);
+  EXPECT_LE(most, 11);
+  EXPECT_GT(most - least, 10);
+}
+
+TEST(Patterns, RefuseParametersOutOfRange) {
+  struct Case {
+    std::string key;
+    std::function<void()> make;
+  };
+  const auto columns = [](ColumnsPattern p) { makeColumns(8, 8, p, 1, Wrap::clamp); };
+  const auto cells = [](CellsPattern p) { makeCells(8, 8, p, 1, Wrap::clamp); };
+  const auto ripples = [](RipplesPattern p) { makeRipples(8, 8, p, 1, Wrap::clamp); };
+  for (const double bad : {0.0, -1.0, inf, -inf, std::nan(""), 1e300, 1e-300}) {
+    EXPECT_THAT(messageOf<InputError>([&] { columns({bad, 8, 1}); }), HasSubstr("relief.period"));
+    EXPECT_THAT(messageOf<InputError>([&] {
+                  cells({bad, 0.7, 3, 1});
+                }),
+                HasSubstr("relief.period"));
+    EXPECT_THAT(messageOf<InputError>([&] { ripples({bad, 0.7, 3}); }), HasSubstr("relief.period"));
+    EXPECT_THAT(messageOf<InputError>([&] { makeCosine(8, 8, {bad}, 1, Wrap::clamp); }),
+                HasSubstr("relief.period"));
+    EXPECT_THAT(messageOf<InputError>([&] {
+                  cells({32, 0.7, bad, 1});
+                }),
+                HasSubstr("relief.groove"));
+  }
+  for (const double bad : {-0.1, inf, std::nan("")}) {
+    EXPECT_THAT(messageOf<InputError>([&] { columns({32, bad, 1}); }), HasSubstr("relief.radius"));
+    EXPECT_THAT(messageOf<InputError>([&] { columns({32, 8, bad}); }), HasSubstr("relief.wall"));
+    EXPECT_THAT(messageOf<InputError>([&] { cells({32, bad, 3, 1}); }), HasSubstr("relief.jitter"));
+    EXPECT_THAT(messageOf<InputError>([&] {
+                  ripples({32, 0.7, bad});
+                }),
+                HasSubstr("relief.meander"));
+    EXPECT_THAT(messageOf<InputError>([&] {
+                  ripples({32, bad, 3});
+                }),
+                HasSubstr("relief.windward"));
+  }
+  EXPECT_THAT(messageOf<InputError>([] { makeCosine(8, 8, {}, std::nan(""), Wrap::clamp); }),
+              HasSubstr("relief.height"));
+  EXPECT_THAT(messageOf<InputError>([] { makeCosine(0, 8, {}, 1, Wrap::clamp); }),
+              HasSubstr("0 x 8"));
+  EXPECT_THROW(makeCosine(2000000000, 2000000000, {}, 1, Wrap::clamp), MemoryError);
+}
+
+TEST(Patterns, ExtremeParametersStayFinite) {
+  EXPECT_NO_THROW(makeCells(16, 16, {1, 1, 1e9, 4294967295U}, 1, Wrap::clamp));
+  EXPECT_NO_THROW(makeCells(16, 16, {1e9, 0, 1e-3, 0}, 1, Wrap::clamp));
+  EXPECT_NO_THROW(makeRipples(1, 1, {1, 0.99, 1e9}, 1, Wrap::clamp));
+  EXPECT_NO_THROW(makeColumns(16, 16, {1, 1e9, 1e9}, 1, Wrap::clamp));
+  EXPECT_THROW(makeCosine(16, 16, {}, 1e300, Wrap::clamp), InputError);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+namespace gnomon {
+
+/// A folder of a test's own that goes when the test ends.
+class TemporaryFolder : public ::testing::Test {
+ protected:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "gnomon-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~TemporaryFolder() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace gnomon
