@@ -183,6 +183,9 @@ TEST(MicroMesh, RefusesWhatCannotFit) {
   const LimitSurface surface(makePlane(16, 16, 2, 2));
   EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(1e-6)), MemoryError);
   EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(0)), InputError);
+  // A face of 60,000 texels: more lines than Embree's grids can have.
+  const LimitSurface strip(makePlane(16, 16, 1, 64));
+  EXPECT_THROW(MicroMesh(strip, flatRelief(60000, 4), step(100)), InputError);
   EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(std::nan(""))), InputError);
 }
 

@@ -1,6 +1,7 @@
 #include "render/gl_context.h"
 
 // Only this header of libepoxy declares both EGL and its extensions.
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <fmt/core.h>
@@ -59,6 +60,21 @@ struct GlContext::Egl {
 
 namespace {
 
+/// libepoxy ends the process where it finds no library to load, so ask before it does.
+void requireLibraries() {
+  const auto loads = [](const char* name) {
+    return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr;
+  };
+  if (!loads("libEGL.so.1")) {
+    throw NoGlError("no OpenGL: libEGL.so.1 cannot be loaded. Install it (Debian: libegl1)");
+  }
+  if (!loads("libGL.so.1") && !loads("libOpenGL.so.0")) {
+    throw NoGlError(
+        "no OpenGL: neither libGL.so.1 nor libOpenGL.so.0 can be loaded. Install one (Debian: "
+        "libopengl0)");
+  }
+}
+
 std::vector<EGLDeviceEXT> eglDevices() {
   EGLint count = 0;
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
@@ -85,6 +101,7 @@ int glInteger(GLenum name) {
 }  // namespace
 
 GlContext::GlContext() : egl_(std::make_unique<Egl>()) {
+  requireLibraries();
   std::string answers = "surfaceless platform: not offered";
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) {
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {

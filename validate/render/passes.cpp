@@ -75,7 +75,8 @@ class Target {
   template <typename Value>
   [[nodiscard]] std::vector<Value> read(int attachment, GLenum format, GLenum type,
                                         int components) const {
-    const std::size_t stride = static_cast<std::size_t>(width_ * components);
+    const std::size_t stride =
+        static_cast<std::size_t>(width_) * static_cast<std::size_t>(components);
     std::vector<Value> upward(stride * static_cast<std::size_t>(height_));
     std::vector<Value> downward(upward.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

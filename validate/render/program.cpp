@@ -36,7 +36,8 @@ std::string infoLog(GLuint name, const Get& get, const GetLog& getLog) {
 std::string located(const std::string& log, const std::vector<ShaderPiece>& pieces) {
   static const std::regex pattern(R"(\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?([^\n]*))");
   std::smatch match;
-  if (!std::regex_search(log, match, pattern)) return fmt::format("{}: {}", pieces.back().file, log);
+  if (!std::regex_search(log, match, pattern))
+    return fmt::format("{}: {}", pieces.back().file, log);
   const std::size_t line = std::stoul(match[match[1].matched ? 1 : 2]);
   const std::size_t piece = std::min(line / linesPerPiece, pieces.size() - 1);
   return fmt::format("{}:{}: {}", pieces[piece].file, line % linesPerPiece, match[3].str());

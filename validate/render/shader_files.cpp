@@ -18,7 +18,7 @@ fs::path shaderFolder() {
     throw InputError(fmt::format("GNOMON_SHADERS: {} holds no folder `common`", chosen));
   }
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-  const fs::path installed = program.parent_path().parent_path() / "share/gnomon/shaders";
+  fs::path installed = program.parent_path().parent_path() / "share/gnomon/shaders";
   if (!program.empty() && fs::is_directory(installed, failure)) return installed;
   if (fs::is_directory(GNOMON_SOURCE_SHADERS, failure)) return GNOMON_SOURCE_SHADERS;
   throw InputError(fmt::format("no shaders: neither {} nor {} exists; set GNOMON_SHADERS",

@@ -25,14 +25,27 @@ constexpr double bytesPerVertex = 12;
 // Embree stores a grid's sides in 16 bits.
 constexpr std::size_t longestSide = 32767;
 
+/// Refuses a face that needs more lines than a grid can have.
+void requireSide(double lines, double step) {
+  if (!(lines < static_cast<double>(longestSide))) {
+    throw InputError(
+        fmt::format("truth.step = {}: {:.0f} lines across one face, at most {} are possible: use a "
+                    "cage of more faces, or fewer repeats",
+                    step, lines, longestSide));
+  }
+}
+
 /// Rising parameters in [0, 1]: the places of texel centres where the axis runs from texel `begin`
 /// to `end`, and between them even steps of at most `step` texels.
 std::vector<double> alignedLines(double begin, double end, double step) {
   const double length = end - begin;
+  requireSide(length / std::min(step, 1.0), step);
   const double tolerance = 1e-9 * std::max(1.0, std::abs(end));
   std::vector<double> stops = {begin};
-  for (double centre = std::floor(begin) + 0.5; centre < end - tolerance; centre += 1) {
-    if (centre > begin + tolerance) stops.push_back(centre);
+  const auto centres = static_cast<int>(std::ceil(end - std::floor(begin)));
+  for (int k = 0; k < centres; ++k) {
+    const double centre = std::floor(begin) + 0.5 + k;
+    if (centre > begin + tolerance && centre < end - tolerance) stops.push_back(centre);
   }
   stops.push_back(end);
   std::vector<double> lines = {0};
@@ -72,8 +85,9 @@ double meanFaceSide(const LimitSurface& surface, Vec2 texelsPerUv) {
 /// Triangles that a step gives, without placing a line.
 double estimatedTriangles(const LimitSurface& surface, Vec2 texelsPerUv, double step) {
   if (const auto grid = surface.grid()) {
-    const double perColumn = std::ceil(texelsPerUv.x / grid->columns / step);
-    const double perRow = std::ceil(texelsPerUv.y / grid->rows / step);
+    const double longest = std::min(step, 1.0);  // lines of texel centres are one texel apart
+    const double perColumn = std::ceil(texelsPerUv.x / grid->columns / longest);
+    const double perRow = std::ceil(texelsPerUv.y / grid->rows / longest);
     return 2 * perColumn * grid->columns * perRow * grid->rows;
   }
   const double pieces = std::ceil(meanFaceSide(surface, texelsPerUv) / step);
@@ -152,15 +166,8 @@ void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double
     }
   } else {
     const double pieces = std::ceil(meanFaceSide(surface, texelsPerUv) / step);
+    requireSide(pieces, step);
     lines_.push_back(evenLines(std::max(1, static_cast<int>(pieces))));
-  }
-  for (const std::vector<double>& lines : lines_) {
-    if (lines.size() > longestSide) {
-      throw InputError(
-          fmt::format("truth.step = {}: {} lines across one face, at most {} are possible: use a "
-                      "cage of more faces",
-                      step, lines.size(), longestSide));
-    }
   }
   std::uint64_t vertices = 0;
   for (int face = 0; face < surface.faceCount(); ++face) {
