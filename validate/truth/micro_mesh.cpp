@@ -57,6 +57,7 @@ std::vector<double> alignedLines(double begin, double end, double step) {
     }
   }
   lines.back() = 1;
+  requireSide(static_cast<double>(lines.size()), step);  // rounding up may have added some
   return lines;
 }
 
