@@ -1,10 +1,11 @@
 #include "cli/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 #include <optional>
@@ -57,7 +58,9 @@ void addStudyOptions(CLI::App& command, RunRequest& request) {
 
 void addRunOptions(CLI::App& command, RunRequest& request) {
   addStudyOptions(command, request);
-  command.add_option("--method", request.options.methods, "Only this method, by label or name; may be repeated")
+  command
+      .add_option("--method", request.options.methods,
+                  "Only this method, by label or name; may be repeated")
       ->type_name("NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -99,7 +102,7 @@ class ThreadLimit {
 
 int dispatch(int argc, char** argv) {
   CLI::App app("Gnomon measures how right real-time bump-map shadows are.", "gnomon");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.set_version_flag("--version", GNOMON_VERSION);
   std::optional<int> threads;
   app.add_option("--threads", threads, "Threads to use; all cores, if not given")
@@ -129,12 +132,26 @@ int dispatch(int argc, char** argv) {
     if (asked) return app.exit(error);
     throw UsageError(fmt::format("{}. See gnomon --help", error.what()));
   }
+  if (app.get_subcommands().empty()) {
+    throw UsageError("a command expected: run, check, bake or list. See gnomon --help");
+  }
   const ThreadLimit limit(threads);
+  // Our own error says what each platform answered; Mesa's warnings would stand beside it.
+  setenv("EGL_LOG_LEVEL", "fatal", 0);
   request.check = check->parsed();
   const ExitStatus status = list->parsed()   ? listParts()
                             : bake->parsed() ? bakeStudies(request)
                                              : runStudies(request);
   return static_cast<int>(status);
+}
+
+/// Messages quote files, drivers and keys: whatever they hold, an error is one line.
+void printError(std::string message) {
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  message.erase(std::find_if_not(message.rbegin(), message.rend(), isControl).base(),
+                message.end());
+  std::replace_if(message.begin(), message.end(), isControl, ' ');
+  fmt::print(stderr, "gnomon: {}\n", message);
 }
 
 }  // namespace
@@ -143,12 +160,12 @@ int runCommandLine(int argc, char** argv) {
   try {
     return dispatch(argc, argv);
   } catch (const Error& error) {
-    fmt::print(stderr, "gnomon: {}\n", error.what());
+    printError(error.what());
     return static_cast<int>(error.status());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "gnomon: out of memory\n");
+    printError("out of memory");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "gnomon: internal error: {}\n", error.what());
+    printError(fmt::format("internal error: {}", error.what()));
   }
   return static_cast<int>(ExitStatus::internal);
 }

@@ -1,3 +1,5 @@
 #include "cli/command_line.h"
 
-int main(int argc, char** argv) { return gnomon::runCommandLine(argc, argv); }
+int main(int argc, char** argv) {
+  return gnomon::runCommandLine(argc, argv);
+}

@@ -29,12 +29,13 @@ std::vector<StudySpec> readStudies(const RunRequest& request) {
   for (const fs::path& file : request.studies) {
     studies.push_back(readStudy(file, request.options));
     if (!names.insert(studies.back().name).second) {
-      throw InputError(fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
-                                   file.string(), studies.back().name));
+      throw InputError(
+          fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
+                      file.string(), studies.back().name));
     }
     if (request.check && studies.back().thresholds.empty()) {
-      throw InputError(fmt::format("{}: no [[threshold]], so there is nothing to check",
-                                   file.string()));
+      throw InputError(
+          fmt::format("{}: no [[threshold]], so there is nothing to check", file.string()));
     }
   }
   return studies;
@@ -42,15 +43,23 @@ std::vector<StudySpec> readStudies(const RunRequest& request) {
 
 StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
   const fs::path folder = request.out / study.name;
-  // An older summary must not stand beside newer pictures.
-  std::error_code ignored;
-  fs::remove(folder / "summary.json", ignored);
+  // Older figures must not stand beside newer pictures.
+  for (const char* report : {"summary.json", "metrics.csv", "report.html"}) {
+    std::error_code ignored;
+    fs::remove(folder / report, ignored);
+  }
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
-  StudyRecord record = runStudy(
-      study, gl, writer, [&](std::string_view stage, double share) { progress.update(stage, share); });
-  record.command = request.command;
-  return record;
+  try {
+    StudyRecord record = runStudy(study, gl, writer, [&](std::string_view stage, double share) {
+      progress.update(stage, share);
+    });
+    record.command = request.command;
+    return record;
+  } catch (const Error& error) {
+    // What fails inside a run speaks of keys or of the study's other files.
+    throw Error(error.status(), fmt::format("{}: {}", study.file.string(), error.what()));
+  }
 }
 
 void writeReports(const StudyRecord& record, const fs::path& folder) {

@@ -18,9 +18,9 @@ struct RunRequest {
   std::string command;  ///< the command line, for the report
 };
 
-/// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks as they are
-/// made, then metrics.csv, report.html and last summary.json, whose presence says that the run is whole.
-/// Prints a table for each.
+/// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks
+/// as they are made, then metrics.csv, report.html and last summary.json, whose presence says that
+/// the run is whole. Prints a table for each.
 /// @return pass, or thresholdFailed where `check` is set and a gate failed
 ExitStatus runStudies(const RunRequest& request);
 

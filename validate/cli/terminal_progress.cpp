@@ -10,7 +10,9 @@ namespace gnomon {
 TerminalProgress::TerminalProgress(std::string title)
     : title_(std::move(title)), enabled_(isatty(STDERR_FILENO) != 0), stageStart_(Clock::now()) {}
 
-TerminalProgress::~TerminalProgress() { clear(); }
+TerminalProgress::~TerminalProgress() {
+  clear();
+}
 
 void TerminalProgress::update(std::string_view stage, double share) {
   if (!enabled_) return;

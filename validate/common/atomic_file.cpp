@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "common/error.h"
+#include "common/memory.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -49,6 +50,12 @@ std::string readFile(const fs::path& path) {
   if (fs::is_directory(path, failure)) {
     throw InputError(fmt::format("{}: is a folder, a file was expected", path.string()));
   }
+  if (fs::is_character_file(path, failure) || fs::is_block_file(path, failure)) {
+    throw InputError(fmt::format("{}: is a device, a file was expected", path.string()));
+  }
+  const auto bytes = fs::file_size(path, failure);
+  // The stream's copy and the returned one.
+  if (!failure) requireMemory(2.0 * static_cast<double>(bytes), path.string());
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: no such file, or it cannot be read", path.string()));
   std::ostringstream content;

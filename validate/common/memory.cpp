@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <limits>
+#include <string_view>
 
 #include "common/error.h"
 
@@ -19,22 +21,31 @@ std::uint64_t readNumber(const char* path) {
   return file >> value ? value : unlimited;
 }
 
-std::uint64_t kernelAvailableBytes() {
-  std::ifstream file("/proc/meminfo");
+/// The number after a key in a file of keys and numbers.
+std::uint64_t readKey(const char* path, std::string_view wanted, std::uint64_t fallback) {
+  std::ifstream file(path);
   std::string key;
-  std::uint64_t kibibytes = 0;
-  while (file >> key >> kibibytes) {
-    if (key == "MemAvailable:") return kibibytes * 1024;
+  std::uint64_t value = 0;
+  while (file >> key >> value) {
+    if (key == wanted) return value;
     file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  return unlimited;
+  return fallback;
+}
+
+std::uint64_t kernelAvailableBytes() {
+  const std::uint64_t kibibytes = readKey("/proc/meminfo", "MemAvailable:", unlimited);
+  return kibibytes == unlimited ? unlimited : kibibytes * 1024;
 }
 
 std::uint64_t controlGroupAvailableBytes() {
   const std::uint64_t limit = readNumber("/sys/fs/cgroup/memory.max");
   const std::uint64_t used = readNumber("/sys/fs/cgroup/memory.current");
   if (limit == unlimited || used == unlimited) return unlimited;
-  return limit > used ? limit - used : 0;
+  // Pages of files that were read count as used, but the kernel gives them up first.
+  const std::uint64_t cached = readKey("/sys/fs/cgroup/memory.stat", "inactive_file", 0);
+  const std::uint64_t held = used - std::min(used, cached);
+  return limit - std::min(limit, held);
 }
 
 }  // namespace
@@ -58,6 +69,7 @@ std::string formatBytes(double bytes) {
     bytes /= 1000;
     ++unit;
   }
+  if (bytes >= 999.5) return fmt::format("{:.3g} {}", bytes, units.back());
   const int decimals = unit == 0 || bytes >= 99.95 ? 0 : bytes >= 9.995 ? 1 : 2;
   return fmt::format("{:.{}f} {}", bytes, decimals, units.at(unit));
 }

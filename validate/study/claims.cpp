@@ -60,7 +60,7 @@ ClaimRecord judgeOrder(const ClaimSpec& claim, const std::vector<Pair>& found) {
     return pair.less > pair.than + pair.uncertainty;
   });
   const auto all = static_cast<std::ptrdiff_t>(found.size());
-  const Verdict verdict = larger > 0         ? Verdict::failed
+  const Verdict verdict = larger > 0       ? Verdict::failed
                           : smaller == all ? Verdict::held
                                            : Verdict::notDistinguishable;
   return {claim.text, claim.source, verdict,
@@ -109,6 +109,7 @@ ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std:
 std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
                                      std::span<const StudyRecord> run, std::size_t own) {
   std::vector<ClaimRecord> records;
+  records.reserve(claims.size());
   for (const ClaimSpec& claim : claims) records.push_back(judge(claim, run, own));
   return records;
 }

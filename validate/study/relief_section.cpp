@@ -1,5 +1,7 @@
 #include "study/relief_section.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -23,13 +25,17 @@ HeightField readColumns(const TomlReader& section, const PatternSize& size) {
   pattern.period = section.number("period", positive, pattern.period);
   pattern.radius = section.number("radius", positive, pattern.radius);
   pattern.wall = section.number("wall", Range{0}, pattern.wall);
-  return makeColumns(size.width, size.height, pattern, size.amplitude, size.wrap);
+  return section.blame("pattern", [&] {
+    return makeColumns(size.width, size.height, pattern, size.amplitude, size.wrap);
+  });
 }
 
 HeightField readCosine(const TomlReader& section, const PatternSize& size) {
   CosinePattern pattern;
   pattern.period = section.number("period", positive, pattern.period);
-  return makeCosine(size.width, size.height, pattern, size.amplitude, size.wrap);
+  return section.blame("pattern", [&] {
+    return makeCosine(size.width, size.height, pattern, size.amplitude, size.wrap);
+  });
 }
 
 HeightField readCells(const TomlReader& section, const PatternSize& size) {
@@ -39,7 +45,9 @@ HeightField readCells(const TomlReader& section, const PatternSize& size) {
   pattern.groove = section.number("groove", positive, pattern.groove);
   pattern.seed = static_cast<std::uint32_t>(
       section.integer("seed", 0, std::numeric_limits<int>::max(), static_cast<int>(pattern.seed)));
-  return makeCells(size.width, size.height, pattern, size.amplitude, size.wrap);
+  return section.blame("pattern", [&] {
+    return makeCells(size.width, size.height, pattern, size.amplitude, size.wrap);
+  });
 }
 
 HeightField readRipples(const TomlReader& section, const PatternSize& size) {
@@ -47,7 +55,9 @@ HeightField readRipples(const TomlReader& section, const PatternSize& size) {
   pattern.period = section.number("period", positive, pattern.period);
   pattern.windward = section.number("windward", Range{0, 1}, pattern.windward);
   pattern.meander = section.number("meander", Range{0}, pattern.meander);
-  return makeRipples(size.width, size.height, pattern, size.amplitude, size.wrap);
+  return section.blame("pattern", [&] {
+    return makeRipples(size.width, size.height, pattern, size.amplitude, size.wrap);
+  });
 }
 
 HeightField readPattern(const TomlReader& section, double height, Wrap wrap) {
@@ -58,7 +68,8 @@ HeightField readPattern(const TomlReader& section, double height, Wrap wrap) {
   const Vec2 texels = section.vec2("texels", Range{1, mostTexels});
   const PatternSize size{static_cast<int>(texels.x), static_cast<int>(texels.y), height, wrap};
   if (size.width != texels.x || size.height != texels.y) {
-    section.fail("texels", "two whole numbers expected");
+    section.fail("texels",
+                 fmt::format("[{}, {}] found, two whole numbers expected", texels.x, texels.y));
   }
   return reader(section, size);
 }
@@ -66,9 +77,7 @@ HeightField readPattern(const TomlReader& section, double height, Wrap wrap) {
 }  // namespace
 
 Relief readReliefSection(const TomlReader& section, const std::filesystem::path& folder) {
-  if (section.has("image") == section.has("pattern")) {
-    section.fail("pattern", "either `pattern` or `image` expected");
-  }
+  section.requireOneOf("pattern", "image");
   constexpr std::array wraps = {Wrap::repeat, Wrap::clamp};
   constexpr std::array spaces = {HeightSpace::world, HeightSpace::texture};
   const double height = section.number("height", Range{-1e6, 1e6});

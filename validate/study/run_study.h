@@ -16,7 +16,4 @@ namespace gnomon {
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer,
                      const StageProgress& progress = {});
 
-/// Names as parts of file names: letters, digits, dots and dashes, distinct for distinct indices.
-std::vector<std::string> fileNames(const std::vector<std::string>& names);
-
 }  // namespace gnomon

@@ -41,9 +41,7 @@ class StageClock {
     }
     Span(const Span&) = delete;
     Span& operator=(const Span&) = delete;
-    ~Span() {
-      clock_.add(stage_, std::chrono::duration<double>(Clock::now() - start_).count());
-    }
+    ~Span() { clock_.add(stage_, std::chrono::duration<double>(Clock::now() - start_).count()); }
 
    private:
     StageClock& clock_;

@@ -86,8 +86,7 @@ void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
   for (const double azimuth : azimuths) {
     for (const double elevation : elevations) {
       const std::string standard = fmt::format("elevation {}° azimuth {}°", elevation, azimuth);
-      lights.push_back(
-          {section.text("name", standard), radians(azimuth), radians(elevation)});
+      lights.push_back({section.text("name", standard), radians(azimuth), radians(elevation)});
     }
   }
   section.finish();
@@ -102,20 +101,16 @@ struct MethodDefaults {
 };
 
 MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
-  if (section.has("name") == section.has("file")) {
-    section.fail("name", "either `name` of a built-in method or `file` expected");
-  }
+  section.requireOneOf("name", "file");
   MethodSpec method;
   if (section.has("file")) {
     method.file = defaults.folder / section.text("file");
   } else {
-    try {
-      method.file = methodFile(defaults.shaders, section.text("name"));
-    } catch (const InputError& error) {
-      section.fail("name", error.what());
-    }
+    const std::string name = section.text("name");
+    method.file = section.blame("name", [&] { return methodFile(defaults.shaders, name); });
   }
   method.label = section.text("label", method.file.stem().string());
+  if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
   constexpr std::array filters = {TableFilter::exact, TableFilter::hardware};
   method.filter = filters.at(section.choice("filter", {"exact", "hardware"}, 0));
   method.bake = defaults.bake;
@@ -135,8 +130,8 @@ std::string readMetric(const TomlReader& section) {
   std::string metric = section.text("metric", "error_rate");
   const auto& names = metricNames();
   if (std::find(names.begin(), names.end(), metric) == names.end()) {
-    section.fail("metric", fmt::format("\"{}\" found, one of {} expected", metric,
-                                       fmt::join(names, ", ")));
+    section.fail("metric",
+                 fmt::format("\"{}\" found, one of {} expected", metric, fmt::join(names, ", ")));
   }
   return metric;
 }
@@ -150,8 +145,8 @@ std::string readFilter(const TomlReader& section, const char* key, const Entries
   std::vector<std::string> names;
   for (const auto& entry : entries) names.emplace_back(nameOf(entry));
   if (std::find(names.begin(), names.end(), asked) == names.end()) {
-    section.fail(key, fmt::format("\"{}\" found, one of {} expected", asked,
-                                  fmt::join(names, ", ")));
+    section.fail(key,
+                 fmt::format("\"{}\" found, one of {} expected", asked, fmt::join(names, ", ")));
   }
   return asked;
 }
@@ -198,14 +193,14 @@ void requireDistinct(const Entries& entries, const NameOf& nameOf, const std::st
   std::set<std::string> seen;
   for (const auto& entry : entries) {
     if (!seen.insert(nameOf(entry)).second) {
-      throw InputError(
-          fmt::format("{}: {} \"{}\" appears twice, distinct names expected", file, what, nameOf(entry)));
+      throw InputError(fmt::format("{}: {} \"{}\" appears twice, distinct names expected", file,
+                                   what, nameOf(entry)));
     }
   }
 }
 
-/// Keeps the methods that the command line names, by label or by name; and drops the gates and claims that
-/// speak of others.
+/// Keeps the methods that the command line names, by label or by name; and drops the gates and
+/// claims that speak of others.
 void keepMethods(StudySpec& study, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return;
   const auto isNamed = [](const MethodSpec& method, const std::string& name) {
@@ -230,7 +225,8 @@ void keepMethods(StudySpec& study, const std::vector<std::string>& wanted) {
                         [&](const MethodSpec& method) { return method.label == label; });
   };
   std::erase_if(study.thresholds, [&](const ThresholdSpec& gate) { return isGone(gate.method); });
-  std::erase_if(study.claims, [&](const ClaimSpec& claim) { return isGone(claim.less) || isGone(claim.than); });
+  std::erase_if(study.claims,
+                [&](const ClaimSpec& claim) { return isGone(claim.less) || isGone(claim.than); });
 }
 
 /// Names become file names.

@@ -1,5 +1,7 @@
 #include "study/surface_section.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -21,7 +23,8 @@ Quads readQuads(const TomlReader& section) {
   const Vec2 quads = section.vec2("quads", Range{1, mostFacesASide});
   const Quads result{static_cast<int>(quads.x), static_cast<int>(quads.y)};
   if (result.columns != quads.x || result.rows != quads.y) {
-    section.fail("quads", "two whole numbers expected");
+    section.fail("quads",
+                 fmt::format("[{}, {}] found, two whole numbers expected", quads.x, quads.y));
   }
   return result;
 }
@@ -29,7 +32,8 @@ Quads readQuads(const TomlReader& section) {
 Cage readPlane(const TomlReader& section) {
   const Quads quads = readQuads(section);
   const Vec2 size = section.vec2("size", positive);
-  return makePlane(size.x, size.y, quads.columns, quads.rows);
+  return section.blame("shape",
+                       [&] { return makePlane(size.x, size.y, quads.columns, quads.rows); });
 }
 
 /// Angle that an arc of `length` spans at `curvature`; a full turn where it comes within rounding.
@@ -42,49 +46,56 @@ Cage readCylinder(const TomlReader& section) {
   const Quads quads = readQuads(section);
   const double curvature = section.number("curvature", positive);
   const Vec2 size = section.vec2("size", positive);
-  return makeCylinder(1 / curvature, arcAngle(size.x, curvature), size.y, quads.columns, quads.rows);
+  return section.blame("shape", [&] {
+    return makeCylinder(1 / curvature, arcAngle(size.x, curvature), size.y, quads.columns,
+                        quads.rows);
+  });
 }
 
 Cage readSphere(const TomlReader& section) {
   const Quads quads = readQuads(section);
   const double curvature = section.number("curvature", positive);
   const Vec2 size = section.vec2("size", positive);
-  return makeSphere(1 / curvature, arcAngle(size.x, curvature), size.y * curvature, quads.columns,
-                    quads.rows);
+  return section.blame("shape", [&] {
+    return makeSphere(1 / curvature, arcAngle(size.x, curvature), size.y * curvature, quads.columns,
+                      quads.rows);
+  });
 }
 
 Cage readTorus(const TomlReader& section) {
   const Quads quads = readQuads(section);
   const double major = section.number("major", positive);
   const double minor = section.number("minor", Range{0, major, true});
-  return makeTorus(major, minor, quads.columns, quads.rows);
+  return section.blame("shape", [&] { return makeTorus(major, minor, quads.columns, quads.rows); });
 }
 
 Cage readBezier(const TomlReader& section) {
   const Quads quads = readQuads(section);
   const std::vector<Vec3> list = section.points("points");
   std::array<Vec3, 16> points{};
-  if (list.size() != points.size()) section.fail("points", "16 points expected, row by row");
+  if (list.size() != points.size()) {
+    section.fail("points", fmt::format("{} points found, 16 expected, row by row", list.size()));
+  }
   std::copy(list.begin(), list.end(), points.begin());
-  return makeBezier(points, quads.columns, quads.rows);
+  return section.blame("shape", [&] { return makeBezier(points, quads.columns, quads.rows); });
 }
 
 Cage readBSpline(const TomlReader& section) {
   const std::vector<Vec3> points = section.points("points");
   const int columns = section.integer("columns", 4, mostFacesASide + 3);
   const int rows = static_cast<int>(points.size()) / columns;
-  if (rows < 4 || static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) != points.size()) {
-    section.fail("points", "at least 4 rows of `columns` points expected");
+  if (rows < 4 ||
+      static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) != points.size()) {
+    section.fail("points", fmt::format("{} points found, at least 4 rows of {} expected",
+                                       points.size(), columns));
   }
-  return makeBSpline(points, columns, rows);
+  return section.blame("shape", [&] { return makeBSpline(points, columns, rows); });
 }
 
 }  // namespace
 
 Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& folder) {
-  if (section.has("obj") == section.has("shape")) {
-    section.fail("shape", "either `shape` or `obj` expected");
-  }
+  section.requireOneOf("shape", "obj");
   if (section.has("obj")) return readObj(folder / section.text("obj"));
   constexpr std::array readers = {readPlane, readCylinder, readSphere,
                                   readTorus, readBezier,   readBSpline};

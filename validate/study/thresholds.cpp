@@ -13,7 +13,7 @@ bool matches(const std::string& filter, const std::string& name) {
 }
 
 ThresholdRecord judge(const ThresholdSpec& gate, const ResultRecord& result) {
-  ThresholdRecord record{result.method, result.light,  result.view,  result.region, gate.metric,
+  ThresholdRecord record{result.method, result.light, result.view,  result.region, gate.metric,
                          std::nullopt,  gate.minimum, gate.maximum, false};
   record.value = rate(result.counts, gate.metric).value;
   record.passed = record.value && (!gate.maximum || *record.value <= *gate.maximum) &&

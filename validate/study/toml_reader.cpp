@@ -13,7 +13,8 @@ namespace gnomon {
 namespace {
 
 std::string describe(const toml::node& node) {
-  if (const auto text = node.value_exact<std::string>()) return fmt::format("the string \"{}\"", *text);
+  if (const auto text = node.value_exact<std::string>())
+    return fmt::format("the string \"{}\"", *text);
   if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
   if (const auto whole = node.value_exact<std::int64_t>()) return fmt::format("{}", *whole);
   if (const auto number = node.value_exact<double>()) return fmt::format("{}", *number);
@@ -39,7 +40,9 @@ std::string expectedNumber(Range range) {
 TomlReader::TomlReader(const toml::table& table, std::string file, std::string path)
     : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
 
-bool TomlReader::has(std::string_view key) const { return table_->contains(key); }
+bool TomlReader::has(std::string_view key) const {
+  return table_->contains(key);
+}
 
 const toml::node* TomlReader::find(std::string_view key) const {
   read_.emplace(key);
@@ -49,7 +52,8 @@ const toml::node* TomlReader::find(std::string_view key) const {
 std::string TomlReader::place(const toml::node& node, std::string_view key) const {
   const auto line = node.source().begin.line;
   const std::string name = path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
-  return line > 0 ? fmt::format("{}:{}: {}", file_, line, name) : fmt::format("{}: {}", file_, name);
+  return line > 0 ? fmt::format("{}:{}: {}", file_, line, name)
+                  : fmt::format("{}: {}", file_, name);
 }
 
 const toml::node& TomlReader::require(std::string_view key, std::string_view expected) const {
@@ -68,8 +72,12 @@ void TomlReader::mismatch(const toml::node& node, std::string_view key,
 
 void TomlReader::fail(std::string_view key, const std::string& what) const {
   const toml::node* node = table_->get(key);
-  throw InputError(
-      fmt::format("{}: {}", place(node != nullptr ? *node : *table_, key), what));
+  throw InputError(fmt::format("{}: {}", place(node != nullptr ? *node : *table_, key), what));
+}
+
+void TomlReader::requireOneOf(std::string_view a, std::string_view b) const {
+  if (has(a) && has(b)) fail(b, fmt::format("`{}` found beside it, one of the two expected", a));
+  if (!has(a) && !has(b)) fail(a, fmt::format("missing, either `{}` or `{}` expected", a, b));
 }
 
 void TomlReader::finish() const {
@@ -84,7 +92,8 @@ void TomlReader::finish() const {
 TomlReader TomlReader::table(std::string_view key) const {
   const toml::node& node = require(key, fmt::format("a table [{}]", key));
   if (!node.is_table()) mismatch(node, key, "a table");
-  return {*node.as_table(), file_, path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key)};
+  return {*node.as_table(), file_,
+          path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key)};
 }
 
 std::optional<TomlReader> TomlReader::optionalTable(std::string_view key) const {
@@ -251,10 +260,12 @@ std::vector<std::string> splitPath(std::string_view path) {
 /// The value as TOML reads it, or else the text itself as a string.
 toml::table parsedValue(const std::string& text) {
   try {
-    return toml::parse("value = " + text);
+    toml::table table = toml::parse("value = " + text);
+    if (table.size() == 1) return table;
   } catch (const toml::parse_error&) {
-    return toml::table{{"value", text}};
+    // Not TOML: text.
   }
+  return toml::table{{"value", text}};
 }
 
 toml::node* child(toml::node& node, const std::string& part) {
@@ -266,7 +277,8 @@ toml::node* child(toml::node& node, const std::string& part) {
   toml::array* array = node.as_array();
   std::size_t index = 0;
   const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), index);
-  if (array == nullptr || failure != std::errc() || end != part.data() + part.size()) return nullptr;
+  if (array == nullptr || failure != std::errc() || end != part.data() + part.size())
+    return nullptr;
   return array->get(index);
 }
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/error.h"
 #include "common/vec.h"
 
 namespace gnomon {
@@ -35,7 +36,8 @@ class TomlReader {
   TomlReader(const toml::table& table, std::string file, std::string path);
 
   [[nodiscard]] bool has(std::string_view key) const;
-  /// The table or list of tables below a key; a missing one is an error, unless `optional` is in the name.
+  /// The table or list of tables below a key; a missing one is an error, unless `optional` is in
+  /// the name.
   [[nodiscard]] TomlReader table(std::string_view key) const;
   [[nodiscard]] std::optional<TomlReader> optionalTable(std::string_view key) const;
   [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
@@ -67,10 +69,22 @@ class TomlReader {
   /// All keys of this table with a number each.
   [[nodiscard]] std::vector<std::pair<std::string, double>> allNumbers() const;
 
+  /// Refuses a table that has both of two keys, or neither.
+  void requireOneOf(std::string_view a, std::string_view b) const;
   /// @throws InputError naming the first key that nobody read
   void finish() const;
   /// Refuses the value of a key for a reason of the caller's.
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
+  /// Does `work` and returns what it returns; refuses the value of a key with the message of an
+  /// InputError that it raises.
+  template <typename Work>
+  auto blame(std::string_view key, const Work& work) const {
+    try {
+      return work();
+    } catch (const InputError& error) {
+      fail(key, error.what());
+    }
+  }
 
   [[nodiscard]] const std::string& file() const { return file_; }
 

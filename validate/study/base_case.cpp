@@ -1,0 +1,71 @@
+#include "study/base_case.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "common/memory.h"
+#include "render/passes.h"
+
+namespace gnomon {
+namespace {
+
+/// Refuses a view whose samples, truths and masks cannot be held.
+void requireRoom(const StudySpec& study, const RenderView& view, const std::string& name) {
+  const double samples = static_cast<double>(view.width) * view.height;
+  const std::string what =
+      fmt::format("view \"{}\": {} × {} samples", name, view.width, view.height);
+  // OpenGL drivers count the bytes of a picture in 32 bits; the largest has 8 a sample.
+  constexpr double mostSamples = 1 << 27;
+  if (samples > mostSamples) {
+    throw InputError(fmt::format("{} found, at most {} expected", what, mostSamples));
+  }
+  constexpr double bytesWhileRendering = 64;
+  constexpr double bytesOfWeightsAndPlaces = sizeof(double) + sizeof(SurfaceSample);
+  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region);
+  requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
+                           bytesOfTruth * static_cast<double>(study.lights.size()) +
+                           sizeof(Shade) * static_cast<double>(study.methods.size())),
+                what);
+}
+
+bool isEmpty(const SampleGrid& grid) {
+  return std::all_of(grid.samples.begin(), grid.samples.end(),
+                     [](const SurfaceSample& sample) { return sample.face < 0; });
+}
+
+ViewCase makeViewCase(const StudySpec& study, const LimitSurface& surface, const BaseCase& base,
+                      const SamplesPass& pass, const ViewSpec& spec) {
+  const auto* atlas = std::get_if<AtlasSpec>(&spec.kind);
+  ViewCase view;
+  view.view = atlas != nullptr ? atlasView(surface, atlas->samplesPerSide)
+                               : cameraView(std::get<Camera>(spec.kind), base.mesh);
+  requireRoom(study, view.view, spec.name);
+  view.samples = pass.render(view.view, base.gpu);
+  if (isEmpty(view.samples)) {
+    throw InputError(
+        fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
+  }
+  if (atlas != nullptr) {
+    view.weights =
+        sampleAreas(surface, view.samples, atlas->samplesPerSide * atlas->samplesPerSide);
+  }
+  return view;
+}
+
+}  // namespace
+
+BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, int subdivisions,
+                      const std::filesystem::path& shaders) {
+  BaseMesh mesh = makeBaseMesh(surface, study.relief.texelsPerUv(), subdivisions);
+  GpuMesh gpu(mesh);
+  BaseCase base{std::move(mesh), std::move(gpu), {}};
+  const SamplesPass pass(shaders);
+  for (const ViewSpec& view : study.views) {
+    base.views.push_back(makeViewCase(study, surface, base, pass, view));
+  }
+  return base;
+}
+
+}  // namespace gnomon
