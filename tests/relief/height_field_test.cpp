@@ -7,7 +7,7 @@
 #include <random>
 
 #include "common/error.h"
-#include "relief/error_messages.h"
+#include "support/error_messages.h"
 
 namespace gnomon {
 namespace {

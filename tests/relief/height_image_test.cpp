@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "relief/error_messages.h"
-#include "relief/temporary_folder.h"
+#include "support/error_messages.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {

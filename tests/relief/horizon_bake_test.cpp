@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "common/error.h"
-#include "relief/error_messages.h"
+#include "support/error_messages.h"
 
 namespace gnomon {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "common/error.h"
-#include "relief/error_messages.h"
+#include "support/error_messages.h"
 
 namespace gnomon {
 namespace {

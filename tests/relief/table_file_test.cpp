@@ -7,8 +7,8 @@
 
 #include "common/atomic_file.h"
 #include "common/error.h"
-#include "relief/error_messages.h"
-#include "relief/temporary_folder.h"
+#include "support/error_messages.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {

@@ -74,6 +74,10 @@ TEST(Method, NamesTheLineOfAFaultInItsDeclaration) {
           .find("lies outside"),
       std::string::npos);
   EXPECT_NE(errorOf("/* gnomon-method\ntitle = \"T\"").find("a comment"), std::string::npos);
+  EXPECT_NE(
+      errorOf("/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n*/\nfloat f() { return 1.0; }")
+          .find("no function `bool isShadowed"),
+      std::string::npos);
   EXPECT_THROW(methodFile(shaderFolder(), "no-such-method"), InputError);
 }
 

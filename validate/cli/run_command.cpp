@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
+#include <algorithm>
 #include <set>
 
 #include "cli/terminal_progress.h"
@@ -62,10 +62,21 @@ StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest
   }
 }
 
-void writeReports(const StudyRecord& record, const fs::path& folder) {
+/// Judges a study's claims by what the run holds so far, and writes its reports.
+void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size_t own,
+            const fs::path& out) {
+  StudyRecord& record = records[own];
+  record.claims = judgeClaims(study.claims, records, own);
+  const fs::path folder = out / record.name;
   writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
   writeTextAtomically(folder / "report.html", reportHtml(record, folder));
   writeTextAtomically(folder / "summary.json", summaryJson(record));
+}
+
+/// Whether a claim of the study needs the record of another one, which may be run later.
+bool speaksOfOthers(const StudySpec& study) {
+  return std::any_of(study.claims.begin(), study.claims.end(),
+                     [](const ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
 }
 
 }  // namespace
@@ -74,17 +85,17 @@ ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudySpec> studies = readStudies(request);
   const GlContext gl;
   std::vector<StudyRecord> records;
-  for (const StudySpec& study : studies) records.push_back(runOne(study, gl, request));
+  for (const StudySpec& study : studies) {
+    records.push_back(runOne(study, gl, request));
+    // At once, so that a later study's failure leaves this one's report.
+    report(study, records, records.size() - 1, request.out);
+  }
   bool passed = true;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    records[i].claims = judgeClaims(studies[i].claims, records, i);
+    if (speaksOfOthers(studies[i])) report(studies[i], records, i, request.out);
     passed = passed && records[i].passed();
-  }
-  for (const StudyRecord& record : records) {
-    const fs::path folder = request.out / record.name;
-    writeReports(record, folder);
-    fmt::print("{}\nReport: {}\n\n", resultTable(record, coloursWanted()),
-               (folder / "report.html").string());
+    fmt::print("{}\nReport: {}\n\n", resultTable(records[i], coloursWanted()),
+               (request.out / records[i].name / "report.html").string());
   }
   return request.check && !passed ? ExitStatus::thresholdFailed : ExitStatus::pass;
 }

@@ -18,7 +18,8 @@ void writeAtomically(const std::filesystem::path& path,
 void writeTextAtomically(const std::filesystem::path& path, std::string_view text);
 
 /// The whole content of a file, bytes as they are.
-/// @throws InputError naming the file when it cannot be read or is no file; MemoryError for one that
+/// @throws InputError naming the file when it cannot be read or is no file; MemoryError for one
+/// that
 ///   does not fit
 std::string readFile(const std::filesystem::path& path);
 

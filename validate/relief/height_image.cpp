@@ -62,7 +62,9 @@ std::vector<float> readChannel(const fs::path& path, OIIO::ImageInput& image,
                                const OIIO::ImageSpec& spec, int channel) {
   std::vector<float> pixels(static_cast<std::size_t>(spec.width) *
                             static_cast<std::size_t>(spec.height));
-  if (!image.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, pixels.data())) {
+  // The TIFF reader answers true for a file that is cut off, but keeps its error.
+  if (!image.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, pixels.data()) ||
+      image.has_error()) {
     throw InputError(
         fmt::format("{}: its pixels cannot be read: {}", path.string(), oneLine(image.geterror())));
   }

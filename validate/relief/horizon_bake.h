@@ -31,7 +31,7 @@ struct HorizonTables {
 /// Exact suprema of the bilinear function (up to float rounding): along a ray inside one cell h is
 /// A + B r + C r², so that the slope's extremum is at a crossing or at r = √((A - h₀) / C). Both
 /// tables in one sweep, on all threads; results depend neither on their number nor on the
-/// processor's vectors.
+/// processor's vectors (unless the heights span less than about 1e-36, where floats lose digits).
 ///
 /// A slope found at r counts as greater than one at r' < r only if it exceeds it by more than
 /// 2⁻²⁰ (highest - lowest) / max(r', 1), about what float rounding may add to either. So d is 0 on

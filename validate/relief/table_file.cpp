@@ -133,6 +133,8 @@ OIIO::ImageSpec specOf(const StoredHorizons& tables) {
   }
   spec.alpha_channel = spec.z_channel = -1;
   spec.attribute("compression", "zip");
+  // The writer would put in the time: the same tables are the same bytes.
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
   spec.attribute("gnomon:azimuths", tables.azimuths);
   // As text, since EXR metadata of this library holds no doubles.
   spec.attribute("gnomon:radiusTexels", fmt::format("{}", tables.radiusTexels));

@@ -119,6 +119,12 @@ Method readMethod(const fs::path& path) {
   method.citation = declaration.text("citation");
   method.tables = readTables(declaration);
   method.parameters = readParameters(declaration);
+  if (method.source.text.find("isShadowed") == std::string::npos) {
+    throw InputError(
+        fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "
+                    "method defines it",
+                    method.source.file));
+  }
   return method;
 }
 

@@ -2,7 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <regex>
+#include <algorithm>
+#include <cstdio>
 
 #include "common/error.h"
 
@@ -34,13 +35,17 @@ std::string infoLog(GLuint name, const Get& get, const GetLog& getLog) {
 
 /// "0:4000014(5): error: …" (Mesa) or "0(4000014) : error …" (NVIDIA) as "FILE:14: error: …".
 std::string located(const std::string& log, const std::vector<ShaderPiece>& pieces) {
-  static const std::regex pattern(R"(\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?([^\n]*))");
-  std::smatch match;
-  if (!std::regex_search(log, match, pattern))
-    return fmt::format("{}: {}", pieces.back().file, log);
-  const std::size_t line = std::stoul(match[match[1].matched ? 1 : 2]);
-  const std::size_t piece = std::min(line / linesPerPiece, pieces.size() - 1);
-  return fmt::format("{}:{}: {}", pieces[piece].file, line % linesPerPiece, match[3].str());
+  std::size_t line = 0;
+  const bool found = std::sscanf(log.c_str(), "%*u:%zu", &line) == 1 ||
+                     std::sscanf(log.c_str(), "%*u(%zu)", &line) == 1;
+  const std::string first = log.substr(0, log.find('\n'));
+  const std::size_t colon = first.find(": ");
+  const std::size_t piece = line / linesPerPiece;
+  if (!found || colon == std::string::npos || piece >= pieces.size()) {
+    return fmt::format("{}: {}", pieces.back().file, first);
+  }
+  return fmt::format("{}:{}: {}", pieces[piece].file, line % linesPerPiece,
+                     first.substr(colon + 2));
 }
 
 gl::Shader compile(GLenum stage, const std::vector<ShaderPiece>& pieces,

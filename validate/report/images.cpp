@@ -149,7 +149,9 @@ Image readImage(const std::filesystem::path& path) {
   }
   requireMemory(4 * static_cast<double>(spec.image_pixels()) * spec.nchannels, path.string());
   std::vector<std::uint8_t> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, values.data())) {
+  // The TIFF reader answers true for a file that is cut off, but keeps its error.
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, values.data()) ||
+      input->has_error()) {
     refuse(path, "cannot be read", input->geterror());
   }
   if (spec.nchannels == 1) values = threeChannels(values);

@@ -1,0 +1,146 @@
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "end_to_end/program.h"
+
+// What must come out badly does, and the figures are those of the masks: a measurement that cannot
+// tell a bad method from a good one measures nothing.
+
+namespace gnomon::test {
+namespace {
+
+/// tp, fp, fn, tn of two masks, each sample with its weight.
+struct Cells {
+  double tp = 0, fp = 0, fn = 0, tn = 0;
+  [[nodiscard]] double all() const { return tp + fp + fn + tn; }
+  [[nodiscard]] double errorRate() const { return (fp + fn) / all(); }
+};
+
+template <typename Weight>
+Cells count(const GreyImage& candidate, const GreyImage& truth, const Weight& weight) {
+  EXPECT_EQ(candidate.width, truth.width);
+  EXPECT_EQ(candidate.height, truth.height);
+  Cells cells;
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    EXPECT_EQ(candidate.pixels[i] == 128, truth.pixels[i] == 128) << "the same samples";
+    if (truth.pixels[i] == 128) continue;
+    const bool shadow = candidate.pixels[i] == 0;
+    const bool shadowInTruth = truth.pixels[i] == 0;
+    double& cell =
+        shadow ? (shadowInTruth ? cells.tp : cells.fp) : (shadowInTruth ? cells.fn : cells.tn);
+    cell += weight(i);
+  }
+  return cells;
+}
+
+Cells count(const GreyImage& candidate, const GreyImage& truth) {
+  return count(candidate, truth, [](std::size_t) { return 1.0; });
+}
+
+class Controls : public EndToEnd {
+ protected:
+  void runSphere(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"run", GNOMON_SCENES "/sphere-columns.toml", "--quick"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = gnomon(arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    summary_ = summary("sphere-columns");
+  }
+  [[nodiscard]] GreyImage sphereMask(const std::string& view, int elevation,
+                                     const std::string& method, int azimuth = 20) const {
+    return mask("sphere-columns", view + "_elevation-" + std::to_string(elevation) + "-azimuth-" +
+                                      std::to_string(azimuth) + "_" + method);
+  }
+  [[nodiscard]] nlohmann::json result(const std::string& view, int elevation,
+                                      const std::string& method) const {
+    return resultOf(summary_, method, "elevation " + std::to_string(elevation) + "° azimuth 20°",
+                    view);
+  }
+  static constexpr std::array elevations = {60, 45, 30, 20};
+  static constexpr std::array<const char*, 3> methods = {"unshadowed", "max-forsyth", "onoue-2004"};
+  nlohmann::json summary_;
+};
+
+TEST_F(Controls, BumpMappingWithoutShadowsIsClearlyWorse) {
+  runSphere();
+  for (const char* view : {"camera", "atlas"}) {
+    for (const int elevation : elevations) {
+      const double none = result(view, elevation, "unshadowed").at("error_rate");
+      const double flat = result(view, elevation, "max-forsyth").at("error_rate");
+      EXPECT_GT(none, 1.2 * flat) << view << ", " << elevation << "°";
+      // Bump mapping shadows nothing but slopes, so all that it misses is light that should not be.
+      EXPECT_GT(result(view, elevation, "unshadowed").at("false_light"), 0.95 * none);
+    }
+  }
+}
+
+TEST_F(Controls, TheFiguresAreThoseOfTheMasks) {
+  runSphere();
+  for (const int elevation : elevations) {
+    for (const char* method : methods) {
+      const Cells cells =
+          count(sphereMask("camera", elevation, method), sphereMask("camera", elevation, "truth"));
+      const nlohmann::json reported = result("camera", elevation, method);
+      EXPECT_EQ(reported.at("samples"), cells.all());
+      EXPECT_EQ(reported.at("tp"), cells.tp);
+      EXPECT_EQ(reported.at("fp"), cells.fp);
+      EXPECT_EQ(reported.at("fn"), cells.fn);
+      EXPECT_EQ(reported.at("tn"), cells.tn);
+      const double n = cells.all();
+      const std::map<std::string, double> expected = {
+          {"error_rate", cells.errorRate()},
+          {"false_shadow", cells.fp / n},
+          {"false_light", cells.fn / n},
+          {"prevalence", (cells.tp + cells.fn) / n},
+          {"fpr", cells.fp / (cells.fp + cells.tn)},
+          {"fnr", cells.fn / (cells.fn + cells.tp)},
+          {"ber", (cells.fp / (cells.fp + cells.tn) + cells.fn / (cells.fn + cells.tp)) / 2},
+          {"iou", cells.tp / (cells.tp + cells.fp + cells.fn)},
+          {"f1", 2 * cells.tp / (2 * cells.tp + cells.fp + cells.fn)},
+          {"mcc", (cells.tp * cells.tn - cells.fp * cells.fn) /
+                      std::sqrt((cells.tp + cells.fp) * (cells.tp + cells.fn) *
+                                (cells.tn + cells.fp) * (cells.tn + cells.fn))}};
+      for (const auto& [name, value] : expected) {
+        EXPECT_NEAR(reported.at(name).get<double>(), value, 1e-13) << method << ", " << name;
+      }
+    }
+  }
+}
+
+TEST_F(Controls, AnAtlasIsWeightedByArea) {
+  runSphere();
+  // On the sphere a sample's area is proportional to the cosine of its latitude, and the rows of
+  // the atlas are evenly spaced in it: 128 texels at 0.015 radians.
+  const GreyImage truth = sphereMask("atlas", 30, "truth");
+  const auto cosine = [&](std::size_t i) {
+    const double row = static_cast<double>(i / static_cast<std::size_t>(truth.width)) + 0.5;
+    return std::cos(1.92 * (row / truth.height - 0.5));
+  };
+  for (const char* method : methods) {
+    const GreyImage candidate = sphereMask("atlas", 30, method);
+    const double reported = result("atlas", 30, method).at("error_rate");
+    // The built-in sphere's parametrisation is even to Δ² / 12 of its faces' angle, 8e-5.
+    EXPECT_NEAR(reported, count(candidate, truth, cosine).errorRate(), 1e-4 * reported) << method;
+    EXPECT_GT(std::abs(reported - count(candidate, truth).errorRate()), 1e-3 * reported)
+        << method << ": without weights the figure is another";
+  }
+}
+
+TEST_F(Controls, AMaskUnderALightTurnedBy30DegreesIsAtLeastTwiceAsWrong) {
+  runSphere({"--set", "light.0.azimuth=[20, 50]"});
+  for (const int elevation : elevations) {
+    const GreyImage truth = sphereMask("camera", elevation, "truth");
+    const GreyImage turnedTruth = sphereMask("camera", elevation, "truth", 50);
+    const GreyImage own = sphereMask("camera", elevation, "onoue-2004");
+    const GreyImage turned = sphereMask("camera", elevation, "onoue-2004", 50);
+    EXPECT_GT(count(turned, truth).errorRate(), 2 * count(own, truth).errorRate()) << elevation;
+    EXPECT_GT(count(own, turnedTruth).errorRate(), 2 * count(turned, turnedTruth).errorRate())
+        << elevation;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::test

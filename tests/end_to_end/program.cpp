@@ -1,0 +1,204 @@
+#include "end_to_end/program.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace gnomon::test {
+namespace fs = std::filesystem;
+namespace {
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return std::move(text).str();
+}
+
+std::vector<char*> pointers(std::vector<std::string>& strings) {
+  std::vector<char*> result;
+  for (std::string& text : strings) result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+/// This process's variables with others in their place.
+std::vector<std::string> mergedEnvironment(const std::vector<std::string>& changes) {
+  std::vector<std::string> result = changes;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    const std::string name = text.substr(0, text.find('=') + 1);
+    const bool changed =
+        std::any_of(changes.begin(), changes.end(),
+                    [&](const std::string& change) { return change.rfind(name, 0) == 0; });
+    if (!changed) result.push_back(text);
+  }
+  return result;
+}
+
+pid_t start(const fs::path& folder, const std::vector<std::string>& arguments,
+            const std::vector<std::string>& environment, const fs::path& out, const fs::path& err) {
+  std::vector<std::string> words = {GNOMON_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> variables = mergedEnvironment(environment);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  pid_t process = 0;
+  const int failure = posix_spawn(&process, GNOMON_PROGRAM, &actions, nullptr,
+                                  pointers(words).data(), pointers(variables).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure != 0) throw std::runtime_error("the program cannot be started: " GNOMON_PROGRAM);
+  return process;
+}
+
+}  // namespace
+
+Outcome runProgram(const fs::path& folder, const std::vector<std::string>& arguments,
+                   const std::vector<std::string>& environment) {
+  const fs::path out = folder / ".stdout";
+  const fs::path err = folder / ".stderr";
+  const pid_t process = start(folder, arguments, environment, out, err);
+  int state = 0;
+  waitpid(process, &state, 0);
+  Outcome outcome{WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state), content(out),
+                  content(err)};
+  fs::remove(out);
+  fs::remove(err);
+  return outcome;
+}
+
+void runAndKill(const fs::path& folder, const std::vector<std::string>& arguments,
+                int milliseconds) {
+  const pid_t process = start(folder, arguments, {}, "/dev/null", "/dev/null");
+  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
+}
+
+GreyImage readGrey(const fs::path& path) {
+  const auto image = OIIO::ImageInput::open(path.string());
+  if (!image) throw std::runtime_error(path.string() + ": " + OIIO::geterror());
+  const OIIO::ImageSpec spec = image->spec();
+  GreyImage grey{spec.width, spec.height, std::vector<unsigned char>(spec.image_pixels())};
+  if (!image->read_image(0, 0, 0, 1, OIIO::TypeDesc::UINT8, grey.pixels.data())) {
+    throw std::runtime_error(path.string() + ": " + image->geterror());
+  }
+  return grey;
+}
+
+void EndToEnd::write(const std::string& name, const std::string& text) const {
+  std::ofstream(file(name), std::ios::binary) << text;
+}
+
+std::string EndToEnd::read(const std::string& name) const {
+  return content(file(name));
+}
+
+void EndToEnd::runStudy(const std::string& name, const std::string& text,
+                        const std::vector<std::string>& options) const {
+  write(name + ".toml", text);
+  std::vector<std::string> arguments = {"run", name + ".toml"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = gnomon(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(outcome.err, "");
+}
+
+nlohmann::json EndToEnd::summary(const std::string& name, const std::string& out) const {
+  return nlohmann::json::parse(content(file(out) / name / "summary.json"));
+}
+
+GreyImage EndToEnd::mask(const std::string& study, const std::string& name) const {
+  return readGrey(file("out") / study / "masks" / (name + ".png"));
+}
+
+std::vector<std::string> EndToEnd::filesBelow(const std::string& name) const {
+  std::vector<std::string> files;
+  if (!fs::exists(file(name))) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(file(name))) {
+    if (!entry.is_directory())
+      files.push_back(entry.path().lexically_relative(file(name)).string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+nlohmann::json resultOf(const nlohmann::json& summary, const std::string& method,
+                        const std::string& light, const std::string& view,
+                        const std::string& region) {
+  for (const nlohmann::json& result : summary.at("results")) {
+    if (result.at("method") == method && result.at("light") == light && result.at("view") == view &&
+        result.at("region") == region) {
+      return result;
+    }
+  }
+  throw std::runtime_error("no result of " + method + " under " + light + " in " + view);
+}
+
+std::string smallStudy() {
+  return R"([study]
+name = "small"
+title = "Columns on a plane"
+source = "a test"
+
+[surface]
+shape = "plane"
+quads = [4, 4]
+size = [32, 32]
+
+[relief]
+pattern = "columns"
+texels = [32, 32]
+period = 16
+radius = 4
+wall = 1
+height = 4
+height_space = "world"
+
+[bake]
+azimuths = 8
+
+[truth]
+step = 0.25
+
+[[view]]
+type = "camera"
+width = 64
+height = 64
+eye = [0, 0, 80]
+fov = 30
+
+[[light]]
+name = "evening"
+azimuth = 20
+elevation = 30
+
+[[method]]
+name = "unshadowed"
+
+[[method]]
+name = "max-forsyth"
+)";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+}  // namespace gnomon::test

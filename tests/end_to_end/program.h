@@ -1,0 +1,70 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/temporary_folder.h"
+
+namespace gnomon::test {
+
+/// What a run of the program left behind.
+struct Outcome {
+  int status = 0;  ///< exit status; 128 + the signal's number where a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs the program and waits for its end.
+/// @param environment  variables NAME=VALUE on top of this process's own
+Outcome runProgram(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                   const std::vector<std::string>& environment = {});
+
+/// Runs the program and kills it after a while, as a power cut would.
+void runAndKill(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                int milliseconds);
+
+/// The masks' grey values in a PNG, row by row from the top: 255 lit, 0 shadowed, 128 no sample.
+struct GreyImage {
+  int width = 0;
+  int height = 0;
+  std::vector<unsigned char> pixels;
+};
+
+/// @throws std::runtime_error for an image that is not whole
+GreyImage readGrey(const std::filesystem::path& path);
+
+/// A test that runs studies in a folder of its own.
+class EndToEnd : public TemporaryFolder {
+ protected:
+  void write(const std::string& name, const std::string& text) const;
+  [[nodiscard]] std::string read(const std::string& name) const;
+
+  [[nodiscard]] Outcome gnomon(const std::vector<std::string>& arguments,
+                               const std::vector<std::string>& environment = {}) const {
+    return runProgram(folder(), arguments, environment);
+  }
+  /// Runs a study that is expected to pass; its folder is `out/NAME`.
+  void runStudy(const std::string& name, const std::string& text,
+                const std::vector<std::string>& options = {}) const;
+  [[nodiscard]] nlohmann::json summary(const std::string& name,
+                                       const std::string& out = "out") const;
+  /// A mask of a study with plain names: `view_light_method`.
+  [[nodiscard]] GreyImage mask(const std::string& study, const std::string& name) const;
+  /// All files below a folder, relative to it, sorted.
+  [[nodiscard]] std::vector<std::string> filesBelow(const std::string& name) const;
+};
+
+/// The entry of `results` for a method, light, view and region.
+nlohmann::json resultOf(const nlohmann::json& summary, const std::string& method,
+                        const std::string& light, const std::string& view,
+                        const std::string& region = "all");
+
+/// A study of a second's quarter: columns on a plane, one light, one camera.
+std::string smallStudy();
+
+/// Replaces the first occurrence; a failed expectation if there is none.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
+}  // namespace gnomon::test

@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "end_to_end/program.h"
+
+// The orderings that Onoue, Max & Nishita 2004 state in §4 with Figures 4 and 5: accounting for
+// curvature makes shadows more accurate, and the more so the larger the curvature.
+
+namespace gnomon::test {
+namespace {
+
+class PublishedClaims : public EndToEnd {
+ protected:
+  void runSpheres(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"run", GNOMON_SCENES "/sphere-columns.toml",
+                                          GNOMON_SCENES "/sphere-columns-flat.toml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = gnomon(arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  /// Error of the flat horizon map minus that of the curvature-aware one, a value for each view and
+  /// light.
+  [[nodiscard]] std::vector<double> gains(const std::string& study) const {
+    const nlohmann::json json = summary(study);
+    std::vector<double> result;
+    for (const char* view : {"atlas", "camera"}) {
+      for (const int elevation : {60, 45, 30, 20}) {
+        const std::string light = "elevation " + std::to_string(elevation) + "° azimuth 20°";
+        const double flat = resultOf(json, "max-forsyth", light, view).at("error_rate");
+        const double curved = resultOf(json, "onoue-2004", light, view).at("error_rate");
+        result.push_back(flat - curved);
+      }
+    }
+    return result;
+  }
+  static double mean(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+  }
+  [[nodiscard]] double uncertainty(const std::string& study) const {
+    return summary(study).at("truth").at("uncertainty");
+  }
+  void expectOrderings() const {
+    for (const double gain : gains("sphere-columns")) {
+      EXPECT_GT(gain, uncertainty("sphere-columns"));
+    }
+    EXPECT_GT(mean(gains("sphere-columns")) - mean(gains("sphere-columns-flat")),
+              uncertainty("sphere-columns") + uncertainty("sphere-columns-flat"));
+  }
+  [[nodiscard]] std::vector<std::string> verdicts(const std::string& study) const {
+    const nlohmann::json json = summary(study);
+    std::vector<std::string> result;
+    for (const nlohmann::json& claim : json.at("claims")) {
+      result.push_back(claim.at("verdict"));
+    }
+    return result;
+  }
+};
+
+TEST_F(PublishedClaims, HoldInAPreview) {
+  runSpheres({"--quick"});
+  expectOrderings();
+  EXPECT_EQ(verdicts("sphere-columns"), (std::vector<std::string>{"held", "held", "held"}));
+}
+
+TEST_F(PublishedClaims, HoldAtFullSizeWithATruthToATenthOfAPercent) {
+  runSpheres();
+  expectOrderings();
+  EXPECT_LT(uncertainty("sphere-columns"), 0.002);
+  EXPECT_LT(uncertainty("sphere-columns-flat"), 0.002);
+  EXPECT_GT(uncertainty("sphere-columns"), 0);
+  EXPECT_EQ(verdicts("sphere-columns"), (std::vector<std::string>{"held", "held", "held"}));
+  EXPECT_EQ(verdicts("sphere-columns-flat"), (std::vector<std::string>{"held", "held"}));
+}
+
+TEST_F(PublishedClaims, FigureEightHasThePapersCounts) {
+  const Outcome outcome = gnomon({"run", GNOMON_SCENES "/figure8.toml", "--quick"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  // "the number of the polygons of the bump-mapped object is 960".
+  const nlohmann::json json = summary("figure8");
+  ASSERT_EQ(json.at("cost").size(), 3U);
+  for (const nlohmann::json& cost : json.at("cost")) {
+    EXPECT_EQ(cost.at("polygons"), 960);
+  }
+  EXPECT_EQ(verdicts("figure8"), (std::vector<std::string>{"held", "held"}));
+}
+
+TEST_F(PublishedClaims, AClaimAcrossStudiesNeedsBoth) {
+  const Outcome outcome = gnomon(
+      {"run", GNOMON_SCENES "/sphere-columns.toml", "--quick", "--set", "light.0.elevation=30"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(verdicts("sphere-columns"),
+            (std::vector<std::string>{"held", "not evaluated", "held"}));
+  EXPECT_THAT(outcome.out, ::testing::HasSubstr("sphere-columns-flat"));
+}
+
+}  // namespace
+}  // namespace gnomon::test

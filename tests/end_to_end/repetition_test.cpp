@@ -1,0 +1,74 @@
+#include "end_to_end/program.h"
+
+namespace gnomon::test {
+namespace {
+
+class Repetition : public EndToEnd {
+ protected:
+  /// Two views, so that both kinds are compared, and both lights of a sweep.
+  [[nodiscard]] static std::string study() {
+    std::string text = replaced(smallStudy(), "elevation = 30", "elevation = [50, 20]");
+    return replaced(text, "name = \"evening\"\n", "") +
+           "\n[[method]]\nname = \"onoue-2004\"\n\n[[view]]\ntype = \"atlas\"\nsamples = 17\n";
+  }
+  /// The files that must not depend on the run: all but those that tell times.
+  [[nodiscard]] std::vector<std::string> lastingFiles(const std::string& out) const {
+    std::vector<std::string> files = filesBelow(out);
+    std::erase_if(files, [](const std::string& name) {
+      return name == "small/summary.json" || name == "small/report.html";
+    });
+    return files;
+  }
+  void expectSameBytes(const std::string& a, const std::string& b) const {
+    const auto files = lastingFiles(a);
+    ASSERT_EQ(files, lastingFiles(b));
+    // Two lights: 4 masks each in 2 views; as many pictures, 3 differences, 1 displaced in one
+    // view.
+    EXPECT_EQ(files.size(), 1U + 2 * (2 * (4 + 4 + 3) + 1));
+    for (const std::string& name : files) {
+      const bool same = read(a + "/" + name) == read(b + "/" + name);
+      EXPECT_TRUE(same) << name;
+    }
+  }
+};
+
+TEST_F(Repetition, SameInputSameBytes) {
+  runStudy("small", study(), {"--out", "first"});
+  runStudy("small", study(), {"--out", "second"});
+  expectSameBytes("first", "second");
+}
+
+TEST_F(Repetition, ThreadsDoNotMatter) {
+  runStudy("small", study(), {"--out", "one", "--threads", "1"});
+  runStudy("small", study(), {"--out", "two", "--threads", "2"});
+  runStudy("small", study(), {"--out", "many", "--threads", "7"});
+  expectSameBytes("one", "two");
+  expectSameBytes("one", "many");
+  EXPECT_EQ(summary("small", "one").at("environment").at("threads"), 1);
+  EXPECT_EQ(summary("small", "two").at("environment").at("threads"), 2);
+}
+
+TEST_F(Repetition, BesideOtherStudiesAStudyIsTheSame) {
+  runStudy("small", study(), {"--out", "alone"});
+  write("other.toml",
+        replaced(replaced(study(), "\"small\"", "\"other\""), "radius = 4", "radius = 6"));
+  const Outcome outcome = gnomon({"run", "other.toml", "small.toml", "--out", "both"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const std::string& name : lastingFiles("alone")) {
+    const bool same = read("alone/" + name) == read("both/" + name);
+    EXPECT_TRUE(same) << name;
+  }
+  EXPECT_NE(read("both/other/metrics.csv"), read("both/small/metrics.csv"));
+}
+
+TEST_F(Repetition, BakedTablesAreTheSame) {
+  write("small.toml", study());
+  ASSERT_EQ(gnomon({"bake", "small.toml", "--out", "one", "--threads", "1"}).status, 0);
+  ASSERT_EQ(gnomon({"bake", "small.toml", "--out", "two", "--threads", "3"}).status, 0);
+  const std::string tables = read("one/small/tables.exr");
+  EXPECT_GT(tables.size(), 1000U);
+  EXPECT_TRUE(tables == read("two/small/tables.exr"));
+}
+
+}  // namespace
+}  // namespace gnomon::test

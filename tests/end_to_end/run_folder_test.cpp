@@ -1,0 +1,124 @@
+#include <gmock/gmock.h>
+
+#include "end_to_end/program.h"
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class RunFolder : public EndToEnd {};
+
+TEST_F(RunFolder, SummaryHasTheKeysThatOthersReadItBy) {
+  runStudy("small", smallStudy() + "\n[[threshold]]\nmethod = \"max-forsyth\"\nmax = 0.9\n");
+  const nlohmann::json json = summary("small");
+  EXPECT_THAT(json.at("schema").get<std::string>(), HasSubstr("gnomon-summary/"));
+  EXPECT_EQ(json.at("status"), "pass");
+  EXPECT_EQ(json.at("study").at("name"), "small");
+  EXPECT_EQ(json.at("study").at("title"), "Columns on a plane");
+  for (const char* key : {"gl_renderer", "gl_version", "embree_version", "opensubdiv_version",
+                          "cpu", "commit", "gnomon_version"}) {
+    EXPECT_TRUE(json.at("environment").at(key).is_string()) << key;
+  }
+  // 32² texels at 4 micro-edges each, two triangles a cell.
+  EXPECT_EQ(json.at("truth").at("micro_triangles"), 128 * 128 * 2);
+  EXPECT_EQ(json.at("truth").at("step_texels"), 0.25);
+  EXPECT_GT(json.at("truth").at("bvh_bytes"), 0);
+  const double uncertainty = json.at("truth").at("uncertainty");
+  EXPECT_GT(uncertainty, 0) << "no mesh is exact, so a half as fine one must differ somewhere";
+  EXPECT_LT(uncertainty, 0.02);
+
+  // Two methods; all samples and five regions each.
+  ASSERT_EQ(json.at("results").size(), 2U * 6U);
+  for (const nlohmann::json& result : json.at("results")) {
+    for (const char* key :
+         {"method", "light", "view", "region", "samples", "tp", "fp", "fn", "tn", "error_rate",
+          "false_shadow", "false_light", "fpr", "fnr", "ber", "iou", "f1", "mcc", "prevalence"}) {
+      EXPECT_TRUE(result.contains(key)) << key;
+      EXPECT_TRUE(!result.at(key).is_null() || result.at("undefined").at(key).is_string()) << key;
+    }
+  }
+  ASSERT_EQ(json.at("cost").size(), 2U);
+  const nlohmann::json& cost = json.at("cost").at(1);
+  EXPECT_EQ(cost.at("method"), "max-forsyth");
+  EXPECT_EQ(cost.at("polygons"), 4 * 4 * 2);
+  EXPECT_EQ(cost.at("table_bytes"), 32 * 32 * 8);
+  EXPECT_GT(cost.at("frame_ms"), 0);
+  EXPECT_EQ(json.at("cost").at(0).at("table_bytes"), 0) << "bump mapping alone reads no table";
+  EXPECT_FALSE(json.at("timings").empty());
+  for (const nlohmann::json& timing : json.at("timings")) {
+    EXPECT_GE(timing.at("seconds"), 0);
+    EXPECT_TRUE(timing.at("stage").is_string());
+  }
+  ASSERT_EQ(json.at("thresholds").size(), 1U);
+  EXPECT_EQ(json.at("thresholds").at(0).at("passed"), true);
+}
+
+TEST_F(RunFolder, RegionsPartitionTheSamples) {
+  runStudy("small", smallStudy());
+  const nlohmann::json json = summary("small");
+  for (const char* method : {"unshadowed", "max-forsyth"}) {
+    const nlohmann::json all = resultOf(json, method, "evening", "camera");
+    for (const char* key : {"samples", "tp", "fp", "fn", "tn"}) {
+      double sum = 0;
+      for (const char* region : {"lit", "attached", "cast", "distant", "beyond-terminator"}) {
+        sum += resultOf(json, method, "evening", "camera", region).at(key).get<double>();
+      }
+      EXPECT_EQ(sum, all.at(key)) << method << ", " << key;
+    }
+  }
+}
+
+TEST_F(RunFolder, ReportStandsAlone) {
+  runStudy("small", smallStudy());
+  const std::string report = read("out/small/report.html");
+  EXPECT_THAT(report, HasSubstr("Columns on a plane"));
+  EXPECT_THAT(report, HasSubstr("data:image/png;base64,"));
+  for (const char* fetch : {"src=\"http", "href=\"http", "url(http", "@import", "<link"}) {
+    EXPECT_THAT(report, Not(HasSubstr(fetch)));
+  }
+}
+
+TEST_F(RunFolder, EveryPictureThatTheSummaryNamesIsThere) {
+  runStudy("small", smallStudy());
+  const nlohmann::json json = summary("small");
+  int pictures = 0;
+  for (const nlohmann::json& panel : json.at("panels")) {
+    for (const nlohmann::json& picture : panel.at("pictures")) {
+      const GreyImage image = readGrey(file("out/small") / picture.at("path").get<std::string>());
+      EXPECT_EQ(image.width, panel.at("width"));
+      EXPECT_EQ(image.height, panel.at("height"));
+      ++pictures;
+    }
+  }
+  EXPECT_EQ(pictures, 2 + 2 + 2) << "2 methods, truth and displaced mesh, 2 differences";
+}
+
+TEST_F(RunFolder, AMethodOfTheTruthsFileNameDoesNotReplaceIt) {
+  runStudy("small", smallStudy());
+  const auto truth = mask("small", "camera_evening_truth").pixels;
+  const std::string displaced = read("out/small/images/camera_evening_displaced.png");
+  runStudy("small", smallStudy(),
+           {"--set", "method.0.label=truth!", "--set", "method.1.label=displaced"});
+  EXPECT_EQ(mask("small", "camera_evening_truth").pixels, truth);
+  EXPECT_EQ(read("out/small/images/camera_evening_displaced.png"), displaced);
+}
+
+TEST_F(RunFolder, AKilledRunLeavesNothingHalfWrittenAndCanBeRunAgain) {
+  runStudy("small", smallStudy(), {"--out", "whole"});
+  for (const int milliseconds : {60, 120, 180, 240, 300}) {
+    runAndKill(folder(), {"run", "small.toml", "--out", "cut"}, milliseconds);
+    for (const std::string& name : filesBelow("cut")) {
+      // What was being written has a hidden name of its own.
+      const bool temporary = std::filesystem::path(name).filename().string().front() == '.';
+      if (temporary || std::filesystem::path(name).extension() != ".png") continue;
+      EXPECT_NO_THROW(readGrey(file("cut") / name)) << name << " after " << milliseconds << " ms";
+    }
+  }
+  runStudy("small", smallStudy(), {"--out", "cut"});
+  EXPECT_EQ(read("cut/small/metrics.csv"), read("whole/small/metrics.csv"));
+}
+
+}  // namespace
+}  // namespace gnomon::test
