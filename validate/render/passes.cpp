@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
-#include <optional>
 
 #include "common/error.h"
 #include "render/gl_context.h"
 #include "render/program.h"
+#include "render/target.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -34,69 +34,6 @@ gl::Program makePass(const fs::path& shaders, const std::vector<ShaderPiece>& fr
                      const std::vector<std::string>& defines) {
   return makeProgram({readShader(shaders / "common/surface.vert")}, fragment, defines);
 }
-
-/// A framebuffer of textures of one size, with depth. Current while it lives.
-class Target {
- public:
-  Target(int width, int height, const std::vector<GLenum>& formats)
-      : width_(width),
-        height_(height),
-        framebuffer_(gl::makeFramebuffer()),
-        depth_(gl::makeTexture(GL_TEXTURE_2D)) {
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (width > largest || height > largest) {
-      throw InputError(fmt::format("view: {} × {} samples, OpenGL takes at most {} a side", width,
-                                   height, largest));
-    }
-    std::vector<GLenum> attachments;
-    for (const GLenum format : formats) {
-      colours_.push_back(gl::makeTexture(GL_TEXTURE_2D));
-      glTextureStorage2D(colours_.back().name(), 1, format, width, height);
-      attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
-      glNamedFramebufferTexture(framebuffer_.name(), attachments.back(), colours_.back().name(), 0);
-    }
-    glTextureStorage2D(depth_.name(), 1, GL_DEPTH_COMPONENT32F, width, height);
-    glNamedFramebufferTexture(framebuffer_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
-    glNamedFramebufferDrawBuffers(framebuffer_.name(), static_cast<GLsizei>(attachments.size()),
-                                  attachments.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw InternalError(fmt::format("no framebuffer of {} × {} pixels", width, height));
-    }
-  }
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
-  ~Target() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
-
-  [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
-
-  /// The content of one attachment, `components` values a pixel, row 0 at the top.
-  template <typename Value>
-  [[nodiscard]] std::vector<Value> read(int attachment, GLenum format, GLenum type,
-                                        int components) const {
-    const std::size_t stride =
-        static_cast<std::size_t>(width_) * static_cast<std::size_t>(components);
-    std::vector<Value> upward(stride * static_cast<std::size_t>(height_));
-    std::vector<Value> downward(upward.size());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glNamedFramebufferReadBuffer(framebuffer_.name(),
-                                 GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
-    glReadPixels(0, 0, width_, height_, format, type, upward.data());
-    for (std::size_t row = 0; row < static_cast<std::size_t>(height_); ++row) {
-      const auto from = upward.end() - static_cast<std::ptrdiff_t>((row + 1) * stride);
-      std::copy_n(from, stride, downward.begin() + static_cast<std::ptrdiff_t>(row * stride));
-    }
-    return downward;
-  }
-
- private:
-  int width_;
-  int height_;
-  gl::Framebuffer framebuffer_;
-  gl::Texture depth_;
-  std::vector<gl::Texture> colours_;
-};
 
 void setUniform(GLuint program, const char* name, const Vec3& value) {
   const glm::vec3 single(value);
@@ -128,11 +65,6 @@ void drawMesh(GLuint program, const RenderView& view, const GpuMesh& mesh) {
   mesh.draw();
 }
 
-void clearDepth(GLuint framebuffer) {
-  const GLfloat farthest = 1;
-  glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &farthest);
-}
-
 gl::Texture maskTexture(const Mask& mask) {
   std::vector<std::uint8_t> upward;
   upward.reserve(mask.size());
@@ -159,7 +91,7 @@ constexpr std::uint8_t noMethodAnswer = 2;
 void clearMask(const Target& target) {
   const std::array<GLuint, 4> none = {noMethodAnswer, 0, 0, 0};
   glClearNamedFramebufferuiv(target.framebuffer(), GL_COLOR, 0, none.data());
-  clearDepth(target.framebuffer());
+  target.clearDepth();
 }
 
 std::string parameterUniforms(const Method& method) {
@@ -194,7 +126,7 @@ SampleGrid SamplesPass::render(const RenderView& view, const GpuMesh& mesh) cons
   const Target target(view.width, view.height, {GL_R32I, GL_RG32F});
   const std::array<GLint, 4> nothing = {-1, 0, 0, 0};
   glClearNamedFramebufferiv(target.framebuffer(), GL_COLOR, 0, nothing.data());
-  clearDepth(target.framebuffer());
+  target.clearDepth();
   setView(program_.name(), view);
   drawMesh(program_.name(), view, mesh);
   const auto faces = target.read<std::int32_t>(0, GL_RED_INTEGER, GL_INT, 1);
@@ -219,7 +151,7 @@ std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawin
   const Target target(view.width, view.height, {GL_RGBA8});
   const std::array<GLfloat, 4> white = {1, 1, 1, 1};
   glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, white.data());
-  clearDepth(target.framebuffer());
+  target.clearDepth();
   setView(program_.name(), view);
   setDrawing(program_.name(), drawing);
   const gl::Texture shadows = maskTexture(mask);

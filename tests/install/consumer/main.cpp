@@ -1,12 +1,12 @@
 // A program of someone else's: curvature of a sphere and a mask comparison through the installed
 // libraries.
 
-#include <cmath>
 #include <compare/counts.h>
 #include <compare/rates.h>
 #include <surface/curvature.h>
 #include <surface/shapes.h>
 #include <truth/micro_scene.h>
+#include <cmath>
 
 int main() {
   const gnomon::LimitSurface surface(gnomon::makeSphere(50, 1, 1, 16, 16));

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "render/gl_handles.h"
+
+namespace gnomon {
+
+/// A framebuffer of textures of one size, with 32-bit depth; bound for drawing while it lives.
+class Target {
+ public:
+  /// @param formats  sized internal formats of the colour attachments, in order
+  /// @throws InputError if a side is larger than GL's largest texture
+  Target(int width, int height, const std::vector<GLenum>& formats);
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+  ~Target();
+
+  [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
+
+  /// Sets all depths to the farthest.
+  void clearDepth() const;
+
+  /// The content of one attachment, row 0 at the top (GL's own row 0 is the bottom).
+  /// @param components  values of type Value that a pixel has in this format and type
+  template <typename Value>
+  [[nodiscard]] std::vector<Value> read(int attachment, GLenum format, GLenum type,
+                                        int components) const {
+    const std::size_t stride =
+        static_cast<std::size_t>(width_) * static_cast<std::size_t>(components);
+    std::vector<Value> values(stride * static_cast<std::size_t>(height_));
+    readUpward(attachment, format, type, values.data());
+    for (auto top = values.begin(), bottom = values.end(); bottom - top > std::ptrdiff_t(stride);) {
+      bottom -= static_cast<std::ptrdiff_t>(stride);
+      std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(stride), bottom);
+      top += static_cast<std::ptrdiff_t>(stride);
+    }
+    return values;
+  }
+
+ private:
+  void readUpward(int attachment, GLenum format, GLenum type, void* values) const;
+
+  int width_;
+  int height_;
+  gl::Framebuffer framebuffer_;
+  gl::Texture depth_;
+  std::vector<gl::Texture> colours_;
+};
+
+}  // namespace gnomon
