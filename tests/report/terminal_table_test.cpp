@@ -56,6 +56,12 @@ TEST(TerminalTable, ShowsWhatTheRecordHolds) {
             "  best            1.00          0.50         0.50    96.08     1.33");
 }
 
+TEST(TerminalTable, TellsWhereTheTimeWent) {
+  StudyRecord record = sampleRecord();
+  record.timings.push_back({"compare", 0.004});
+  EXPECT_EQ(lineWith(resultTable(record, false), "Time"), "Time 1.75 s: truth 1.50, render 0.25");
+}
+
 TEST(TerminalTable, MarksWhatTheTruthCannotTellApart) {
   // 1.20 and 1.00 are 0.20 apart: within the second light's 0.40. (The first is at its very limit.)
   const std::string text = resultTable(sampleRecord(), false);

@@ -41,9 +41,6 @@ struct DeleteVertexArray {
 struct DeleteFramebuffer {
   void operator()(GLuint name) const { glDeleteFramebuffers(1, &name); }
 };
-struct DeleteQuery {
-  void operator()(GLuint name) const { glDeleteQueries(1, &name); }
-};
 struct DeleteShader {
   void operator()(GLuint name) const { glDeleteShader(name); }
 };
@@ -55,7 +52,6 @@ using Texture = Handle<DeleteTexture>;
 using Buffer = Handle<DeleteBuffer>;
 using VertexArray = Handle<DeleteVertexArray>;
 using Framebuffer = Handle<DeleteFramebuffer>;
-using Query = Handle<DeleteQuery>;
 using Shader = Handle<DeleteShader>;
 using Program = Handle<DeleteProgram>;
 
@@ -78,11 +74,6 @@ inline Framebuffer makeFramebuffer() {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
   return Framebuffer(name);
-}
-inline Query makeTimerQuery() {
-  GLuint name = 0;
-  glCreateQueries(GL_TIME_ELAPSED, 1, &name);
-  return Query(name);
 }
 
 }  // namespace gnomon::gl

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <chrono>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "common/error.h"
@@ -228,18 +228,17 @@ Mask MethodPass::render(const RenderView& view, const Drawing& drawing,
 double MethodPass::frameMilliseconds(const RenderView& view, const Drawing& drawing,
                                      const GpuTables& tables, int frames) const {
   constexpr int warmUp = 2;
+  using Clock = std::chrono::steady_clock;
   const Target target(view.width, view.height, {GL_R8UI});
-  const gl::Query timer = gl::makeTimerQuery();
   std::vector<double> milliseconds;
   for (int frame = 0; frame < warmUp + frames; ++frame) {
     glFinish();
-    glBeginQuery(GL_TIME_ELAPSED, timer.name());
+    const Clock::time_point start = Clock::now();
     clearMask(target);
     draw(view, drawing, tables);
-    glEndQuery(GL_TIME_ELAPSED);
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(timer.name(), GL_QUERY_RESULT, &nanoseconds);
-    if (frame >= warmUp) milliseconds.push_back(static_cast<double>(nanoseconds) * 1e-6);
+    glFinish();
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
+    if (frame >= warmUp) milliseconds.push_back(elapsed.count());
   }
   throwOnGlError("timing a method");
   const auto middle = milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2);

@@ -244,6 +244,20 @@ void appendThresholds(Page& page, const StudyRecord& record) {
   }
 }
 
+/// Where the time went: the stages that took a hundredth of a second or more.
+void appendTimings(Page& page, const StudyRecord& record) {
+  if (record.timings.empty()) return;
+  double total = 0;
+  std::string stages;
+  for (const TimingRecord& timing : record.timings) {
+    total += timing.seconds;
+    if (timing.seconds < 0.01) continue;
+    stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", timing.stage, timing.seconds);
+  }
+  page.blank();
+  page.paragraph(fmt::format("Time {:.2f} s: {}", total, stages));
+}
+
 }  // namespace
 
 std::string resultTable(const StudyRecord& record, bool colours) {
@@ -253,6 +267,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   appendResults(page, record);
   appendClaims(page, record);
   appendThresholds(page, record);
+  appendTimings(page, record);
   return page.text();
 }
 

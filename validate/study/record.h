@@ -63,7 +63,7 @@ struct CostRecord {
   std::uint64_t polygons = 0;     ///< triangles drawn a frame
   std::uint64_t tableBytes = 0;   ///< horizon, distance and like tables
   std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
-  std::optional<double> frameMs;  ///< median GL time of one frame of the first camera view
+  std::optional<double> frameMs;  ///< median time of one frame of the first camera view
 };
 
 struct TimingRecord {
