@@ -13,6 +13,7 @@ ivec2 wrapTexel(ivec2 at, ivec2 size) {
 #ifdef TABLE_HEIGHT
 
 uniform sampler2D heightMap;
+uniform vec2 heightBounds;  // the lowest and the highest texel, height units
 
 struct Cell {
   vec4 heights;   // h00, h10, h01, h11

@@ -19,9 +19,6 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float reach = distanceAt(pixel.texel, light.azimuth) * light.worldPerTexel;  // d, world
 
   float lowered = slope * (1.0 - curvature * height) - 0.5 * curvature * reach;  // (2)
-  if (curvature > 0.0) {
-    float rise = curvature * max(height, 0.0);
-    lowered = max(lowered, -sqrt(rise * (rise + 2.0)));  // (3): -√(1 - c²) / c with c = 1 / (κh + 1)
-  }
+  if (curvature > 0.0) lowered = max(lowered, bareHorizon(curvature, height));   // (3)
   return !(light.slope > lowered);
 }

@@ -84,7 +84,9 @@ void GpuMesh::draw() const {
 }
 
 GpuHeights::GpuHeights(const HeightField& field)
-    : texture_(gl::makeTexture(GL_TEXTURE_2D)), byteCount_(field.texels().size() * sizeof(float)) {
+    : texture_(gl::makeTexture(GL_TEXTURE_2D)),
+      byteCount_(field.texels().size() * sizeof(float)),
+      bounds_(field.minimum(), field.maximum()) {
   const GLint largest = limit(GL_MAX_TEXTURE_SIZE);
   if (field.width() > largest || field.height() > largest) {
     throw InputError(fmt::format("relief: a height map of {} × {} texels, OpenGL takes at most {}",

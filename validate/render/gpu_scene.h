@@ -30,10 +30,13 @@ class GpuHeights {
   explicit GpuHeights(const HeightField& field);
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
+  /// The lowest and the highest texel, height units.
+  [[nodiscard]] glm::vec2 bounds() const { return bounds_; }
 
  private:
   gl::Texture texture_;
   std::uint64_t byteCount_;
+  glm::vec2 bounds_;
 };
 
 /// A horizon or distance table as a 3-D texture of one layer an azimuth, in its stored bits.

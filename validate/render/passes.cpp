@@ -52,6 +52,8 @@ void setDrawing(GLuint program, const Drawing& drawing) {
   glProgramUniform1i(program, glGetUniformLocation(program, "heightInTexels"),
                      drawing.heightSpace == HeightSpace::texture ? 1 : 0);
   glProgramUniform1i(program, glGetUniformLocation(program, "heightMap"), heightUnit);
+  const glm::vec2 bounds = drawing.heights.bounds();
+  glProgramUniform2f(program, glGetUniformLocation(program, "heightBounds"), bounds.x, bounds.y);
   glBindTextureUnit(heightUnit, drawing.heights.texture());
 }
 
@@ -180,6 +182,7 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap,
                       {readShader(shaders / "common/pixel.glsl"),
                        readShader(shaders / "common/relief.glsl"),
                        readShader(shaders / "common/tables.glsl"),
+                       readShader(shaders / "common/osculating.glsl"),
                        {method.source.file + " (parameters)", parameterUniforms(method)},
                        method.source,
                        readShader(shaders / "common/mask.frag")},

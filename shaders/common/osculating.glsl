@@ -1,0 +1,26 @@
+// Horizons on the circle that the surface follows in the light's direction: normal curvature κ
+// (1 / world, convex positive), lengths in the world.
+
+// The bare surface's horizon from a height over it, eq. (3) of Onoue, Max & Nishita 2004:
+// tan β′ = -√(1 - c²) / c with c = 1 / (κh + 1), that is -√(κh (κh + 2)). Only for κ > 0: on a
+// concave surface it has no meaning. Below the bare surface h counts as 0.
+float bareHorizon(float curvature, float height) {
+  float rise = curvature * max(height, 0.0);
+  return -sqrt(rise * (rise + 2.0));
+}
+
+// The slope at which an occluder is seen from height h₀ that stands at arc length t and, on the flat
+// relief, at the slope (h₁ - h₀) / t: with γ = κt,
+//   tan β′ = (cos γ - (1 + κh₀) / (1 + κh₁)) / sin γ
+//          = (slope · t κ / (1 + κh₁) - 2 sin²(γ/2)) / sin γ,
+// the second form without the difference of two numbers near 1. It tends to the slope itself as κ → 0,
+// and, for an attached horizon (t = 0), to slope / (1 + κh₀).
+float osculatingHorizon(float curvature, float height, float slope, float reach) {
+  float angle = curvature * reach;
+  if (angle > 0.5 * pi) return -1e9;  // behind the surface's own horizon
+  // 1 + κh₁, above 0: a bump in a bowl does not reach the circle's centre.
+  float peak = max(1.0 + curvature * (height + slope * reach), 1e-3);
+  if (abs(angle) < 1e-4) return slope / peak - 0.5 * angle;
+  float sineOfHalf = sin(0.5 * angle);
+  return (slope * angle / peak - 2.0 * sineOfHalf * sineOfHalf) / sin(angle);
+}

@@ -1,0 +1,40 @@
+/* gnomon-method
+title = "Height map marched on the osculating circle"
+citation = "the best that a local method can do"
+tables = ["height"]
+
+[parameters.stride]
+default = 0.25
+minimum = 0.01
+maximum = 8
+about = "distance between samples of the height map, texels"
+
+[parameters.range]
+default = 128
+minimum = 1
+maximum = 16384
+about = "farthest sample, texels"
+*/
+
+// The height map sampled densely toward the light, every sample standing on the circle that the
+// surface follows in that direction: exact but for the stride and for what one circle cannot know of
+// the surface. Too slow for a product; it bounds what a method can do with h, κ and the light alone.
+
+bool isShadowed(Pixel pixel, LocalLight light) {
+  float curvature = normalCurvature(pixel, light.tangent);     // (1), 1 / world
+  float height = pixel.worldPerHeight * heightAt(pixel.texel);  // h₀, world
+  if (curvature > 0.0 && !(light.slope > bareHorizon(curvature, height))) return true;  // (3)
+
+  // The relief's own slope where it begins: r → 0⁺.
+  float start = pixel.worldPerHeight * dot(heightGradient(pixel.texel), light.direction) /
+                light.worldPerTexel;
+  if (!(light.slope > osculatingHorizon(curvature, height, start, 0.0))) return true;
+
+  for (float t = stride; t <= range; t += stride) {
+    float reach = t * light.worldPerTexel;
+    float occluder = pixel.worldPerHeight * heightAt(pixel.texel + t * light.direction);
+    float slope = (occluder - height) / reach;
+    if (!(light.slope > osculatingHorizon(curvature, height, slope, reach))) return true;
+  }
+  return false;
+}
