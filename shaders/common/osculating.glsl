@@ -17,7 +17,9 @@ float bareHorizon(float curvature, float height) {
 // and, for an attached horizon (t = 0), to slope / (1 + κh₀).
 float osculatingHorizon(float curvature, float height, float slope, float reach) {
   float angle = curvature * reach;
-  if (angle > 0.5 * pi) return -1e9;  // behind the surface's own horizon
+  // A quarter turn on, the circle has nothing more to do with the surface: a convex one lies behind its
+  // own horizon, and in a bowl the circle would close over one's head.
+  if (abs(angle) > 0.5 * pi) return -1e9;
   // 1 + κh₁, above 0: a bump in a bowl does not reach the circle's centre.
   float peak = max(1.0 + curvature * (height + slope * reach), 1e-3);
   if (abs(angle) < 1e-4) return slope / peak - 0.5 * angle;

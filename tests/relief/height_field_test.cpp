@@ -89,6 +89,14 @@ TEST(HeightField, TakesAnyFinitePosition) {
   }
 }
 
+TEST(HeightField, InvertedTwiceIsItself) {
+  const HeightField field(2, 2, {0, 1, 2, 4}, Wrap::clamp);
+  const HeightField turned = inverted(field, 4);
+  EXPECT_EQ(turned.texels(), (std::vector<float>{4, 3, 2, 0}));
+  EXPECT_EQ(turned.wrap(), Wrap::clamp);
+  EXPECT_EQ(inverted(turned, 4).texels(), field.texels());
+}
+
 TEST(HeightField, RefusesWhatIsNoMap) {
   EXPECT_THAT(messageOf<InputError>([] { HeightField(0, 2, {}, Wrap::clamp); }),
               HasSubstr("0 x 2"));

@@ -11,7 +11,6 @@ namespace gnomon {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
 /// A parsed text and a reader of it, as of the file `study.toml`.
@@ -145,6 +144,14 @@ TEST(TomlReader, AChoiceIsOneOfItsNames) {
   EXPECT_THROW((void)document.reader.choice("wrong", {"repeat"}), InputError);
   EXPECT_THAT(messageOf<InputError>([&] { (void)document.reader.choice("none", {"repeat"}); }),
               HasSubstr("none: missing, one of repeat expected"));
+}
+
+TEST(TomlReader, AFlagIsTrueOrFalse) {
+  const Document document("on = true\nnumber = 1");
+  EXPECT_TRUE(document.reader.flag("on", false));
+  EXPECT_TRUE(document.reader.flag("absent", true));
+  EXPECT_THAT(messageOf<InputError>([&] { (void)document.reader.flag("number", false); }),
+              HasSubstr("study.toml:2: number: 1 found, true or false expected"));
 }
 
 TEST(TomlReader, ListsHaveTheirLength) {

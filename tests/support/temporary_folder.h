@@ -15,6 +15,8 @@ class TemporaryFolder : public ::testing::Test {
     std::string name = (std::filesystem::temp_directory_path() / "gnomon-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
   }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   ~TemporaryFolder() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

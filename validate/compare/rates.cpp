@@ -159,6 +159,7 @@ Metric rate(const Counts& counts, std::string_view name) {
 const std::vector<std::string_view>& metricNames() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list;
+    list.reserve(std::size(allRates));
     for (const NamedRate& rate : allRates) list.push_back(rate.name);
     return list;
   }();

@@ -58,6 +58,12 @@ double mix(double a, double b, double share) {
 
 }  // namespace
 
+HeightField inverted(const HeightField& field, double height) {
+  std::vector<float> texels = field.texels();
+  for (float& texel : texels) texel = static_cast<float>(height - texel);
+  return {field.width(), field.height(), std::move(texels), field.wrap()};
+}
+
 int wrappedIndex(int i, int size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
   const int remainder = i % size;

@@ -41,6 +41,11 @@ class HeightField {
   float maximum_;
 };
 
+/// The relief upside down, h → height - h: ridges where grooves were, still between 0 and `height`
+/// if it was.
+/// @param height  height units of the value 1
+HeightField inverted(const HeightField& field, double height);
+
 /// The index of texel i by the wrap rule: i modulo size, or i clamped to [0, size).
 int wrappedIndex(int i, int size, Wrap wrap);
 

@@ -230,18 +230,22 @@ Mask MethodPass::render(const RenderView& view, const Drawing& drawing,
 
 double MethodPass::frameMilliseconds(const RenderView& view, const Drawing& drawing,
                                      const GpuTables& tables, int frames) const {
-  constexpr int warmUp = 2;
+  constexpr double enoughMilliseconds = 1000;
   using Clock = std::chrono::steady_clock;
   const Target target(view.width, view.height, {GL_R8UI});
   std::vector<double> milliseconds;
-  for (int frame = 0; frame < warmUp + frames; ++frame) {
+  double total = 0;
+  for (int frame = 0; frame <= frames; ++frame) {
     glFinish();
     const Clock::time_point start = Clock::now();
     clearMask(target);
     draw(view, drawing, tables);
     glFinish();
     const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
-    if (frame >= warmUp) milliseconds.push_back(elapsed.count());
+    if (frame == 0) continue;  // warms up
+    milliseconds.push_back(elapsed.count());
+    total += elapsed.count();
+    if (total > enoughMilliseconds) break;
   }
   throwOnGlError("timing a method");
   const auto middle = milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2);

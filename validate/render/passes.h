@@ -71,9 +71,10 @@ class MethodPass {
   [[nodiscard]] Mask render(const RenderView& view, const Drawing& drawing,
                             const GpuTables& tables) const;
 
-  /// Median time of one frame over `frames` frames, after two that warm up; milliseconds. By the
-  /// wall clock between two glFinish: GL's timer queries of a software renderer see only a part of
-  /// the work (Mesa's llvmpipe answered 0.002 ms for a frame of 15 ms).
+  /// Median time of one frame over at most `frames` frames, after one that warms up; milliseconds.
+  /// A slow method is timed for about a second, at least one frame. By the wall clock between two
+  /// glFinish: GL's timer queries of a software renderer see only a part of the work (Mesa's
+  /// llvmpipe answered 0.002 ms for a frame of 15 ms).
   [[nodiscard]] double frameMilliseconds(const RenderView& view, const Drawing& drawing,
                                          const GpuTables& tables, int frames) const;
 

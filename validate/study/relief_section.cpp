@@ -74,6 +74,13 @@ HeightField readPattern(const TomlReader& section, double height, Wrap wrap) {
   return reader(section, size);
 }
 
+HeightField readImage(const TomlReader& section, const std::filesystem::path& folder, double height,
+                      Wrap wrap) {
+  constexpr int mostChannels = 1023;
+  const int channel = section.integer("channel", 0, mostChannels, 0);
+  return readHeightImage(folder / section.text("image"), channel, height, wrap);
+}
+
 }  // namespace
 
 Relief readReliefSection(const TomlReader& section, const std::filesystem::path& folder) {
@@ -84,12 +91,10 @@ Relief readReliefSection(const TomlReader& section, const std::filesystem::path&
   const Wrap wrap = wraps.at(section.choice("wrap", {"repeat", "clamp"}, 0));
   const HeightSpace space = spaces.at(section.choice("height_space", {"world", "texture"}));
   const Vec2 repeats = section.vec2("repeats", positive, Vec2(1));
-  if (section.has("image")) {
-    constexpr int mostChannels = 1023;
-    const int channel = section.integer("channel", 0, mostChannels, 0);
-    return {readHeightImage(folder / section.text("image"), channel, height, wrap), space, repeats};
-  }
-  return {readPattern(section, height, wrap), space, repeats};
+  const bool invert = section.flag("invert", false);
+  HeightField field = section.has("image") ? readImage(section, folder, height, wrap)
+                                           : readPattern(section, height, wrap);
+  return {invert ? inverted(field, height) : std::move(field), space, repeats};
 }
 
 }  // namespace gnomon

@@ -149,6 +149,14 @@ std::size_t TomlReader::choice(std::string_view key,
   return find(key) == nullptr ? fallback : choice(key, choices);
 }
 
+bool TomlReader::flag(std::string_view key, bool fallback) const {
+  const toml::node* node = find(key);
+  if (node == nullptr) return fallback;
+  const auto value = node->value_exact<bool>();
+  if (!value) mismatch(*node, key, "true or false");
+  return *value;
+}
+
 double TomlReader::checked(const toml::node& node, std::string_view key, Range range) const {
   const auto value = node.is_number() ? node.value<double>() : std::nullopt;
   const bool inside = value && std::isfinite(*value) && *value >= range.least &&

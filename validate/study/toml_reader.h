@@ -51,6 +51,7 @@ class TomlReader {
   [[nodiscard]] std::size_t choice(std::string_view key,
                                    std::initializer_list<std::string_view> choices,
                                    std::size_t fallback) const;
+  [[nodiscard]] bool flag(std::string_view key, bool fallback) const;
   [[nodiscard]] double number(std::string_view key, Range range) const;
   [[nodiscard]] double number(std::string_view key, Range range, double fallback) const;
   [[nodiscard]] std::optional<double> optionalNumber(std::string_view key, Range range) const;
