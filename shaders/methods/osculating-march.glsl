@@ -18,7 +18,8 @@ about = "farthest sample, texels"
 
 // The height map sampled densely toward the light, every sample standing on the circle that the
 // surface follows in that direction: exact but for the stride and for what one circle cannot know of
-// the surface: in a bowl it supposes that the bowl goes on. Too slow for a product; it bounds what a method can do with h, κ and the light alone.
+// the surface (in a bowl it supposes that the bowl goes on). Too slow for a product; it bounds what a
+// method can do with h, κ and the light alone.
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   float curvature = normalCurvature(pixel, light.tangent);     // (1), 1 / world

@@ -7,8 +7,6 @@
 namespace gnomon::test {
 namespace {
 
-using ::testing::HasSubstr;
-
 class OwnMethod : public EndToEnd {
  protected:
   [[nodiscard]] static std::string study(const std::string& methods) {

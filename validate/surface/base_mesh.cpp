@@ -103,8 +103,9 @@ BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivi
   parallelFor(0, faces, [&](std::size_t face) {
     const std::span vertices(mesh.vertices.data() + face * perFace, perFace);
     for (std::size_t i = 0; i < perFace; ++i) {
-      const Vec2 st(static_cast<double>(i % (cuts + 1)) / subdivisions,
-                    static_cast<double>(i / (cuts + 1)) / subdivisions);
+      const std::size_t column = i % (cuts + 1);
+      const std::size_t row = i / (cuts + 1);
+      const Vec2 st = Vec2(column, row) / static_cast<double>(subdivisions);
       vertices[i] = makeVertex(surface, texelsPerUv, static_cast<int>(face), st);
     }
     alignDirections(vertices);
