@@ -141,22 +141,41 @@ double interpolated(const RenderScene& scene, const StoredTable& table, Vec2 tex
   return (1 - (place - below)) * layer(below) + (place - below) * layer(below + 1);
 }
 
-/// onoue-2004 on the exact frame of the limit surface.
-bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const Vec3& light) {
+/// What a curvature-aware formula needs at one point; lengths in the world.
+struct Lookups {
+  double curvature, height, slope, reach;
+};
+
+/// (2) of Onoue, Max & Nishita 2004.
+double smallAngleHorizon(const Lookups& at) {
+  return at.slope * (1 - at.curvature * at.height) - at.curvature * at.reach / 2;
+}
+
+/// An occluder of height h₁ at arc angle γ, seen from h₀: the plain form, in double.
+double circleHorizon(const Lookups& at) {
+  const double angle = at.curvature * at.reach;
+  if (std::abs(angle) < 1e-9) return at.slope / (1 + at.curvature * at.height);
+  const double peak = at.height + at.slope * at.reach;
+  return (std::cos(angle) - (1 + at.curvature * at.height) / (1 + at.curvature * peak)) /
+         std::sin(angle);
+}
+
+/// A method's answer on the exact frame of the limit surface.
+template <typename Formula>
+bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const Vec3& light,
+                       const Formula& formula) {
   const TexelFrame frame = texelFrame(point, scene.relief.texelsPerUv());
   const LocalLight local = localLight(frame, light);
   const double scale = worldPerHeight(scene.relief.space, frame);
   const double azimuth = local.azimuth < 0 ? local.azimuth + 2 * pi : local.azimuth;
-  const double slope =
-      scale * interpolated(scene, scene.horizon, frame.texel, azimuth) / local.worldPerTexel;
-  const double reach =
-      interpolated(scene, scene.distance, frame.texel, azimuth) * local.worldPerTexel;
-  const double height = scale * scene.relief.field.at(frame.texel);
-  const double curvature =
-      normalCurvature(point, light - glm::dot(light, frame.normal) * frame.normal);
-  double horizon = slope * (1 - curvature * height) - curvature * reach / 2;
-  if (curvature > 0) {
-    const double c = 1 / (curvature * std::max(height, 0.0) + 1);
+  const Lookups at{
+      normalCurvature(point, light - glm::dot(light, frame.normal) * frame.normal),
+      scale * scene.relief.field.at(frame.texel),
+      scale * interpolated(scene, scene.horizon, frame.texel, azimuth) / local.worldPerTexel,
+      interpolated(scene, scene.distance, frame.texel, azimuth) * local.worldPerTexel};
+  double horizon = formula(at);
+  if (at.curvature > 0) {
+    const double c = 1 / (at.curvature * std::max(at.height, 0.0) + 1);
     horizon = std::max(horizon, -std::sqrt(1 - c * c) / c);
   }
   return !(local.slope > horizon);
@@ -164,28 +183,68 @@ bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const 
 
 /// Base frames of a fine mesh are those of the limit surface up to its chords: what differs is
 /// rounding near the threshold.
-TEST(PublishedMethods, CurvatureAwareShaderIsItsFormulaOnTheLimitSurface) {
-  const GlContext gl;
+template <typename Formula>
+void expectFormula(const std::string& method, const Formula& formula) {
   for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
     Relief relief = randomRelief(64, 32, 2, 21);
     relief.space = space;
     // A torus: curvature of both signs, frames that are neither square nor even.
-    const RenderScene scene(makeTorus(30, 10, 96, 66), relief, {16, 24}, TableBits::sixteen, 6);
+    const RenderScene scene(makeTorus(30, 10, 96, 66), relief, {16, 6}, TableBits::sixteen, 6);
     const RenderView view = atlasView(scene.surface, 3);
     const SampleGrid samples = scene.samples(view);
     const Vec3 light = lightToward(50, 30);
-    const Mask mask = scene.answer("onoue-2004", view, light);
+    const Mask mask = scene.answer(method, view, light);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
-      const bool dark =
-          referenceShadowed(scene, scene.surface.evaluate(sample.face, sample.s, sample.t), light);
+      const bool dark = referenceShadowed(
+          scene, scene.surface.evaluate(sample.face, sample.s, sample.t), light, formula);
       differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
     }
     EXPECT_GT(shareShadowed(mask), 0.2);
     EXPECT_LT(shareShadowed(mask), 0.9);
-    EXPECT_LT(static_cast<double>(differ) / static_cast<double>(mask.size()), 1e-3);
+    EXPECT_LT(static_cast<double>(differ) / static_cast<double>(mask.size()), 1e-3) << method;
   }
+}
+
+TEST(PublishedMethods, CurvatureAwareShaderIsItsFormulaOnTheLimitSurface) {
+  const GlContext gl;
+  expectFormula("onoue-2004", smallAngleHorizon);
+}
+
+TEST(PublishedMethods, ExactShaderIsTheCirclesFormulaOnTheLimitSurface) {
+  const GlContext gl;
+  expectFormula("onoue-exact", circleHorizon);
+}
+
+/// As the truth's own test: the ground behind a wall on a sphere, in the light's plane, is shadowed
+/// where the wall's upper edge, on the circle, stands over the light.
+TEST(PublishedMethods, MarchOnTheCircleEndsAShadowWhereTheCircleSays) {
+  const GlContext gl;
+  constexpr double radius = 80;
+  constexpr double height = 6;
+  const RenderScene scene(makeSphere(radius, 1.6, 0.4, 64, 16),
+                          stepRelief(128, 32, height, [](int i, int) { return i >= 60 && i < 64; }),
+                          {4, 4}, TableBits::eight, 4);
+  const RenderView view = atlasView(scene.surface, 15);
+  const Mask mask = scene.answer("osculating-march", view, lightToward(180, 25));
+  const double edge = (63.5 - 64) / 128 * 1.6;  // longitude of the wall's upper edge
+  const auto longitude = [&](int column) { return ((column + 0.5) / view.width - 0.5) * 1.6; };
+  double found = 0;
+  double expected = 0;
+  for (int column = 0; column < view.width; ++column) {
+    const double at = longitude(column);
+    if (at < (64.6 - 64) / 128 * 1.6 || at > radians(24)) continue;  // the lee face; the terminator
+    const auto i = static_cast<std::size_t>(view.height / 2 * view.width + column);
+    if (mask.samples[i] == Shade::shadowed) found = at;
+    const double angle = at - edge;
+    const double horizon = (std::cos(angle) - radius / (radius + height)) / std::sin(angle);
+    if (std::tan(radians(25) - at) < horizon) expected = at;
+  }
+  ASSERT_GT(expected, 0.05);
+  ASSERT_LT(expected, radians(20));
+  // A stride of a quarter texel of 1.6 / 128 may step over the edge's very top.
+  EXPECT_NEAR(found, expected, 0.25 * 1.6 / 128 + 1.6 / view.width);
 }
 
 TEST(PublishedMethods, MirroredTextureGivesTheMirroredRelief) {

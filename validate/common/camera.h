@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "common/vec.h"
 
 namespace gnomon {
