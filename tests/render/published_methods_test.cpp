@@ -93,11 +93,13 @@ TEST(PublishedMethods, CurvatureAwareTipOfAPinIsLitDownToTheSpheresHorizon) {
   const std::size_t tip = 40 * 81 + 40;
   const double dip = std::acos(radius / (radius + height)) * 180 / pi;
   for (const double azimuth : {0.0, 33.0, 190.0}) {
-    const auto shade = [&](const char* method, double elevation) {
-      return scene.answer(method, view, lightToward(azimuth, elevation)).samples[tip];
-    };
-    EXPECT_EQ(shade("onoue-2004", -dip + 0.05), Shade::lit);
-    EXPECT_EQ(shade("onoue-2004", -dip - 0.05), Shade::shadowed);
+    for (const char* method : {"onoue-2003", "onoue-2004", "onoue-exact", "osculating-march"}) {
+      const auto shade = [&](double elevation) {
+        return scene.answer(method, view, lightToward(azimuth, elevation)).samples[tip];
+      };
+      EXPECT_EQ(shade(-dip + 0.05), Shade::lit) << method << " " << azimuth;
+      EXPECT_EQ(shade(-dip - 0.05), Shade::shadowed) << method << " " << azimuth;
+    }
   }
 }
 
@@ -108,7 +110,8 @@ TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
   const RenderView view = atlasView(scene.surface, 4);
   const Vec3 light = lightToward(0, 30);
   const SampleGrid samples = scene.samples(view);
-  for (const char* method : {"max-forsyth", "onoue-2004", "unshadowed"}) {
+  for (const char* method : {"unshadowed", "max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact",
+                             "relief-march", "osculating-march"}) {
     const Mask mask = scene.answer(method, view, light);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
