@@ -10,6 +10,7 @@ layout(location = 6) in vec2 curvatures;
 layout(location = 7) in vec2 texel;
 layout(location = 8) flat in int face;
 layout(location = 9) in vec2 st;
+layout(location = 10) in vec4 vertexLight;  // interpolated: see surface.vert
 
 uniform vec3 lightDirection;      // L: unit vector toward the light, world
 uniform bool heightInTexels;      // else in world units

@@ -23,12 +23,32 @@ layout(location = 6) out vec2 curvatures;
 layout(location = 7) out vec2 texel;
 layout(location = 8) flat out int face;
 layout(location = 9) out vec2 st;
+layout(location = 10) out vec4 vertexLight;
 
 uniform mat4 clipFromWorld;
 // Columns and rows of face tiles where the view is an atlas; zero where it is a camera's.
 uniform ivec2 atlasTiles;
+// Corner and size in texels where the view is the texture's own plane; zero elsewhere.
+uniform vec4 texelWindow;
+uniform vec3 lightDirection;
+uniform bool heightInTexels;
 
 invariant gl_Position;
+
+// The light as a program for each vertex hands it on, to be interpolated: its part along P_x and P_y
+// (by the inverted frame of Sloan & Cohen 2000, §4.1), as long as in the world where the frame is
+// even; the cosine of its angle off the normal, in the world and in the texture's frame, where a texel
+// is as wide as a height unit is high.
+vec4 lightAtVertex() {
+  vec3 normal = vertexNormal;
+  float volume = dot(vertexPx, cross(vertexPy, normal));
+  vec2 local = vec2(dot(lightDirection, cross(vertexPy, normal)),
+                    dot(lightDirection, cross(normal, vertexPx))) / volume;
+  float cosine = dot(lightDirection, normal);
+  float texel = sqrt(length(cross(vertexPx, vertexPy)));
+  float rise = cosine / (heightInTexels ? texel : 1.0);
+  return vec4(texel * local, cosine, rise / length(vec3(local, rise)));
+}
 
 void main() {
   position = vertexPosition;
@@ -41,7 +61,10 @@ void main() {
   texel = vertexTexel;
   face = vertexFace;
   st = vertexSt;
-  if (atlasTiles.x > 0) {
+  vertexLight = lightAtVertex();
+  if (texelWindow.z > 0.0) {
+    gl_Position = vec4(2.0 * (vertexTexel - texelWindow.xy) / texelWindow.zw - 1.0, 0.0, 1.0);
+  } else if (atlasTiles.x > 0) {
     vec2 tile = vec2(vertexFace % atlasTiles.x, vertexFace / atlasTiles.x);
     gl_Position = vec4(2.0 * (tile + vertexSt) / vec2(atlasTiles) - 1.0, 0.0, 1.0);
   } else {

@@ -1,7 +1,7 @@
 // Horizon and distance tables: one layer an azimuth φ_m = 2πm/M, linear in all three axes (Forsyth
 // 2003). A method sees the tables it declares and no others.
 
-#if defined(TABLE_HORIZON) || defined(TABLE_DISTANCE)
+#if defined(TABLE_HORIZON) || defined(TABLE_DISTANCE) || defined(TABLE_ELLIPSE)
 
 // The stored value of one texel and azimuth: codes are normalised, range = (low, high - low).
 float tableEntry(sampler3D table, vec2 range, ivec2 at, int azimuth) {
@@ -50,5 +50,22 @@ uniform vec2 distanceRange;
 // d: distance to the horizon point, texels.
 float distanceAt(vec2 at, float azimuth) {
   return tableAt(distanceTable, distanceRange, at, azimuth);
+}
+#endif
+
+#ifdef TABLE_ELLIPSE
+uniform sampler3D ellipseTable;
+uniform vec2 ellipseRange;
+
+// An elliptical cone of light: |A⁻¹ (l - c)| ≤ 1 for the light's direction l on the tangent plane.
+struct Ellipse {
+  vec2 centre;  // c
+  mat2 spread;  // A, symmetric
+};
+
+Ellipse ellipseAt(vec2 at) {
+  float entry[5];
+  for (int k = 0; k < 5; ++k) entry[k] = tableLayer(ellipseTable, ellipseRange, at, k);
+  return Ellipse(vec2(entry[0], entry[1]), mat2(entry[2], entry[3], entry[3], entry[4]));
 }
 #endif

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "relief/angle_table.h"
+#include "relief/displaced_mesh.h"
 #include "relief/relief.h"
 #include "relief/table_file.h"
 #include "render/gl_handles.h"
@@ -9,10 +11,19 @@
 
 namespace gnomon {
 
-/// A base mesh in GL buffers.
+struct Sphere {
+  Vec3 centre;
+  double radius;
+};
+
+/// The sphere about the box of a mesh's vertices.
+Sphere boundingSphere(const BaseMesh& mesh);
+
+/// A mesh in GL buffers.
 class GpuMesh {
  public:
   explicit GpuMesh(const BaseMesh& mesh);
+  [[nodiscard]] const Sphere& bounds() const { return bounds_; }
   [[nodiscard]] std::size_t triangleCount() const { return triangleCount_; }
   void draw() const;
 
@@ -21,6 +32,21 @@ class GpuMesh {
   gl::Buffer indices_;
   gl::VertexArray layout_;
   std::size_t triangleCount_;
+  Sphere bounds_;
+};
+
+/// A displaced mesh in GL buffers, every triangle with its neighbours: what shadow volumes are made
+/// of.
+class GpuVolumes {
+ public:
+  explicit GpuVolumes(const DisplacedMesh& mesh);
+  void draw() const;
+
+ private:
+  gl::Buffer positions_;
+  gl::Buffer indices_;
+  gl::VertexArray layout_;
+  std::size_t indexCount_;
 };
 
 /// The height map as a 32-bit float texture: what truth and bake use, to the bit.
@@ -52,6 +78,38 @@ class GpuTable {
  private:
   gl::Texture texture_;
   glm::vec2 range_;
+  std::uint64_t byteCount_;
+};
+
+/// Horizon angles, four azimuths in the channels of one RGBA map, as Sloan & Cohen 2000 (§4.1) pack
+/// eight into two; with the two lookup textures that go with them. All in the table's own bits.
+class GpuAngles {
+ public:
+  /// @throws InputError if a side is larger than GL's largest texture
+  GpuAngles(const AngleTable& table, TableBits bits);
+  [[nodiscard]] GLuint texture() const { return angles_.name(); }
+  /// Their basis maps, B_k(s, t): 1 where (s, t), -1 to 1 over the map, points toward azimuth k,
+  /// falling off evenly in angle to 0 at the azimuths beside it.
+  [[nodiscard]] GLuint basis() const { return basis_.name(); }
+  /// Their one-dimensional map from a cosine, cos(limit) to 1, to the angle, as a share of `limit`.
+  [[nodiscard]] GLuint arccos() const { return arccos_.name(); }
+  [[nodiscard]] int azimuths() const { return azimuths_; }
+  [[nodiscard]] double limit() const { return limit_; }
+  /// Codes of one channel, 2^bits - 1; 0 for floats.
+  [[nodiscard]] double steps() const { return steps_; }
+  [[nodiscard]] TableBits bits() const { return bits_; }
+  [[nodiscard]] glm::ivec2 origin() const { return origin_; }
+  [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
+
+ private:
+  gl::Texture angles_;
+  gl::Texture basis_;
+  gl::Texture arccos_;
+  int azimuths_;
+  double limit_;
+  double steps_;
+  TableBits bits_;
+  glm::ivec2 origin_;
   std::uint64_t byteCount_;
 };
 

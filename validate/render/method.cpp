@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "common/error.h"
 
@@ -68,22 +70,69 @@ class Declaration {
   toml::table table_;
 };
 
-MethodTables readTables(const Declaration& declaration) {
-  MethodTables tables;
-  const toml::array* list = declaration.table()["tables"].as_array();
-  if (list == nullptr) return tables;
+/// Sets the flag of every name that the list `key` holds.
+void readFlags(const Declaration& declaration, std::string_view key, const char* what,
+               const std::vector<std::pair<std::string_view, bool*>>& flags) {
+  const toml::node_view<const toml::node> found = declaration.table()[key];
+  if (!found) return;
+  const toml::array* list = found.as_array();
+  if (list == nullptr) declaration.fail(*found.node(), fmt::format("`{}`: a list expected", key));
   for (const toml::node& node : *list) {
     const auto name = node.value<std::string>().value_or("");
-    if (name == "height")
-      tables.height = true;
-    else if (name == "horizon")
-      tables.horizon = true;
-    else if (name == "distance")
-      tables.distance = true;
-    else
-      declaration.fail(node, fmt::format("table `{}`, expected height, horizon or distance", name));
+    const auto flag = std::find_if(flags.begin(), flags.end(),
+                                   [&](const auto& entry) { return entry.first == name; });
+    if (flag == flags.end()) {
+      std::vector<std::string_view> names;
+      for (const auto& entry : flags) names.push_back(entry.first);
+      declaration.fail(node,
+                       fmt::format("{} `{}`, expected {}", what, name, fmt::join(names, ", ")));
+    }
+    *flag->second = true;
+  }
+}
+
+MethodTables readTables(const Declaration& declaration) {
+  MethodTables tables;
+  readFlags(declaration, "tables", "table",
+            {{"height", &tables.height},
+             {"horizon", &tables.horizon},
+             {"distance", &tables.distance},
+             {"angles", &tables.angles},
+             {"surface-angles", &tables.surfaceAngles},
+             {"ellipse", &tables.ellipse}});
+  if (tables.angles && tables.surfaceAngles) {
+    declaration.fail(declaration.table(), "tables `angles` and `surface-angles`, one expected");
   }
   return tables;
+}
+
+MethodPasses readPasses(const Declaration& declaration) {
+  MethodPasses passes;
+  readFlags(declaration, "passes", "pass",
+            {{"texture", &passes.texture},
+             {"light-depth", &passes.lightDepth},
+             {"shadow-volumes", &passes.shadowVolumes}});
+  return passes;
+}
+
+DrawnMesh readMesh(const Declaration& declaration) {
+  const toml::node_view<const toml::node> found = declaration.table()["mesh"];
+  if (!found) return DrawnMesh::base;
+  const auto name = found.value<std::string>().value_or("");
+  if (name != "base" && name != "displaced") {
+    declaration.fail(*found.node(), fmt::format("mesh `{}`, expected base or displaced", name));
+  }
+  return name == "base" ? DrawnMesh::base : DrawnMesh::displaced;
+}
+
+std::optional<int> readCount(const Declaration& declaration, std::string_view key) {
+  const toml::node_view<const toml::node> found = declaration.table()[key];
+  if (!found) return std::nullopt;
+  const auto value = found.value_exact<std::int64_t>();
+  if (!value || *value < 1 || *value > 1024) {
+    declaration.fail(*found.node(), fmt::format("`{}`: a whole number from 1 to 1024 expected", key));
+  }
+  return static_cast<int>(*value);
 }
 
 std::map<std::string, MethodParameter> readParameters(const Declaration& declaration) {
@@ -107,6 +156,20 @@ std::map<std::string, MethodParameter> readParameters(const Declaration& declara
   return parameters;
 }
 
+void requirePasses(const Declaration& declaration, const Method& method) {
+  if (method.passes.lightDepth && method.parameters.count("depth_side") == 0) {
+    declaration.fail(declaration.table(), "pass `light-depth` needs the parameter depth_side");
+  }
+  if (method.passes.shadowVolumes && method.mesh != DrawnMesh::displaced) {
+    declaration.fail(declaration.table(), "pass `shadow-volumes` needs mesh = \"displaced\"");
+  }
+  if (method.passes.texture &&
+      method.source.text.find("resolveTexel") == std::string::npos) {
+    declaration.fail(declaration.table(),
+                     "pass `texture` needs the function `float resolveTexel(Pixel pixel)`");
+  }
+}
+
 }  // namespace
 
 Method readMethod(const fs::path& path) {
@@ -114,11 +177,17 @@ Method readMethod(const fs::path& path) {
   method.source = readShader(path);
   method.name = path.stem().string();
   const Declaration declaration(method.source.file, method.source.text);
-  declaration.allowOnly(declaration.table(), {"title", "citation", "tables", "parameters"});
+  declaration.allowOnly(declaration.table(), {"title", "citation", "tables", "passes", "mesh",
+                                              "subdivisions", "azimuths", "parameters"});
   method.title = declaration.text("title");
   method.citation = declaration.text("citation");
   method.tables = readTables(declaration);
+  method.passes = readPasses(declaration);
+  method.mesh = readMesh(declaration);
+  method.subdivisions = readCount(declaration, "subdivisions");
+  method.azimuths = readCount(declaration, "azimuths");
   method.parameters = readParameters(declaration);
+  requirePasses(declaration, method);
   if (method.source.text.find("isShadowed") == std::string::npos) {
     throw InputError(
         fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,22 +18,58 @@ struct MethodParameter {
   std::string about;
 };
 
-/// Which textures a method reads.
+/// Which tables a method reads.
 struct MethodTables {
   bool height = false;
   bool horizon = false;
   bool distance = false;
+  bool angles = false;         ///< horizon angles of the flat relief
+  bool surfaceAngles = false;  ///< horizon angles of the displaced surface, every texel unique
+  bool ellipse = false;        ///< elliptical cones of light
+};
+
+/// Which passes a method needs before the one that answers.
+struct MethodPasses {
+  /// `resolveTexel` for every texel of the surface, in the texture's own plane.
+  bool texture = false;
+  /// The mesh's depth seen from the light, in a map of `depth_side` texels a side: a parameter that
+  /// such a method must have.
+  bool lightDepth = false;
+  /// Depth, then shadow volumes counted in the stencil. Only a camera has pixels to count at.
+  bool shadowVolumes = false;
+
+  /// How often the mesh is drawn in a frame, the pass that answers included.
+  [[nodiscard]] int count() const {
+    return 1 + (texture ? 1 : 0) + (lightDepth ? 1 : 0) + (shadowVolumes ? 2 : 0);
+  }
+};
+
+/// What a method draws.
+enum class DrawnMesh {
+  base,       ///< the bump-mapped base mesh
+  displaced,  ///< the displaced mesh, as real geometry
 };
 
 /// A shadow method: one GLSL file whose first comment declares it. The comment opens with
-/// `gnomon-method` and holds TOML: `title`, `citation`, `tables` (a list of "height", "horizon",
-/// "distance") and a table `parameters.NAME` for each parameter with `default`, `minimum`,
-/// `maximum`, `about`. The file defines `bool isShadowed(Pixel pixel, LocalLight light)`.
+/// `gnomon-method` and holds TOML:
+///   title, citation
+///   tables        list of "height", "horizon", "distance", "angles", "surface-angles", "ellipse"
+///   passes        list of "texture", "light-depth", "shadow-volumes": what comes before the answer
+///   mesh          "base" (default) or "displaced"
+///   subdivisions  pieces of every face's side, where the authors state them
+///   azimuths      of its tables, where the authors state them
+///   parameters.NAME with `default`, `minimum`, `maximum`, `about`
+/// The file defines `bool isShadowed(Pixel pixel, LocalLight light)`, and with a texture pass
+/// `float resolveTexel(Pixel pixel)`, 0 to 1.
 struct Method {
   std::string name;  ///< the file's stem
   std::string title;
   std::string citation;
   MethodTables tables;
+  MethodPasses passes;
+  DrawnMesh mesh = DrawnMesh::base;
+  std::optional<int> subdivisions;  ///< the authors', over a study's own
+  std::optional<int> azimuths;      ///< the authors', over a study's own
   std::map<std::string, MethodParameter> parameters;
   ShaderPiece source;
 };

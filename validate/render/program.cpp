@@ -65,20 +65,21 @@ gl::Shader compile(GLenum stage, const std::vector<ShaderPiece>& pieces,
 
 }  // namespace
 
-gl::Program makeProgram(const std::vector<ShaderPiece>& vertex,
-                        const std::vector<ShaderPiece>& fragment,
-                        const std::vector<std::string>& defines) {
-  const gl::Shader vertexShader = compile(GL_VERTEX_SHADER, vertex, defines);
-  const gl::Shader fragmentShader = compile(GL_FRAGMENT_SHADER, fragment, defines);
+gl::Program makeProgram(const ProgramStages& stages, const std::vector<std::string>& defines) {
+  std::vector<gl::Shader> shaders;
+  shaders.push_back(compile(GL_VERTEX_SHADER, stages.vertex, defines));
+  if (!stages.geometry.empty()) {
+    shaders.push_back(compile(GL_GEOMETRY_SHADER, stages.geometry, defines));
+  }
+  shaders.push_back(compile(GL_FRAGMENT_SHADER, stages.fragment, defines));
   gl::Program program(glCreateProgram());
-  glAttachShader(program.name(), vertexShader.name());
-  glAttachShader(program.name(), fragmentShader.name());
+  for (const gl::Shader& shader : shaders) glAttachShader(program.name(), shader.name());
   glLinkProgram(program.name());
   GLint linked = GL_FALSE;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
   if (linked == GL_FALSE) {
     throw InputError(
-        located(infoLog(program.name(), glGetProgramiv, glGetProgramInfoLog), fragment));
+        located(infoLog(program.name(), glGetProgramiv, glGetProgramInfoLog), stages.fragment));
   }
   return program;
 }

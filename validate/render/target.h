@@ -7,20 +7,32 @@
 
 namespace gnomon {
 
-/// A framebuffer of textures of one size, with 32-bit depth; bound for drawing while it lives.
+/// A framebuffer of textures of one size, with 32-bit depth and, where asked for, a stencil.
 class Target {
  public:
-  /// @param formats  sized internal formats of the colour attachments, in order
+  enum class Stencil { none, eightBits };
+
+  /// @param formats  sized internal formats of the colour attachments, in order; may be empty
   /// @throws InputError if a side is larger than GL's largest texture
-  Target(int width, int height, const std::vector<GLenum>& formats);
+  Target(int width, int height, const std::vector<GLenum>& formats,
+         Stencil stencil = Stencil::none);
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
   ~Target();
 
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
-  /// Sets all depths to the farthest.
+  /// Makes the following draws go here.
+  void bind() const;
+  /// Sets all depths to the farthest, and the stencil, if any, to 0.
   void clearDepth() const;
+  [[nodiscard]] GLuint colourTexture(std::size_t attachment) const {
+    return colours_[attachment].name();
+  }
+  /// Read in a shader it gives the depth or, with a stencil, the stencil's count.
+  [[nodiscard]] GLuint depthTexture() const { return depth_.name(); }
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
 
   /// The content of one attachment, row 0 at the top (GL's own row 0 is the bottom).
   /// @param components  values of type Value that a pixel has in this format and type
@@ -44,6 +56,7 @@ class Target {
 
   int width_;
   int height_;
+  Stencil stencil_;
   gl::Framebuffer framebuffer_;
   gl::Texture depth_;
   std::vector<gl::Texture> colours_;

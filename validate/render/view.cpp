@@ -8,23 +8,15 @@
 #include <limits>
 
 #include "common/error.h"
+#include "common/memory.h"
 
 namespace gnomon {
 namespace {
 
-struct Sphere {
-  Vec3 centre;
-  double radius;
-};
-
-Sphere boundingSphere(const BaseMesh& mesh) {
-  Vec3 low(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-  for (const BaseVertex& vertex : mesh.vertices) {
-    low = glm::min(low, vertex.position);
-    high = glm::max(high, vertex.position);
-  }
-  return {(low + high) / 2.0, glm::length(high - low) / 2};
+/// Any unit vector across a given one.
+Vec3 across(const Vec3& direction) {
+  const Vec3 axis = std::abs(direction.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+  return glm::normalize(glm::cross(direction, axis));
 }
 
 }  // namespace
@@ -42,7 +34,7 @@ RenderView cameraView(const Camera& camera, const BaseMesh& mesh) {
   const double aspect = static_cast<double>(camera.width) / camera.height;
   const glm::dmat4 clip = glm::perspective(camera.verticalFov, aspect, nearest, farthest) *
                           glm::lookAt(camera.eye, camera.target, camera.up);
-  return {camera.width, camera.height, glm::mat4(clip), {0, 0}};
+  return {camera.width, camera.height, glm::mat4(clip), {0, 0}, {0, 0, 0, 0}};
 }
 
 RenderView atlasView(const LimitSurface& surface, int samplesPerSide) {
@@ -55,7 +47,55 @@ RenderView atlasView(const LimitSurface& surface, int samplesPerSide) {
     columns = static_cast<int>(std::ceil(std::sqrt(surface.faceCount())));
     rows = (surface.faceCount() + columns - 1) / columns;
   }
-  return {columns * samplesPerSide, rows * samplesPerSide, glm::mat4(1), {columns, rows}};
+  return {columns * samplesPerSide,
+          rows * samplesPerSide,
+          glm::mat4(1),
+          {columns, rows},
+          {0, 0, 0, 0}};
+}
+
+RenderView textureView(const BaseMesh& mesh) {
+  Vec2 low(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
+  for (const BaseVertex& vertex : mesh.vertices) {
+    low = glm::min(low, vertex.texel);
+    high = glm::max(high, vertex.texel);
+  }
+  // Rounding must not add a row of texels that only a border touches.
+  constexpr double slack = 1e-6;
+  low = glm::floor(low + slack);
+  const Vec2 size = glm::max(glm::ceil(high - slack) - low, Vec2(1));
+  constexpr double longestSide = 1 << 30;
+  low = glm::clamp(low, -longestSide, longestSide);
+  RenderView view;
+  view.width = static_cast<int>(std::min(size.x, longestSide));
+  view.height = static_cast<int>(std::min(size.y, longestSide));
+  view.texelWindow = glm::ivec4(glm::ivec2(low), view.width, view.height);
+  return view;
+}
+
+void requireTextureView(const RenderView& view) {
+  constexpr double mostTexels = 1 << 27;
+  const double texels = static_cast<double>(view.width) * view.height;
+  const std::string what =
+      fmt::format("relief: {} × {} unique texels on the surface", view.width, view.height);
+  if (!(texels <= mostTexels)) {
+    throw InputError(fmt::format("{} found, at most {} expected: fewer repeats", what, mostTexels));
+  }
+  constexpr double bytesPerTexel = 32;  // a sample, and what the passes keep
+  requireMemory(texels * bytesPerTexel, what);
+}
+
+RenderView lightView(const Sphere& bounds, const Vec3& light, int side) {
+  const double radius = 1.0001 * bounds.radius;
+  const glm::dmat4 clip =
+      glm::ortho(-radius, radius, -radius, radius, 0.0, 2 * radius) *
+      glm::lookAt(bounds.centre + radius * light, bounds.centre, across(light));
+  RenderView view;
+  view.width = side;
+  view.height = side;
+  view.clipFromWorld = glm::mat4(clip);
+  return view;
 }
 
 }  // namespace gnomon

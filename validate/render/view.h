@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "common/camera.h"
+#include "render/gpu_scene.h"
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
 
@@ -15,6 +16,9 @@ struct RenderView {
   glm::mat4 clipFromWorld{1};
   /// Columns and rows of face tiles for an atlas, zero for a camera.
   glm::ivec2 atlasTiles{0, 0};
+  /// Of a texture's own plane: the texel coordinates of its lower left corner, and its size in
+  /// texels; zero for other views.
+  glm::ivec4 texelWindow{0, 0, 0, 0};
 };
 
 /// One sample a pixel, as Figure 8 shows the surface; faces turned from the camera are not drawn.
@@ -25,5 +29,17 @@ RenderView cameraView(const Camera& camera, const BaseMesh& mesh);
 /// tile; a grid chart keeps its faces side by side, others fill rows of a square. Parameters of
 /// sample (i, j) of a face: ((i + 0.5) / samplesPerSide, (j + 0.5) / samplesPerSide), t upward.
 RenderView atlasView(const LimitSurface& surface, int samplesPerSide);
+
+/// The texture's own plane, one pixel a texel: all texels that the mesh's texture coordinates reach,
+/// each unique. Where charts overlap, one of them shows. Sides end at 2³⁰.
+RenderView textureView(const BaseMesh& mesh);
+
+/// @throws InputError if the view has more than 2²⁷ texels, MemoryError if they cannot fit
+void requireTextureView(const RenderView& view);
+
+/// The mesh as a directional light sees it: an orthographic picture of its bounding sphere, depth 0
+/// where the sphere is nearest to the light, 1 where it is farthest.
+/// @param light  unit vector toward the light
+RenderView lightView(const Sphere& bounds, const Vec3& light, int side);
 
 }  // namespace gnomon

@@ -54,13 +54,28 @@ ViewCase makeViewCase(const StudySpec& study, const LimitSurface& surface, const
   return view;
 }
 
-}  // namespace
-
-BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, int subdivisions,
-                      const std::filesystem::path& shaders) {
+BaseCase undisplacedCase(const StudySpec& study, const LimitSurface& surface, int subdivisions) {
   BaseMesh mesh = makeBaseMesh(surface, study.relief.texelsPerUv(), subdivisions);
   GpuMesh gpu(mesh);
-  BaseCase base{std::move(mesh), std::move(gpu), {}};
+  const RenderView texture = textureView(mesh);
+  return {std::move(mesh), std::move(gpu), std::nullopt, texture, {}};
+}
+
+BaseCase displacedCase(const StudySpec& study, const LimitSurface& surface, int subdivisions) {
+  DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, subdivisions);
+  GpuMesh gpu(displaced.mesh);
+  GpuVolumes volumes(displaced);
+  const RenderView texture = textureView(displaced.mesh);
+  return {std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture, {}};
+}
+
+}  // namespace
+
+BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
+                      const std::filesystem::path& shaders) {
+  BaseCase base = choice.kind == DrawnMesh::displaced
+                      ? displacedCase(study, surface, choice.subdivisions)
+                      : undisplacedCase(study, surface, choice.subdivisions);
   const SamplesPass pass(shaders);
   for (const ViewSpec& view : study.views) {
     base.views.push_back(makeViewCase(study, surface, base, pass, view));

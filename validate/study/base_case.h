@@ -1,9 +1,12 @@
 #pragma once
 
+#include <compare>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "render/gpu_scene.h"
+#include "render/method.h"
 #include "render/view.h"
 #include "study/study_file.h"
 #include "surface/base_mesh.h"
@@ -21,19 +24,29 @@ struct ViewCase {
   std::vector<Truth> truths;    ///< one a light, filled by the run
 };
 
-/// A base mesh and the study's views of it. Methods that draw another base mesh than the study's
-/// show other samples in a camera view, so each has views and truths of its own.
+/// A mesh and the study's views of it. Methods that draw another mesh than the study's base show
+/// other samples in a camera view, so each has views and truths of its own: the truth is asked at the
+/// (face, s, t) of the very pixels that the method draws. In an atlas all show the same samples.
 struct BaseCase {
   BaseMesh mesh;
   GpuMesh gpu;
-  std::vector<ViewCase> views;  ///< as the study lists them
+  std::optional<GpuVolumes> volumes;  ///< of a displaced mesh
+  RenderView texture;                 ///< the texture's own plane
+  std::vector<ViewCase> views;        ///< as the study lists them
 };
 
-/// Builds the base mesh of `subdivisions` pieces of every face's side, and chooses the samples of
-/// every view.
+/// Which mesh: the base mesh or the displaced one, of so many pieces of every face's side.
+struct MeshChoice {
+  DrawnMesh kind = DrawnMesh::base;
+  int subdivisions = 1;
+
+  friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
+};
+
+/// Builds the mesh, and chooses the samples of every view.
 /// @throws InputError for a view that is larger than OpenGL allows or shows no surface; MemoryError
 ///   for one whose samples, truths and masks cannot be held
-BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, int subdivisions,
+BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
                       const std::filesystem::path& shaders);
 
 }  // namespace gnomon

@@ -20,8 +20,13 @@ std::vector<std::string> namesOf(const Entries& entries, const NameOf& nameOf) {
 
 Drawing drawingOf(const StudySpec& study, const GpuHeights& heights, const BaseCase& base,
                   std::size_t light) {
-  return {base.gpu, heights, study.relief.field.wrap(), study.relief.space,
-          study.lights[light].direction()};
+  return {base.gpu,
+          heights,
+          study.relief.field.wrap(),
+          study.relief.space,
+          study.lights[light].direction(),
+          base.volumes ? &*base.volumes : nullptr,
+          &base.texture};
 }
 
 PanelPictures::PanelPictures(const StudySpec& study, const GpuHeights& heights,
@@ -80,6 +85,7 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light, const BaseC
   panel.width = standard.views[view].view.width;
   panel.height = standard.views[view].view.height;
   for (std::size_t m = 0; m < masks.size(); ++m) {
+    if (masks[m].mask == nullptr) continue;
     const std::string& label = study_.methods[m].label;
     shadeMask(view, light, *masks[m].base, *masks[m].mask, methodFiles_[m]);
     panel.pictures.push_back(
@@ -92,6 +98,7 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light, const BaseC
   shadeMask(view, light, standard, standard.views[view].truths[light].mask, "truth");
   panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth")});
   for (std::size_t m = 0; m < masks.size(); ++m) {
+    if (masks[m].mask == nullptr) continue;
     const std::string file = path("images", view, light, methodFiles_[m] + "_difference");
     clock_.measure("writing", [&](const Progress&) {
       writer_.difference(file, *masks[m].mask, masks[m].base->views[view].truths[light].mask);

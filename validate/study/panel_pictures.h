@@ -22,7 +22,7 @@ Drawing drawingOf(const StudySpec& study, const GpuHeights& heights, const BaseC
 /// One method's answer, to be shown in a panel.
 struct PanelMask {
   const BaseCase* base;
-  const Mask* mask;
+  const Mask* mask;  ///< null where the method has no answer in this view
 };
 
 /// Makes the pictures of a study's panels and hands them to the writer. Files are named

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "common/error.h"
 #include "compare/counts.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
+#include "render/method_pass.h"
 #include "render/passes.h"
 #include "study/base_case.h"
 #include "study/environment.h"
@@ -26,12 +28,9 @@ namespace {
 struct MethodCase {
   Method method;
   MethodPass pass;
-  const TablePair* tables;  ///< null where it reads none
+  GpuTables tables;
   BaseCase* base;
 };
-
-/// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.
-constexpr double standardLift = 1e-6;
 
 class StudyRun {
  public:
@@ -68,23 +67,63 @@ class StudyRun {
 
   void prepareMethods() {
     // The study's own base is shown and traced even where every method draws another.
-    baseFor(study_.baseSubdivisions);
+    baseFor(standardMesh());
     for (const MethodSpec& spec : study_.methods) {
       Method method = readMethod(spec.file);
       MethodPass pass(shaders_, method, study_.relief.field.wrap(), spec.filter, spec.parameters);
       record_.methods.push_back({spec.label, method.name, method.title, method.citation});
-      const bool readsTables = method.tables.horizon || method.tables.distance;
-      const TablePair* tables = readsTables ? &tables_.tables(spec.bake, clock_) : nullptr;
-      methods_.push_back(
-          {std::move(method), std::move(pass), tables, &baseFor(spec.baseSubdivisions)});
+      requireView(method, spec.label);
+      const GpuTables tables = prepareTables(method, spec.bake);
+      BaseCase& base = baseFor({method.mesh, spec.baseSubdivisions});
+      if (method.passes.texture || method.tables.surfaceAngles) requireTextureView(base.texture);
+      methods_.push_back({std::move(method), std::move(pass), tables, &base});
     }
   }
 
-  BaseCase& baseFor(int subdivisions) {
-    const auto found = bases_.find(subdivisions);
+  /// A method that only a camera can see needs one.
+  void requireView(const Method& method, const std::string& label) const {
+    if (!method.passes.shadowVolumes) return;
+    const bool camera = std::any_of(
+        study_.views.begin(), study_.views.end(),
+        [](const ViewSpec& view) { return std::holds_alternative<Camera>(view.kind); });
+    if (!camera) {
+      throw InputError(fmt::format(
+          "method \"{}\" counts shadow volumes at a camera's pixels: a [[view]] of type camera "
+          "expected",
+          label));
+    }
+  }
+
+  /// The tables that depend on the relief alone.
+  [[nodiscard]] GpuTables prepareTables(const Method& method, const BakeSpec& bake) {
+    GpuTables tables;
+    if (method.tables.horizon || method.tables.distance) {
+      const TablePair& pair = tables_.tables(bake, clock_);
+      tables.horizon = &pair.horizon;
+      tables.distance = &pair.distance;
+    }
+    if (method.tables.angles) tables.angles = &tables_.angles(bake, clock_);
+    if (method.tables.ellipse) tables.ellipse = &tables_.ellipses(bake, clock_);
+    return tables;
+  }
+
+  /// The tables that are shot on the displaced surface.
+  void shootTables(const MicroMesh& mesh, const MicroScene& scene) {
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      if (!methods_[m].method.tables.surfaceAngles) continue;
+      const RenderView& plane = methods_[m].base->texture;
+      const SampleGrid texels = SamplesPass(shaders_).render(plane, methods_[m].base->gpu);
+      const HorizonScene on{surface_, study_.relief, mesh, scene, texels,
+                            {plane.texelWindow.x, plane.texelWindow.y}};
+      methods_[m].tables.angles = &tables_.surfaceAngles(study_.methods[m].bake, on, clock_);
+    }
+  }
+
+  BaseCase& baseFor(MeshChoice choice) {
+    const auto found = bases_.find(choice);
     if (found != bases_.end()) return found->second;
     return clock_.measure("samples", [&](const Progress&) -> BaseCase& {
-      return bases_.emplace(subdivisions, makeBaseCase(study_, surface_, subdivisions, shaders_))
+      return bases_.emplace(choice, makeBaseCase(study_, surface_, choice, shaders_))
           .first->second;
     });
   }
@@ -108,7 +147,8 @@ class StudyRun {
     record_.truth.stepTexels = mesh.stepTexels();
     record_.truth.bvhBytes = scene->byteCount();
     record_.truth.meshBytes = mesh.coordinates().size() * sizeof(float);
-    for (auto& [subdivisions, base] : bases_) {
+    shootTables(mesh, *scene);
+    for (auto& [choice, base] : bases_) {
       for (ViewCase& view : base.views) {
         for (const LightSpec& light : study_.lights) {
           view.truths.push_back(clock_.measure("truth", [&](const Progress& progress) {
@@ -146,7 +186,7 @@ class StudyRun {
     }
     const auto scene = clock_.measure(
         "uncertainty", [&](const Progress&) { return std::make_unique<MicroScene>(mesh); });
-    const BaseCase& base = bases_.at(study_.baseSubdivisions);
+    const BaseCase& base = bases_.at(standardMesh());
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
       const ViewCase& view = base.views[v];
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
@@ -162,26 +202,31 @@ class StudyRun {
 
   // ---- the methods
 
-  [[nodiscard]] static GpuTables gpuTables(const MethodCase& method) {
-    if (method.tables == nullptr) return {};
-    return {&method.tables->horizon, &method.tables->distance};
+  /// The study's own base mesh: the one that is shown and whose truth is tested.
+  [[nodiscard]] MeshChoice standardMesh() const {
+    return {DrawnMesh::base, study_.baseSubdivisions};
+  }
+
+  [[nodiscard]] bool answersIn(const MethodCase& method, std::size_t view) const {
+    return !method.method.passes.shadowVolumes ||
+           std::holds_alternative<Camera>(study_.views[view].kind);
   }
 
   /// Masks live for one view and light: that is all that a panel needs.
   void compareMethods() {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
-        std::vector<Mask> masks;
+        std::vector<std::optional<Mask>> masks(methods_.size());
         std::vector<PanelMask> shown;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
-          masks.push_back(clock_.measure(
-              "methods", [&](const Progress&) { return answer(methods_[m], v, l); }));
-          clock_.measure("compare", [&](const Progress&) { compare(m, v, l, masks.back()); });
+          if (answersIn(methods_[m], v)) {
+            masks[m] = clock_.measure(
+                "methods", [&](const Progress&) { return answer(methods_[m], v, l); });
+            clock_.measure("compare", [&](const Progress&) { compare(m, v, l, *masks[m]); });
+          }
+          shown.push_back({methods_[m].base, masks[m] ? &*masks[m] : nullptr});
         }
-        for (std::size_t m = 0; m < methods_.size(); ++m) {
-          shown.push_back({methods_[m].base, &masks[m]});
-        }
-        record_.panels.push_back(pictures_.draw(v, l, bases_.at(study_.baseSubdivisions), shown));
+        record_.panels.push_back(pictures_.draw(v, l, bases_.at(standardMesh()), shown));
       }
     }
   }
@@ -190,7 +235,7 @@ class StudyRun {
   [[nodiscard]] Mask answer(const MethodCase& method, std::size_t view, std::size_t light) const {
     const ViewCase& seen = method.base->views[view];
     Mask mask = method.pass.render(seen.view, drawingOf(study_, heights_, *method.base, light),
-                                   gpuTables(method));
+                                   method.tables);
     const Mask& truth = seen.truths[light].mask;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       if (truth.samples[i] == Shade::none) mask.samples[i] = Shade::none;
@@ -217,6 +262,18 @@ class StudyRun {
 
   // ---- cost
 
+  /// Of the tables that the method declares, and of the textures that its passes fill.
+  [[nodiscard]] std::uint64_t tableBytes(const MethodCase& method) const {
+    const MethodTables& declared = method.method.tables;
+    const GpuTables& tables = method.tables;
+    std::uint64_t bytes = 0;
+    if (declared.horizon) bytes += tables.horizon->byteCount();
+    if (declared.distance) bytes += tables.distance->byteCount();
+    if (declared.ellipse) bytes += tables.ellipse->byteCount();
+    if (tables.angles != nullptr) bytes += tables.angles->byteCount();
+    return bytes + method.pass.passBytes(drawingOf(study_, heights_, *method.base, 0), tables);
+  }
+
   /// On the first camera view under the first light; without a camera view there is no frame time.
   void timeFrames() {
     constexpr int frames = 5;
@@ -228,15 +285,14 @@ class StudyRun {
       CostRecord cost;
       cost.method = study_.methods[m].label;
       cost.polygons = method.base->gpu.triangleCount();
-      if (method.method.tables.horizon) cost.tableBytes += method.tables->horizon.byteCount();
-      if (method.method.tables.distance) cost.tableBytes += method.tables->distance.byteCount();
+      cost.tableBytes = tableBytes(method);
       if (method.method.tables.height) cost.heightBytes = heights_.byteCount();
       if (camera != study_.views.end()) {
         const auto view = static_cast<std::size_t>(camera - study_.views.begin());
         cost.frameMs = clock_.measure("frame times", [&](const Progress&) {
           return method.pass.frameMilliseconds(method.base->views[view].view,
                                                drawingOf(study_, heights_, *method.base, 0),
-                                               gpuTables(method), frames);
+                                               method.tables, frames);
         });
       }
       record_.cost.push_back(cost);
@@ -250,7 +306,7 @@ class StudyRun {
   GpuHeights heights_;
   TableSet tables_;
   PanelPictures pictures_;
-  std::map<int, BaseCase> bases_;  ///< by subdivisions
+  std::map<MeshChoice, BaseCase> bases_;
   std::vector<MethodCase> methods_;
   StudyRecord record_;
 };

@@ -27,6 +27,8 @@ BakeSpec readBake(const TomlReader& section, BakeSpec bake) {
   bake.settings.azimuths = section.integer("azimuths", 1, 1024, bake.settings.azimuths);
   bake.settings.radiusTexels =
       section.number("radius", Range{0, 1e5, true}, bake.settings.radiusTexels);
+  bake.angleLimit =
+      radians(section.number("limit", Range{1, 180}, bake.angleLimit * 180 / pi));
   const int asked = section.integer("bits", 8, 32, static_cast<int>(bake.bits));
   if (std::find(bits.begin(), bits.end(), asked) == bits.end()) {
     section.fail("bits", fmt::format("{} found, 8, 16 or 32 expected", asked));
@@ -113,9 +115,11 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
   if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
   constexpr std::array filters = {TableFilter::exact, TableFilter::hardware};
   method.filter = filters.at(section.choice("filter", {"exact", "hardware"}, 0));
+  const Method declared = readMethod(method.file);
   method.bake = defaults.bake;
+  if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
   if (const auto bake = section.optionalTable("bake")) method.bake = readBake(*bake, method.bake);
-  method.baseSubdivisions = defaults.baseSubdivisions;
+  method.baseSubdivisions = declared.subdivisions.value_or(defaults.baseSubdivisions);
   if (const auto base = section.optionalTable("base")) {
     method.baseSubdivisions = readSubdivisions(*base, method.baseSubdivisions);
   }

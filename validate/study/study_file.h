@@ -12,7 +12,7 @@
 #include "relief/horizon_bake.h"
 #include "relief/relief.h"
 #include "relief/stored_table.h"
-#include "render/passes.h"
+#include "render/method_pass.h"
 #include "study/record.h"
 #include "surface/cage.h"
 #include "truth/micro_mesh.h"
@@ -25,6 +25,7 @@ namespace gnomon {
 struct BakeSpec {
   BakeSettings settings;
   TableBits bits = TableBits::eight;
+  double angleLimit = pi / 2;  ///< of horizon angles: the largest off the normal, radians
 };
 
 struct AtlasSpec {
@@ -49,7 +50,7 @@ struct MethodSpec {
   std::filesystem::path file;  ///< its GLSL
   std::string label;           ///< unique in the study
   BakeSpec bake;               ///< the study's, with the method's overrides
-  int baseSubdivisions = 1;
+  int baseSubdivisions = 1;    ///< of the mesh that it draws
   TableFilter filter = TableFilter::exact;
   std::map<std::string, double> parameters;
 };

@@ -37,6 +37,10 @@ inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays) {
   rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
+inline void occluded1(RTCScene scene, RTCRay& ray) {
+  rtcOccluded1(scene, &ray, nullptr);
+}
+
 inline void intersect1(RTCScene scene, RTCRayHit& ray) {
   rtcIntersect1(scene, &ray, nullptr);
 }
@@ -48,6 +52,12 @@ inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays) {
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcOccluded16(valid, scene, &context, &rays);
+}
+
+inline void occluded1(RTCScene scene, RTCRay& ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &ray);
 }
 
 inline void intersect1(RTCScene scene, RTCRayHit& ray) {

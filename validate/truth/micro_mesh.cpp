@@ -3,17 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <utility>
 
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/parallel.h"
+#include "surface/shared_vertices.h"
 #include "surface/texel_frame.h"
 
 namespace gnomon {
@@ -116,22 +115,6 @@ Vec3 cageCentre(const LimitSurface& surface) {
   return (low + high) / 2.0;
 }
 
-/// Vertices of a grid's side k, from corner k to corner k + 1.
-std::size_t sideVertex(const MicroMesh::Grid& grid, int side, int i) {
-  const int lastColumn = grid.columns - 1;
-  const int lastRow = grid.rows - 1;
-  const std::array<std::pair<int, int>, 4> at = {std::pair{i, 0}, std::pair{lastColumn, i},
-                                                 std::pair{lastColumn - i, lastRow},
-                                                 std::pair{0, lastRow - i}};
-  const auto [column, row] = at.at(static_cast<std::size_t>(side));
-  return grid.firstVertex + static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
-         static_cast<std::size_t>(column);
-}
-
-int sideLength(const MicroMesh::Grid& grid, int side) {
-  return side % 2 == 0 ? grid.columns : grid.rows;
-}
-
 }  // namespace
 
 MicroMesh::MicroMesh(const LimitSurface& surface, const Relief& relief,
@@ -218,43 +201,15 @@ void MicroMesh::displace(const LimitSurface& surface, const Relief& relief,
 }
 
 void MicroMesh::weld(const LimitSurface& surface) {
-  using Side = std::pair<std::size_t, int>;  // face, side
-  std::map<std::pair<int, int>, Side> firstSide;
-  std::vector<std::int64_t> firstCorner(static_cast<std::size_t>(surface.vertexCount()), -1);
-  const auto copyVertex = [this](std::size_t from, std::size_t to) {
-    std::copy_n(&coordinates_[3 * from], 3, &coordinates_[3 * to]);
-  };
-  // Sides first, without their ends, from the first face that has them; then corners. What is
-  // copied from is never itself overwritten before, since its face is the first.
-  for (std::size_t face = 0; face < grids_.size(); ++face) {
-    const std::array<int, 4> corners = surface.corners(static_cast<int>(face));
-    for (int side = 0; side < 4; ++side) {
-      const int a = corners.at(static_cast<std::size_t>(side));
-      const int b = corners.at(static_cast<std::size_t>((side + 1) % 4));
-      const auto [entry, isFirst] = firstSide.try_emplace(std::minmax(a, b), face, side);
-      if (isFirst) continue;
-      const auto [otherFace, otherSide] = entry->second;
-      const int length = sideLength(grids_[face], side);
-      const bool sameSense =
-          surface.corners(static_cast<int>(otherFace)).at(static_cast<std::size_t>(otherSide)) == a;
-      for (int i = 1; i + 1 < length; ++i) {
-        copyVertex(sideVertex(grids_[otherFace], otherSide, sameSense ? i : length - 1 - i),
-                   sideVertex(grids_[face], side, i));
-      }
-    }
-  }
-  for (std::size_t face = 0; face < grids_.size(); ++face) {
-    const std::array<int, 4> corners = surface.corners(static_cast<int>(face));
-    for (int corner = 0; corner < 4; ++corner) {
-      const auto vertex = static_cast<std::size_t>(corners.at(static_cast<std::size_t>(corner)));
-      const std::size_t own = sideVertex(grids_[face], corner, 0);
-      if (firstCorner[vertex] < 0) {
-        firstCorner[vertex] = static_cast<std::int64_t>(own);
-      } else {
-        copyVertex(static_cast<std::size_t>(firstCorner[vertex]), own);
-      }
-    }
-  }
+  forEachSharedVertex(
+      surface,
+      [this](std::size_t face) {
+        const Grid& grid = grids_[face];
+        return FaceGrid{grid.firstVertex, grid.columns, grid.rows};
+      },
+      [this](std::size_t first, std::size_t vertex) {
+        std::copy_n(&coordinates_[3 * first], 3, &coordinates_[3 * vertex]);
+      });
 }
 
 Vec3 MicroMesh::vertex(std::size_t index) const {

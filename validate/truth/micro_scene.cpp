@@ -50,6 +50,20 @@ embree::Geometry makeGrids(RTCDevice device, const MicroMesh& mesh) {
   return geometry;
 }
 
+RTCRay endlessRay(const Vec3& origin, const Vec3& direction) {
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(origin.x);
+  ray.org_y = static_cast<float>(origin.y);
+  ray.org_z = static_cast<float>(origin.z);
+  ray.dir_x = static_cast<float>(direction.x);
+  ray.dir_y = static_cast<float>(direction.y);
+  ray.dir_z = static_cast<float>(direction.z);
+  ray.tnear = 0;
+  ray.tfar = std::numeric_limits<float>::infinity();
+  ray.mask = ~0U;
+  return ray;
+}
+
 }  // namespace
 
 MicroScene::MicroScene(const MicroMesh& mesh) : device_(makeDevice()) {
@@ -95,17 +109,15 @@ std::array<bool, RayPacket::size> MicroScene::occluded(const RayPacket& rays,
   return result;
 }
 
+bool MicroScene::occluded(const Vec3& origin, const Vec3& direction) const {
+  RTCRay ray = endlessRay(origin, direction);
+  embree::occluded1(scene_.get(), ray);
+  return ray.tfar < 0;  // Embree marks an occluded ray by a negative end.
+}
+
 std::optional<SurfaceHit> MicroScene::nearest(const Vec3& origin, const Vec3& direction) const {
   RTCRayHit ray{};
-  ray.ray.org_x = static_cast<float>(origin.x);
-  ray.ray.org_y = static_cast<float>(origin.y);
-  ray.ray.org_z = static_cast<float>(origin.z);
-  ray.ray.dir_x = static_cast<float>(direction.x);
-  ray.ray.dir_y = static_cast<float>(direction.y);
-  ray.ray.dir_z = static_cast<float>(direction.z);
-  ray.ray.tnear = 0;
-  ray.ray.tfar = std::numeric_limits<float>::infinity();
-  ray.ray.mask = ~0U;
+  ray.ray = endlessRay(origin, direction);
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   embree::intersect1(scene_.get(), ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;

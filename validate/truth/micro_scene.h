@@ -39,6 +39,8 @@ class MicroScene {
   /// Whether each active ray toward `direction` (unit) meets the surface within its length.
   [[nodiscard]] std::array<bool, RayPacket::size> occluded(const RayPacket& rays,
                                                            const Vec3& direction) const;
+  /// Whether an endless ray with a unit direction meets the surface.
+  [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction) const;
   /// The nearest hit of a ray with a unit direction, if any.
   [[nodiscard]] std::optional<SurfaceHit> nearest(const Vec3& origin, const Vec3& direction) const;
 

@@ -38,12 +38,15 @@ struct Truth {
   std::size_t undefinedSamples = 0;  ///< samples without a frame: Shade::none in the mask
 };
 
+/// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.
+constexpr double standardLift = 1e-6;
+
 /// Light and range of one trace.
 struct TraceSettings {
   Vec3 light{0, 0, 1};        ///< unit vector toward the directional light
   double radiusTexels = 128;  ///< D: farther occluders are `distant`
   /// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.
-  double liftShare = 1e-6;
+  double liftShare = standardLift;
 };
 
 /// Traces one shadow ray a sample. A ray starts on the facet that holds the sample's displaced

@@ -1,0 +1,3 @@
+// Depth or stencil alone.
+
+void main() {}

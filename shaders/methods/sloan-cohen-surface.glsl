@@ -1,0 +1,21 @@
+/* gnomon-method
+title = "Interactive horizon mapping of the real geometry"
+citation = "Sloan & Cohen 2000, §3"
+tables = ["surface-angles"]
+passes = ["texture"]
+azimuths = 8
+*/
+
+// As sloan-cohen, with horizons that rays found on the displaced surface itself, every texel of it
+// unique: curvature, and all else that shades a texel, is in the table. What is left are the table's
+// steps, its azimuths and its texels. With many azimuths and bits it bounds what a table can do.
+
+float resolveTexel(Pixel pixel) {
+  vec2 st = vertexLight.xy / max(1.0, max(abs(vertexLight.x), abs(vertexLight.y)));
+  return horizonAngleOfTexel(ivec2(floor(pixel.texel)), st);
+}
+
+bool isShadowed(Pixel pixel, LocalLight light) {
+  float horizon = resolvedAt(pixel.texel);
+  return !(toSteps(horizon - angleOfCosine(vertexLight.z)) > 0.0);
+}

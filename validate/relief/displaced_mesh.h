@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "relief/relief.h"
+#include "surface/base_mesh.h"
+#include "surface/limit_surface.h"
+
+namespace gnomon {
+
+/// The displaced surface at a polygon count that is drawn rather than traced: what the mesh of
+/// Figure 8(c) is (Onoue, Max & Nishita 2004).
+struct DisplacedMesh {
+  /// Positions are displaced, D = P + a h n; all else is the undisplaced surface's, face and (s, t)
+  /// above all. Vertices are not shared between faces, but coincide to the bit where faces meet.
+  BaseMesh mesh;
+  /// Six vertices a triangle, as GL_TRIANGLES_ADJACENCY takes them: its corners a, b, c, and behind
+  /// each its edge's opposite vertex in the neighbour: a, ab, b, bc, c, ca. An edge without a
+  /// neighbour has the triangle's own third corner there: the triangle seen from behind.
+  std::vector<std::uint32_t> adjacency;
+};
+
+/// Every face cut into `subdivisions` × `subdivisions` quadrilaterals as makeBaseMesh does, each
+/// vertex displaced by the relief. Across a texture seam, where the heights of the two sides differ,
+/// the first face's height rules the common edge, as in the micro-mesh.
+/// @throws as makeBaseMesh
+DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relief,
+                                int subdivisions);
+
+}  // namespace gnomon

@@ -1,0 +1,16 @@
+#include "render/light_depth_pass.h"
+
+namespace gnomon {
+
+LightDepthPass::LightDepthPass(const std::filesystem::path& shaders)
+    : program_(makeSurfaceProgram(shaders, {readShader(shaders / "common/nothing.frag")}, {})) {}
+
+void LightDepthPass::draw(const RenderView& light, const GpuMesh& mesh,
+                          const Target& target) const {
+  target.bind();
+  target.clearDepth();
+  setView(program_.name(), light);
+  drawMesh(program_.name(), light, mesh, Sides::both);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,309 @@
+#include "render/method_pass.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "common/error.h"
+#include "render/gl_context.h"
+#include "render/target.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uint8_t noAnswer = 2;
+
+std::string parameterUniforms(const Method& method) {
+  std::string text;
+  for (const auto& [name, parameter] : method.parameters) {
+    text += fmt::format("uniform float {};\n", name);
+  }
+  return text;
+}
+
+double parameterValue(const Method& method, const std::string& name,
+                      const std::map<std::string, double>& values) {
+  const MethodParameter& parameter = method.parameters.at(name);
+  const auto chosen = values.find(name);
+  if (chosen == values.end()) return parameter.standard;
+  if (!(chosen->second >= parameter.minimum && chosen->second <= parameter.maximum)) {
+    throw InputError(fmt::format("method {}: parameter {} = {}, {} to {} expected", method.name,
+                                 name, chosen->second, parameter.minimum, parameter.maximum));
+  }
+  return chosen->second;
+}
+
+std::map<std::string, double> parameterValues(const Method& method,
+                                              const std::map<std::string, double>& values) {
+  for (const auto& [name, value] : values) {
+    if (method.parameters.count(name) == 0) {
+      throw InputError(fmt::format("method {}: it has no parameter `{}`", method.name, name));
+    }
+  }
+  std::map<std::string, double> all;
+  for (const auto& [name, parameter] : method.parameters) {
+    all[name] = parameterValue(method, name, values);
+  }
+  return all;
+}
+
+std::vector<std::string> methodDefines(const Method& method, Wrap wrap, TableFilter filter) {
+  std::vector<std::string> defines = reliefDefines(wrap, method.tables.height);
+  if (method.tables.horizon) defines.emplace_back("TABLE_HORIZON");
+  if (method.tables.distance) defines.emplace_back("TABLE_DISTANCE");
+  if (method.tables.angles || method.tables.surfaceAngles) defines.emplace_back("TABLE_ANGLES");
+  if (method.tables.surfaceAngles) defines.emplace_back("UNIQUE_ANGLES");
+  if (method.tables.ellipse) defines.emplace_back("TABLE_ELLIPSE");
+  if (method.passes.texture) defines.emplace_back("PASS_TEXTURE");
+  if (method.passes.lightDepth) defines.emplace_back("PASS_LIGHT_DEPTH");
+  if (method.passes.shadowVolumes) defines.emplace_back("PASS_SHADOW_VOLUMES");
+  if (method.mesh == DrawnMesh::displaced) defines.emplace_back("MESH_DISPLACED");
+  if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
+  return defines;
+}
+
+/// The method's own file between what it may use and the stage that calls it.
+std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& method,
+                                      const char* stage) {
+  std::vector<ShaderPiece> pieces;
+  for (const char* name : {"pixel.glsl", "relief.glsl", "tables.glsl", "osculating.glsl",
+                           "angles.glsl", "passes.glsl"}) {
+    pieces.push_back(readShader(shaders / "common" / name));
+  }
+  pieces.push_back({method.source.file + " (parameters)", parameterUniforms(method)});
+  pieces.push_back(method.source);
+  pieces.push_back(readShader(shaders / "common" / stage));
+  return pieces;
+}
+
+GLenum resolvedFormat(TableBits bits) {
+  if (bits == TableBits::eight) return GL_RG8;
+  return bits == TableBits::sixteen ? GL_RG16 : GL_RG32F;
+}
+
+int bytesPerResolved(TableBits bits) {
+  return 2 * static_cast<int>(bits) / 8;
+}
+
+}  // namespace
+
+MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap, TableFilter filter,
+                       const std::map<std::string, double>& values)
+    : name_(method.name),
+      tables_(method.tables),
+      passes_(method.passes),
+      values_(parameterValues(method, values)) {
+  const std::vector<std::string> defines = methodDefines(method, wrap, filter);
+  answer_ = makeSurfaceProgram(shaders, methodPieces(shaders, method, "mask.frag"), defines);
+  if (passes_.texture) {
+    resolve_ = makeSurfaceProgram(shaders, methodPieces(shaders, method, "resolve.frag"), defines);
+  }
+  if (passes_.lightDepth) lightDepth_.emplace(shaders);
+  if (passes_.shadowVolumes) volumes_.emplace(shaders);
+  for (const auto& [name, value] : values_) {
+    for (const gl::Program* program : {&answer_, resolve_ ? &*resolve_ : nullptr}) {
+      if (program == nullptr) continue;
+      glProgramUniform1f(program->name(), glGetUniformLocation(program->name(), name.c_str()),
+                         static_cast<GLfloat>(value));
+    }
+  }
+}
+
+int MethodPass::depthSide() const {
+  return static_cast<int>(values_.at("depth_side"));
+}
+
+std::uint64_t MethodPass::passBytes(const Drawing& drawing, const GpuTables& tables) const {
+  std::uint64_t bytes = 0;
+  if (passes_.texture) {
+    bytes += static_cast<std::uint64_t>(drawing.texture->width) *
+             static_cast<std::uint64_t>(drawing.texture->height) *
+             static_cast<std::uint64_t>(bytesPerResolved(tables.angles->bits()));
+  }
+  if (passes_.lightDepth) {
+    const auto side = static_cast<std::uint64_t>(depthSide());
+    bytes += side * side * sizeof(GLfloat);
+  }
+  return bytes;
+}
+
+/// The targets of one view's passes, kept from frame to frame.
+class MethodPass::Frame {
+ public:
+  Frame(const MethodPass& pass, const RenderView& view, const Drawing& drawing,
+        const GpuTables& tables)
+      : pass_(pass),
+        view_(view),
+        drawing_(drawing),
+        tables_(tables),
+        answers_(view.width, view.height, {GL_R8UI}) {
+    if (pass.resolve_) {
+      if (drawing.texture == nullptr) {
+        throw InternalError(fmt::format("method {} got no texture plane", pass.name_));
+      }
+      require(tables.angles, "angles");
+      resolved_.emplace(drawing.texture->width, drawing.texture->height,
+                        std::vector<GLenum>{resolvedFormat(tables.angles->bits())});
+    }
+    if (pass.lightDepth_) {
+      light_ = lightView(drawing.mesh.bounds(), drawing.light, pass.depthSide());
+      depth_.emplace(light_.width, light_.height, std::vector<GLenum>{});
+    }
+    if (pass.volumes_) {
+      counts_.emplace(view.width, view.height, std::vector<GLenum>{}, Target::Stencil::eightBits);
+    }
+  }
+
+  void draw() const {
+    if (resolved_) drawResolved();
+    if (depth_) pass_.lightDepth_->draw(light_, drawing_.mesh, *depth_);
+    if (counts_) pass_.volumes_->draw(view_, drawing_, *counts_);
+    answers_.bind();
+    const std::array<GLuint, 4> none = {noAnswer, 0, 0, 0};
+    glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 0, none.data());
+    answers_.clearDepth();
+    const GLuint program = pass_.answer_.name();
+    setInputs(program, view_);
+    bindPasses(program);
+    drawMesh(program, view_, drawing_.mesh);
+  }
+
+  [[nodiscard]] std::vector<std::uint8_t> answers() const {
+    return answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
+  }
+
+ private:
+  void drawResolved() const {
+    resolved_->bind();
+    const std::array<GLfloat, 4> nothing = {0, 0, 0, 0};
+    glClearNamedFramebufferfv(resolved_->framebuffer(), GL_COLOR, 0, nothing.data());
+    resolved_->clearDepth();
+    setInputs(pass_.resolve_->name(), *drawing_.texture);
+    drawMesh(pass_.resolve_->name(), *drawing_.texture, drawing_.mesh);
+  }
+
+  void setInputs(GLuint program, const RenderView& view) const {
+    setView(program, view);
+    setDrawing(program, drawing_);
+    if (pass_.tables_.horizon) {
+      bindTable(program, tables_.horizon, TextureUnit::horizon, "horizonTable", "horizonRange");
+    }
+    if (pass_.tables_.distance) {
+      bindTable(program, tables_.distance, TextureUnit::distance, "distanceTable",
+                "distanceRange");
+    }
+    if (pass_.tables_.ellipse) {
+      bindTable(program, tables_.ellipse, TextureUnit::ellipse, "ellipseTable", "ellipseRange");
+    }
+    if (pass_.tables_.angles || pass_.tables_.surfaceAngles) bindAngles(program);
+  }
+
+  template <typename Table>
+  void require(const Table* table, const char* what) const {
+    if (table == nullptr) throw InternalError(fmt::format("method {} got no {}", pass_.name_, what));
+  }
+
+  void bindTable(GLuint program, const GpuTable* table, TextureUnit unit, const char* sampler,
+                 const char* range) const {
+    require(table, sampler);
+    bindTexture(program, unit, table->texture(), sampler);
+    setUniform(program, range, table->range());
+  }
+
+  void bindAngles(GLuint program) const {
+    require(tables_.angles, "angles");
+    const GpuAngles& angles = *tables_.angles;
+    bindTexture(program, TextureUnit::angles, angles.texture(), "angleMaps");
+    bindTexture(program, TextureUnit::basis, angles.basis(), "basisMaps");
+    bindTexture(program, TextureUnit::arccos, angles.arccos(), "arccosMap");
+    const auto integer = [program](const char* name, int value) {
+      glProgramUniform1i(program, glGetUniformLocation(program, name), value);
+    };
+    const auto number = [program](const char* name, double value) {
+      glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<GLfloat>(value));
+    };
+    integer("angleAzimuths", angles.azimuths());
+    number("angleLimit", angles.limit());
+    number("angleSteps", angles.steps());
+    glProgramUniform2i(program, glGetUniformLocation(program, "angleOrigin"), angles.origin().x,
+                       angles.origin().y);
+  }
+
+  /// What the earlier passes of the frame left.
+  void bindPasses(GLuint program) const {
+    if (resolved_) {
+      bindTexture(program, TextureUnit::resolved, resolved_->colourTexture(0), "resolvedMap");
+      glProgramUniform2i(program, glGetUniformLocation(program, "resolvedOrigin"),
+                         drawing_.texture->texelWindow.x, drawing_.texture->texelWindow.y);
+    }
+    if (depth_) {
+      bindTexture(program, TextureUnit::lightDepth, depth_->depthTexture(), "lightDepthMap");
+      // From clip space to texels of the map and depth 0 to 1.
+      const auto side = static_cast<float>(light_.width);
+      const glm::mat4 mapFromClip =
+          glm::scale(glm::mat4(1), {side / 2, side / 2, 0.5F}) *
+          glm::translate(glm::mat4(1), glm::vec3(1, 1, 1));
+      setUniform(program, "lightMapFromWorld", mapFromClip * light_.clipFromWorld);
+      const auto diameter = static_cast<float>(2.0002 * drawing_.mesh.bounds().radius);
+      setUniform(program, "lightMapLengths", glm::vec2(diameter / side, diameter));
+    }
+    if (counts_) {
+      bindTexture(program, TextureUnit::shadowCount, counts_->depthTexture(), "shadowCounts");
+    }
+  }
+
+  const MethodPass& pass_;
+  const RenderView& view_;
+  const Drawing& drawing_;
+  const GpuTables& tables_;
+  RenderView light_;
+  std::optional<Target> resolved_;
+  std::optional<Target> depth_;
+  std::optional<Target> counts_;
+  Target answers_;
+};
+
+Mask MethodPass::render(const RenderView& view, const Drawing& drawing,
+                        const GpuTables& tables) const {
+  const Frame frame(*this, view, drawing, tables);
+  frame.draw();
+  const auto answers = frame.answers();
+  throwOnGlError("rendering a method's mask");
+  Mask mask{view.width, view.height, std::vector<Shade>(answers.size(), Shade::none)};
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (answers[i] != noAnswer) {
+      mask.samples[i] = answers[i] == 0 ? Shade::lit : Shade::shadowed;
+    }
+  }
+  return mask;
+}
+
+double MethodPass::frameMilliseconds(const RenderView& view, const Drawing& drawing,
+                                     const GpuTables& tables, int frames) const {
+  constexpr double enoughMilliseconds = 1000;
+  using Clock = std::chrono::steady_clock;
+  const Frame frame(*this, view, drawing, tables);
+  std::vector<double> milliseconds;
+  double total = 0;
+  for (int i = 0; i <= frames; ++i) {
+    glFinish();
+    const Clock::time_point start = Clock::now();
+    frame.draw();
+    glFinish();
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
+    if (i == 0) continue;  // warms up
+    milliseconds.push_back(elapsed.count());
+    total += elapsed.count();
+    if (total > enoughMilliseconds) break;
+  }
+  throwOnGlError("timing a method");
+  const auto middle = milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2);
+  std::nth_element(milliseconds.begin(), middle, milliseconds.end());
+  return *middle;
+}
+
+}  // namespace gnomon

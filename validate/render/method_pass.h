@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/mask.h"
+#include "render/drawing.h"
+#include "render/light_depth_pass.h"
+#include "render/method.h"
+#include "render/shadow_volume_pass.h"
+
+namespace gnomon {
+
+/// How tables are filtered.
+enum class TableFilter {
+  exact,     ///< by hand from single texels, in float: masks do not depend on the GPU's filter
+  hardware,  ///< by the GPU's own trilinear filter: what a product ships
+};
+
+/// The tables of a bake on the GPU. A method reads only those that it declares.
+struct GpuTables {
+  const GpuTable* horizon = nullptr;
+  const GpuTable* distance = nullptr;
+  const GpuAngles* angles = nullptr;  ///< of the flat relief or of the surface, as declared
+  const GpuTable* ellipse = nullptr;
+};
+
+/// One method's shader, with the passes that it declares.
+class MethodPass {
+ public:
+  /// @param values  of the method's parameters; others have the authors' values
+  /// @throws InputError for a shader that does not compile, or an unknown or out-of-range parameter
+  MethodPass(const std::filesystem::path& shaders, const Method& method, Wrap wrap,
+             TableFilter filter, const std::map<std::string, double>& values);
+
+  /// The method's answer for every sample of the view.
+  /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass
+  [[nodiscard]] Mask render(const RenderView& view, const Drawing& drawing,
+                            const GpuTables& tables) const;
+
+  /// Median time of one frame, all its passes, over at most `frames` frames, after one that warms
+  /// up; milliseconds. A slow method is timed for about a second, at least one frame. By the wall
+  /// clock between two glFinish: GL's timer queries of a software renderer see only a part of the
+  /// work (Mesa's llvmpipe answered 0.002 ms for a frame of 15 ms).
+  [[nodiscard]] double frameMilliseconds(const RenderView& view, const Drawing& drawing,
+                                         const GpuTables& tables, int frames) const;
+
+  /// Bytes of the textures that its passes fill and read again in every frame.
+  [[nodiscard]] std::uint64_t passBytes(const Drawing& drawing, const GpuTables& tables) const;
+
+ private:
+  class Frame;
+
+  /// A side of the depth map, texels.
+  [[nodiscard]] int depthSide() const;
+
+  std::string name_;
+  MethodTables tables_;
+  MethodPasses passes_;
+  std::map<std::string, double> values_;  ///< every parameter's
+  gl::Program answer_;
+  std::optional<gl::Program> resolve_;
+  std::optional<LightDepthPass> lightDepth_;
+  std::optional<ShadowVolumePass> volumes_;
+};
+
+}  // namespace gnomon
