@@ -9,9 +9,9 @@
 #include <set>
 
 #include "common/error.h"
-#include "compare/rates.h"
 #include "render/method.h"
 #include "study/relief_section.h"
+#include "study/result_metrics.h"
 #include "study/surface_section.h"
 #include "study/toml_reader.h"
 #include "truth/shadow_tracer.h"
