@@ -39,7 +39,7 @@ class Walk {
     const auto there =
         static_cast<std::size_t>(nearest.y) * static_cast<std::size_t>(field_.width) +
         static_cast<std::size_t>(nearest.x);
-    if (there == index_ || !hasDirection(field_, there) || isBreak(index_, there)) return false;
+    if (!hasDirection(field_, there) || isBreak(index_, there)) return false;
     position_ = next;
     index_ = there;
     return true;
