@@ -109,7 +109,7 @@ TEST(Claims, CompareGainsAcrossStudies) {
   const StudyRecord there = study("there", {{0.02, 0.03}}, 0.01);
   const ClaimRecord record = judge(newIsBetter("there"), {here, there});
   EXPECT_EQ(record.verdict, Verdict::held);
-  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.00 in there"));
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.00 points in there"));
   EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::failed);
 }
 
