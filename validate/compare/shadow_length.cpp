@@ -13,15 +13,30 @@
 namespace gnomon {
 namespace {
 
+/// Where lines start in a sample: points (k, 4 k) / 17 of a lattice around its centre. Their
+/// columns all differ and so do their rows, so that both are evenly spread; and since 4² = -1 (mod
+/// 17) a quarter turn of the picture leaves them as they are.
+constexpr int linesPerRun = 17;
+
+Vec2 lineStart(int k) {
+  constexpr int half = linesPerRun / 2;
+  const auto centred = [](int i) {
+    return (i % linesPerRun + linesPerRun + half) % linesPerRun - half;
+  };
+  return Vec2(centred(k), centred(4 * k)) / double{linesPerRun};
+}
+
 /// A walk over the samples of a view, away from the light or toward it.
 class Walk {
  public:
   enum class Heading { away = 1, toward = -1 };
 
-  Walk(const LightField& field, std::size_t start, Heading heading)
+  /// @param within  of the sample's centre, columns and rows
+  Walk(const LightField& field, std::size_t start, Vec2 within, Heading heading)
       : field_(field), sign_(static_cast<int>(heading)), index_(start) {
     const auto width = static_cast<std::size_t>(field.width);
-    position_ = Vec2(static_cast<double>(start % width), static_cast<double>(start / width));
+    position_ =
+        Vec2(static_cast<double>(start % width), static_cast<double>(start / width)) + within;
   }
 
   [[nodiscard]] std::size_t index() const { return index_; }
@@ -85,21 +100,34 @@ class RunFinder {
   [[nodiscard]] std::vector<Run> find() const {
     std::vector<Run> runs;
     for (std::size_t i = 0; i < truth_.size(); ++i) {
-      if (!isStart(i)) continue;
-      if (const auto run = follow(i)) runs.push_back(*run);
+      if (!isDark(truth_, i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
+      for (int k = 0; k < linesPerRun; ++k) {
+        const Start start{i, lineStart(k)};
+        if (!isStart(start)) continue;
+        if (const auto run = follow(start)) runs.push_back(*run);
+      }
     }
     return runs;
   }
 
  private:
-  [[nodiscard]] bool isStart(std::size_t i) const {
-    if (!isDark(truth_, i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) return false;
-    Walk back(field_, i, Walk::Heading::toward);
+  /// A point of the view: a sample and the place in it, from its centre.
+  struct Start {
+    std::size_t sample;
+    Vec2 within;
+  };
+
+  [[nodiscard]] Walk walkFrom(const Start& start, Walk::Heading heading) const {
+    return {field_, start.sample, start.within, heading};
+  }
+
+  [[nodiscard]] bool isStart(const Start& start) const {
+    Walk back = walkFrom(start, Walk::Heading::toward);
     return goOn(back) && !isDark(truth_, back.index());
   }
 
-  [[nodiscard]] std::optional<Run> follow(std::size_t start) const {
-    Walk walk(field_, start, Walk::Heading::away);
+  [[nodiscard]] std::optional<Run> follow(const Start& start) const {
+    Walk walk = walkFrom(start, Walk::Heading::away);
     Run run;
     std::size_t samples = 0;
     bool isSelected = false;
@@ -137,10 +165,10 @@ class RunFinder {
     return beyond;
   }
 
-  [[nodiscard]] double lengthBefore(std::size_t start) const {
-    if (!isDark(candidate_, start)) return 0;
+  [[nodiscard]] double lengthBefore(const Start& start) const {
+    if (!isDark(candidate_, start.sample)) return 0;
     double before = 0;
-    for (Walk walk(field_, start, Walk::Heading::toward); goOn(walk);) {
+    for (Walk walk = walkFrom(start, Walk::Heading::toward); goOn(walk);) {
       if (isDark(truth_, walk.index())) return 0;
       if (!isDark(candidate_, walk.index())) break;
       before += walk.length();
@@ -195,7 +223,7 @@ ShadowLengths compareShadowLengths(const Mask& candidate, const Mask& truth,
     lengths.push_back(run.truth);
   }
   ShadowLengths found;
-  found.runs = ratios.size();
+  found.runs = static_cast<double>(ratios.size()) / linesPerRun;
   if (found.runs < leastRuns) return found;
   std::sort(ratios.begin(), ratios.end());
   std::sort(lengths.begin(), lengths.end());
@@ -217,7 +245,7 @@ std::vector<Metric> lengthMetrics(const ShadowLengths& lengths) {
                               : "fewer than 30 cast shadows with both ends in view"};
   };
   return {metric(0, lengths.ratio), metric(1, lengths.lowerQuartile),
-          metric(2, lengths.upperQuartile), metric(3, static_cast<double>(lengths.runs))};
+          metric(2, lengths.upperQuartile), metric(3, lengths.runs)};
 }
 
 const std::vector<std::string_view>& lengthMetricNames() {

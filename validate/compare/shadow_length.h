@@ -34,7 +34,7 @@ struct LightField {
 
 /// How long the cast shadows of a candidate are, over those of the truth.
 struct ShadowLengths {
-  std::size_t runs = 0;                 ///< how many shadows were measured
+  double runs = 0;                      ///< what was measured: samples of width across the light
   std::optional<double> ratio;          ///< median over the runs
   std::optional<double> lowerQuartile;  ///< of the ratios
   std::optional<double> upperQuartile;  ///< of the ratios
@@ -43,20 +43,23 @@ struct ShadowLengths {
 };
 
 /// Fewer runs than this have no median: neighbouring runs belong to the same bump.
-constexpr std::size_t leastRuns = 30;
+constexpr double leastRuns = 30;
 /// Shorter runs are left out: their length is known to one sample only.
 constexpr std::size_t leastRunSamples = 4;
 
 /// Measures every cast shadow of the truth along its light, and the candidate's shadow of the same
 /// occluder on the same line.
 ///
-/// A line is walked sample by sample: from the sample's centre by its step, on to the nearest
-/// sample, from there by that one's step from the exact position reached. A *run* starts at every
-/// sample that the truth shadows and from which one step back toward the light leads to one that it
-/// lights; it ends before the next that it lights. Its length is the sum of the steps of its
-/// samples. Attached shadow comes before the cast shadow on the far side of a bump and is part of
-/// the run, in the truth as in the candidate. Since steps are one sample long, a shadow has one run
-/// a sample of its width across the light: a broad one counts in proportion.
+/// A line is walked step by step: from a point of the view by the step of the nearest sample, from
+/// the point reached by the step of the sample nearest to that. A *run* starts at every point in a
+/// sample that the truth shadows and from which one step back toward the light leads into one that
+/// it lights; it ends before the next that it lights. Its length is the sum of its steps. Attached
+/// shadow comes before the cast shadow on the far side of a bump and is part of the run, in the
+/// truth as in the candidate.
+///
+/// Lines start at 17 points of every sample, each counting as a seventeenth of a run. Since steps
+/// are one sample long, a shadow then has one run for each sample of its width across the light,
+/// whatever the light's direction in the view: a broad shadow counts in proportion.
 ///
 /// The candidate's length on that line is the sum of the steps that it shadows
 ///   in the truth's run                        (so that a slit costs no more than its width),
@@ -86,7 +89,7 @@ ShadowLengths compareShadowLengths(const Mask& candidate, const Mask& truth,
 ///   shadow_length_ratio  the median: 1 as long as the truth, 2 twice as long, 0 missing
 ///   shadow_length_q1     lower quartile
 ///   shadow_length_q3     upper quartile
-///   shadow_runs          how many shadows were measured
+///   shadow_runs          width of all shadows measured, in samples across the light
 std::vector<Metric> lengthMetrics(const ShadowLengths& lengths);
 
 /// The names above, in order.

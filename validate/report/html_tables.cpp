@@ -104,8 +104,8 @@ std::string lengthCell(const ResultRecord& row) {
   if (!ratio.value) return metricCell(ratio);
   const auto text = [&](std::string_view name) { return ratioText(metricOf(row, name).value); };
   return numberCell(escapeHtml(ratioText(ratio.value)),
-                    fmt::format("quartiles {} and {} over {} lines", text("shadow_length_q1"),
-                                text("shadow_length_q3"), groupedText(row.lengths->runs)));
+                    fmt::format("quartiles {} and {} over {:.0f} runs", text("shadow_length_q1"),
+                                text("shadow_length_q3"), row.lengths->runs));
 }
 
 std::vector<std::string> othersInUncertainty(const StudyRecord& record, const ResultRecord& row,
