@@ -159,7 +159,7 @@ TEST(Rates, StayInTheirRange) {
 }
 
 TEST(Rates, NothingIsDefinedWithoutSamplesOrArea) {
-  for (const std::string_view name : metricNames()) {
+  for (const std::string_view name : rateNames()) {
     expectUndefined(counts(0, 0, 0, 0, 0), name, "no samples");
     expectUndefined(counts(0, 0, 0, 0, 9), name, "the samples have no area");
   }
@@ -192,7 +192,7 @@ TEST(Rates, DoNotDependOnTheUnitOfArea) {
   const Counts c = counts(3, 2, 1, 4, 10);
   for (const double unit : {1e-300, 1e-150, 1e150, 1e307}) {
     const Counts scaled = counts(3 * unit, 2 * unit, 1 * unit, 4 * unit, 10);
-    for (const std::string_view name : metricNames()) {
+    for (const std::string_view name : rateNames()) {
       EXPECT_NEAR(value(scaled, name), value(c, name), 1e-14) << name << " at " << unit;
     }
   }
@@ -208,7 +208,7 @@ TEST(Rates, RefusesCellsThatNoMaskCanHave) {
 }
 
 TEST(Rates, NamesAreUniqueAndAllAnswer) {
-  const std::vector<std::string_view>& names = metricNames();
+  const std::vector<std::string_view>& names = rateNames();
   EXPECT_EQ(names.size(), 10U);
   EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
   const Counts c = counts(3, 2, 1, 4, 10);

@@ -4,8 +4,8 @@
 
 #include "end_to_end/program.h"
 
-// The orderings that Onoue, Max & Nishita 2004 state in §4 with Figures 4 and 5: accounting for
-// curvature makes shadows more accurate, and the more so the larger the curvature.
+// The orderings and lengths that Onoue, Max & Nishita 2004 state in §4 with Figures 4 and 5:
+// accounting for curvature makes shadows more accurate, and the more so the larger the curvature.
 
 namespace gnomon::test {
 namespace {
@@ -59,10 +59,14 @@ class PublishedClaims : public EndToEnd {
   }
 };
 
+/// Beyond the terminator both methods err alike where the light stands at 60°: no order is found.
+const std::vector<std::string> sphereVerdicts = {"held", "held", "held", "not distinguishable",
+                                                 "held"};
+
 TEST_F(PublishedClaims, HoldInAPreview) {
   runSpheres({"--quick"});
   expectOrderings();
-  EXPECT_EQ(verdicts("sphere-columns"), (std::vector<std::string>{"held", "held", "held"}));
+  EXPECT_EQ(verdicts("sphere-columns"), sphereVerdicts);
 }
 
 TEST_F(PublishedClaims, HoldAtFullSizeWithATruthToATenthOfAPercent) {
@@ -71,7 +75,7 @@ TEST_F(PublishedClaims, HoldAtFullSizeWithATruthToATenthOfAPercent) {
   EXPECT_LT(uncertainty("sphere-columns"), 0.002);
   EXPECT_LT(uncertainty("sphere-columns-flat"), 0.002);
   EXPECT_GT(uncertainty("sphere-columns"), 0);
-  EXPECT_EQ(verdicts("sphere-columns"), (std::vector<std::string>{"held", "held", "held"}));
+  EXPECT_EQ(verdicts("sphere-columns"), sphereVerdicts);
   EXPECT_EQ(verdicts("sphere-columns-flat"), (std::vector<std::string>{"held", "held"}));
 }
 
@@ -84,15 +88,15 @@ TEST_F(PublishedClaims, FigureEightHasThePapersCounts) {
   for (const nlohmann::json& cost : json.at("cost")) {
     EXPECT_EQ(cost.at("polygons"), 960);
   }
-  EXPECT_EQ(verdicts("figure8"), (std::vector<std::string>{"held", "held"}));
+  EXPECT_EQ(verdicts("figure8"), (std::vector<std::string>{"held", "held", "held", "held"}));
 }
 
 TEST_F(PublishedClaims, AClaimAcrossStudiesNeedsBoth) {
   const Outcome outcome = gnomon(
       {"run", GNOMON_SCENES "/sphere-columns.toml", "--quick", "--set", "light.0.elevation=30"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(verdicts("sphere-columns"),
-            (std::vector<std::string>{"held", "not evaluated", "held"}));
+  EXPECT_EQ(verdicts("sphere-columns"), (std::vector<std::string>{"held", "not evaluated", "held",
+                                                                  "not distinguishable", "held"}));
   EXPECT_THAT(outcome.out, ::testing::HasSubstr("sphere-columns-flat"));
 }
 

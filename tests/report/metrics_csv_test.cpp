@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "compare/rates.h"
 #include "report/sample_record.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -78,7 +78,7 @@ TEST(MetricsCsv, ValuesReadBackExactly) {
     EXPECT_EQ(row[4], result.region);
     EXPECT_EQ(row[5], std::to_string(result.counts.samples));
     EXPECT_EQ(std::stod(row[column(table, "fp")]), result.counts.falsePositive);
-    for (const Metric& metric : rates(result.counts)) {
+    for (const Metric& metric : metricsOf(result)) {
       const std::string& cell = row[column(table, std::string(metric.name))];
       EXPECT_EQ(cell.empty(), !metric.value.has_value());
       if (metric.value) {

@@ -33,7 +33,16 @@ TEST(NumberText, OnlyAllReadsAsAll) {
   EXPECT_EQ(correlationText(-1e-9), "0.000");
 }
 
+TEST(NumberText, RatiosHaveTwoDecimals) {
+  EXPECT_EQ(ratioText(1.0), "1.00");
+  EXPECT_EQ(ratioText(12.346), "12.35");
+  EXPECT_EQ(ratioText(0.0), "0.00");
+  EXPECT_EQ(ratioText(0.004), "<0.01");
+  EXPECT_THROW(ratioText(std::numeric_limits<double>::infinity()), InternalError);
+}
+
 TEST(NumberText, UndefinedIsADash) {
+  EXPECT_EQ(ratioText(std::nullopt), "–");
   EXPECT_EQ(percentText(std::nullopt), "–");
   EXPECT_EQ(correlationText(std::nullopt), "–");
 }

@@ -112,6 +112,13 @@ TEST_F(ReportHtml, EmbedsEveryPictureByteForByte) {
   }
 }
 
+TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
+  const std::string html = reportHtml(sampleRecord(1), folder_);
+  EXPECT_TRUE(holds(html, "<th class=\"n\">Shadow length</th>"));
+  EXPECT_TRUE(holds(html, "title=\"quartiles 0.50 and 2.00 over 400 runs\">1.80</td>"));
+  EXPECT_TRUE(holds(html, "title=\"fewer than 30 cast shadows with both ends in view\">–</td>"));
+}
+
 TEST_F(ReportHtml, OneLetteredFigureAMethod) {
   const std::string html = reportHtml(recordWithPanel(), folder_);
   EXPECT_EQ(count(html, "<figure"), 3U);

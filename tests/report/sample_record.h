@@ -44,10 +44,13 @@ inline StudyRecord sampleRecord(int lights = 2) {
                     {"best", "resampled-horizon", "Resampled", ""}};
   for (int i = 0; i < lights; ++i) {
     const std::string light = "elevation " + std::to_string(15 + 15 * i) + "°";
-    record.truth.flips.push_back({"camera", light, 0.002 + 0.002 * (i == 0 ? 0 : 1)});
+    record.truth.flips.push_back({"camera", light, 0.002 + 0.002 * (i == 0 ? 0 : 1), 0.01});
     const auto add = [&](const std::string& method, double falseShadow, double falseLight) {
       const Counts all = countsOf(1000, falseShadow, falseLight);
       record.results.push_back(result(method, light, "camera", "all", all));
+      record.results.back().lengths =
+          method == "close" ? ShadowLengths{12, {}, {}, {}, {}}
+                            : ShadowLengths{400, 1 + falseShadow / 100, 0.5, 2.0, 8.0};
       const Counts lit{0, falseShadow, 0, 750 - falseShadow, 750};
       record.results.push_back(result(method, light, "camera", "lit", lit));
       record.results.push_back(result(method, light, "camera", "distant", Counts{}));

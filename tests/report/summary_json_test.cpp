@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/error.h"
-#include "compare/rates.h"
 #include "report/sample_record.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -52,7 +52,8 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
                   "embree_version", "opensubdiv_version"}));
   EXPECT_EQ(keysOf(json["truth"]), (Keys{"micro_triangles", "step_texels", "uncertainty",
                                          "bvh_bytes", "mesh_bytes", "flips"}));
-  EXPECT_EQ(keysOf(json["truth"]["flips"][0]), (Keys{"view", "light", "flip_rate"}));
+  EXPECT_EQ(keysOf(json["truth"]["flips"][0]),
+            (Keys{"view", "light", "flip_rate", "length_error"}));
   EXPECT_EQ(keysOf(json["methods"][0]), (Keys{"label", "name", "title", "citation"}));
   EXPECT_EQ(keysOf(json["cost"][0]),
             (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms"}));
@@ -88,6 +89,11 @@ TEST(SummaryJson, ValuesSurviveTheTrip) {
   EXPECT_EQ(first["error_rate"].get<double>(), 0.1);
   EXPECT_EQ(first["iou"].get<double>(), 230.0 / 330);
   EXPECT_TRUE(first["undefined"].empty());
+  EXPECT_EQ(first["shadow_length_ratio"], 1.8);
+  EXPECT_EQ(first["shadow_length_q1"], 0.5);
+  EXPECT_EQ(first["shadow_length_q3"], 2.0);
+  EXPECT_EQ(first["shadow_runs"], 400);
+  EXPECT_EQ(json["truth"]["flips"][0]["length_error"], 0.01);
   EXPECT_EQ(json["cost"][0]["frame_ms"], 1.25);
   EXPECT_TRUE(json["cost"][1]["frame_ms"].is_null());
   EXPECT_EQ(json["panels"][0]["pictures"][2]["kind"], "displaced");
@@ -107,7 +113,9 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
   const ordered_json& distant = json["results"][2];
   for (const std::string_view name : metricNames()) {
     EXPECT_TRUE(distant[std::string(name)].is_null()) << name;
-    EXPECT_EQ(distant["undefined"].value(std::string(name), ""), "no samples") << name;
+    EXPECT_EQ(distant["undefined"].value(std::string(name), ""),
+              isLengthMetric(name) ? "measured over all samples together only" : "no samples")
+        << name;
   }
   EXPECT_TRUE(json["thresholds"][1]["value"].is_null());
   EXPECT_TRUE(json["thresholds"][1]["maximum"].is_null());
@@ -138,6 +146,12 @@ TEST(SummaryJson, RefusesNumbersThatAreNotFinite) {
     EXPECT_THROW(summaryJson(record), InternalError);
     record = sampleRecord();
     record.truth.flips[1].flipRate = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.truth.flips[1].lengthError = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.results[0].lengths->ratio = bad;
     EXPECT_THROW(summaryJson(record), InternalError);
     record = sampleRecord();
     record.truth.stepTexels = bad;

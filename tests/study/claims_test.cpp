@@ -101,6 +101,128 @@ TEST(Claims, SpeakOfAnyMetric) {
   EXPECT_EQ(judge(claim, {study("s", {{0.03, 0.06}}, 0.01)}).verdict, Verdict::failed);
 }
 
+TEST(Claims, SpeakOfTheirRegion) {
+  ClaimSpec claim = newIsBetter();
+  claim.region = "cast";
+  const ClaimRecord record = judge(claim, {study("s", {{0.02, 0.05}}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::failed) << "there the other order holds";
+  EXPECT_THAT(record.detail, HasSubstr("than of old in the region cast in 0 of 1"));
+}
+
+TEST(Claims, TakeAllFlipsToLieInTheRegion) {
+  // 0.01 of all samples flip; with a tenth of them in the region, that may be 0.1 of these.
+  ClaimSpec claim = newIsBetter();
+  claim.region = "cast";
+  std::swap(claim.less, claim.than);
+  StudyRecord record = study("s", {{0.02, 0.05}}, 0.01);
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::held) << "0.25 is more than 0.01";
+  for (ResultRecord& result : record.results) {
+    if (result.region == "cast") result.counts.samples /= 10;
+  }
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::held) << "and than 0.1";
+  for (UncertaintyRecord& flip : record.truth.flips) flip.flipRate = 0.03;
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable) << "not than 0.3";
+}
+
+// ---- lengths
+
+/// A study whose method `new` has given length ratios, one a light; `old` none at all.
+StudyRecord lengthStudy(const std::vector<double>& ratios, std::optional<double> lengthError) {
+  std::vector<std::pair<double, double>> rates(ratios.size(), {0.02, 0.05});
+  StudyRecord record = study("s", rates, 0.5);
+  for (UncertaintyRecord& flip : record.truth.flips) flip.lengthError = lengthError;
+  std::size_t next = 0;
+  for (ResultRecord& result : record.results) {
+    if (result.method != "new" || result.region != "all") continue;
+    const double ratio = ratios[next++];
+    result.lengths = ShadowLengths{100, ratio, ratio - 0.1, ratio + 0.1, 8.0};
+  }
+  return record;
+}
+
+ClaimSpec newIsBetween(std::optional<double> above, std::optional<double> below) {
+  ClaimSpec claim{"As long as the truth's", "§4", "", "", "shadow_length_ratio", ""};
+  claim.method = "new";
+  claim.above = above;
+  claim.below = below;
+  return claim;
+}
+
+TEST(Claims, BetweenBoundsHoldWhereWithinEverywhere) {
+  const ClaimRecord record =
+      judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.03, 0.97}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::held);
+  EXPECT_THAT(record.detail, HasSubstr("shadow_length_ratio of new between 0.95 and 1.05 in 3 of "
+                                       "3 cases, outside in 0; found 0.970 to 1.030"));
+}
+
+TEST(Claims, BetweenBoundsFailWhereOutsideSomewhere) {
+  const ClaimRecord above = judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.2, 0.97}, 0.01)});
+  EXPECT_EQ(above.verdict, Verdict::failed);
+  EXPECT_THAT(above.detail, HasSubstr("in 2 of 3 cases, outside in 1; found 0.970 to 1.200"));
+  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 0.8}, 0.01)}).verdict,
+            Verdict::failed);
+}
+
+TEST(Claims, NearABoundAreNotDistinguishable) {
+  for (const double ratio : {0.945, 0.955, 1.045, 1.055}) {
+    EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.01)}).verdict,
+              Verdict::notDistinguishable)
+        << ratio;
+    EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.0)}).verdict,
+              ratio > 0.95 && ratio < 1.05 ? Verdict::held : Verdict::failed)
+        << ratio << ", by an exact truth";
+  }
+  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.05}, 0.0)}).verdict, Verdict::failed)
+      << "below is below";
+}
+
+TEST(Claims, MayHaveOneBoundAlone) {
+  EXPECT_EQ(judge(newIsBetween(1.05, {}), {lengthStudy({1.1, 9}, 0.01)}).verdict, Verdict::held);
+  EXPECT_EQ(judge(newIsBetween(1.05, {}), {lengthStudy({1.1, 1}, 0.01)}).verdict, Verdict::failed);
+  EXPECT_EQ(judge(newIsBetween({}, 1.05), {lengthStudy({1, 0}, 0.01)}).verdict, Verdict::held);
+  EXPECT_THAT(judge(newIsBetween({}, 1.05), {lengthStudy({1, 2}, 0.01)}).detail,
+              HasSubstr("of new below 1.05 in 1 of 2 cases, outside in 1"));
+}
+
+TEST(Claims, SayWhereTheMetricIsNotDefined) {
+  StudyRecord record = lengthStudy({1.0, 1.02}, 0.01);
+  record.results.front().lengths = ShadowLengths{};
+  const ClaimRecord judged = judge(newIsBetween(0.95, 1.05), {record});
+  EXPECT_EQ(judged.verdict, Verdict::held);
+  EXPECT_THAT(judged.detail, HasSubstr("in 1 of 1 cases, outside in 0, not defined in 1 more"));
+  ClaimSpec old = newIsBetween(0.95, 1.05);
+  old.method = "old";
+  EXPECT_EQ(judge(old, {record}).verdict, Verdict::notEvaluated);
+  EXPECT_THAT(judge(old, {record}).detail, HasSubstr("shadow_length_ratio is not defined for old"));
+}
+
+TEST(Claims, AboutRatesBetweenBoundsGoByTheFlips) {
+  ClaimSpec claim = newIsBetween({}, 0.05);
+  claim.metric = "error_rate";
+  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::held);
+  EXPECT_EQ(judge(claim, {study("s", {{0.045, 0.1}}, 0.01)}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judge(claim, {study("s", {{0.2, 0.1}}, 0.01)}).verdict, Verdict::failed);
+  claim.region = "cast";
+  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::failed);
+}
+
+TEST(Claims, OrderLengthsByTheTruthsOwnLengths) {
+  StudyRecord record = lengthStudy({1.0, 1.02}, 0.01);
+  for (ResultRecord& result : record.results) {
+    if (result.method == "old" && result.region == "all") {
+      result.lengths = ShadowLengths{100, 1.1, 1.0, 1.2, 8.0};
+    }
+  }
+  ClaimSpec claim = newIsBetter();
+  claim.metric = "shadow_length_ratio";
+  const ClaimRecord judged = judge(claim, {record});
+  EXPECT_EQ(judged.verdict, Verdict::held) << "though half of the samples flip";
+  EXPECT_THAT(judged.detail, HasSubstr("mean difference 0.090"));
+  for (UncertaintyRecord& flip : record.truth.flips) flip.lengthError = 0.09;
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+}
+
 // ---- across studies
 
 TEST(Claims, CompareGainsAcrossStudies) {
@@ -109,7 +231,7 @@ TEST(Claims, CompareGainsAcrossStudies) {
   const StudyRecord there = study("there", {{0.02, 0.03}}, 0.01);
   const ClaimRecord record = judge(newIsBetter("there"), {here, there});
   EXPECT_EQ(record.verdict, Verdict::held);
-  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.00 in there"));
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.00 points in there"));
   EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::failed);
 }
 

@@ -318,6 +318,42 @@ TEST_F(StudyFile, AClaimNamesTwoMethods) {
               HasSubstr("\"theirs\" found, one of max-forsyth, ours expected"));
 }
 
+TEST_F(StudyFile, AClaimMayPutOneMethodBetweenBounds) {
+  const std::string claim = std::string(plainStudy) + "\n[[claim]]\ntext = \"t\"\nsource = \"s\"\n";
+  const StudySpec study = read(claim + R"(method = "ours"
+metric = "shadow_length_ratio"
+region = "beyond-terminator"
+above = 0.95
+below = 1.05
+)");
+  ASSERT_EQ(study.claims.size(), 1U);
+  EXPECT_EQ(study.claims[0].method, "ours");
+  EXPECT_EQ(study.claims[0].metric, "shadow_length_ratio");
+  EXPECT_EQ(study.claims[0].region, "beyond-terminator");
+  EXPECT_EQ(study.claims[0].above, 0.95);
+  EXPECT_EQ(study.claims[0].below, 1.05);
+  EXPECT_EQ(study.claims[0].less, "");
+  const StudySpec oneSided = read(claim + "method = \"ours\"\nabove = 1\n");
+  EXPECT_EQ(oneSided.claims.at(0).below, std::nullopt);
+  EXPECT_EQ(oneSided.claims.at(0).region, "all");
+  EXPECT_TRUE(
+      read(claim + "method = \"ours\"\nabove = 1\n", {{}, {"max-forsyth"}, false}).claims.empty());
+
+  EXPECT_THAT(failure(claim + "method = \"theirs\"\nabove = 1\n"),
+              HasSubstr("\"theirs\" found, one of max-forsyth, ours expected"));
+  EXPECT_THAT(failure(claim + "method = \"ours\"\n"),
+              HasSubstr("claim.0.above: `above` or `below` expected"));
+  EXPECT_THAT(failure(claim + "method = \"ours\"\nabove = 2\nbelow = 1\n"),
+              HasSubstr("claim.0.below: 1 found, more than `above` = 2 expected"));
+  EXPECT_THAT(failure(claim + "above = 1\n"), HasSubstr("less"));
+  EXPECT_THAT(failure(claim + "method = \"ours\"\nless = \"ours\"\nabove = 1\n"),
+              HasSubstr("method"));
+  EXPECT_THAT(failure(claim + "method = \"ours\"\nthan = \"ours\"\nabove = 1\n"),
+              HasSubstr("claim.0.than: unknown key"));
+  EXPECT_THAT(failure(claim + "less = \"ours\"\nthan = \"ours\"\nregion = \"dark\"\n"),
+              HasSubstr("\"dark\" found, one of all, lit"));
+}
+
 // ---- errors, section by section
 
 struct Refusal {

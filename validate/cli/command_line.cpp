@@ -12,8 +12,8 @@
 
 #include "cli/run_command.h"
 #include "common/error.h"
-#include "compare/rates.h"
 #include "render/method.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {

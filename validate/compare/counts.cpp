@@ -5,34 +5,10 @@
 #include <cmath>
 
 #include "common/error.h"
+#include "compare/mask_checks.h"
 
 namespace gnomon {
 namespace {
-
-/// Checks that a mask holds what its width and height promise, without overflow for any of the two.
-void requireWhole(const Mask& mask, const char* who) {
-  const bool negative = mask.width < 0 || mask.height < 0;
-  const std::size_t expected =
-      negative ? 0 : static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height);
-  if (negative || mask.size() != expected) {
-    throw InputError(fmt::format("{} mask: {} x {} expected, {} samples found", who, mask.width,
-                                 mask.height, mask.size()));
-  }
-}
-
-void requireSameSize(const Mask& candidate, const Mask& truth) {
-  if (candidate.width != truth.width || candidate.height != truth.height) {
-    throw InputError(fmt::format("candidate mask: {} x {} samples, but the truth has {} x {}",
-                                 candidate.width, candidate.height, truth.width, truth.height));
-  }
-}
-
-void requireOnePerSample(std::size_t found, std::size_t samples, const char* what) {
-  if (found != 0 && found != samples) {
-    throw InputError(fmt::format("{}: {} values for {} samples, one each or none expected", what,
-                                 found, samples));
-  }
-}
 
 void requireWeights(std::span<const double> weights) {
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -49,10 +25,6 @@ void requireWeights(std::span<const double> weights) {
       "masks differ in where they have samples: column {}, row {} is {} in the candidate and {} in "
       "the truth (0 lit, 1 shadowed, 2 none), both or neither expected",
       i % width, i / width, static_cast<int>(candidate), static_cast<int>(truth)));
-}
-
-bool isAnswer(Shade shade) {
-  return shade == Shade::lit || shade == Shade::shadowed;
 }
 
 double& cell(Counts& counts, Shade candidate, Shade truth) {
@@ -74,9 +46,7 @@ void add(Counts& sum, const Counts& part) {
 
 Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights,
                     std::span<const std::uint8_t> selected) {
-  requireWhole(candidate, "candidate");
-  requireWhole(truth, "truth");
-  requireSameSize(candidate, truth);
+  requireSameView(candidate, truth);
   requireOnePerSample(weights.size(), truth.size(), "weights");
   requireOnePerSample(selected.size(), truth.size(), "selection");
   requireWeights(weights);

@@ -156,7 +156,7 @@ Metric rate(const Counts& counts, std::string_view name) {
   throw InternalError(fmt::format("metric: \"{}\" is not one that rates() has", name));
 }
 
-const std::vector<std::string_view>& metricNames() {
+const std::vector<std::string_view>& rateNames() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list;
     list.reserve(std::size(allRates));

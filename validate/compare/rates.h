@@ -12,7 +12,7 @@ namespace gnomon {
 /// One metric. Undefined values have no number but a reason; they are never reported as 0 or 1.
 struct Metric {
   std::string_view name;        ///< as reports and thresholds spell it
-  std::optional<double> value;  ///< dimensionless; 0 to 1, mcc -1 to 1
+  std::optional<double> value;  ///< dimensionless; rates 0 to 1, mcc -1 to 1
   std::string_view reason;      ///< why there is no value; empty if there is one
 };
 
@@ -37,6 +37,6 @@ std::vector<Metric> rates(const Counts& counts);
 Metric rate(const Counts& counts, std::string_view name);
 
 /// The names above, in order.
-const std::vector<std::string_view>& metricNames();
+const std::vector<std::string_view>& rateNames();
 
 }  // namespace gnomon

@@ -10,6 +10,7 @@
 #include "compare/rates.h"
 #include "report/html_text.h"
 #include "report/number_text.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -97,6 +98,16 @@ std::string correlationCell(const Metric& metric) {
   return numberCell(escapeHtml(correlationText(metric.value)), metric.reason);
 }
 
+/// The median, with the quartiles and the count for whoever points at it.
+std::string lengthCell(const ResultRecord& row) {
+  const Metric ratio = metricOf(row, "shadow_length_ratio");
+  if (!ratio.value) return metricCell(ratio);
+  const auto text = [&](std::string_view name) { return ratioText(metricOf(row, name).value); };
+  return numberCell(escapeHtml(ratioText(ratio.value)),
+                    fmt::format("quartiles {} and {} over {:.0f} runs", text("shadow_length_q1"),
+                                text("shadow_length_q3"), row.lengths->runs));
+}
+
 std::vector<std::string> othersInUncertainty(const StudyRecord& record, const ResultRecord& row,
                                              const Case& which) {
   const auto error = [](const ResultRecord& r) { return rate(r.counts, "error_rate").value; };
@@ -118,7 +129,7 @@ std::string caseRow(const StudyRecord& record, const ResultRecord& row, const Ca
     const Metric metric = rate(row.counts, name);
     cells += name == "mcc" ? correlationCell(metric) : metricCell(metric);
   }
-  return fmt::format("<tr>{}</tr>\n", cells);
+  return fmt::format("<tr>{}{}</tr>\n", cells, lengthCell(row));
 }
 
 std::string regionTooltip(const Counts& counts) {
@@ -185,7 +196,7 @@ std::string caseTable(const StudyRecord& record, const Case& which) {
   }
   return htmlTable("metrics",
                    headCells({"Method"}, {"Error", "False shadow", "False light", "IoU", "F1",
-                                          "BER", "MCC (−1 to 1)"}),
+                                          "BER", "MCC (−1 to 1)", "Shadow length"}),
                    body);
 }
 

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/rates.h"
 #include "report/number_text.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -46,7 +46,7 @@ std::vector<std::string> row(const std::string& study, const ResultRecord& resul
                                     exactText(counts.falsePositive),
                                     exactText(counts.falseNegative),
                                     exactText(counts.trueNegative)};
-  for (const Metric& metric : rates(counts)) {
+  for (const Metric& metric : metricsOf(result)) {
     cells.push_back(metric.value ? exactText(*metric.value) : "");
   }
   return cells;

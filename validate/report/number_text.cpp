@@ -32,6 +32,12 @@ std::string correlationText(std::optional<double> value) {
   return correlation < 0 && digits != "0.000" ? "−" + digits : digits;
 }
 
+std::string ratioText(std::optional<double> value) {
+  if (!value) return "–";
+  const double ratio = requireFinite(*value, "ratio");
+  return ratio > 0 && ratio < 0.005 ? "<0.01" : fmt::format("{:.2f}", ratio);
+}
+
 std::string exactText(double value) {
   return fmt::format("{}", requireFinite(value, "value"));
 }

@@ -19,6 +19,9 @@ std::string percentText(std::optional<double> share);
 /// A correlation with three decimals, treated likewise: 1.000 always means that nothing differs.
 std::string correlationText(std::optional<double> value);
 
+/// A ratio with two decimals: "1.05"; "–" where undefined, "<0.01" where it would round to none.
+std::string ratioText(std::optional<double> value);
+
 /// The shortest text that reads back as the same number: "0.1", "1e-05".
 std::string exactText(double value);
 

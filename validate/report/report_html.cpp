@@ -127,7 +127,10 @@ std::string caseTables(const StudyRecord& record, const Case& which) {
       regionsOf(record, which).empty()) {
     return "";
   }
-  std::string html = "<h3>All samples</h3>\n" + caseTable(record, which);
+  std::string html =
+      "<h3>All samples</h3>\n<p class=\"note\">Rates in percent. Shadow length is that of the cast "
+      "shadows along the light, over the truth’s: the median.</p>\n" +
+      caseTable(record, which);
   const std::string regions = regionTable(record, which);
   if (!regions.empty()) {
     html +=

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/rates.h"
 #include "report/names.h"
 #include "report/number_text.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -49,7 +49,8 @@ Json environmentJson(const EnvironmentRecord& environment) {
 Json flipJson(const UncertaintyRecord& flip) {
   return {{"view", flip.view},
           {"light", flip.light},
-          {"flip_rate", number(flip.flipRate, "truth.flips.flip_rate")}};
+          {"flip_rate", number(flip.flipRate, "truth.flips.flip_rate")},
+          {"length_error", number(flip.lengthError, "truth.flips.length_error")}};
 }
 
 Json truthJson(const TruthRecord& truth) {
@@ -80,7 +81,7 @@ Json resultJson(const ResultRecord& result) {
                {"fn", number(counts.falseNegative, "results.fn")},
                {"tn", number(counts.trueNegative, "results.tn")}};
   Json undefined = Json::object();
-  for (const Metric& metric : rates(counts)) {
+  for (const Metric& metric : metricsOf(result)) {
     const std::string name(metric.name);
     json[name] = number(metric.value, name);
     if (!metric.value) undefined[name] = metric.reason;

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 
-#include "compare/rates.h"
 #include "report/cases.h"
 #include "report/names.h"
 #include "report/number_text.h"
 #include "report/text_width.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -23,13 +23,15 @@ struct Column {
   std::string_view metric;
   std::string_view title;
   std::size_t width;
+  std::string (*text)(std::optional<double>) = percentText;
 };
 
-constexpr std::array<Column, 5> columns = {{{"error_rate", "error", 8},
+constexpr std::array<Column, 6> columns = {{{"error_rate", "error", 8},
                                             {"false_shadow", "false shadow", 14},
                                             {"false_light", "false light", 13},
                                             {"iou", "IoU", 9},
-                                            {"ber", "BER", 9}}};
+                                            {"ber", "BER", 9},
+                                            {"shadow_length_ratio", "length", 9, ratioText}}};
 constexpr std::size_t markWidth = 2;
 
 constexpr std::size_t labelRoom() {
@@ -86,7 +88,7 @@ std::string tableRow(const NameWidths& widths, std::string_view light, const Res
                      bool closeToBest) {
   std::string row = nameCells(widths, light, result.method);
   for (const Column& column : columns) {
-    row += fitRight(percentText(rate(result.counts, column.metric).value), column.width);
+    row += fitRight(column.text(metricOf(result, column.metric).value), column.width);
   }
   return closeToBest ? row + " ≈" : row;
 }
@@ -116,7 +118,7 @@ struct CaseRows {
 };
 
 std::optional<double> errorOf(const ResultRecord& result) {
-  return rate(result.counts, "error_rate").value;
+  return metricOf(result, "error_rate").value;
 }
 
 bool isBetter(const ResultRecord& a, const ResultRecord& b) {
@@ -183,7 +185,9 @@ void appendViewBlock(Page& page, const StudyRecord& record, const std::vector<Ca
 void appendResults(Page& page, const StudyRecord& record) {
   std::vector<Case> left = casesOf(record);
   if (left.empty()) return;
-  page.line("Rates in percent of the samples. ≈ not distinguishable from the best of its light.");
+  page.paragraph(
+      "Rates in percent of the samples; length is that of the cast shadows over the truth's, the "
+      "median. ≈ not distinguishable from the best of its light.");
   while (!left.empty()) {
     const std::string view = left.front().view;
     const auto rest = std::stable_partition(left.begin(), left.end(),

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "compare/rates.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -17,31 +17,50 @@ struct Pair {
   double uncertainty;
 };
 
-double uncertaintyOf(const StudyRecord& study, const ResultRecord& result) {
-  for (const UncertaintyRecord& flip : study.truth.flips) {
-    if (flip.view == result.view && flip.light == result.light) return flip.flipRate;
+const ResultRecord* findResult(const StudyRecord& study, const std::string& method,
+                               const ResultRecord& like, std::string_view region) {
+  const auto found =
+      std::find_if(study.results.begin(), study.results.end(), [&](const ResultRecord& result) {
+        return result.method == method && result.light == like.light && result.view == like.view &&
+               result.region == region;
+      });
+  return found == study.results.end() ? nullptr : &*found;
+}
+
+/// How many times more samples the view has than the result's region: so much larger is the share
+/// of samples that flip, if all of them lie in it.
+double concentration(const StudyRecord& study, const ResultRecord& result) {
+  const ResultRecord* all = findResult(study, result.method, result, "all");
+  if (all == nullptr || result.counts.samples == 0) return 1;
+  return static_cast<double>(all->counts.samples) / static_cast<double>(result.counts.samples);
+}
+
+double uncertaintyOf(const StudyRecord& study, const ResultRecord& result,
+                     const std::string& metric) {
+  const auto& flips = study.truth.flips;
+  const auto flip = std::find_if(flips.begin(), flips.end(), [&](const UncertaintyRecord& record) {
+    return record.view == result.view && record.light == result.light;
+  });
+  if (isLengthMetric(metric)) {
+    return flip == flips.end() ? 0 : flip->lengthError.value_or(0);
   }
-  return study.truth.uncertainty;
+  const double rate = flip == flips.end() ? study.truth.uncertainty : flip->flipRate;
+  return rate * concentration(study, result);
 }
 
 std::optional<double> valueOf(const StudyRecord& study, const std::string& method,
                               const ResultRecord& like, const std::string& metric) {
-  for (const ResultRecord& result : study.results) {
-    if (result.method == method && result.light == like.light && result.view == like.view &&
-        result.region == like.region) {
-      return rate(result.counts, metric).value;
-    }
-  }
-  return std::nullopt;
+  const ResultRecord* result = findResult(study, method, like, like.region);
+  return result == nullptr ? std::nullopt : metricOf(*result, metric).value;
 }
 
 std::vector<Pair> pairs(const ClaimSpec& claim, const StudyRecord& study) {
   std::vector<Pair> found;
   for (const ResultRecord& result : study.results) {
-    if (result.method != claim.less || result.region != "all") continue;
-    const auto less = rate(result.counts, claim.metric).value;
+    if (result.method != claim.less || result.region != claim.region) continue;
+    const auto less = metricOf(result, claim.metric).value;
     const auto than = valueOf(study, claim.than, result, claim.metric);
-    if (less && than) found.push_back({*less, *than, uncertaintyOf(study, result)});
+    if (less && than) found.push_back({*less, *than, uncertaintyOf(study, result, claim.metric)});
   }
   return found;
 }
@@ -50,6 +69,22 @@ double meanGain(const std::vector<Pair>& found) {
   double sum = 0;
   for (const Pair& pair : found) sum += pair.than - pair.less;
   return sum / static_cast<double>(found.size());
+}
+
+double largestUncertainty(const std::vector<Pair>& found) {
+  double largest = 0;
+  for (const Pair& pair : found) largest = std::max(largest, pair.uncertainty);
+  return largest;
+}
+
+/// A difference as texts show it: rates in points of a hundred, lengths as the ratios they are.
+std::string differenceText(const std::string& metric, double difference) {
+  return isLengthMetric(metric) ? fmt::format("{:.3f}", difference)
+                                : fmt::format("{:.2f} points", 100 * difference);
+}
+
+std::string regionText(const ClaimSpec& claim) {
+  return claim.region == "all" ? "" : fmt::format(" in the region {}", claim.region);
 }
 
 ClaimRecord judgeOrder(const ClaimSpec& claim, const std::vector<Pair>& found) {
@@ -64,10 +99,10 @@ ClaimRecord judgeOrder(const ClaimSpec& claim, const std::vector<Pair>& found) {
                           : smaller == all ? Verdict::held
                                            : Verdict::notDistinguishable;
   return {claim.text, claim.source, verdict,
-          fmt::format("{} of {} smaller than of {} in {} of {} comparisons, larger in {}; "
-                      "mean difference {:.2f} points",
-                      claim.metric, claim.less, claim.than, smaller, all, larger,
-                      100 * meanGain(found))};
+          fmt::format("{} of {} smaller than of {}{} in {} of {} comparisons, larger in {}; "
+                      "mean difference {}",
+                      claim.metric, claim.less, claim.than, regionText(claim), smaller, all, larger,
+                      differenceText(claim.metric, meanGain(found)))};
 }
 
 ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study, const StudyRecord& other) {
@@ -78,16 +113,75 @@ ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study, const St
             fmt::format("{} has no results of {} and {}", other.name, claim.less, claim.than)};
   }
   const double difference = meanGain(here) - meanGain(there);
-  const double uncertainty = study.truth.uncertainty + other.truth.uncertainty;
+  const double uncertainty = largestUncertainty(here) + largestUncertainty(there);
   const Verdict verdict = difference > uncertainty    ? Verdict::held
                           : difference < -uncertainty ? Verdict::failed
                                                       : Verdict::notDistinguishable;
   return {claim.text, claim.source, verdict,
-          fmt::format("mean gain in {} {:.2f} points here, {:.2f} in {}", claim.metric,
-                      100 * meanGain(here), 100 * meanGain(there), other.name)};
+          fmt::format("mean gain in {}{} {} here, {} in {}", claim.metric, regionText(claim),
+                      differenceText(claim.metric, meanGain(here)),
+                      differenceText(claim.metric, meanGain(there)), other.name)};
+}
+
+// ---- one method against bounds
+
+/// What one light and view says of a metric.
+struct Bounded {
+  double value;
+  double uncertainty;
+};
+
+bool isWithin(const ClaimSpec& claim, const Bounded& found) {
+  return (!claim.above || found.value - found.uncertainty > *claim.above) &&
+         (!claim.below || found.value + found.uncertainty < *claim.below);
+}
+
+bool isOutside(const ClaimSpec& claim, const Bounded& found) {
+  return (claim.above && found.value + found.uncertainty <= *claim.above) ||
+         (claim.below && found.value - found.uncertainty >= *claim.below);
+}
+
+std::string boundsText(const ClaimSpec& claim) {
+  if (!claim.below) return fmt::format("above {}", *claim.above);
+  if (!claim.above) return fmt::format("below {}", *claim.below);
+  return fmt::format("between {} and {}", *claim.above, *claim.below);
+}
+
+ClaimRecord judgeBounds(const ClaimSpec& claim, const StudyRecord& study) {
+  std::vector<Bounded> found;
+  std::size_t cases = 0;
+  for (const ResultRecord& result : study.results) {
+    if (result.method != claim.method || result.region != claim.region) continue;
+    ++cases;
+    if (const auto value = metricOf(result, claim.metric).value) {
+      found.push_back({*value, uncertaintyOf(study, result, claim.metric)});
+    }
+  }
+  if (found.empty()) {
+    return {claim.text, claim.source, Verdict::notEvaluated,
+            fmt::format("{} is not defined for {}", claim.metric, claim.method)};
+  }
+  const auto within = std::count_if(found.begin(), found.end(),
+                                    [&](const Bounded& b) { return isWithin(claim, b); });
+  const auto outside = std::count_if(found.begin(), found.end(),
+                                     [&](const Bounded& b) { return isOutside(claim, b); });
+  const Verdict verdict = outside > 0 ? Verdict::failed
+                          : within == static_cast<std::ptrdiff_t>(found.size())
+                              ? Verdict::held
+                              : Verdict::notDistinguishable;
+  const auto [least, most] =
+      std::minmax_element(found.begin(), found.end(),
+                          [](const Bounded& a, const Bounded& b) { return a.value < b.value; });
+  const std::string left =
+      found.size() == cases ? "" : fmt::format(", not defined in {} more", cases - found.size());
+  return {claim.text, claim.source, verdict,
+          fmt::format("{} of {}{} {} in {} of {} cases, outside in {}{}; found {:.3f} to {:.3f}",
+                      claim.metric, claim.method, regionText(claim), boundsText(claim), within,
+                      found.size(), outside, left, least->value, most->value)};
 }
 
 ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std::size_t own) {
+  if (!claim.method.empty()) return judgeBounds(claim, run[own]);
   const auto found = pairs(claim, run[own]);
   if (found.empty()) {
     return {claim.text, claim.source, Verdict::notEvaluated,

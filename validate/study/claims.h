@@ -10,10 +10,18 @@ namespace gnomon {
 
 /// Judges the claims of one study of a run.
 ///
-/// "`less` has a smaller metric than `than`" is judged in every light and view over all samples:
+/// "`less` has a smaller metric than `than`" is judged in every light and view, over the samples of
+/// the claim's region, where both have a value:
 ///   held                 smaller everywhere, by more than the truth's uncertainty there
 ///   failed               larger somewhere, by more than that
 ///   not distinguishable  anything between
+/// "The metric of `method` lies `above` and `below`" likewise:
+///   held                 within the bounds everywhere, also when moved by the uncertainty
+///   failed               outside somewhere, also when moved by it
+///   not distinguishable  anything between
+/// The truth's uncertainty is the share of samples that flip at half its resolution; in a region,
+/// as if all of them lay in it, so that it is never too small; of a length ratio, by how much the
+/// coarser truth's differs from 1. Where no case has a value, the claim is not evaluated.
 /// With `gainExceeds` the mean of (than - less) over lights and views is compared with the same
 /// mean in the study of that name, by the sum of both studies' largest uncertainties; without that
 /// study in the run the claim is not evaluated, and says what to run.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/counts.h"
+#include "compare/shadow_length.h"
 
 namespace gnomon {
 
@@ -30,6 +31,9 @@ struct UncertaintyRecord {
   std::string view;
   std::string light;
   double flipRate = 0;  ///< share of samples that change at half the micro-mesh's resolution
+  /// By how much the median length ratio of that coarser truth's shadows to the truth's differs
+  /// from 1; none where too few could be measured.
+  std::optional<double> lengthError = std::nullopt;
 };
 
 struct TruthRecord {
@@ -56,6 +60,7 @@ struct ResultRecord {
   std::string view;
   std::string region;
   Counts counts;
+  std::optional<ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
 };
 
 struct CostRecord {

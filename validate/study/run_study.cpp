@@ -3,18 +3,21 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
 
 #include "common/error.h"
 #include "compare/counts.h"
+#include "compare/shadow_length.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
 #include "render/method_pass.h"
 #include "render/passes.h"
 #include "study/base_case.h"
 #include "study/environment.h"
+#include "study/light_field.h"
 #include "study/panel_pictures.h"
 #include "study/table_set.h"
 #include "study/thresholds.h"
@@ -194,10 +197,37 @@ class StudyRun {
           return trace(mesh, *scene, view.samples, study_.lights[l], standardLift / 2, progress);
         });
         const double flips = flipRate(view.truths[l].mask, coarse.mask);
-        record_.truth.flips.push_back({study_.views[v].name, study_.lights[l].name, flips});
+        const auto lengthError = clock_.measure("uncertainty", [&](const Progress&) {
+          const LightField field = lightField(base, v, l);
+          return differenceFromOne(lengths(coarse.mask, view.truths[l], field).ratio);
+        });
+        record_.truth.flips.push_back(
+            {study_.views[v].name, study_.lights[l].name, flips, lengthError});
         record_.truth.uncertainty = std::max(record_.truth.uncertainty, flips);
       }
     }
+  }
+
+  // ---- shadow lengths
+
+  [[nodiscard]] LightField lightField(const BaseCase& base, std::size_t view,
+                                      std::size_t light) const {
+    const ViewCase& seen = base.views[view];
+    return makeLightField(surface_, seen.view, seen.samples, study_.lights[light].direction());
+  }
+
+  /// Of the shadows that an occluder casts: those that are attached alone have no end to measure.
+  [[nodiscard]] static ShadowLengths lengths(const Mask& mask, const Truth& truth,
+                                             const LightField& field) {
+    std::vector<std::uint8_t> isCast(mask.size());
+    std::transform(truth.regions.begin(), truth.regions.end(), isCast.begin(), [](Region region) {
+      return static_cast<std::uint8_t>(region == Region::cast || region == Region::distant);
+    });
+    return compareShadowLengths(mask, truth.mask, field, isCast);
+  }
+
+  static std::optional<double> differenceFromOne(std::optional<double> ratio) {
+    return ratio ? std::optional(std::abs(*ratio - 1)) : std::nullopt;
   }
 
   // ---- the methods
@@ -218,13 +248,18 @@ class StudyRun {
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
         std::vector<std::optional<Mask>> masks(methods_.size());
         std::vector<PanelMask> shown;
+        std::map<const BaseCase*, LightField> fields;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
+          const BaseCase* base = methods_[m].base;
           if (answersIn(methods_[m], v)) {
             masks[m] = clock_.measure(
                 "methods", [&](const Progress&) { return answer(methods_[m], v, l); });
-            clock_.measure("compare", [&](const Progress&) { compare(m, v, l, *masks[m]); });
+            clock_.measure("compare", [&](const Progress&) {
+              if (!fields.contains(base)) fields.emplace(base, lightField(*base, v, l));
+              compare(m, v, l, *masks[m], fields.at(base));
+            });
           }
-          shown.push_back({methods_[m].base, masks[m] ? &*masks[m] : nullptr});
+          shown.push_back({base, masks[m] ? &*masks[m] : nullptr});
         }
         record_.panels.push_back(pictures_.draw(v, l, bases_.at(standardMesh()), shown));
       }
@@ -243,7 +278,8 @@ class StudyRun {
     return mask;
   }
 
-  void compare(std::size_t method, std::size_t view, std::size_t light, const Mask& mask) {
+  void compare(std::size_t method, std::size_t view, std::size_t light, const Mask& mask,
+               const LightField& field) {
     const ViewCase& seen = methods_[method].base->views[view];
     const Truth& truth = seen.truths[light];
     const auto add = [&](std::string_view region, std::span<const std::uint8_t> selected) {
@@ -252,6 +288,7 @@ class StudyRun {
                                  countSamples(mask, truth.mask, seen.weights, selected)});
     };
     add("all", {});
+    record_.results.back().lengths = lengths(mask, truth, field);
     std::vector<std::uint8_t> selected(mask.size());
     for (const Region region : reportedRegions) {
       std::transform(truth.regions.begin(), truth.regions.end(), selected.begin(),

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "common/error.h"
-#include "compare/rates.h"
 #include "render/method.h"
 #include "study/relief_section.h"
+#include "study/result_metrics.h"
 #include "study/surface_section.h"
 #include "study/toml_reader.h"
 #include "truth/shadow_tracer.h"
@@ -180,13 +180,27 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
 
 ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
   const auto label = [](const MethodSpec& method) { return method.label; };
+  const auto itself = [](const std::string& text) { return text; };
   ClaimSpec claim;
   claim.text = section.text("text");
   claim.source = section.text("source");
-  claim.less = readFilter(section, "less", study.methods, label, section.text("less"));
-  claim.than = readFilter(section, "than", study.methods, label, section.text("than"));
+  section.requireOneOf("less", "method");
+  if (section.has("method")) {
+    claim.method = readFilter(section, "method", study.methods, label, section.text("method"));
+    claim.above = section.optionalNumber("above", anyNumber);
+    claim.below = section.optionalNumber("below", anyNumber);
+    if (!claim.above && !claim.below) section.fail("above", "`above` or `below` expected");
+    if (claim.above && claim.below && !(*claim.above < *claim.below)) {
+      section.fail("below", fmt::format("{} found, more than `above` = {} expected", *claim.below,
+                                        *claim.above));
+    }
+  } else {
+    claim.less = readFilter(section, "less", study.methods, label, section.text("less"));
+    claim.than = readFilter(section, "than", study.methods, label, section.text("than"));
+    claim.gainExceeds = section.text("gain_exceeds", "");
+  }
   claim.metric = readMetric(section);
-  claim.gainExceeds = section.text("gain_exceeds", "");
+  claim.region = readFilter(section, "region", regionNames(), itself, "all");
   section.finish();
   return claim;
 }
@@ -229,8 +243,9 @@ void keepMethods(StudySpec& study, const std::vector<std::string>& wanted) {
                         [&](const MethodSpec& method) { return method.label == label; });
   };
   std::erase_if(study.thresholds, [&](const ThresholdSpec& gate) { return isGone(gate.method); });
-  std::erase_if(study.claims,
-                [&](const ClaimSpec& claim) { return isGone(claim.less) || isGone(claim.than); });
+  std::erase_if(study.claims, [&](const ClaimSpec& claim) {
+    return isGone(claim.less) || isGone(claim.than) || isGone(claim.method);
+  });
 }
 
 /// Names become file names.

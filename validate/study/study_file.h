@@ -61,13 +61,17 @@ struct ThresholdSpec {
   std::optional<double> minimum, maximum;
 };
 
-/// A claim that one method's metric is smaller than another's in every light and view; or, with
-/// `gainExceeds`, that the mean difference between them is larger than in the study of that name.
+/// A claim of one of two forms: that one method's metric is smaller than another's in every light
+/// and view (or, with `gainExceeds`, that the mean difference between them is larger than in the
+/// study of that name); or that one method's metric lies between bounds in every light and view.
 struct ClaimSpec {
   std::string text, source;
-  std::string less, than;  ///< method labels
+  std::string less, than;  ///< method labels; empty in the second form
   std::string metric;
   std::string gainExceeds;
+  std::string region = "all";
+  std::string method = {};  ///< label; empty in the first form
+  std::optional<double> above = std::nullopt, below = std::nullopt;
 };
 
 struct StudySpec {

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "common/error.h"
-#include "compare/rates.h"
+#include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
@@ -15,7 +15,7 @@ bool matches(const std::string& filter, const std::string& name) {
 ThresholdRecord judge(const ThresholdSpec& gate, const ResultRecord& result) {
   ThresholdRecord record{result.method, result.light, result.view,  result.region, gate.metric,
                          std::nullopt,  gate.minimum, gate.maximum, false};
-  record.value = rate(result.counts, gate.metric).value;
+  record.value = metricOf(result, gate.metric).value;
   record.passed = record.value && (!gate.maximum || *record.value <= *gate.maximum) &&
                   (!gate.minimum || *record.value >= *gate.minimum);
   return record;

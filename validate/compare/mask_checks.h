@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "common/mask.h"
+
+namespace gnomon {
+
+/// Whether a sample was asked and has an answer.
+inline bool isAnswer(Shade shade) {
+  return shade == Shade::lit || shade == Shade::shadowed;
+}
+
+/// @throws InputError unless both masks hold what their widths and heights promise and are of one
+///   size
+void requireSameView(const Mask& candidate, const Mask& truth);
+
+/// @throws InputError unless there is one value a sample, or none at all
+void requireOnePerSample(std::size_t found, std::size_t samples, const char* what);
+
+}  // namespace gnomon
