@@ -12,8 +12,11 @@
 #include "render/gl_context.h"
 #include "report/folder_writer.h"
 #include "report/metrics_csv.h"
+#include "report/ranking_html.h"
+#include "report/ranking_json.h"
 #include "report/report_html.h"
 #include "report/summary_json.h"
+#include "report/terminal_ranking.h"
 #include "report/terminal_table.h"
 #include "study/claims.h"
 #include "study/run_study.h"
@@ -41,13 +44,17 @@ std::vector<StudySpec> readStudies(const RunRequest& request) {
   return studies;
 }
 
+void removeFiles(const fs::path& folder, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    std::error_code ignored;
+    fs::remove(folder / name, ignored);
+  }
+}
+
 StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
   const fs::path folder = request.out / study.name;
   // Older figures must not stand beside newer pictures.
-  for (const char* report : {"summary.json", "metrics.csv", "report.html"}) {
-    std::error_code ignored;
-    fs::remove(folder / report, ignored);
-  }
+  removeFiles(folder, {"summary.json", "metrics.csv", "report.html"});
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
   try {
@@ -79,11 +86,24 @@ bool speaksOfOthers(const StudySpec& study) {
                      [](const ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
 }
 
+/// Ranks the methods over all studies, and prints and writes that.
+void reportRanking(const std::vector<StudyRecord>& records, const RunRequest& request) {
+  std::vector<StudyMeans> studies;
+  for (const StudyRecord& record : records) studies.push_back(studyMeans(record));
+  writeTextAtomically(request.out / "ranking.csv", rankingCsv(studies));
+  writeTextAtomically(request.out / "ranking.html", rankingHtml(studies, request.command));
+  writeTextAtomically(request.out / "ranking.json", rankingJson(studies, request.command));
+  fmt::print("{}\nReport: {}\n", rankingOverStudies(studies, coloursWanted()),
+             (request.out / "ranking.html").string());
+}
+
 }  // namespace
 
 ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudySpec> studies = readStudies(request);
   const GlContext gl;
+  const bool ranked = studies.size() > 1;
+  if (ranked) removeFiles(request.out, {"ranking.json", "ranking.csv", "ranking.html"});
   std::vector<StudyRecord> records;
   for (const StudySpec& study : studies) {
     records.push_back(runOne(study, gl, request));
@@ -97,6 +117,7 @@ ExitStatus runStudies(const RunRequest& request) {
     fmt::print("{}\nReport: {}\n\n", resultTable(records[i], coloursWanted()),
                (request.out / records[i].name / "report.html").string());
   }
+  if (ranked) reportRanking(records, request);
   return request.check && !passed ? ExitStatus::thresholdFailed : ExitStatus::pass;
 }
 

@@ -4,45 +4,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "common/memory.h"
 #include "compare/rates.h"
+#include "report/html_cells.h"
 #include "report/html_text.h"
 #include "report/number_text.h"
 
 namespace gnomon {
 namespace {
 
-std::string textCell(std::string_view text) {
-  return fmt::format("<td>{}</td>", escapeHtml(text));
-}
-
-std::string numberCell(std::string_view html, std::string_view tooltip = "") {
-  const std::string title =
-      tooltip.empty() ? "" : fmt::format(" title=\"{}\"", escapeHtml(tooltip));
-  return fmt::format("<td class=\"n\"{}>{}</td>", title, html);
-}
-
-std::string rateText(std::optional<double> share) {
-  return escapeHtml(percentText(share));
-}
-
 std::string metricCell(const Metric& metric) {
   return numberCell(rateText(metric.value), metric.reason);
-}
-
-std::string headCells(std::initializer_list<std::string_view> texts,
-                      std::initializer_list<std::string_view> numbers) {
-  std::string cells;
-  for (const auto& text : texts) cells += fmt::format("<th>{}</th>", text);
-  for (const auto& number : numbers) cells += fmt::format("<th class=\"n\">{}</th>", number);
-  return cells;
-}
-
-std::string withUncertainty(std::optional<double> share, std::optional<double> uncertainty) {
-  if (!uncertainty) return rateText(share);
-  return fmt::format("{} <small>±&#8239;{}</small>", rateText(share), rateText(uncertainty));
 }
 
 /// A bar of the two kinds of error, `full` being the longest.
@@ -132,10 +105,7 @@ std::string regionCell(const ResultRecord* row, double worst) {
   if (row == nullptr) return numberCell("", "not evaluated");
   const Metric error = rate(row->counts, "error_rate");
   if (!error.value) return metricCell(error);
-  // By the square root: beside a control that gets everything wrong, small errors still differ.
-  const double shade = worst > 0 ? std::sqrt(*error.value / worst) : 0;
-  return fmt::format("<td class=\"n heat\" style=\"--heat:{:.3f}\" title=\"{}\">{}</td>", shade,
-                     escapeHtml(regionTooltip(row->counts)), rateText(error.value));
+  return heatCell(*error.value, worst, regionTooltip(row->counts));
 }
 
 /// The samples of a region, where all methods were asked at the same ones.
