@@ -7,6 +7,7 @@
 
 #include "common/memory.h"
 #include "compare/rates.h"
+#include "report/cost.h"
 #include "report/html_cells.h"
 #include "report/html_text.h"
 #include "report/number_text.h"
@@ -201,19 +202,23 @@ std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds) {
       headCells({"", "Method", "View", "Light", "Region", "Metric"}, {"Value", "Limit"}), body);
 }
 
-std::string costTable(const std::vector<CostRecord>& cost) {
+std::string costTable(const StudyRecord& record) {
   std::string body;
-  for (const CostRecord& c : cost) {
+  for (const CostRecord& c : record.cost) {
     const auto bytes = [](std::uint64_t count) { return formatBytes(static_cast<double>(count)); };
+    const auto ratio = frameRatio(record, c);
     body += fmt::format(
-        "<tr><td class=\"method\">{}</td>{}{}{}{}</tr>\n", escapeHtml(c.method),
+        "<tr><td class=\"method\">{}</td>{}{}{}{}{}{}</tr>\n", escapeHtml(c.method),
         numberCell(groupedText(c.polygons)), numberCell(bytes(c.tableBytes)),
-        numberCell(bytes(c.heightBytes)),
+        numberCell(bytes(c.heightBytes)), numberCell(fmt::format("{}", c.passes)),
         c.frameMs ? numberCell(fmt::format("{:.2f}", requireFinite(*c.frameMs, "frame_ms")))
-                  : numberCell("–", "not measured"));
+                  : numberCell("–", "not measured"),
+        numberCell(ratioText(ratio), ratio ? "" : fmt::format("{} was not timed", costReference)));
   }
   return htmlTable("cost",
-                   headCells({"Method"}, {"Triangles", "Tables", "Height map", "Frame, ms"}), body);
+                   headCells({"Method"}, {"Triangles", "Tables", "Height map", "Passes",
+                                          "Frame, ms", "To max-forsyth"}),
+                   body);
 }
 
 std::string flipTable(const std::vector<UncertaintyRecord>& flips) {

@@ -6,6 +6,7 @@
 
 #include "common/memory.h"
 #include "report/cases.h"
+#include "report/cost.h"
 #include "report/html_figures.h"
 #include "report/html_page.h"
 #include "report/html_tables.h"
@@ -114,13 +115,14 @@ std::string caseSection(const StudyRecord& record, const Case& which, std::size_
                      content);
 }
 
-std::string costSection(const std::vector<CostRecord>& cost) {
-  if (cost.empty()) return "";
+std::string costSection(const StudyRecord& record) {
+  if (record.cost.empty()) return "";
+  const std::string rates = publishedRates(record);
   return htmlSection(
       "cost", "What each method costs",
-      "<p class=\"note\">Memory of the tables and the height map that a frame reads; "
-      "the median time of one frame.</p>\n" +
-          costTable(cost));
+      "<p class=\"note\">Memory of the tables and the height map that a frame reads; drawing "
+      "passes a frame; the median time of one frame, and its ratio to that of max-forsyth.</p>\n" +
+          costTable(record) + (rates.empty() ? "" : "<p>" + escapeHtml(rates) + "</p>\n"));
 }
 
 std::string bytesText(std::uint64_t bytes) {
@@ -199,7 +201,7 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
   }
-  return html + costSection(record.cost) + truthSection(record) + citations(record.methods) +
+  return html + costSection(record) + truthSection(record) + citations(record.methods) +
          timingSection(record.timings) + reproduceSection(record) + "</main>\n</body>\n</html>\n";
 }
 

@@ -1,6 +1,7 @@
 #include "report/summary_json.h"
 
 #include "compare/rates.h"
+#include "report/cost.h"
 #include "report/json_values.h"
 #include "report/names.h"
 
@@ -58,12 +59,14 @@ Json resultJson(const ResultRecord& result) {
   return json;
 }
 
-Json costJson(const CostRecord& cost) {
+Json costJson(const StudyRecord& record, const CostRecord& cost) {
   return {{"method", cost.method},
           {"polygons", cost.polygons},
           {"table_bytes", cost.tableBytes},
           {"height_bytes", cost.heightBytes},
-          {"frame_ms", jsonNumber(cost.frameMs, "cost.frame_ms")}};
+          {"frame_ms", jsonNumber(cost.frameMs, "cost.frame_ms")},
+          {"passes", cost.passes},
+          {"frame_ratio", jsonNumber(frameRatio(record, cost), "cost.frame_ratio")}};
 }
 
 Json timingJson(const TimingRecord& timing) {
@@ -100,19 +103,21 @@ Json panelJson(const PanelRecord& panel) {
 }  // namespace
 
 std::string summaryJson(const StudyRecord& record) {
-  const Json json = {{"schema", summarySchema},
-                     {"status", jsonStatus(record.passed())},
-                     {"study", studyJson(record)},
-                     {"environment", jsonEnvironment(record.environment)},
-                     {"truth", truthJson(record.truth)},
-                     {"methods", jsonList(record.methods, methodJson)},
-                     {"results", jsonList(record.results, resultJson)},
-                     {"cost", jsonList(record.cost, costJson)},
-                     {"timings", jsonList(record.timings, timingJson)},
-                     {"thresholds", jsonList(record.thresholds, thresholdJson)},
-                     {"claims", jsonList(record.claims, jsonClaim)},
-                     {"panels", jsonList(record.panels, panelJson)},
-                     {"undefined_samples", record.undefinedSamples}};
+  const Json json = {
+      {"schema", summarySchema},
+      {"status", jsonStatus(record.passed())},
+      {"study", studyJson(record)},
+      {"environment", jsonEnvironment(record.environment)},
+      {"truth", truthJson(record.truth)},
+      {"methods", jsonList(record.methods, methodJson)},
+      {"results", jsonList(record.results, resultJson)},
+      {"cost",
+       jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
+      {"timings", jsonList(record.timings, timingJson)},
+      {"thresholds", jsonList(record.thresholds, thresholdJson)},
+      {"claims", jsonList(record.claims, jsonClaim)},
+      {"panels", jsonList(record.panels, panelJson)},
+      {"undefined_samples", record.undefinedSamples}};
   return jsonText(json);
 }
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
+#include "common/memory.h"
 #include "compare/rates.h"
 #include "report/cases.h"
+#include "report/cost.h"
 #include "report/number_text.h"
 #include "report/terminal_page.h"
 #include "report/text_width.h"
@@ -188,6 +191,35 @@ void appendThresholds(TerminalPage& page, const StudyRecord& record) {
   }
 }
 
+constexpr std::array<std::size_t, 5> costWidths = {13, 12, 8, 10, 16};
+
+std::string costRow(std::size_t labelWidth, std::string_view method,
+                    const std::array<std::string, 5>& cells) {
+  std::string row = std::string(terminalIndent, ' ') + fitLeft(method, labelWidth);
+  for (std::size_t i = 0; i < cells.size(); ++i) row += fitRight(cells[i], costWidths[i]);
+  return row;
+}
+
+void appendCost(TerminalPage& page, const StudyRecord& record) {
+  if (record.cost.empty()) return;
+  std::size_t width = displayWidth("method");
+  for (const CostRecord& cost : record.cost) width = std::max(width, displayWidth(cost.method));
+  const std::size_t numbers = std::accumulate(costWidths.begin(), costWidths.end(), terminalIndent);
+  width = std::min(width, terminalWidth - numbers);
+  page.blank();
+  page.heading("Cost");
+  page.line(
+      costRow(width, "method", {"triangles", "tables", "passes", "ms/frame", "to max-forsyth"}));
+  for (const CostRecord& cost : record.cost) {
+    page.line(costRow(
+        width, cost.method,
+        {groupedText(cost.polygons), formatBytes(static_cast<double>(cost.tableBytes)),
+         fmt::format("{}", cost.passes),
+         cost.frameMs ? fmt::format("{:.2f}", requireFinite(*cost.frameMs, "frame_ms")) : "–",
+         ratioText(frameRatio(record, cost))}));
+  }
+}
+
 /// Where the time went: the stages that took a hundredth of a second or more.
 void appendTimings(TerminalPage& page, const StudyRecord& record) {
   if (record.timings.empty()) return;
@@ -211,6 +243,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   appendResults(page, record);
   page.claims(record.claims);
   appendThresholds(page, record);
+  appendCost(page, record);
   appendTimings(page, record);
   return page.text();
 }

@@ -64,6 +64,7 @@ struct CostRecord {
   std::uint64_t tableBytes = 0;   ///< horizon, distance and like tables
   std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
   std::optional<double> frameMs;  ///< median time of one frame of the first camera view
+  int passes = 1;                 ///< drawing passes a frame
 };
 
 struct TimingRecord {
