@@ -92,7 +92,7 @@ TEST(Cost, StandsInEveryReport) {
                                "16.00           4.00×\n"));
   EXPECT_THAT(
       table,
-      HasSubstr("  flat                   960       524 kB       1      4.00           1.00×\n"));
+      HasSubstr("  flat                   960      524 kB       1      4.00           1.00×\n"));
   const std::string html = reportHtml(record, ".");
   EXPECT_THAT(html, HasSubstr(">4.00×<"));
   EXPECT_THAT(html, HasSubstr("drawn by A &lt;rasteriser&gt;"));

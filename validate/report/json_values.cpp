@@ -31,6 +31,14 @@ Json jsonClaim(const ClaimRecord& claim) {
           {"detail", claim.detail}};
 }
 
+Json jsonMeans(const MethodMeans& means) {
+  return {{"method", means.label},
+          {"error_rate", jsonNumber(means.errorRate, "results.error_rate")},
+          {"false_shadow", jsonNumber(means.falseShadow, "results.false_shadow")},
+          {"false_light", jsonNumber(means.falseLight, "results.false_light")},
+          {"uncertainty", jsonNumber(means.uncertainty, "results.uncertainty")}};
+}
+
 Json jsonStatus(bool passed) {
   return passed ? "pass" : "fail";
 }

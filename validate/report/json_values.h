@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "report/study_ranking.h"
 #include "study/record.h"
 
 namespace gnomon {
@@ -29,6 +30,8 @@ Json jsonList(const Records& records, const Convert& convert) {
 Json jsonEnvironment(const EnvironmentRecord& environment);
 /// text, source, verdict, detail.
 Json jsonClaim(const ClaimRecord& claim);
+/// method, error_rate, false_shadow, false_light, uncertainty.
+Json jsonMeans(const MethodMeans& means);
 /// "pass" or "fail".
 Json jsonStatus(bool passed);
 

@@ -94,22 +94,12 @@ std::string matrixCell(const MethodMeans* means, double worst) {
                               percentText(means->falseShadow), percentText(means->falseLight)));
 }
 
-/// The largest of the methods' means of the truth's uncertainty: they differ only where a method
-/// draws another base mesh.
-std::optional<double> uncertaintyOf(const StudyMeans& study) {
-  std::optional<double> largest;
-  for (const MethodMeans& method : study.methods) {
-    if (method.uncertainty) largest = std::max(largest.value_or(0), *method.uncertainty);
-  }
-  return largest;
-}
-
 std::string matrix(std::span<const StudyMeans> studies, const Ranking& ranking) {
   std::string head = "<th>Method</th>";
   std::string uncertainties;
   for (const StudyMeans& study : studies) {
     head += fmt::format("<th class=\"n\">{}</th>", studyLink(study));
-    uncertainties += numberCell(rateText(uncertaintyOf(study)));
+    uncertainties += numberCell(rateText(largestUncertainty(study)));
   }
   std::string body;
   for (const RankedOverStudies& method : ranking) {

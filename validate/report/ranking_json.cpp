@@ -32,12 +32,9 @@ Json resultsJson(std::span<const StudyMeans> studies) {
   Json results = Json::array();
   for (const StudyMeans& study : studies) {
     for (const MethodMeans& method : study.methods) {
-      results.push_back({{"study", study.name},
-                         {"method", method.label},
-                         {"error_rate", jsonNumber(method.errorRate, "results.error_rate")},
-                         {"false_shadow", jsonNumber(method.falseShadow, "results.false_shadow")},
-                         {"false_light", jsonNumber(method.falseLight, "results.false_light")},
-                         {"uncertainty", jsonNumber(method.uncertainty, "results.uncertainty")}});
+      Json row = {{"study", study.name}};
+      row.update(jsonMeans(method));
+      results.push_back(std::move(row));
     }
   }
   return results;

@@ -40,6 +40,26 @@ std::optional<double> meanOf(const std::vector<std::optional<double>>& values) {
   return values.empty() ? std::nullopt : std::optional(sum / static_cast<double>(values.size()));
 }
 
+/// A method's figures over the steps of a sweep.
+MethodMeans meanOver(std::span<const StudyMeans> steps, const std::string& label) {
+  MethodMeans mean;
+  mean.label = label;
+  const auto over = [&](std::optional<double> MethodMeans::*figure) {
+    std::vector<std::optional<double>> values;
+    for (const StudyMeans& step : steps) {
+      const MethodMeans* means = findMeans(step, label);
+      if (means != nullptr) mean.name = means->name;
+      values.push_back(means == nullptr ? std::nullopt : means->*figure);
+    }
+    return meanOf(values);
+  };
+  mean.errorRate = over(&MethodMeans::errorRate);
+  mean.falseShadow = over(&MethodMeans::falseShadow);
+  mean.falseLight = over(&MethodMeans::falseLight);
+  mean.uncertainty = over(&MethodMeans::uncertainty);
+  return mean;
+}
+
 RankedOverStudies summarise(std::span<const StudyMeans> studies, const std::string& label) {
   RankedOverStudies method;
   method.label = label;
@@ -104,6 +124,22 @@ StudyMeans studyMeans(const StudyRecord& record) {
                              found->uncertainty});
   }
   return study;
+}
+
+StudyMeans studyMeans(const SweepRecord& sweep) {
+  std::vector<StudyMeans> steps;
+  for (const StudyRecord& step : sweep.steps) steps.push_back(studyMeans(step));
+  StudyMeans study{sweep.name, sweep.title, sweep.passed(), {}, sweep.claims};
+  for (const std::string& label : labelsOf(steps)) study.methods.push_back(meanOver(steps, label));
+  return study;
+}
+
+std::optional<double> largestUncertainty(const StudyMeans& study) {
+  std::optional<double> largest;
+  for (const MethodMeans& method : study.methods) {
+    if (method.uncertainty) largest = std::max(largest.value_or(0), *method.uncertainty);
+  }
+  return largest;
 }
 
 const MethodMeans* findMeans(const StudyMeans& study, std::string_view label) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "study/record.h"
+#include "study/sweep_record.h"
 
 namespace gnomon {
 
@@ -29,6 +30,13 @@ struct StudyMeans {
 };
 
 StudyMeans studyMeans(const StudyRecord& record);
+
+/// A sweep as one study: each figure the mean over its steps, none where a step has none.
+StudyMeans studyMeans(const SweepRecord& sweep);
+
+/// The largest of the methods' means of the truth's uncertainty. They differ only where a method
+/// draws another base mesh.
+std::optional<double> largestUncertainty(const StudyMeans& study);
 
 /// A method over the studies of a run. Methods of one label are one method.
 struct RankedOverStudies {

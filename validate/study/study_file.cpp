@@ -183,6 +183,10 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
   claim.than = readFilter(section, "than", study.methods, label, section.text("than"));
   claim.metric = readMetric(section);
   claim.gainExceeds = section.text("gain_exceeds", "");
+  claim.gainGrows = section.flag("gain_grows", false);
+  if (claim.gainGrows && !claim.gainExceeds.empty()) {
+    section.fail("gain_grows", "`gain_exceeds` found beside it, one of the two expected");
+  }
   section.finish();
   return claim;
 }
@@ -301,7 +305,11 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   }
   for (const TomlReader& claim : root.optionalTables("claim")) {
     study.claims.push_back(readClaim(claim, study));
+    if (study.claims.back().gainGrows && !root.optionalTable("sweep")) {
+      claim.fail("gain_grows", "no [sweep] found, over which a gain could grow");
+    }
   }
+  (void)root.optionalTable("sweep");
   root.finish();
   keepMethods(study, options.methods);
   return study;

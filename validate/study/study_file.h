@@ -61,12 +61,14 @@ struct ThresholdSpec {
 };
 
 /// A claim that one method's metric is smaller than another's in every light and view; or, with
-/// `gainExceeds`, that the mean difference between them is larger than in the study of that name.
+/// `gainExceeds`, that the mean difference between them is larger than in the study of that name;
+/// or, with `gainGrows`, that it is larger at the last value of the file's sweep than at the first.
 struct ClaimSpec {
   std::string text, source;
   std::string less, than;  ///< method labels
   std::string metric;
   std::string gainExceeds;
+  bool gainGrows = false;
 };
 
 struct StudySpec {
@@ -92,7 +94,8 @@ struct StudyOptions {
   bool quick = false;
 };
 
-/// Reads and checks a study: paths in it are relative to its own folder.
+/// Reads and checks a study: paths in it are relative to its own folder. A `[sweep]` is left to
+/// `readStudyPlan`.
 /// @throws InputError naming file, line, key, what was found and what was expected
 StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& options = {});
 
