@@ -99,8 +99,12 @@ std::string gnuplotText(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
-    if (c == '\'') quoted += '\'';
-    quoted += code < ' ' || code == 0x7f ? ' ' : c;
+    // Doubled, as gnuplot has it, a quote could not be the first character.
+    if (c == '\'') {
+      quoted += "’";
+    } else {
+      quoted += code < ' ' || code == 0x7f ? ' ' : c;
+    }
   }
   return quoted + "'";
 }

@@ -9,8 +9,8 @@ namespace gnomon {
 /// @throws InternalError in one line where gnuplot cannot be started or refuses the script
 std::string runGnuplot(const std::string& script);
 
-/// A text as gnuplot reads it between single quotes, where nothing is special but the quote itself.
-/// Control characters become spaces.
+/// A text as gnuplot reads it between single quotes, where nothing is special but the quote itself:
+/// that becomes ’, and control characters become spaces.
 std::string gnuplotText(const std::string& text);
 
 /// An SVG of gnuplot's as a document of its own: with the title given, and without the line that
