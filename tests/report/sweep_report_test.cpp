@@ -142,24 +142,26 @@ TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
   EXPECT_THAT(sweepPlot(sweep), HasSubstr("</svg>"));
 }
 
-/// The y coordinates of a line's points in the first panel, by its colour; the line in the legend,
-/// of two points, is left out.
+/// The y coordinates of a line's points in the first panel, by its colour.
 std::vector<double> pointHeights(const std::string& svg, const std::string& colour) {
   const std::size_t begin = svg.find("<title>gnuplot_plot_2a</title>");
   const std::size_t end = svg.find("<title>gnuplot_plot_1b</title>", begin);
   const std::string panel = svg.substr(begin, end - begin);
   const std::regex line("stroke='rgb\\(" + colour + "\\)' *d='([^']*)'");
-  for (std::sregex_iterator match(panel.begin(), panel.end(), line), none; match != none; ++match) {
-    std::vector<double> heights;
-    std::istringstream path((*match)[1].str());
-    char letter{};
-    char comma{};
-    double x{};
-    double y{};
-    while (path >> letter >> x >> comma >> y) heights.push_back(y);
-    if (heights.size() > 2) return heights;
+  std::smatch match;
+  std::vector<double> heights;
+  if (!std::regex_search(panel, match, line)) return heights;
+  std::istringstream path(match[1].str());
+  char letter{};
+  char comma{};
+  double x{};
+  double y{};
+  while (path >> letter >> x >> comma >> y) {
+    // The legend's line comes before.
+    if (letter == 'M') heights.clear();
+    heights.push_back(y);
   }
-  return {};
+  return heights;
 }
 
 TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
