@@ -236,7 +236,7 @@ TEST(RankingHtml, ShadesTheWorstCellMost) {
               HasSubstr("--heat:1.000\" title=\"false shadow 5.00 %, false light 5.00 %\">10.00<"));
   EXPECT_THAT(html,
               HasSubstr("--heat:0.447\" title=\"false shadow 0.50 %, false light 1.50 %\">2.00<"));
-  EXPECT_THAT(html, HasSubstr("not in this study"));
+  EXPECT_THAT(html, HasSubstr("not evaluated"));
 }
 
 }  // namespace

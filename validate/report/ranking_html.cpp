@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "report/html_cells.h"
+#include "report/html_matrix.h"
 #include "report/html_page.h"
 #include "report/html_text.h"
-#include "report/number_text.h"
 
 namespace gnomon {
 namespace {
@@ -78,40 +78,12 @@ std::string rankedTable(const Ranking& ranking, std::size_t studies) {
   return htmlTable("ranking", headCells({"", "Method"}, {"Mean error", "Worst", "Studies"}), body);
 }
 
-double worstOf(const Ranking& ranking) {
-  double worst = 0;
-  for (const RankedOverStudies& method : ranking) {
-    worst = std::max(worst, method.worstError.value_or(0));
-  }
-  return worst;
-}
-
-std::string matrixCell(const MethodMeans* means, double worst) {
-  if (means == nullptr) return numberCell("", "not in this study");
-  if (!means->errorRate) return numberCell("–", "not defined");
-  return heatCell(*means->errorRate, worst,
-                  fmt::format("false shadow {} %, false light {} %",
-                              percentText(means->falseShadow), percentText(means->falseLight)));
-}
-
 std::string matrix(std::span<const StudyMeans> studies, const Ranking& ranking) {
-  std::string head = "<th>Method</th>";
-  std::string uncertainties;
-  for (const StudyMeans& study : studies) {
-    head += fmt::format("<th class=\"n\">{}</th>", studyLink(study));
-    uncertainties += numberCell(rateText(largestUncertainty(study)));
-  }
-  std::string body;
-  for (const RankedOverStudies& method : ranking) {
-    body += fmt::format("<tr><td class=\"method\">{}</td>", escapeHtml(method.label));
-    for (const StudyMeans& study : studies) {
-      body += matrixCell(findMeans(study, method.label), worstOf(ranking));
-    }
-    body += "</tr>\n";
-  }
-  body += "<tr><td class=\"method\"><small>the truth’s uncertainty</small></td>" + uncertainties +
-          "</tr>\n";
-  return htmlTable("regions", head, body);
+  std::vector<std::string> labels;
+  std::vector<std::string> heads;
+  for (const RankedOverStudies& method : ranking) labels.push_back(method.label);
+  for (const StudyMeans& study : studies) heads.push_back(studyLink(study));
+  return errorMatrix(labels, studies, heads);
 }
 
 std::string claimsSection(std::span<const StudyMeans> studies) {

@@ -5,11 +5,10 @@
 
 #include <algorithm>
 
-#include "report/html_cells.h"
+#include "report/html_matrix.h"
 #include "report/html_page.h"
 #include "report/html_tables.h"
 #include "report/html_text.h"
-#include "report/number_text.h"
 #include "report/study_ranking.h"
 #include "study/sweep.h"
 
@@ -47,45 +46,17 @@ std::string plotFigure(const SweepRecord& sweep, const std::string& plot) {
       escapeHtml(sweep.axis), OIIO::Strutil::base64_encode(plot));
 }
 
-std::string cell(const MethodMeans* means, double worst) {
-  if (means == nullptr) return numberCell("", "not in this step");
-  if (!means->errorRate) return numberCell("–", "not defined");
-  return heatCell(*means->errorRate, worst,
-                  fmt::format("false shadow {} %, false light {} %",
-                              percentText(means->falseShadow), percentText(means->falseLight)));
-}
-
-double worstOf(const std::vector<StudyMeans>& steps) {
-  double worst = 0;
-  for (const StudyMeans& step : steps) {
-    for (const MethodMeans& method : step.methods) {
-      worst = std::max(worst, method.errorRate.value_or(0));
-    }
-  }
-  return worst;
-}
-
 std::string valueTable(const SweepRecord& sweep) {
   std::vector<StudyMeans> steps;
-  std::string head = "<th>Method</th>";
-  std::string uncertainties;
+  std::vector<std::string> labels;
+  std::vector<std::string> heads;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     steps.push_back(studyMeans(sweep.steps[i]));
-    const std::string value = escapeHtml(sweepValueText(sweep.values.at(i)));
-    head += fmt::format("<th class=\"n\"><a href=\"{0}/report.html\">{0}</a></th>", value);
-    uncertainties += numberCell(rateText(largestUncertainty(steps.back())));
+    heads.push_back(fmt::format("<a href=\"{0}/report.html\">{0}</a>",
+                                escapeHtml(sweepValueText(sweep.values.at(i)))));
   }
-  std::string body;
-  for (const MethodMeans& method : studyMeans(sweep).methods) {
-    body += fmt::format("<tr><td class=\"method\">{}</td>", escapeHtml(method.label));
-    for (const StudyMeans& step : steps) {
-      body += cell(findMeans(step, method.label), worstOf(steps));
-    }
-    body += "</tr>\n";
-  }
-  body += "<tr><td class=\"method\"><small>the truth’s uncertainty</small></td>" + uncertainties +
-          "</tr>\n";
-  return htmlTable("regions", head, body);
+  for (const MethodMeans& method : studyMeans(sweep).methods) labels.push_back(method.label);
+  return errorMatrix(labels, steps, heads);
 }
 
 /// The gates that failed, a table a value.
