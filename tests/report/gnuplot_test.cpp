@@ -57,6 +57,7 @@ TEST(Gnuplot, SvgBearsOurTitleAndNoVersion) {
   const std::string svg = cleanSvg(runGnuplot("set terminal svg\nplot x\n"), "A & <b>");
   EXPECT_THAT(svg, HasSubstr("<title>A &amp; &lt;b&gt;</title>"));
   EXPECT_THAT(svg, Not(HasSubstr("Produced by")));
+  EXPECT_THAT(svg, Not(HasSubstr("desc>")));
   EXPECT_THAT(svg, HasSubstr("</svg>"));
   EXPECT_THROW((void)cleanSvg("<svg></svg>", "t"), InternalError);
 }
