@@ -8,6 +8,7 @@
 #include "relief/relief.h"
 #include "relief/stored_table.h"
 #include "render/gl_context.h"
+#include "render/method_pass.h"
 #include "render/passes.h"
 #include "render/view.h"
 #include "surface/base_mesh.h"

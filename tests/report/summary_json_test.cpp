@@ -55,8 +55,8 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(keysOf(json["truth"]["flips"][0]),
             (Keys{"view", "light", "flip_rate", "length_error"}));
   EXPECT_EQ(keysOf(json["methods"][0]), (Keys{"label", "name", "title", "citation"}));
-  EXPECT_EQ(keysOf(json["cost"][0]),
-            (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms"}));
+  EXPECT_EQ(keysOf(json["cost"][0]), (Keys{"method", "polygons", "table_bytes", "height_bytes",
+                                           "frame_ms", "passes", "frame_ratio"}));
   EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
   EXPECT_EQ(keysOf(json["thresholds"][0]), (Keys{"method", "light", "view", "region", "metric",
                                                  "value", "minimum", "maximum", "passed"}));

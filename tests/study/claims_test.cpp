@@ -266,5 +266,71 @@ TEST(Claims, AreJudgedInTheirOrder) {
   EXPECT_EQ(records[1].verdict, Verdict::failed);
 }
 
+// ---- over the values of a sweep
+
+SweepRecord sweepOf(const std::vector<StudyRecord>& steps) {
+  SweepRecord sweep;
+  sweep.key = "surface.curvature";
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    sweep.values.push_back(0.5 * static_cast<double>(i));
+  }
+  sweep.steps = steps;
+  return sweep;
+}
+
+ClaimRecord judgeGrowth(const std::vector<StudyRecord>& steps) {
+  ClaimSpec claim = newIsBetter();
+  claim.gainGrows = true;
+  return judgeSweepClaims({claim}, sweepOf(steps)).at(0);
+}
+
+TEST(SweepClaims, GainsGrowFromTheFirstValueToTheLast) {
+  // 1, 0 and 5 points; 4 more at the last than at the first, 3 uncertain.
+  const std::vector<StudyRecord> steps = {study("a", {{0.02, 0.03}, {0.04, 0.05}}, 0.01),
+                                          study("b", {{0.03, 0.03}}, 0.01),
+                                          study("c", {{0.02, 0.06}, {0.02, 0.08}}, 0.02)};
+  const ClaimRecord record = judgeGrowth(steps);
+  EXPECT_EQ(record.verdict, Verdict::held);
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points at surface.curvature = 1, 1.00 at 0"));
+  EXPECT_EQ(judgeGrowth({steps[2], steps[1], steps[0]}).verdict, Verdict::failed);
+}
+
+TEST(SweepClaims, GainsWithinBothUncertaintiesAreNotDistinguishable) {
+  const std::vector<StudyRecord> steps = {study("a", {{0.02, 0.03}}, 0.02),
+                                          study("b", {{0.02, 0.06}}, 0.02)};
+  EXPECT_EQ(judgeGrowth(steps).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeGrowth({study("a", {}, 0.01), steps[1]}).verdict, Verdict::notEvaluated);
+  EXPECT_EQ(judgeGrowth({steps[1], study("a", {}, 0.01)}).verdict, Verdict::notEvaluated);
+}
+
+TEST(SweepClaims, AGainThatGrowsIsNotEvaluatedInASingleStudy) {
+  ClaimSpec claim = newIsBetter();
+  claim.gainGrows = true;
+  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.05}}, 0.01)}).verdict, Verdict::notEvaluated);
+}
+
+ClaimRecord judgeVerdicts(const std::vector<Verdict>& verdicts) {
+  std::vector<StudyRecord> steps;
+  for (const Verdict verdict : verdicts) {
+    steps.emplace_back();
+    steps.back().claims = {{"another", "", Verdict::failed, ""}, {"c", "", verdict, ""}};
+  }
+  return judgeSweepClaims({newIsBetter(), newIsBetter()}, sweepOf(steps)).at(1);
+}
+
+TEST(SweepClaims, OtherClaimsMustHoldAtEveryValue) {
+  using V = Verdict;
+  const V unsure = V::notDistinguishable;
+  EXPECT_EQ(judgeVerdicts({V::held, V::held}).verdict, V::held);
+  EXPECT_EQ(judgeVerdicts({V::held, unsure}).verdict, unsure);
+  EXPECT_EQ(judgeVerdicts({V::notEvaluated, unsure}).verdict, unsure);
+  EXPECT_EQ(judgeVerdicts({V::held, V::notEvaluated}).verdict, V::notEvaluated);
+  const ClaimRecord record = judgeVerdicts({V::held, V::failed, unsure, V::held});
+  EXPECT_EQ(record.verdict, V::failed);
+  EXPECT_EQ(record.detail,
+            "surface.curvature: held at 0, 1.5; failed at 0.5; not distinguishable at 1");
+  EXPECT_EQ(record.text, newIsBetter().text);
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <span>
 
 #include "cli/terminal_progress.h"
 #include "common/atomic_file.h"
@@ -11,43 +13,68 @@
 #include "relief/table_file.h"
 #include "render/gl_context.h"
 #include "report/folder_writer.h"
+#include "report/gnuplot.h"
 #include "report/metrics_csv.h"
+#include "report/ranking_html.h"
+#include "report/ranking_json.h"
 #include "report/report_html.h"
 #include "report/summary_json.h"
+#include "report/sweep_files.h"
+#include "report/sweep_html.h"
+#include "report/sweep_plot.h"
+#include "report/terminal_ranking.h"
+#include "report/terminal_sweep.h"
 #include "report/terminal_table.h"
 #include "study/claims.h"
 #include "study/run_study.h"
+#include "study/sweep.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
 /// All studies are read before the first is run: a typing error in the last one shows at once.
-std::vector<StudySpec> readStudies(const RunRequest& request) {
-  std::vector<StudySpec> studies;
+std::vector<StudyPlan> readPlans(const RunRequest& request) {
+  std::vector<StudyPlan> plans;
   std::set<std::string> names;
   for (const fs::path& file : request.studies) {
-    studies.push_back(readStudy(file, request.options));
-    if (!names.insert(studies.back().name).second) {
+    plans.push_back(readStudyPlan(file, request.options));
+    const StudyPlan& plan = plans.back();
+    if (!names.insert(plan.name).second) {
       throw InputError(
           fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
-                      file.string(), studies.back().name));
+                      file.string(), plan.name));
     }
-    if (request.check && studies.back().thresholds.empty()) {
+    if (request.check && plan.steps.front().thresholds.empty()) {
       throw InputError(
           fmt::format("{}: no [[threshold]], so there is nothing to check", file.string()));
     }
   }
-  return studies;
+  return plans;
+}
+
+/// What tells of a whole run in its folder, or in a sweep's.
+constexpr std::array reportFiles = {"summary.json", "metrics.csv", "report.html", "sweep.csv",
+                                    "sweep.svg"};
+constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
+
+void removeFiles(const fs::path& folder, std::span<const char* const> names) {
+  for (const char* name : names) {
+    std::error_code ignored;
+    fs::remove(folder / name, ignored);
+  }
+}
+
+/// The study's file, and of a sweep's step which one it is.
+std::string placeOf(const StudySpec& study) {
+  const bool isStep = study.name.find('/') != std::string::npos;
+  return isStep ? fmt::format("{}: {}", study.file.string(), study.name) : study.file.string();
 }
 
 StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
   const fs::path folder = request.out / study.name;
   // Older figures must not stand beside newer pictures.
-  for (const char* report : {"summary.json", "metrics.csv", "report.html"}) {
-    std::error_code ignored;
-    fs::remove(folder / report, ignored);
-  }
+  removeFiles(folder, reportFiles);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
   try {
@@ -58,7 +85,7 @@ StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest
     return record;
   } catch (const Error& error) {
     // What fails inside a run speaks of keys or of the study's other files.
-    throw Error(error.status(), fmt::format("{}: {}", study.file.string(), error.what()));
+    throw Error(error.status(), fmt::format("{}: {}", placeOf(study), error.what()));
   }
 }
 
@@ -79,45 +106,126 @@ bool speaksOfOthers(const StudySpec& study) {
                      [](const ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
 }
 
+/// The records of all steps of all plans, one after the other.
+using Records = std::vector<StudyRecord>;
+
+/// The part of the records that belongs to a plan.
+struct PlanRecords {
+  const StudyPlan* plan;
+  std::size_t first;
+};
+
+SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRequest& request) {
+  const auto begin = records.begin() + static_cast<std::ptrdiff_t>(part.first);
+  const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
+  return makeSweepRecord(*part.plan, Records(begin, begin + count), request.command);
+}
+
+void writeSweep(const SweepRecord& sweep, const fs::path& out) {
+  const fs::path folder = out / sweep.name;
+  const std::string plot = sweepPlot(sweep);
+  writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
+  writeTextAtomically(folder / "sweep.svg", plot);
+  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plot));
+  writeTextAtomically(folder / "summary.json", sweepJson(sweep));
+}
+
+/// Runs all steps of a plan and adds their records.
+PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+                    Records& records) {
+  const PlanRecords part{&plan, records.size()};
+  if (plan.sweep) removeFiles(request.out / plan.name, reportFiles);
+  for (const StudySpec& step : plan.steps) {
+    records.push_back(runOne(step, gl, request));
+    // At once, so that a later failure leaves this one's report.
+    report(step, records, records.size() - 1, request.out);
+  }
+  if (plan.sweep) writeSweep(sweepOf(part, records, request), request.out);
+  return part;
+}
+
+/// Judges again what speaks of other studies, now that all have run; prints the plan's table.
+/// @return what it gives to the ranking
+StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Records& records) {
+  const StudyPlan& plan = *part.plan;
+  const bool again = speaksOfOthers(plan.steps.front());
+  for (std::size_t i = 0; again && i < plan.steps.size(); ++i) {
+    report(plan.steps[i], records, part.first + i, request.out);
+  }
+  const auto print = [&](const std::string& table) {
+    fmt::print("{}\nReport: {}\n\n", table, (request.out / plan.name / "report.html").string());
+  };
+  if (!plan.sweep) {
+    print(resultTable(records[part.first], coloursWanted()));
+    return studyMeans(records[part.first]);
+  }
+  const SweepRecord sweep = sweepOf(part, records, request);
+  if (again) writeSweep(sweep, request.out);
+  print(sweepTable(sweep, coloursWanted()));
+  return studyMeans(sweep);
+}
+
+/// Ranks the methods over all studies, and prints and writes that.
+void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request) {
+  writeTextAtomically(request.out / "ranking.csv", rankingCsv(studies));
+  writeTextAtomically(request.out / "ranking.html", rankingHtml(studies, request.command));
+  writeTextAtomically(request.out / "ranking.json", rankingJson(studies, request.command));
+  fmt::print("{}\nReport: {}\n", rankingOverStudies(studies, coloursWanted()),
+             (request.out / "ranking.html").string());
+}
+
+/// That sweeps can be drawn shows before anything is run.
+void requirePlots(const std::vector<StudyPlan>& plans) {
+  const bool any = std::any_of(plans.begin(), plans.end(),
+                               [](const StudyPlan& plan) { return plan.sweep.has_value(); });
+  if (any) (void)runGnuplot("");
+}
+
 }  // namespace
 
 ExitStatus runStudies(const RunRequest& request) {
-  const std::vector<StudySpec> studies = readStudies(request);
+  const std::vector<StudyPlan> plans = readPlans(request);
+  requirePlots(plans);
   const GlContext gl;
-  std::vector<StudyRecord> records;
-  for (const StudySpec& study : studies) {
-    records.push_back(runOne(study, gl, request));
-    // At once, so that a later study's failure leaves this one's report.
-    report(study, records, records.size() - 1, request.out);
-  }
-  bool passed = true;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (speaksOfOthers(studies[i])) report(studies[i], records, i, request.out);
-    passed = passed && records[i].passed();
-    fmt::print("{}\nReport: {}\n\n", resultTable(records[i], coloursWanted()),
-               (request.out / records[i].name / "report.html").string());
-  }
+  const bool ranked = plans.size() > 1;
+  if (ranked) removeFiles(request.out, rankingFiles);
+  Records records;
+  std::vector<PlanRecords> parts;
+  for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, records));
+  std::vector<StudyMeans> studies;
+  for (const PlanRecords& part : parts) studies.push_back(finishPlan(part, request, records));
+  if (ranked) reportRanking(studies, request);
+  const bool passed = std::all_of(studies.begin(), studies.end(),
+                                  [](const StudyMeans& study) { return study.passed; });
   return request.check && !passed ? ExitStatus::thresholdFailed : ExitStatus::pass;
 }
 
+namespace {
+
+void bakeTables(const StudySpec& study, const fs::path& out) {
+  TerminalProgress progress(study.name);
+  const HeightField& field = study.relief.field;
+  const HorizonTables tables = bakeHorizons(field, study.bake.settings,
+                                            [&](double share) { progress.update("bake", share); });
+  const StoredHorizons stored{tables.width,
+                              tables.height,
+                              tables.azimuths,
+                              tables.radiusTexels,
+                              tables.wrap,
+                              storeTable(tables.horizon, study.bake.bits),
+                              storeTable(tables.distance, study.bake.bits)};
+  const fs::path path = out / study.name / "tables.exr";
+  writeHorizons(path, stored);
+  fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), tables.width,
+             tables.height, tables.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
+             static_cast<int>(study.bake.bits));
+}
+
+}  // namespace
+
 ExitStatus bakeStudies(const RunRequest& request) {
-  for (const StudySpec& study : readStudies(request)) {
-    TerminalProgress progress(study.name);
-    const HeightField& field = study.relief.field;
-    const HorizonTables tables = bakeHorizons(
-        field, study.bake.settings, [&](double share) { progress.update("bake", share); });
-    const StoredHorizons stored{tables.width,
-                                tables.height,
-                                tables.azimuths,
-                                tables.radiusTexels,
-                                tables.wrap,
-                                storeTable(tables.horizon, study.bake.bits),
-                                storeTable(tables.distance, study.bake.bits)};
-    const fs::path path = request.out / study.name / "tables.exr";
-    writeHorizons(path, stored);
-    fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), tables.width,
-               tables.height, tables.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
-               static_cast<int>(study.bake.bits));
+  for (const StudyPlan& plan : readPlans(request)) {
+    for (const StudySpec& step : plan.steps) bakeTables(step, request.out);
   }
   return ExitStatus::pass;
 }

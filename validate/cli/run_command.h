@@ -21,6 +21,10 @@ struct RunRequest {
 /// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks
 /// as they are made, then metrics.csv, report.html and last summary.json, whose presence says that
 /// the run is whole. Prints a table for each.
+/// A sweep has such a folder for each value, `out/NAME/VALUE`, and in `out/NAME` its own sweep.csv,
+/// sweep.svg, report.html and last summary.json.
+/// Two studies or more are followed by a ranking of the methods over all of them: printed, and
+/// written as `out/ranking.csv`, `ranking.html` and last `ranking.json`.
 /// @return pass, or thresholdFailed where `check` is set and a gate failed
 ExitStatus runStudies(const RunRequest& request);
 

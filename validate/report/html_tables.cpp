@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "common/memory.h"
 #include "compare/rates.h"
+#include "report/cost.h"
+#include "report/html_cells.h"
 #include "report/html_text.h"
 #include "report/number_text.h"
 #include "study/result_metrics.h"
@@ -15,35 +16,8 @@
 namespace gnomon {
 namespace {
 
-std::string textCell(std::string_view text) {
-  return fmt::format("<td>{}</td>", escapeHtml(text));
-}
-
-std::string numberCell(std::string_view html, std::string_view tooltip = "") {
-  const std::string title =
-      tooltip.empty() ? "" : fmt::format(" title=\"{}\"", escapeHtml(tooltip));
-  return fmt::format("<td class=\"n\"{}>{}</td>", title, html);
-}
-
-std::string rateText(std::optional<double> share) {
-  return escapeHtml(percentText(share));
-}
-
 std::string metricCell(const Metric& metric) {
   return numberCell(rateText(metric.value), metric.reason);
-}
-
-std::string headCells(std::initializer_list<std::string_view> texts,
-                      std::initializer_list<std::string_view> numbers) {
-  std::string cells;
-  for (const auto& text : texts) cells += fmt::format("<th>{}</th>", text);
-  for (const auto& number : numbers) cells += fmt::format("<th class=\"n\">{}</th>", number);
-  return cells;
-}
-
-std::string withUncertainty(std::optional<double> share, std::optional<double> uncertainty) {
-  if (!uncertainty) return rateText(share);
-  return fmt::format("{} <small>±&#8239;{}</small>", rateText(share), rateText(uncertainty));
 }
 
 /// A bar of the two kinds of error, `full` being the longest.
@@ -143,10 +117,7 @@ std::string regionCell(const ResultRecord* row, double worst) {
   if (row == nullptr) return numberCell("", "not evaluated");
   const Metric error = rate(row->counts, "error_rate");
   if (!error.value) return metricCell(error);
-  // By the square root: beside a control that gets everything wrong, small errors still differ.
-  const double shade = worst > 0 ? std::sqrt(*error.value / worst) : 0;
-  return fmt::format("<td class=\"n heat\" style=\"--heat:{:.3f}\" title=\"{}\">{}</td>", shade,
-                     escapeHtml(regionTooltip(row->counts)), rateText(error.value));
+  return heatCell(*error.value, worst, regionTooltip(row->counts));
 }
 
 /// The samples of a region, where all methods were asked at the same ones.
@@ -242,19 +213,23 @@ std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds) {
       headCells({"", "Method", "View", "Light", "Region", "Metric"}, {"Value", "Limit"}), body);
 }
 
-std::string costTable(const std::vector<CostRecord>& cost) {
+std::string costTable(const StudyRecord& record) {
   std::string body;
-  for (const CostRecord& c : cost) {
+  for (const CostRecord& c : record.cost) {
     const auto bytes = [](std::uint64_t count) { return formatBytes(static_cast<double>(count)); };
+    const auto ratio = frameRatio(record, c);
     body += fmt::format(
-        "<tr><td class=\"method\">{}</td>{}{}{}{}</tr>\n", escapeHtml(c.method),
+        "<tr><td class=\"method\">{}</td>{}{}{}{}{}{}</tr>\n", escapeHtml(c.method),
         numberCell(groupedText(c.polygons)), numberCell(bytes(c.tableBytes)),
-        numberCell(bytes(c.heightBytes)),
+        numberCell(bytes(c.heightBytes)), numberCell(fmt::format("{}", c.passes)),
         c.frameMs ? numberCell(fmt::format("{:.2f}", requireFinite(*c.frameMs, "frame_ms")))
-                  : numberCell("–", "not measured"));
+                  : numberCell("–", "not measured"),
+        numberCell(timesText(ratio), ratio ? "" : fmt::format("{} was not timed", costReference)));
   }
   return htmlTable("cost",
-                   headCells({"Method"}, {"Triangles", "Tables", "Height map", "Frame, ms"}), body);
+                   headCells({"Method"}, {"Triangles", "Tables", "Height map", "Passes",
+                                          "Frame, ms", "To max-forsyth"}),
+                   body);
 }
 
 std::string flipTable(const std::vector<UncertaintyRecord>& flips) {

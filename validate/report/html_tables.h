@@ -24,7 +24,8 @@ std::string caseTable(const StudyRecord& record, const Case& which);
 std::string regionTable(const StudyRecord& record, const Case& which);
 
 std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds);
-std::string costTable(const std::vector<CostRecord>& cost);
+/// Memory, triangles, passes and frame time of each method, and that time's ratio to max-forsyth's.
+std::string costTable(const StudyRecord& record);
 std::string flipTable(const std::vector<UncertaintyRecord>& flips);
 std::string timingTable(const std::vector<TimingRecord>& timings);
 

@@ -3,29 +3,12 @@
 #include <string_view>
 #include <vector>
 
+#include "report/csv_text.h"
 #include "report/number_text.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
-
-std::string csvCell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string cell = "\"";
-  for (const char c : text) {
-    if (c == '"') cell += '"';
-    cell += c;
-  }
-  return cell + '"';
-}
-
-void appendLine(std::string& csv, const std::vector<std::string>& cells) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0) csv += ',';
-    csv += csvCell(cells[i]);
-  }
-  csv += '\n';
-}
 
 std::vector<std::string> header() {
   std::vector<std::string> cells = {"study",   "method", "light", "view", "region",
@@ -47,7 +30,7 @@ std::vector<std::string> row(const std::string& study, const ResultRecord& resul
                                     exactText(counts.falseNegative),
                                     exactText(counts.trueNegative)};
   for (const Metric& metric : metricsOf(result)) {
-    cells.push_back(metric.value ? exactText(*metric.value) : "");
+    cells.push_back(exactText(metric.value));
   }
   return cells;
 }
@@ -55,9 +38,8 @@ std::vector<std::string> row(const std::string& study, const ResultRecord& resul
 }  // namespace
 
 std::string metricsCsv(const StudyRecord& record) {
-  std::string csv;
-  appendLine(csv, header());
-  for (const ResultRecord& result : record.results) appendLine(csv, row(record.name, result));
+  std::string csv = csvLine(header());
+  for (const ResultRecord& result : record.results) csv += csvLine(row(record.name, result));
   return csv;
 }
 

@@ -42,6 +42,10 @@ std::string exactText(double value) {
   return fmt::format("{}", requireFinite(value, "value"));
 }
 
+std::string exactText(std::optional<double> value) {
+  return value ? exactText(*value) : "";
+}
+
 std::string groupedText(std::uint64_t value) {
   std::string digits = fmt::format("{}", value);
   for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, "\u202f");

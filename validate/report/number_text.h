@@ -24,6 +24,8 @@ std::string ratioText(std::optional<double> value);
 
 /// The shortest text that reads back as the same number: "0.1", "1e-05".
 std::string exactText(double value);
+/// The same, or nothing.
+std::string exactText(std::optional<double> value);
 
 /// An integer with its thousands apart (by a narrow no-break space): "33 554 432".
 std::string groupedText(std::uint64_t value);

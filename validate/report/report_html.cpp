@@ -6,39 +6,19 @@
 
 #include "common/memory.h"
 #include "report/cases.h"
+#include "report/cost.h"
 #include "report/html_figures.h"
+#include "report/html_page.h"
 #include "report/html_tables.h"
 #include "report/html_text.h"
-#include "report/names.h"
 #include "report/number_text.h"
 #include "report/ranking.h"
-#include "report/report_style.h"
 
 namespace gnomon {
 namespace {
 
 std::string headingOf(const StudyRecord& record) {
   return escapeHtml(record.title.empty() ? record.name : record.title);
-}
-
-std::string head(const StudyRecord& record) {
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'\">\n"
-      "<title>{} – Gnomon</title>\n<style>\n{}{}</style>\n</head>\n",
-      headingOf(record), differenceProperties(), reportStyle());
-}
-
-std::string section(std::string_view id, std::string_view title, const std::string& content) {
-  if (content.empty()) return "";
-  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, title, content);
-}
-
-std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string verdictHtml(const StudyRecord& record) {
@@ -81,7 +61,7 @@ std::string header(const StudyRecord& record, const std::vector<RankedMethod>& r
 
 std::string rankingSection(const std::vector<RankedMethod>& ranked) {
   if (ranked.empty()) return "";
-  return section(
+  return htmlSection(
       "ranking", "Methods, best first",
       "<p class=\"note\">Percent of the samples, mean over all lights and views. <b>±</b> is the "
       "truth’s own uncertainty: the share of its samples that change at half its resolution. "
@@ -90,26 +70,9 @@ std::string rankingSection(const std::vector<RankedMethod>& ranked) {
           rankingTable(ranked));
 }
 
-std::string tagClass(Verdict verdict) {
-  return verdict == Verdict::held ? "held" : verdict == Verdict::failed ? "failed" : "open";
-}
-
-std::string claimsSection(const std::vector<ClaimRecord>& claims) {
-  std::string items;
-  for (const ClaimRecord& claim : claims) {
-    items += fmt::format(
-        "<li><span class=\"tag {}\">{}</span><div><p>{}</p><p class=\"note\">{}</p>"
-        "<p class=\"note\">{}</p></div></li>\n",
-        tagClass(claim.verdict), verdictName(claim.verdict), escapeHtml(claim.text),
-        escapeHtml(claim.detail), escapeHtml(claim.source));
-  }
-  if (items.empty()) return "";
-  return section("claims", "What was claimed", "<ul class=\"claims\">\n" + items + "</ul>\n");
-}
-
 std::string thresholdSection(const StudyRecord& record) {
   if (record.thresholds.empty()) return "";
-  return section("thresholds", "Thresholds", thresholdTable(record.thresholds));
+  return htmlSection("thresholds", "Thresholds", thresholdTable(record.thresholds));
 }
 
 std::vector<Case> casesWithPictures(const StudyRecord& record) {
@@ -149,23 +112,20 @@ std::string caseSection(const StudyRecord& record, const Case& which, std::size_
     content += panelFigures(record, panel, folder);
   }
   content += caseTables(record, which);
-  return section(fmt::format("case-{}", number),
-                 fmt::format("{} <span class=\"light\">{}</span>", escapeHtml(which.view),
-                             escapeHtml(which.light)),
-                 content);
+  return htmlSection(fmt::format("case-{}", number),
+                     fmt::format("{} <span class=\"light\">{}</span>", escapeHtml(which.view),
+                                 escapeHtml(which.light)),
+                     content);
 }
 
-std::string costSection(const std::vector<CostRecord>& cost) {
-  if (cost.empty()) return "";
-  return section("cost", "What each method costs",
-                 "<p class=\"note\">Memory of the tables and the height map that a frame reads; "
-                 "the median time of one frame.</p>\n" +
-                     costTable(cost));
-}
-
-std::string fact(std::string_view term, std::string_view text) {
-  if (text.empty()) return "";
-  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escapeHtml(text));
+std::string costSection(const StudyRecord& record) {
+  if (record.cost.empty()) return "";
+  const std::string rates = publishedRates(record);
+  return htmlSection(
+      "cost", "What each method costs",
+      "<p class=\"note\">Memory of the tables and the height map that a frame reads; drawing "
+      "passes a frame; the median time of one frame, and its ratio to that of max-forsyth.</p>\n" +
+          costTable(record) + (rates.empty() ? "" : "<p>" + escapeHtml(rates) + "</p>\n"));
 }
 
 std::string bytesText(std::uint64_t bytes) {
@@ -176,23 +136,23 @@ std::string truthSection(const StudyRecord& record) {
   const TruthRecord& truth = record.truth;
   const bool measured = !truth.flips.empty() || truth.uncertainty > 0;
   std::string content =
-      "<dl>\n" + fact("Micro-triangles", groupedText(truth.microTriangles)) +
-      fact("Longest step",
-           fmt::format("{:.4g} texels", requireFinite(truth.stepTexels, "truth.step_texels"))) +
-      fact("Largest uncertainty",
-           measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
-      fact("Ray tracing structure", bytesText(truth.bvhBytes)) +
-      fact("Mesh", bytesText(truth.meshBytes)) +
-      fact("Left out",
-           fmt::format("{} samples where no frame exists", groupedText(record.undefinedSamples))) +
+      "<dl>\n" + htmlFact("Micro-triangles", groupedText(truth.microTriangles)) +
+      htmlFact("Longest step",
+               fmt::format("{:.4g} texels", requireFinite(truth.stepTexels, "truth.step_texels"))) +
+      htmlFact("Largest uncertainty",
+               measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
+      htmlFact("Ray tracing structure", bytesText(truth.bvhBytes)) +
+      htmlFact("Mesh", bytesText(truth.meshBytes)) +
+      htmlFact("Left out", fmt::format("{} samples where no frame exists",
+                                       groupedText(record.undefinedSamples))) +
       "</dl>\n";
   if (!truth.flips.empty()) content += flipTable(truth.flips);
-  return section("truth", "The truth", content);
+  return htmlSection("truth", "The truth", content);
 }
 
 std::string timingSection(const std::vector<TimingRecord>& timings) {
   if (timings.empty()) return "";
-  return section("timings", "Where the time went", timingTable(timings));
+  return htmlSection("timings", "Where the time went", timingTable(timings));
 }
 
 std::string citations(const std::vector<MethodRecord>& methods) {
@@ -203,21 +163,23 @@ std::string citations(const std::vector<MethodRecord>& methods) {
                          method.title.empty() ? "" : " ", escapeHtml(method.name),
                          escapeHtml(method.citation));
   }
-  return items.empty() ? "" : section("methods", "The methods", "<dl>\n" + items + "</dl>\n");
+  return items.empty() ? "" : htmlSection("methods", "The methods", "<dl>\n" + items + "</dl>\n");
 }
 
 std::string reproduceSection(const StudyRecord& record) {
   const EnvironmentRecord& e = record.environment;
-  return section(
+  return htmlSection(
       "reproduce", "Run it again",
       fmt::format("<pre><code>{}</code></pre>\n<dl>\n", escapeHtml(record.command)) +
-          fact("Study", record.file) + fact("Gnomon", e.gnomonVersion) + fact("Commit", e.commit) +
-          fact("CPU", e.threads > 0
-                          ? fmt::format("{}, {}", e.cpu,
-                                        plural(static_cast<std::size_t>(e.threads), "thread"))
-                          : e.cpu) +
-          fact("OpenGL", e.glRenderer) + fact("OpenGL version", e.glVersion) +
-          fact("Embree", e.embreeVersion) + fact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
+          htmlFact("Study", record.file) + htmlFact("Gnomon", e.gnomonVersion) +
+          htmlFact("Commit", e.commit) +
+          htmlFact("CPU", e.threads > 0
+                              ? fmt::format("{}, {}", e.cpu,
+                                            plural(static_cast<std::size_t>(e.threads), "thread"))
+                              : e.cpu) +
+          htmlFact("OpenGL", e.glRenderer) + htmlFact("OpenGL version", e.glVersion) +
+          htmlFact("Embree", e.embreeVersion) + htmlFact("OpenSubdiv", e.openSubdivVersion) +
+          "</dl>\n");
 }
 
 /// Links to the cases: with many lights a reader needs them.
@@ -236,13 +198,13 @@ std::string navigation(const std::vector<Case>& cases) {
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
-  std::string html = head(record) + "<body>\n" + header(record, ranked) + "<main>\n" +
-                     rankingSection(ranked) + claimsSection(record.claims) +
-                     thresholdSection(record) + navigation(cases);
+  std::string html = htmlHead(record.title.empty() ? record.name : record.title) + "<body>\n" +
+                     header(record, ranked) + "<main>\n" + rankingSection(ranked) +
+                     htmlClaims(record.claims) + thresholdSection(record) + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
   }
-  return html + costSection(record.cost) + truthSection(record) + citations(record.methods) +
+  return html + costSection(record) + truthSection(record) + citations(record.methods) +
          timingSection(record.timings) + reproduceSection(record) + "</main>\n</body>\n</html>\n";
 }
 

@@ -15,6 +15,8 @@ constexpr std::string_view summarySchema = "gnomon-summary/1";
 ///   thresholds, claims, panels, undefined_samples
 /// A row of `results` has method, light, view, region, samples, the cells tp, fp, fn, tn (areas in
 /// weighted views), every metric by name, and `undefined`: for each metric that is null, why.
+/// A row of `cost` has method, polygons, table_bytes, height_bytes, frame_ms (null where no camera
+/// view is timed), passes, and frame_ratio (see frameRatio; null likewise).
 /// @throws InternalError naming the key for a number that is not finite
 std::string summaryJson(const StudyRecord& record);
 

@@ -4,18 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
+#include "common/memory.h"
 #include "report/cases.h"
-#include "report/names.h"
+#include "report/cost.h"
 #include "report/number_text.h"
+#include "report/terminal_page.h"
 #include "report/text_width.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
 namespace {
 
-constexpr std::size_t pageWidth = 100;
-constexpr std::size_t indent = 2;
 constexpr std::size_t lightWidth = 16;
 constexpr std::size_t lightsInOwnBlocks = 3;
 
@@ -35,36 +36,10 @@ constexpr std::array<Column, 6> columns = {{{"error_rate", "error", 8},
 constexpr std::size_t markWidth = 2;
 
 constexpr std::size_t labelRoom() {
-  std::size_t width = pageWidth - indent - markWidth;
+  std::size_t width = terminalWidth - terminalIndent - markWidth;
   for (const Column& column : columns) width -= column.width;
   return width;
 }
-
-class Page {
- public:
-  explicit Page(bool colours) : colours_(colours) {}
-
-  void line(const std::string& text) { text_ += text + "\n"; }
-  void blank() { text_ += "\n"; }
-
-  /// Text of any length, broken to the page's width.
-  void paragraph(std::string_view text, std::size_t margin = 0) {
-    for (const std::string& part : wrapText(text, pageWidth - margin)) {
-      line(std::string(margin, ' ') + part);
-    }
-  }
-  void heading(std::string_view text) {
-    for (const std::string& part : wrapText(text, pageWidth)) line(styled(part, "1"));
-  }
-  [[nodiscard]] std::string styled(const std::string& text, const char* code) const {
-    return colours_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  bool colours_;
-  std::string text_;
-};
 
 /// How wide the two name columns of a block are; `light` is 0 where the heading names the light.
 struct NameWidths {
@@ -73,7 +48,7 @@ struct NameWidths {
 };
 
 std::string nameCells(const NameWidths& widths, std::string_view light, std::string_view method) {
-  std::string cells(indent, ' ');
+  std::string cells(terminalIndent, ' ');
   if (widths.light > 0) cells += fitLeft(light, widths.light) + "  ";
   return cells + fitLeft(method, widths.method);
 }
@@ -137,8 +112,9 @@ CaseRows rowsOf(const StudyRecord& record, const std::vector<std::string>& metho
   return found;
 }
 
-void appendCase(Page& page, const StudyRecord& record, const std::vector<std::string>& methods,
-                const Case& which, const NameWidths& widths) {
+void appendCase(TerminalPage& page, const StudyRecord& record,
+                const std::vector<std::string>& methods, const Case& which,
+                const NameWidths& widths) {
   const std::optional<double> uncertainty = uncertaintyOf(record, which);
   const CaseRows found = rowsOf(record, methods, which);
   std::string_view light = which.light;
@@ -155,7 +131,8 @@ std::string uncertaintyText(std::optional<double> uncertainty) {
 }
 
 /// A block of its own for each light.
-void appendLightBlocks(Page& page, const StudyRecord& record, const std::vector<Case>& cases) {
+void appendLightBlocks(TerminalPage& page, const StudyRecord& record,
+                       const std::vector<Case>& cases) {
   const std::vector<std::string> methods = methodsOf(record);
   const NameWidths widths = nameWidths(methods, cases, false);
   for (const Case& which : cases) {
@@ -168,7 +145,8 @@ void appendLightBlocks(Page& page, const StudyRecord& record, const std::vector<
 }
 
 /// One block for all lights of a view.
-void appendViewBlock(Page& page, const StudyRecord& record, const std::vector<Case>& cases) {
+void appendViewBlock(TerminalPage& page, const StudyRecord& record,
+                     const std::vector<Case>& cases) {
   std::optional<double> largest;
   for (const Case& which : cases) {
     if (const auto u = uncertaintyOf(record, which)) largest = std::max(largest.value_or(0), *u);
@@ -182,7 +160,7 @@ void appendViewBlock(Page& page, const StudyRecord& record, const std::vector<Ca
   for (const Case& which : cases) appendCase(page, record, methods, which, widths);
 }
 
-void appendResults(Page& page, const StudyRecord& record) {
+void appendResults(TerminalPage& page, const StudyRecord& record) {
   std::vector<Case> left = casesOf(record);
   if (left.empty()) return;
   page.paragraph(
@@ -202,38 +180,7 @@ void appendResults(Page& page, const StudyRecord& record) {
   }
 }
 
-const char* verdictColour(Verdict verdict) {
-  return verdict == Verdict::held ? "32" : verdict == Verdict::failed ? "31" : "33";
-}
-
-void appendClaims(Page& page, const StudyRecord& record) {
-  if (record.claims.empty()) return;
-  constexpr std::size_t margin = indent + 21;
-  page.blank();
-  page.heading("Claims");
-  for (const ClaimRecord& claim : record.claims) {
-    const std::string verdict = fitLeft(verdictName(claim.verdict), margin - indent);
-    std::vector<std::string> lines = wrapText(claim.text, pageWidth - margin);
-    if (lines.empty()) lines.emplace_back();
-    page.line(std::string(indent, ' ') + page.styled(verdict, verdictColour(claim.verdict)) +
-              lines.front());
-    for (std::size_t i = 1; i < lines.size(); ++i) page.line(std::string(margin, ' ') + lines[i]);
-    page.paragraph(claim.detail, margin);
-  }
-}
-
-std::string failureText(const ThresholdRecord& threshold) {
-  std::string text =
-      fmt::format("{}, {}, {}, region {}: {} is {}", threshold.method, threshold.light,
-                  threshold.view, threshold.region, threshold.metric,
-                  threshold.value ? exactText(*threshold.value) : "undefined");
-  if (threshold.maximum) text += fmt::format(", at most {} allowed", exactText(*threshold.maximum));
-  if (threshold.minimum)
-    text += fmt::format(", at least {} required", exactText(*threshold.minimum));
-  return text;
-}
-
-void appendThresholds(Page& page, const StudyRecord& record) {
+void appendThresholds(TerminalPage& page, const StudyRecord& record) {
   if (record.thresholds.empty()) return;
   const auto failed = std::count_if(record.thresholds.begin(), record.thresholds.end(),
                                     [](const auto& threshold) { return !threshold.passed; });
@@ -243,13 +190,42 @@ void appendThresholds(Page& page, const StudyRecord& record) {
                            record.thresholds.size()));
   for (const ThresholdRecord& threshold : record.thresholds) {
     if (threshold.passed) continue;
-    page.line(std::string(indent, ' ') + page.styled("failed", "31"));
-    page.paragraph(failureText(threshold), 2 * indent);
+    page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
+    page.paragraph(thresholdFailureText(threshold), 2 * terminalIndent);
+  }
+}
+
+constexpr std::array<std::size_t, 5> costWidths = {13, 12, 8, 10, 16};
+
+std::string costRow(std::size_t labelWidth, std::string_view method,
+                    const std::array<std::string, 5>& cells) {
+  std::string row = std::string(terminalIndent, ' ') + fitLeft(method, labelWidth);
+  for (std::size_t i = 0; i < cells.size(); ++i) row += fitRight(cells[i], costWidths[i]);
+  return row;
+}
+
+void appendCost(TerminalPage& page, const StudyRecord& record) {
+  if (record.cost.empty()) return;
+  std::size_t width = displayWidth("method");
+  for (const CostRecord& cost : record.cost) width = std::max(width, displayWidth(cost.method));
+  const std::size_t numbers = std::accumulate(costWidths.begin(), costWidths.end(), terminalIndent);
+  width = std::min(width, terminalWidth - numbers);
+  page.blank();
+  page.heading("Cost");
+  page.line(
+      costRow(width, "method", {"triangles", "tables", "passes", "ms/frame", "to max-forsyth"}));
+  for (const CostRecord& cost : record.cost) {
+    page.line(costRow(
+        width, cost.method,
+        {groupedText(cost.polygons), formatBytes(static_cast<double>(cost.tableBytes)),
+         fmt::format("{}", cost.passes),
+         cost.frameMs ? fmt::format("{:.2f}", requireFinite(*cost.frameMs, "frame_ms")) : "–",
+         timesText(frameRatio(record, cost))}));
   }
 }
 
 /// Where the time went: the stages that took a hundredth of a second or more.
-void appendTimings(Page& page, const StudyRecord& record) {
+void appendTimings(TerminalPage& page, const StudyRecord& record) {
   if (record.timings.empty()) return;
   double total = 0;
   std::string stages;
@@ -265,12 +241,13 @@ void appendTimings(Page& page, const StudyRecord& record) {
 }  // namespace
 
 std::string resultTable(const StudyRecord& record, bool colours) {
-  Page page(colours);
+  TerminalPage page(colours);
   page.heading(record.title.empty() ? record.name : record.title);
   page.paragraph(record.source);
   appendResults(page, record);
-  appendClaims(page, record);
+  page.claims(record.claims);
   appendThresholds(page, record);
+  appendCost(page, record);
   appendTimings(page, record);
   return page.text();
 }

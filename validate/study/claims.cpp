@@ -1,8 +1,10 @@
 #include "study/claims.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "study/result_metrics.h"
@@ -87,6 +89,13 @@ std::string regionText(const ClaimSpec& claim) {
   return claim.region == "all" ? "" : fmt::format(" in the region {}", claim.region);
 }
 
+/// Whether a difference is above nothing by more than the uncertainty.
+Verdict judgeDifference(double difference, double uncertainty) {
+  return difference > uncertainty    ? Verdict::held
+         : difference < -uncertainty ? Verdict::failed
+                                     : Verdict::notDistinguishable;
+}
+
 ClaimRecord judgeOrder(const ClaimSpec& claim, const std::vector<Pair>& found) {
   const auto smaller = std::count_if(found.begin(), found.end(), [](const Pair& pair) {
     return pair.less < pair.than - pair.uncertainty;
@@ -114,10 +123,7 @@ ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study, const St
   }
   const double difference = meanGain(here) - meanGain(there);
   const double uncertainty = largestUncertainty(here) + largestUncertainty(there);
-  const Verdict verdict = difference > uncertainty    ? Verdict::held
-                          : difference < -uncertainty ? Verdict::failed
-                                                      : Verdict::notDistinguishable;
-  return {claim.text, claim.source, verdict,
+  return {claim.text, claim.source, judgeDifference(difference, uncertainty),
           fmt::format("mean gain in {}{} {} here, {} in {}", claim.metric, regionText(claim),
                       differenceText(claim.metric, meanGain(here)),
                       differenceText(claim.metric, meanGain(there)), other.name)};
@@ -180,8 +186,56 @@ ClaimRecord judgeBounds(const ClaimSpec& claim, const StudyRecord& study) {
                       found.size(), outside, left, least->value, most->value)};
 }
 
+/// The gain at the last value of a sweep against that at the first.
+ClaimRecord judgeGrowth(const ClaimSpec& claim, const SweepRecord& sweep) {
+  const StudyRecord& first = sweep.steps.front();
+  const StudyRecord& last = sweep.steps.back();
+  const auto atFirst = pairs(claim, first);
+  const auto atLast = pairs(claim, last);
+  if (atFirst.empty() || atLast.empty()) {
+    return {claim.text, claim.source, Verdict::notEvaluated,
+            fmt::format("{} is not defined for {} and {} at the first and last value", claim.metric,
+                        claim.less, claim.than)};
+  }
+  const double growth = meanGain(atLast) - meanGain(atFirst);
+  return {claim.text, claim.source,
+          judgeDifference(growth, largestUncertainty(atLast) + largestUncertainty(atFirst)),
+          fmt::format("mean gain in {}{} {} at {} = {}, {} at {}", claim.metric, regionText(claim),
+                      differenceText(claim.metric, meanGain(atLast)), sweep.key,
+                      sweep.values.back(), differenceText(claim.metric, meanGain(atFirst)),
+                      sweep.values.front())};
+}
+
+/// A claim that each step has judged for itself.
+ClaimRecord judgeOverSteps(const ClaimSpec& claim, const SweepRecord& sweep, std::size_t index) {
+  std::array<std::vector<double>, 4> values;  // a verdict
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    const Verdict verdict = sweep.steps[i].claims.at(index).verdict;
+    values.at(static_cast<std::size_t>(verdict)).push_back(sweep.values[i]);
+  }
+  const auto at = [&](Verdict verdict) { return values.at(static_cast<std::size_t>(verdict)); };
+  std::string detail;
+  const auto tell = [&](const char* name, Verdict verdict) {
+    if (at(verdict).empty()) return;
+    detail +=
+        fmt::format("{}{} at {}", detail.empty() ? "" : "; ", name, fmt::join(at(verdict), ", "));
+  };
+  tell("held", Verdict::held);
+  tell("failed", Verdict::failed);
+  tell("not distinguishable", Verdict::notDistinguishable);
+  tell("not evaluated", Verdict::notEvaluated);
+  const Verdict verdict = !at(Verdict::failed).empty()                     ? Verdict::failed
+                          : at(Verdict::held).size() == sweep.steps.size() ? Verdict::held
+                          : !at(Verdict::notDistinguishable).empty() ? Verdict::notDistinguishable
+                                                                     : Verdict::notEvaluated;
+  return {claim.text, claim.source, verdict, fmt::format("{}: {}", sweep.key, detail)};
+}
+
 ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std::size_t own) {
   if (!claim.method.empty()) return judgeBounds(claim, run[own]);
+  if (claim.gainGrows) {
+    return {claim.text, claim.source, Verdict::notEvaluated, "judged over the values of the sweep"};
+  }
   const auto found = pairs(claim, run[own]);
   if (found.empty()) {
     return {claim.text, claim.source, Verdict::notEvaluated,
@@ -205,6 +259,17 @@ std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
   std::vector<ClaimRecord> records;
   records.reserve(claims.size());
   for (const ClaimSpec& claim : claims) records.push_back(judge(claim, run, own));
+  return records;
+}
+
+std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
+                                          const SweepRecord& sweep) {
+  std::vector<ClaimRecord> records;
+  records.reserve(claims.size());
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    records.push_back(claims[i].gainGrows ? judgeGrowth(claims[i], sweep)
+                                          : judgeOverSteps(claims[i], sweep, i));
+  }
   return records;
 }
 

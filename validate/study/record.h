@@ -69,6 +69,7 @@ struct CostRecord {
   std::uint64_t tableBytes = 0;   ///< tables, and textures that its passes fill each frame
   std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
   std::optional<double> frameMs;  ///< median time of one frame of the first camera view
+  int passes = 1;                 ///< drawing passes a frame
 };
 
 struct TimingRecord {

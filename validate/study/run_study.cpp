@@ -323,6 +323,7 @@ class StudyRun {
       cost.method = study_.methods[m].label;
       cost.polygons = method.base->gpu.triangleCount();
       cost.tableBytes = tableBytes(method);
+      cost.passes = method.method.passes.count();
       if (method.method.tables.height) cost.heightBytes = heights_.byteCount();
       if (camera != study_.views.end()) {
         const auto view = static_cast<std::size_t>(camera - study_.views.begin());

@@ -198,6 +198,10 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
     claim.less = readFilter(section, "less", study.methods, label, section.text("less"));
     claim.than = readFilter(section, "than", study.methods, label, section.text("than"));
     claim.gainExceeds = section.text("gain_exceeds", "");
+    claim.gainGrows = section.flag("gain_grows", false);
+    if (claim.gainGrows && !claim.gainExceeds.empty()) {
+      section.fail("gain_grows", "`gain_exceeds` found beside it, one of the two expected");
+    }
   }
   claim.metric = readMetric(section);
   claim.region = readFilter(section, "region", regionNames(), itself, "all");
@@ -320,7 +324,11 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   }
   for (const TomlReader& claim : root.optionalTables("claim")) {
     study.claims.push_back(readClaim(claim, study));
+    if (study.claims.back().gainGrows && !root.optionalTable("sweep")) {
+      claim.fail("gain_grows", "no [sweep] found, over which a gain could grow");
+    }
   }
+  (void)root.optionalTable("sweep");
   root.finish();
   keepMethods(study, options.methods);
   return study;

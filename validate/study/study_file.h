@@ -63,7 +63,8 @@ struct ThresholdSpec {
 
 /// A claim of one of two forms: that one method's metric is smaller than another's in every light
 /// and view (or, with `gainExceeds`, that the mean difference between them is larger than in the
-/// study of that name); or that one method's metric lies between bounds in every light and view.
+/// study of that name; or, with `gainGrows`, that it is larger at the last value of the file's sweep
+/// than at the first); or that one method's metric lies between bounds in every light and view.
 struct ClaimSpec {
   std::string text, source;
   std::string less, than;  ///< method labels; empty in the second form
@@ -72,6 +73,7 @@ struct ClaimSpec {
   std::string region = "all";
   std::string method = {};  ///< label; empty in the first form
   std::optional<double> above = std::nullopt, below = std::nullopt;
+  bool gainGrows = false;
 };
 
 struct StudySpec {
@@ -97,7 +99,8 @@ struct StudyOptions {
   bool quick = false;
 };
 
-/// Reads and checks a study: paths in it are relative to its own folder.
+/// Reads and checks a study: paths in it are relative to its own folder. A `[sweep]` is left to
+/// `readStudyPlan`.
 /// @throws InputError naming file, line, key, what was found and what was expected
 StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& options = {});
 

@@ -1,0 +1,243 @@
+#include "report/study_ranking.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+#include "report/ranking_html.h"
+#include "report/ranking_json.h"
+#include "report/sample_record.h"
+#include "report/terminal_ranking.h"
+#include "report/text_width.h"
+
+namespace gnomon {
+namespace {
+
+using test::countsOf;
+using test::result;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A study in which every method has one error rate under each of two lights, in thousandths.
+StudyRecord study(const std::string& name,
+                  const std::vector<std::pair<std::string, std::pair<double, double>>>& errors,
+                  double uncertainty = 0.001) {
+  StudyRecord record;
+  record.name = name;
+  record.title = "Title of <" + name + ">";
+  record.truth.uncertainty = uncertainty;
+  for (const auto& [label, rates] : errors) {
+    record.methods.push_back({label, label, "", ""});
+    record.results.push_back(
+        result(label, "noon", "camera", "all", countsOf(1000, rates.first, 0)));
+    record.results.push_back(
+        result(label, "dusk", "camera", "all", countsOf(1000, 0, rates.second)));
+    // Regions must not count.
+    record.results.push_back(result(label, "dusk", "camera", "cast", countsOf(1000, 0, 250)));
+  }
+  return record;
+}
+
+std::vector<StudyMeans> meansOf(const std::vector<StudyRecord>& records) {
+  std::vector<StudyMeans> means;
+  for (const StudyRecord& record : records) means.push_back(studyMeans(record));
+  return means;
+}
+
+/// flat: 0.02, 0.10 and 0.06; curved: 0.03, 0.02, 0.01; new: only in the second, 0.015.
+std::vector<StudyMeans> threeStudies() {
+  return meansOf(
+      {study("a", {{"flat", {10, 30}}, {"curved", {30, 30}}}, 0.001),
+       study("b", {{"flat", {100, 100}}, {"curved", {10, 30}}, {"new", {15, 15}}}, 0.002),
+       study("c", {{"curved", {10, 10}}, {"flat", {60, 60}}}, 0.006)});
+}
+
+TEST(StudyRanking, EachStudyHasTheSameWeight) {
+  // Two lights in one study, four in the other: the mean of means, not of the lights.
+  StudyRecord many = study("many", {{"m", {10, 10}}});
+  for (const char* light : {"morning", "evening"}) {
+    many.results.push_back(result("m", light, "camera", "all", countsOf(1000, 50, 0)));
+  }
+  const auto ranked = rankOverStudies(meansOf({many, study("few", {{"m", {60, 80}}})}));
+  ASSERT_EQ(ranked.size(), 1U);
+  EXPECT_DOUBLE_EQ(*ranked[0].meanError, (0.03 + 0.07) / 2);
+  EXPECT_DOUBLE_EQ(*ranked[0].worstError, 0.07);
+  EXPECT_EQ(ranked[0].worstStudy, "few");
+}
+
+TEST(StudyRanking, RanksWhatWasMeasuredEverywhereByItsMean) {
+  const auto ranked = rankOverStudies(threeStudies());
+  ASSERT_EQ(ranked.size(), 3U);
+  EXPECT_EQ(ranked[0].label, "curved");
+  EXPECT_EQ(ranked[0].rank, 1U);
+  EXPECT_DOUBLE_EQ(*ranked[0].meanError, 0.02);
+  EXPECT_DOUBLE_EQ(*ranked[0].worstError, 0.03);
+  EXPECT_EQ(ranked[0].worstStudy, "a");
+  EXPECT_EQ(ranked[0].studies, 3U);
+  EXPECT_DOUBLE_EQ(*ranked[0].uncertainty, 0.003);
+  EXPECT_EQ(ranked[1].label, "flat");
+  EXPECT_EQ(ranked[1].rank, 2U);
+  EXPECT_DOUBLE_EQ(*ranked[1].meanError, 0.06);
+  EXPECT_EQ(ranked[1].worstStudy, "b");
+}
+
+TEST(StudyRanking, AMethodThatIsMissingSomewhereHasNoRankHoweverSmallItsError) {
+  const auto ranked = rankOverStudies(threeStudies());
+  EXPECT_EQ(ranked[2].label, "new");
+  EXPECT_FALSE(ranked[2].rank);
+  EXPECT_EQ(ranked[2].studies, 1U);
+  EXPECT_DOUBLE_EQ(*ranked[2].meanError, 0.015);
+  // The best method on study b alone.
+  EXPECT_DOUBLE_EQ(*ranked[2].leaderError, 0.02);
+  EXPECT_FALSE(ranked[0].leaderError);
+}
+
+TEST(StudyRanking, MoreStudiesComeFirstAmongThoseWithoutARank) {
+  const auto ranked =
+      rankOverStudies(meansOf({study("a", {{"once", {1, 1}}}), study("b", {{"twice", {90, 90}}}),
+                               study("c", {{"twice", {90, 90}}})}));
+  ASSERT_EQ(ranked.size(), 2U);
+  EXPECT_EQ(ranked[0].label, "twice");
+  EXPECT_FALSE(ranked[0].rank);
+  EXPECT_FALSE(ranked[1].leaderError) << "nobody is first";
+}
+
+TEST(StudyRanking, AStudyThatDefinesNoErrorDoesNotCount) {
+  StudyRecord empty = study("empty", {{"m", {1, 1}}, {"n", {5, 5}}});
+  for (ResultRecord& row : empty.results) {
+    if (row.method == "m") row.counts = {};
+  }
+  const auto ranked = rankOverStudies(meansOf({empty, study("b", {{"m", {2, 2}}, {"n", {9, 9}}})}));
+  EXPECT_EQ(ranked[0].label, "n");
+  EXPECT_EQ(ranked[1].studies, 1U);
+  EXPECT_FALSE(ranked[1].rank);
+  EXPECT_DOUBLE_EQ(*ranked[1].leaderError, 0.009);
+}
+
+TEST(StudyRanking, MarksWhatTheTruthCannotTellFromTheBest) {
+  const auto ranked = rankOverStudies(
+      meansOf({study("a", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.004),
+               study("b", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.002)}));
+  EXPECT_FALSE(ranked[0].closeToBest);
+  EXPECT_TRUE(ranked[1].closeToBest);
+  EXPECT_FALSE(ranked[2].closeToBest);
+}
+
+TEST(StudyRanking, LabelsThatAreNotNamesSayWhatTheyStandFor) {
+  StudyRecord a = study("a", {{"ours", {1, 1}}});
+  StudyRecord b = a;
+  a.methods[0].name = "onoue-2004";
+  b.methods[0].name = "onoue-exact";
+  EXPECT_EQ(labelWithName(rankOverStudies(meansOf({a, a}))[0]), "ours (onoue-2004)");
+  EXPECT_EQ(labelWithName(rankOverStudies(meansOf({a, b}))[0]), "ours (onoue-2004, onoue-exact)");
+  EXPECT_EQ(labelWithName(rankOverStudies(threeStudies())[0]), "curved");
+}
+
+TEST(StudyRanking, NothingIsNotRanked) {
+  EXPECT_TRUE(rankOverStudies({}).empty());
+  EXPECT_TRUE(rankOverStudies(meansOf({StudyRecord{}})).empty());
+}
+
+// ---- as text
+
+TEST(RankingTerminal, SaysWhatTheRankingHolds) {
+  const std::string text = rankingOverStudies(threeStudies(), false);
+  EXPECT_THAT(text, HasSubstr("Methods over 3 studies\n"));
+  EXPECT_THAT(text, HasSubstr("  1   curved    2.00    3.00  a           3 of 3      0.30\n"));
+  EXPECT_THAT(text, HasSubstr("  –   new       1.50    1.50  b           1 of 3      0.20\n"));
+  EXPECT_THAT(text, HasSubstr("curved has a mean of 2.00 over the same studies"));
+  EXPECT_LT(text.find("2   flat"), text.find("Not in every study"));
+  EXPECT_LT(text.find("Not in every study"), text.find("–   new"));
+}
+
+TEST(RankingTerminal, FitsWhateverTheNames) {
+  const std::string label(90, 'm');
+  const std::string name(90, 's');
+  for (const auto& [l, n] : {std::pair(label, std::string("s")), std::pair(std::string("m"), name),
+                             std::pair(label, name)}) {
+    const std::string text = rankingOverStudies(
+        meansOf({study(n, {{l, {10, 10}}, {"close", {10, 11}}}), study("b", {{l, {1, 1}}})}),
+        false);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
+  }
+}
+
+// ---- as files
+
+TEST(RankingJson, HoldsRanksResultsAndClaims) {
+  std::vector<StudyMeans> studies = threeStudies();
+  studies[1].claims = {{"Curved is better", "§4", Verdict::held, "1 of 1"}};
+  studies[1].passed = false;
+  const auto json = nlohmann::json::parse(rankingJson(studies, "gnomon run a b c"));
+  EXPECT_EQ(json["schema"], "gnomon-ranking/1");
+  EXPECT_EQ(json["status"], "fail");
+  EXPECT_EQ(json["command"], "gnomon run a b c");
+  EXPECT_EQ(json["studies"][0]["report"], "a/report.html");
+  EXPECT_EQ(json["studies"][0]["status"], "pass");
+  EXPECT_EQ(json["studies"][1]["status"], "fail");
+  ASSERT_EQ(json["methods"].size(), 3U);
+  EXPECT_EQ(json["methods"][0]["label"], "curved");
+  EXPECT_EQ(json["methods"][0]["rank"], 1);
+  EXPECT_EQ(json["methods"][0]["mean_error_rate"].get<double>(), (0.03 + 0.02 + 0.01) / 3);
+  EXPECT_TRUE(json["methods"][0]["leader_error_rate"].is_null());
+  EXPECT_TRUE(json["methods"][2]["rank"].is_null());
+  EXPECT_EQ(json["methods"][2]["worst_study"], "b");
+  ASSERT_EQ(json["results"].size(), 7U);
+  EXPECT_EQ(json["results"][2]["study"], "b");
+  EXPECT_EQ(json["results"][0]["false_shadow"], 0.005);
+  EXPECT_EQ(json["results"][0]["false_light"], 0.015);
+  ASSERT_EQ(json["claims"].size(), 1U);
+  EXPECT_EQ(json["claims"][0]["study"], "b");
+  EXPECT_EQ(json["claims"][0]["verdict"], "held");
+}
+
+TEST(RankingJson, RefusesFiguresThatAreNotFinite) {
+  std::vector<StudyMeans> studies = threeStudies();
+  studies[0].methods[0].uncertainty = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(rankingJson(studies, ""), InternalError);
+  EXPECT_THROW(rankingCsv(studies), InternalError);
+}
+
+TEST(RankingCsv, HasARowAMethodAndStudy) {
+  std::vector<StudyMeans> studies = threeStudies();
+  studies[2].methods[1].uncertainty.reset();
+  const std::string csv = rankingCsv(studies);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "study,method,error_rate,false_shadow,false_light,uncertainty");
+  EXPECT_THAT(csv, HasSubstr("\na,flat,0.02,0.005,0.015,0.001\n"));
+  EXPECT_THAT(csv, HasSubstr("\nc,flat,0.06,0.03,0.03,\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 8);
+}
+
+TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
+  std::vector<StudyMeans> studies = threeStudies();
+  studies[0].claims = {{"First <claim>", "§4", Verdict::held, ""}};
+  studies[2].claims = {{"Second claim", "§5", Verdict::failed, ""}};
+  const std::string html = rankingHtml(studies, "gnomon run a & b");
+  for (const char* part :
+       {"href=\"a/report.html\"", "href=\"b/report.html\"", "href=\"c/report.html\"",
+        "First &lt;claim&gt;", "Second claim", "tag failed\">failed<", "gnomon run a &amp; b",
+        "Over 3 studies <b>curved</b>", "in 1 of 3 studies: not comparable",
+        "curved has 2.00&#8239;% on the same", "Title of &lt;a&gt;"}) {
+    EXPECT_THAT(html, HasSubstr(part));
+  }
+  for (const char* fetch : {"http://", "https://", "<link", "<script", "@import", "url("}) {
+    EXPECT_THAT(html, Not(HasSubstr(fetch)));
+  }
+}
+
+TEST(RankingHtml, ShadesTheWorstCellMost) {
+  const std::string html = rankingHtml(threeStudies(), "");
+  // Of 10.00, the worst, and 2.00: √(0.02 / 0.1).
+  EXPECT_THAT(html,
+              HasSubstr("--heat:1.000\" title=\"false shadow 5.00 %, false light 5.00 %\">10.00<"));
+  EXPECT_THAT(html,
+              HasSubstr("--heat:0.447\" title=\"false shadow 0.50 %, false light 1.50 %\">2.00<"));
+  EXPECT_THAT(html, HasSubstr("not evaluated"));
+}
+
+}  // namespace
+}  // namespace gnomon

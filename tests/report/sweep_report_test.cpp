@@ -1,0 +1,259 @@
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "common/error.h"
+#include "report/sample_record.h"
+#include "report/study_ranking.h"
+#include "report/sweep_files.h"
+#include "report/sweep_html.h"
+#include "report/sweep_plot.h"
+#include "report/terminal_sweep.h"
+#include "report/text_width.h"
+
+namespace gnomon {
+namespace {
+
+using test::countsOf;
+using test::result;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A step in which each method errs in the given thousandths under both of two lights.
+StudyRecord step(const std::vector<std::pair<std::string, double>>& errors, double uncertainty) {
+  StudyRecord record = test::emptyRecord();
+  record.truth.uncertainty = uncertainty;
+  for (const auto& [label, error] : errors) {
+    record.methods.push_back({label, "name of " + label, "", ""});
+    record.results.push_back(result(label, "noon", "camera", "all", countsOf(1000, error, 0)));
+    record.results.push_back(result(label, "dusk", "camera", "all", countsOf(1000, 0, error)));
+  }
+  return record;
+}
+
+/// Values out of order: 0.5, 0.25, 1. "flat" 2, 4 and 8 percent, "curved" 1, 1 and 3.
+SweepRecord sample() {
+  SweepRecord sweep;
+  sweep.name = "bumps";
+  sweep.title = "Bumps & <dents>";
+  sweep.source = "Figure 4";
+  sweep.file = "bumps.toml";
+  sweep.command = "gnomon run bumps.toml";
+  sweep.key = "surface.curvature";
+  sweep.axis = "curvature, 1/world's";
+  sweep.values = {0.5, 0.25, 1};
+  sweep.steps = {step({{"flat", 20}, {"curved", 10}}, 0.002),
+                 step({{"flat", 40}, {"curved", 10}}, 0.001),
+                 step({{"flat", 80}, {"curved", 30}}, 0.003)};
+  sweep.claims = {{"The gain <grows>", "§4", Verdict::held, "5.00 against 3.00"}};
+  return sweep;
+}
+
+ThresholdRecord failedGate() {
+  return {"flat", "noon", "camera", "all", "error_rate", 0.08, std::nullopt, 0.05, false};
+}
+
+// ---- figures
+
+TEST(SweepMeans, AreMeansOverTheSteps) {
+  const StudyMeans study = studyMeans(sample());
+  EXPECT_EQ(study.name, "bumps");
+  EXPECT_TRUE(study.passed);
+  ASSERT_EQ(study.methods.size(), 2U);
+  const MethodMeans& flat = study.methods[0];
+  EXPECT_EQ(flat.label, "flat");
+  EXPECT_EQ(flat.name, "name of flat");
+  EXPECT_DOUBLE_EQ(*flat.errorRate, 0.14 / 3);
+  EXPECT_DOUBLE_EQ(*flat.falseShadow, 0.07 / 3);
+  EXPECT_DOUBLE_EQ(*flat.uncertainty, 0.002);
+  ASSERT_EQ(study.claims.size(), 1U);
+}
+
+TEST(SweepMeans, AreNoneWhereAStepHasNone) {
+  SweepRecord sweep = sample();
+  for (ResultRecord& row : sweep.steps[1].results) {
+    if (row.method == "flat") row.counts = {};
+  }
+  EXPECT_FALSE(studyMeans(sweep).methods[0].errorRate);
+  EXPECT_TRUE(studyMeans(sweep).methods[1].errorRate);
+}
+
+TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
+  SweepRecord sweep = sample();
+  sweep.steps[1].thresholds = {failedGate()};
+  const std::vector<StudyMeans> studies = {studyMeans(sweep), studyMeans(step({{"flat", 10}}, 0))};
+  EXPECT_FALSE(studies[0].passed);
+  const auto ranked = rankOverStudies(studies);
+  EXPECT_EQ(ranked[0].label, "flat");
+  EXPECT_DOUBLE_EQ(*ranked[0].meanError, (0.14 / 3 + 0.01) / 2);
+  EXPECT_EQ(ranked[1].studies, 1U);
+}
+
+// ---- files
+
+TEST(SweepCsv, HasARowAMethodAndValue) {
+  EXPECT_EQ(sweepCsv(sample()),
+            "value,method,error_rate,false_shadow,false_light,uncertainty\n"
+            "0.5,flat,0.02,0.01,0.01,0.002\n0.5,curved,0.01,0.005,0.005,0.002\n"
+            "0.25,flat,0.04,0.02,0.02,0.001\n0.25,curved,0.01,0.005,0.005,0.001\n"
+            "1,flat,0.08,0.04,0.04,0.003\n1,curved,0.03,0.015,0.015,0.003\n");
+}
+
+TEST(SweepJson, HoldsTheSweep) {
+  SweepRecord sweep = sample();
+  sweep.steps[2].thresholds = {failedGate()};
+  const auto json = nlohmann::json::parse(sweepJson(sweep));
+  EXPECT_EQ(json["schema"], "gnomon-sweep/1");
+  EXPECT_EQ(json["status"], "fail");
+  EXPECT_EQ(json["study"]["name"], "bumps");
+  EXPECT_EQ(json["environment"]["gl_renderer"], "A rasteriser");
+  EXPECT_EQ(json["sweep"]["key"], "surface.curvature");
+  EXPECT_EQ(json["sweep"]["values"], (std::vector<double>{0.5, 0.25, 1}));
+  EXPECT_EQ(json["steps"][1]["summary"], "0.25/summary.json");
+  EXPECT_EQ(json["steps"][1]["status"], "pass");
+  EXPECT_EQ(json["steps"][2]["status"], "fail");
+  ASSERT_EQ(json["results"].size(), 6U);
+  EXPECT_EQ(json["results"][3]["value"], 0.25);
+  EXPECT_EQ(json["results"][3]["method"], "curved");
+  EXPECT_EQ(json["results"][3]["error_rate"], 0.01);
+  EXPECT_EQ(json["claims"][0]["verdict"], "held");
+  sweep.values[0] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW((void)sweepJson(sweep), InternalError);
+  EXPECT_THROW((void)sweepCsv(sweep), InternalError);
+}
+
+// ---- plot
+
+TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
+  const std::string script = sweepPlotScript(sample());
+  EXPECT_THAT(script, HasSubstr("$truth << EOD\n0.25 0.1\n0.5 0.2\n1 0.3\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$e0 << EOD\n0.25 4\n0.5 2\n1 8\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$s1 << EOD\n0.25 0.5\n0.5 0.5\n1 1.5\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("set xlabel offset 0,0.4 'curvature, 1/world’s'\n"));
+}
+
+TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
+  SweepRecord sweep = sample();
+  for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
+  EXPECT_THAT(sweepPlotScript(sweep), HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
+  EXPECT_THAT(sweepPlot(sweep), HasSubstr("</svg>"));
+}
+
+/// The y coordinates of a line's points in the first panel, by its colour.
+std::vector<double> pointHeights(const std::string& svg, const std::string& colour) {
+  const std::size_t begin = svg.find("<title>gnuplot_plot_2a</title>");
+  const std::size_t end = svg.find("<title>gnuplot_plot_1b</title>", begin);
+  const std::string panel = svg.substr(begin, end - begin);
+  const std::regex line("stroke='rgb\\(" + colour + "\\)' *d='([^']*)'");
+  std::smatch match;
+  std::vector<double> heights;
+  if (!std::regex_search(panel, match, line)) return heights;
+  std::istringstream path(match[1].str());
+  char letter{};
+  char comma{};
+  double x{};
+  double y{};
+  while (path >> letter >> x >> comma >> y) {
+    // The legend's line comes before.
+    if (letter == 'M') heights.clear();
+    heights.push_back(y);
+  }
+  return heights;
+}
+
+TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
+  const std::string svg = sweepPlot(sample());
+  // The axis goes from 0 at the bottom; flat is 4, 2, 8 percent, curved 1, 1, 3.
+  const auto flat = pointHeights(svg, "  0, 114, 178");
+  const auto curved = pointHeights(svg, "213,  94,   0");
+  ASSERT_EQ(flat.size(), 3U);
+  ASSERT_EQ(curved.size(), 3U);
+  const double percent = (flat[1] - flat[0]) / 2;
+  EXPECT_GT(percent, 10);
+  EXPECT_NEAR(flat[1] - flat[2], 6 * percent, 0.1);
+  EXPECT_NEAR(curved[0] - flat[0], 3 * percent, 0.1);
+  EXPECT_NEAR(curved[1], curved[0], 0.1);
+  EXPECT_NEAR(curved[1] - curved[2], 2 * percent, 0.1);
+}
+
+TEST(SweepPlot, SameSweepSameBytes) {
+  EXPECT_EQ(sweepPlot(sample()), sweepPlot(sample()));
+}
+
+TEST(SweepPlot, DrawsWhateverTheLabels) {
+  SweepRecord sweep = sample();
+  sweep.axis = "it's `date` {/x}_2 \\ \"";
+  for (StudyRecord& record : sweep.steps) {
+    for (int i = 0; i < 9; ++i) {
+      const std::string label = "a 'label' of <some> length & number " + std::to_string(i);
+      record.results.push_back(result(label, "noon", "camera", "all", countsOf(1000, 10 * i, 0)));
+    }
+    for (ResultRecord& row : record.results) {
+      if (row.method == "flat") row.counts = countsOf(1000, 0, 0);
+    }
+  }
+  const std::string svg = sweepPlot(sweep);
+  EXPECT_THAT(svg, HasSubstr("it’s `date` {/x}_2 \\"));
+  EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; nu…"));
+  // No error at all: the axis has no length of its own.
+  for (StudyRecord& record : sweep.steps) {
+    for (ResultRecord& row : record.results) row.counts = countsOf(1000, 0, 0);
+    record.truth.uncertainty = 0;
+  }
+  EXPECT_THAT(sweepPlot(sweep), HasSubstr("</svg>"));
+}
+
+// ---- page
+
+TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
+  SweepRecord sweep = sample();
+  sweep.steps[0].thresholds = {failedGate()};
+  sweep.steps[0].thresholds[0].passed = true;
+  sweep.steps[2].thresholds = {failedGate()};
+  const std::string html = sweepHtml(sweep, "<svg/>");
+  for (const char* part :
+       {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "data:image/svg+xml;base64,PHN2Zy8+",
+        "href=\"0.25/report.html\"", ">8.00</td>", "The gain &lt;grows&gt;",
+        "1 of 2 thresholds met", "<h3>surface.curvature = 1</h3>", "--heat:1.000"}) {
+    EXPECT_THAT(html, HasSubstr(part));
+  }
+  EXPECT_THAT(html, Not(HasSubstr("<h3>surface.curvature = 0.5</h3>"))) << "its gate was met";
+  for (const char* fetch : {"http://", "https://", "<link", "<script", "@import", "url("}) {
+    EXPECT_THAT(html, Not(HasSubstr(fetch)));
+  }
+}
+
+// ---- terminal
+
+TEST(SweepTable, HasAColumnAValue) {
+  SweepRecord sweep = sample();
+  sweep.steps[2].thresholds = {failedGate()};
+  const std::string text = sweepTable(sweep, false);
+  EXPECT_THAT(text, HasSubstr("               0.5     0.25        1\n"
+                              "  flat        2.00     4.00     8.00\n"
+                              "  curved      1.00     1.00     3.00\n"
+                              "  truth ±     0.20     0.10     0.30\n"));
+  EXPECT_THAT(text, HasSubstr("  held                 The gain <grows>\n"));
+  EXPECT_THAT(text, HasSubstr("Thresholds: 0 of 1 met"));
+  EXPECT_THAT(text, HasSubstr("surface.curvature = 1: flat, noon, camera, region all"));
+}
+
+TEST(SweepTable, FitsHoweverManyTheValues) {
+  SweepRecord sweep = sample();
+  for (int i = 0; i < 40; ++i) {
+    sweep.values.push_back(-1.0 / (3 + i) * 1e-300);
+    sweep.steps.push_back(step({{std::string(80, 'm'), 5}}, 0.001));
+  }
+  const std::string text = sweepTable(sweep, false);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
+  for (const double value : sweep.values) {
+    EXPECT_THAT(text, HasSubstr(nlohmann::json(value).dump().substr(0, 8)));
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/record.h"
+
+namespace gnomon {
+
+/// The method that frame times are set against: the flat horizon map.
+constexpr std::string_view costReference = "max-forsyth";
+
+/// A method's frame time over that of the method named `costReference` in the same run (of several,
+/// the one with that label, or else the first). None where either was not timed.
+/// @throws InternalError for a frame time that is not finite
+std::optional<double> frameRatio(const StudyRecord& record, const CostRecord& cost);
+
+/// A ratio with two decimals and its sign, "0.97×", or "–".
+std::string timesText(std::optional<double> ratio);
+
+/// What the run has to say to the paper's statement about frame rates (Onoue, Max & Nishita 2004,
+/// section 4), as one paragraph of text that names the renderer. Empty unless the run timed all of
+/// max-forsyth, onoue-2004 and shadow-volume.
+std::string publishedRates(const StudyRecord& record);
+
+}  // namespace gnomon

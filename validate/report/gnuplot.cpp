@@ -1,0 +1,124 @@
+#include "report/gnuplot.h"
+
+#include <fmt/core.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "common/error.h"
+#include "report/html_text.h"
+
+namespace gnomon {
+namespace {
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+/// A file without a name, which goes when it is closed.
+using ScratchFile = std::unique_ptr<std::FILE, FileCloser>;
+
+[[noreturn]] void fail(const std::string& what) {
+  throw InternalError(fmt::format("gnuplot: {}", what));
+}
+
+ScratchFile scratchFile(const std::string& content = "") {
+  ScratchFile file(std::tmpfile());
+  if (!file) fail(fmt::format("no temporary file: {}", std::strerror(errno)));
+  if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size()) {
+    fail("the temporary file cannot be written");
+  }
+  std::rewind(file.get());
+  return file;
+}
+
+std::string contentOf(std::FILE* file) {
+  std::rewind(file);
+  std::string text;
+  std::array<char, 65536> buffer{};
+  while (const std::size_t read = std::fread(buffer.data(), 1, buffer.size(), file)) {
+    text.append(buffer.data(), read);
+  }
+  return text;
+}
+
+/// Starts gnuplot with the three files as its standard streams.
+pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
+  std::string program = "gnuplot";
+  std::string noSettings = "-d";
+  std::array<char*, 3> words = {program.data(), noSettings.data(), nullptr};
+  posix_spawn_file_actions_t streams;
+  posix_spawn_file_actions_init(&streams);
+  posix_spawn_file_actions_adddup2(&streams, fileno(in), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&streams, fileno(out), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&streams, fileno(err), STDERR_FILENO);
+  pid_t process = 0;
+  const int failure =
+      posix_spawnp(&process, program.c_str(), &streams, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&streams);
+  if (failure != 0) {
+    fail(fmt::format("cannot be started: {}; sweeps need it for their plots (gnuplot-nox)",
+                     std::strerror(failure)));
+  }
+  return process;
+}
+
+bool succeeded(pid_t process) {
+  int state = 0;
+  while (waitpid(process, &state, 0) < 0) {
+    if (errno != EINTR) fail(std::strerror(errno));
+  }
+  return WIFEXITED(state) && WEXITSTATUS(state) == 0;
+}
+
+/// The last line that says something: gnuplot quotes the script before it.
+std::string lastLine(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \t\r\n");
+  if (end == std::string::npos) return "ended without a word";
+  const std::size_t line = text.find_last_of('\n', end);
+  const std::size_t begin = line == std::string::npos ? 0 : line + 1;
+  return text.substr(begin, end + 1 - begin);
+}
+
+}  // namespace
+
+std::string runGnuplot(const std::string& script) {
+  const ScratchFile in = scratchFile(script);
+  const ScratchFile out = scratchFile();
+  const ScratchFile err = scratchFile();
+  if (!succeeded(start(in.get(), out.get(), err.get()))) fail(lastLine(contentOf(err.get())));
+  return contentOf(out.get());
+}
+
+std::string gnuplotText(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    // Doubled, as gnuplot has it, a quote could not be the first character.
+    if (c == '\'') {
+      quoted += "’";
+    } else {
+      quoted += code < ' ' || code == 0x7f ? ' ' : c;
+    }
+  }
+  return quoted + "'";
+}
+
+std::string cleanSvg(const std::string& svg, const std::string& title) {
+  const std::string begin = "<title>";
+  const std::string end = "</desc>";
+  const std::size_t from = svg.find(begin);
+  const std::size_t to = svg.find(end);
+  if (from == std::string::npos || to == std::string::npos || to < from) {
+    fail("its SVG has no title and description");
+  }
+  return svg.substr(0, from) + "<title>" + escapeHtml(title) + "</title>" +
+         svg.substr(to + end.size());
+}
+
+}  // namespace gnomon

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "report/study_ranking.h"
+
+namespace gnomon {
+
+/// Error rates in percent as a table of methods × studies (or steps of a sweep), shaded by size,
+/// with the truth's uncertainty as its last row.
+/// @param labels  of the methods, a row each
+/// @param heads   the heading of each study, as HTML
+std::string errorMatrix(const std::vector<std::string>& labels, std::span<const StudyMeans> studies,
+                        const std::vector<std::string>& heads);
+
+}  // namespace gnomon

@@ -1,0 +1,60 @@
+#include "report/html_page.h"
+
+#include <fmt/core.h>
+
+#include "report/html_figures.h"
+#include "report/html_text.h"
+#include "report/names.h"
+#include "report/report_style.h"
+
+namespace gnomon {
+namespace {
+
+std::string tagClass(Verdict verdict) {
+  return verdict == Verdict::held ? "held" : verdict == Verdict::failed ? "failed" : "open";
+}
+
+}  // namespace
+
+std::string htmlHead(std::string_view title) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+      "style-src 'unsafe-inline'\">\n"
+      "<title>{} – Gnomon</title>\n<style>\n{}{}</style>\n</head>\n",
+      escapeHtml(title), differenceProperties(), reportStyle());
+}
+
+std::string htmlSection(std::string_view id, std::string_view title, const std::string& content) {
+  if (content.empty()) return "";
+  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, title, content);
+}
+
+std::string htmlFact(std::string_view term, std::string_view text) {
+  if (text.empty()) return "";
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escapeHtml(text));
+}
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string htmlClaim(const ClaimRecord& claim, std::string_view study) {
+  return fmt::format(
+      "<li><span class=\"tag {}\">{}</span><div><p>{}{}</p><p class=\"note\">{}</p>"
+      "<p class=\"note\">{}</p></div></li>\n",
+      tagClass(claim.verdict), verdictName(claim.verdict),
+      study.empty() ? "" : fmt::format("<b>{}</b> ", study), escapeHtml(claim.text),
+      escapeHtml(claim.detail), escapeHtml(claim.source));
+}
+
+std::string htmlClaims(const std::vector<ClaimRecord>& claims) {
+  std::string items;
+  for (const ClaimRecord& claim : claims) items += htmlClaim(claim);
+  if (items.empty()) return "";
+  return htmlSection("claims", "What was claimed", "<ul class=\"claims\">\n" + items + "</ul>\n");
+}
+
+}  // namespace gnomon

@@ -1,0 +1,50 @@
+#include "report/json_values.h"
+
+#include "report/names.h"
+#include "report/number_text.h"
+
+namespace gnomon {
+
+Json jsonNumber(double value, std::string_view key) {
+  return requireFinite(value, key);
+}
+
+Json jsonNumber(std::optional<double> value, std::string_view key) {
+  return value ? jsonNumber(*value, key) : Json(nullptr);
+}
+
+Json jsonEnvironment(const EnvironmentRecord& environment) {
+  return {{"gnomon_version", environment.gnomonVersion},
+          {"commit", environment.commit},
+          {"cpu", environment.cpu},
+          {"threads", environment.threads},
+          {"gl_renderer", environment.glRenderer},
+          {"gl_version", environment.glVersion},
+          {"embree_version", environment.embreeVersion},
+          {"opensubdiv_version", environment.openSubdivVersion}};
+}
+
+Json jsonClaim(const ClaimRecord& claim) {
+  return {{"text", claim.text},
+          {"source", claim.source},
+          {"verdict", verdictName(claim.verdict)},
+          {"detail", claim.detail}};
+}
+
+Json jsonMeans(const MethodMeans& means) {
+  return {{"method", means.label},
+          {"error_rate", jsonNumber(means.errorRate, "results.error_rate")},
+          {"false_shadow", jsonNumber(means.falseShadow, "results.false_shadow")},
+          {"false_light", jsonNumber(means.falseLight, "results.false_light")},
+          {"uncertainty", jsonNumber(means.uncertainty, "results.uncertainty")}};
+}
+
+Json jsonStatus(bool passed) {
+  return passed ? "pass" : "fail";
+}
+
+std::string jsonText(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gnomon

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "report/study_ranking.h"
+#include "study/record.h"
+
+namespace gnomon {
+
+/// Parts that the JSON files of a run share. Keys stay in the order in which they were set.
+using Json = nlohmann::ordered_json;
+
+/// A number.
+/// @throws InternalError naming the key for one that is not finite: the library would write it as
+///   null, without a word
+Json jsonNumber(double value, std::string_view key);
+/// A number, or null.
+Json jsonNumber(std::optional<double> value, std::string_view key);
+
+template <typename Records, typename Convert>
+Json jsonList(const Records& records, const Convert& convert) {
+  Json array = Json::array();
+  for (const auto& record : records) array.push_back(convert(record));
+  return array;
+}
+
+Json jsonEnvironment(const EnvironmentRecord& environment);
+/// text, source, verdict, detail.
+Json jsonClaim(const ClaimRecord& claim);
+/// method, error_rate, false_shadow, false_light, uncertainty.
+Json jsonMeans(const MethodMeans& means);
+/// "pass" or "fail".
+Json jsonStatus(bool passed);
+
+/// The file's text: two spaces of indent, UTF-8 (bytes that are not become U+FFFD), a last LF.
+std::string jsonText(const Json& json);
+
+}  // namespace gnomon

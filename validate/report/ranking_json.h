@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "report/study_ranking.h"
+
+namespace gnomon {
+
+/// The value of "schema". A reader may rely on the keys below as long as it does not change.
+constexpr std::string_view rankingSchema = "gnomon-ranking/1";
+
+/// The ranking of methods over all studies of a run, as JSON:
+///   schema, status ("pass" or "fail"), command
+///   studies[]  name, title, status, report (path of its page, relative to this file)
+///   methods[]  rank (null where not in every study), label, names, studies, mean_error_rate,
+///              worst_error_rate, worst_study, uncertainty, leader_error_rate (null with a rank)
+///   results[]  study, method, error_rate, false_shadow, false_light, uncertainty
+///   claims[]   study, text, source, verdict, detail
+/// @throws InternalError naming the key for a number that is not finite
+std::string rankingJson(std::span<const StudyMeans> studies, std::string_view command);
+
+/// The same results as a tidy table: one row a study × method; an unknown figure is an empty cell.
+std::string rankingCsv(std::span<const StudyMeans> studies);
+
+}  // namespace gnomon

@@ -1,0 +1,172 @@
+#include "report/study_ranking.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "report/cases.h"
+#include "report/ranking.h"
+
+namespace gnomon {
+namespace {
+
+std::string nameOf(const StudyRecord& record, const std::string& label) {
+  for (const MethodRecord& method : record.methods) {
+    if (method.label == label) return method.name;
+  }
+  return label;
+}
+
+void appendOnce(std::vector<std::string>& list, const std::string& text) {
+  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+}
+
+std::vector<std::string> labelsOf(std::span<const StudyMeans> studies) {
+  std::vector<std::string> labels;
+  for (const StudyMeans& study : studies) {
+    for (const MethodMeans& method : study.methods) appendOnce(labels, method.label);
+  }
+  return labels;
+}
+
+/// The mean, if every value is known.
+std::optional<double> meanOf(const std::vector<std::optional<double>>& values) {
+  double sum = 0;
+  for (const auto& value : values) {
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
+  return values.empty() ? std::nullopt : std::optional(sum / static_cast<double>(values.size()));
+}
+
+/// A method's figures over the steps of a sweep.
+MethodMeans meanOver(std::span<const StudyMeans> steps, const std::string& label) {
+  MethodMeans mean;
+  mean.label = label;
+  const auto over = [&](std::optional<double> MethodMeans::*figure) {
+    std::vector<std::optional<double>> values;
+    for (const StudyMeans& step : steps) {
+      const MethodMeans* means = findMeans(step, label);
+      if (means != nullptr) mean.name = means->name;
+      values.push_back(means == nullptr ? std::nullopt : means->*figure);
+    }
+    return meanOf(values);
+  };
+  mean.errorRate = over(&MethodMeans::errorRate);
+  mean.falseShadow = over(&MethodMeans::falseShadow);
+  mean.falseLight = over(&MethodMeans::falseLight);
+  mean.uncertainty = over(&MethodMeans::uncertainty);
+  return mean;
+}
+
+RankedOverStudies summarise(std::span<const StudyMeans> studies, const std::string& label) {
+  RankedOverStudies method;
+  method.label = label;
+  std::vector<std::optional<double>> errors, uncertainties;
+  for (const StudyMeans& study : studies) {
+    const MethodMeans* means = findMeans(study, label);
+    if (means == nullptr) continue;
+    appendOnce(method.names, means->name);
+    if (!means->errorRate) continue;
+    errors.push_back(means->errorRate);
+    uncertainties.push_back(means->uncertainty);
+    if (!method.worstError || *means->errorRate > *method.worstError) {
+      method.worstError = means->errorRate;
+      method.worstStudy = study.name;
+    }
+  }
+  method.studies = errors.size();
+  method.meanError = meanOf(errors);
+  method.uncertainty = meanOf(uncertainties);
+  return method;
+}
+
+/// The mean error rate of `leader` over the studies in which `label` has one.
+std::optional<double> meanWhere(std::span<const StudyMeans> studies, const std::string& leader,
+                                const std::string& label) {
+  std::vector<std::optional<double>> errors;
+  for (const StudyMeans& study : studies) {
+    const MethodMeans* means = findMeans(study, label);
+    if (means != nullptr && means->errorRate) {
+      errors.push_back(findMeans(study, leader)->errorRate);
+    }
+  }
+  return meanOf(errors);
+}
+
+/// Numbers the methods of the front part, and says how the others compare with the first.
+void setRanks(std::vector<RankedOverStudies>& methods, std::span<const StudyMeans> studies) {
+  const RankedOverStudies& best = methods.front();
+  const bool hasLeader = best.studies == studies.size();
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    RankedOverStudies& method = methods[i];
+    if (method.studies == studies.size()) {
+      method.rank = i + 1;
+      method.closeToBest =
+          i > 0 && notDistinguishable(method.meanError, best.meanError, method.uncertainty);
+    } else if (hasLeader) {
+      method.leaderError = meanWhere(studies, best.label, method.label);
+    }
+  }
+}
+
+}  // namespace
+
+StudyMeans studyMeans(const StudyRecord& record) {
+  StudyMeans study{record.name, record.title, record.passed(), {}, record.claims};
+  const std::vector<RankedMethod> ranked = rankMethods(record);
+  for (const std::string& label : methodsOf(record)) {
+    const auto found = std::find_if(ranked.begin(), ranked.end(),
+                                    [&](const RankedMethod& m) { return m.label == label; });
+    study.methods.push_back({label, nameOf(record, label), found->errorRate.value,
+                             found->falseShadow.value, found->falseLight.value,
+                             found->uncertainty});
+  }
+  return study;
+}
+
+StudyMeans studyMeans(const SweepRecord& sweep) {
+  std::vector<StudyMeans> steps;
+  for (const StudyRecord& step : sweep.steps) steps.push_back(studyMeans(step));
+  StudyMeans study{sweep.name, sweep.title, sweep.passed(), {}, sweep.claims};
+  for (const std::string& label : labelsOf(steps)) study.methods.push_back(meanOver(steps, label));
+  return study;
+}
+
+std::optional<double> largestUncertainty(const StudyMeans& study) {
+  std::optional<double> largest;
+  for (const MethodMeans& method : study.methods) {
+    if (method.uncertainty) largest = std::max(largest.value_or(0), *method.uncertainty);
+  }
+  return largest;
+}
+
+const MethodMeans* findMeans(const StudyMeans& study, std::string_view label) {
+  const auto found = std::find_if(study.methods.begin(), study.methods.end(),
+                                  [&](const MethodMeans& m) { return m.label == label; });
+  return found == study.methods.end() ? nullptr : &*found;
+}
+
+std::vector<RankedOverStudies> rankOverStudies(std::span<const StudyMeans> studies) {
+  std::vector<RankedOverStudies> methods;
+  for (const std::string& label : labelsOf(studies)) methods.push_back(summarise(studies, label));
+  if (methods.empty()) return methods;
+  const auto rest = std::stable_partition(methods.begin(), methods.end(), [&](const auto& method) {
+    return method.studies == studies.size();
+  });
+  std::stable_sort(methods.begin(), rest,
+                   [](const auto& a, const auto& b) { return *a.meanError < *b.meanError; });
+  std::stable_sort(rest, methods.end(),
+                   [](const auto& a, const auto& b) { return a.studies > b.studies; });
+  setRanks(methods, studies);
+  return methods;
+}
+
+std::string labelWithName(const RankedOverStudies& method) {
+  const bool plain =
+      method.names.empty() || (method.names.size() == 1 && method.names.front() == method.label);
+  return plain ? method.label : fmt::format("{} ({})", method.label, fmt::join(method.names, ", "));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,76 @@
+#include "report/sweep_files.h"
+
+#include "report/csv_text.h"
+#include "report/json_values.h"
+#include "report/number_text.h"
+#include "report/study_ranking.h"
+#include "study/sweep.h"
+
+namespace gnomon {
+namespace {
+
+Json studyJson(const SweepRecord& sweep) {
+  return {{"name", sweep.name},
+          {"title", sweep.title},
+          {"source", sweep.source},
+          {"file", sweep.file},
+          {"command", sweep.command}};
+}
+
+Json sweptJson(const SweepRecord& sweep) {
+  return {
+      {"key", sweep.key}, {"axis", sweep.axis}, {"values", jsonList(sweep.values, [](double value) {
+                                                   return jsonNumber(value, "sweep.values");
+                                                 })}};
+}
+
+Json stepsJson(const SweepRecord& sweep) {
+  Json steps = Json::array();
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    const double value = sweep.values.at(i);
+    steps.push_back({{"value", jsonNumber(value, "steps.value")},
+                     {"status", jsonStatus(sweep.steps[i].passed())},
+                     {"summary", sweepValueText(value) + "/summary.json"}});
+  }
+  return steps;
+}
+
+Json resultsJson(const SweepRecord& sweep) {
+  Json results = Json::array();
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    for (const MethodMeans& method : studyMeans(sweep.steps[i]).methods) {
+      Json row = {{"value", jsonNumber(sweep.values.at(i), "results.value")}};
+      row.update(jsonMeans(method));
+      results.push_back(std::move(row));
+    }
+  }
+  return results;
+}
+
+}  // namespace
+
+std::string sweepJson(const SweepRecord& sweep) {
+  const EnvironmentRecord environment =
+      sweep.steps.empty() ? EnvironmentRecord{} : sweep.steps.front().environment;
+  const Json json = {
+      {"schema", sweepSchema},         {"status", jsonStatus(sweep.passed())},
+      {"study", studyJson(sweep)},     {"environment", jsonEnvironment(environment)},
+      {"sweep", sweptJson(sweep)},     {"steps", stepsJson(sweep)},
+      {"results", resultsJson(sweep)}, {"claims", jsonList(sweep.claims, jsonClaim)}};
+  return jsonText(json);
+}
+
+std::string sweepCsv(const SweepRecord& sweep) {
+  std::string csv =
+      csvLine({"value", "method", "error_rate", "false_shadow", "false_light", "uncertainty"});
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    for (const MethodMeans& method : studyMeans(sweep.steps[i]).methods) {
+      csv += csvLine({exactText(sweep.values.at(i)), method.label, exactText(method.errorRate),
+                      exactText(method.falseShadow), exactText(method.falseLight),
+                      exactText(method.uncertainty)});
+    }
+  }
+  return csv;
+}
+
+}  // namespace gnomon

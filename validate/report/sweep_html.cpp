@@ -1,0 +1,97 @@
+#include "report/sweep_html.h"
+
+#include <OpenImageIO/strutil.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "report/html_matrix.h"
+#include "report/html_page.h"
+#include "report/html_tables.h"
+#include "report/html_text.h"
+#include "report/study_ranking.h"
+#include "study/sweep.h"
+
+namespace gnomon {
+namespace {
+
+std::string verdictHtml(const SweepRecord& sweep) {
+  std::size_t gates = 0;
+  std::size_t met = 0;
+  for (const StudyRecord& step : sweep.steps) {
+    gates += step.thresholds.size();
+    met += static_cast<std::size_t>(
+        std::count_if(step.thresholds.begin(), step.thresholds.end(),
+                      [](const ThresholdRecord& threshold) { return threshold.passed; }));
+  }
+  if (gates == 0) return "<span class=\"tag open\">no thresholds set</span>";
+  return fmt::format("<span class=\"tag {}\">{}</span> {} of {} met, over all values",
+                     sweep.passed() ? "held" : "failed", sweep.passed() ? "pass" : "fail", met,
+                     plural(gates, "threshold"));
+}
+
+std::string header(const SweepRecord& sweep) {
+  return fmt::format(
+      "<header>\n<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n<h1>{}</h1>\n"
+      "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
+      "<p class=\"lead\">One study at {} of <code>{}</code>.</p>\n</header>\n",
+      escapeHtml(sweep.title.empty() ? sweep.name : sweep.title), escapeHtml(sweep.source),
+      verdictHtml(sweep), plural(sweep.values.size(), "value"), escapeHtml(sweep.key));
+}
+
+std::string plotFigure(const SweepRecord& sweep, const std::string& plot) {
+  return fmt::format(
+      "<figure class=\"plot\"><img alt=\"Error rate of each method against {}\" "
+      "src=\"data:image/svg+xml;base64,{}\"></figure>\n",
+      escapeHtml(sweep.axis), OIIO::Strutil::base64_encode(plot));
+}
+
+std::string valueTable(const SweepRecord& sweep) {
+  std::vector<StudyMeans> steps;
+  std::vector<std::string> labels;
+  std::vector<std::string> heads;
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    steps.push_back(studyMeans(sweep.steps[i]));
+    heads.push_back(fmt::format("<a href=\"{0}/report.html\">{0}</a>",
+                                escapeHtml(sweepValueText(sweep.values.at(i)))));
+  }
+  for (const MethodMeans& method : studyMeans(sweep).methods) labels.push_back(method.label);
+  return errorMatrix(labels, steps, heads);
+}
+
+/// The gates that failed, a table a value.
+std::string failedSection(const SweepRecord& sweep) {
+  std::string content;
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    std::vector<ThresholdRecord> failed = sweep.steps[i].thresholds;
+    std::erase_if(failed, [](const ThresholdRecord& threshold) { return threshold.passed; });
+    if (failed.empty()) continue;
+    content += fmt::format("<h3>{} = {}</h3>\n", escapeHtml(sweep.key),
+                           escapeHtml(sweepValueText(sweep.values.at(i)))) +
+               thresholdTable(failed);
+  }
+  return htmlSection("thresholds", "Thresholds that failed", content);
+}
+
+}  // namespace
+
+std::string sweepHtml(const SweepRecord& sweep, const std::string& plot) {
+  return htmlHead(sweep.title.empty() ? sweep.name : sweep.title) + "<body>\n" + header(sweep) +
+         "<main>\n" +
+         htmlSection("plot", "Error against " + escapeHtml(sweep.axis),
+                     "<p class=\"note\">Percent of the samples, mean over all lights and views. "
+                     "The grey band is the truth’s own uncertainty: differences as small as it say "
+                     "nothing.</p>\n" +
+                         plotFigure(sweep, plot)) +
+         htmlSection("values", "Error by value",
+                     "<p class=\"note\">The stronger the tint, the larger the error. Each value "
+                     "leads to its own report.</p>\n" +
+                         valueTable(sweep)) +
+         htmlClaims(sweep.claims) + failedSection(sweep) +
+         htmlSection("reproduce", "Run it again",
+                     fmt::format("<pre><code>{}</code></pre>\n<dl>\n", escapeHtml(sweep.command)) +
+                         htmlFact("Study", sweep.file) + "</dl>\n") +
+         "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace gnomon

@@ -1,0 +1,167 @@
+#include "report/sweep_plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "report/gnuplot.h"
+#include "report/number_text.h"
+#include "report/study_ranking.h"
+#include "report/text_width.h"
+
+namespace gnomon {
+namespace {
+
+/// The colours of Okabe and Ito that are readable as lines on white: the common colour vision
+/// deficiencies keep them apart.
+constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                "#56B4E9", "#E69F00", "#000000"};
+constexpr std::array<int, 7> points = {7, 5, 9, 13, 11, 6, 4};
+constexpr std::size_t longestLabel = 32;
+
+using Figure = std::optional<double> MethodMeans::*;
+
+struct Panel {
+  Figure figure;
+  const char* name;  ///< of its data, as a suffix
+  const char* title;
+  std::array<double, 4> margins;  ///< as shares of the page: left, right, bottom, top
+};
+
+constexpr std::array<Panel, 3> panels = {{
+    {&MethodMeans::errorRate, "e", "error rate, percent of the samples", {0.09, 0.72, 0.53, 0.95}},
+    {&MethodMeans::falseShadow, "s", "false shadow, percent", {0.09, 0.49, 0.09, 0.37}},
+    {&MethodMeans::falseLight, "l", "false light, percent", {0.58, 0.98, 0.09, 0.37}},
+}};
+
+/// A sweep's figures in increasing order of its values.
+struct Series {
+  std::vector<double> values;
+  std::vector<StudyMeans> steps;
+  std::vector<std::string> methods;  ///< as the steps list them
+};
+
+Series seriesOf(const SweepRecord& sweep) {
+  std::vector<std::size_t> order(sweep.values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return sweep.values[a] < sweep.values[b]; });
+  Series series;
+  for (const std::size_t i : order) {
+    series.values.push_back(sweep.values[i]);
+    series.steps.push_back(studyMeans(sweep.steps.at(i)));
+  }
+  for (const MethodMeans& method : studyMeans(sweep).methods) {
+    series.methods.push_back(method.label);
+  }
+  return series;
+}
+
+std::string percentData(std::optional<double> share) {
+  return share ? exactText(100 * *share) : "NaN";
+}
+
+std::string lineData(const Series& series, const std::string& method, Figure figure) {
+  std::string rows;
+  for (std::size_t i = 0; i < series.values.size(); ++i) {
+    const MethodMeans* means = findMeans(series.steps[i], method);
+    rows += fmt::format("{} {}\n", exactText(series.values[i]),
+                        percentData(means == nullptr ? std::nullopt : means->*figure));
+  }
+  return rows;
+}
+
+std::string bandData(const Series& series) {
+  std::string rows;
+  for (std::size_t i = 0; i < series.values.size(); ++i) {
+    rows += fmt::format("{} {}\n", exactText(series.values[i]),
+                        percentData(largestUncertainty(series.steps[i])));
+  }
+  return rows;
+}
+
+std::string dataBlocks(const Series& series) {
+  std::string text = "$truth << EOD\n" + bandData(series) + "EOD\n";
+  for (const Panel& panel : panels) {
+    for (std::size_t m = 0; m < series.methods.size(); ++m) {
+      text += fmt::format("${}{} << EOD\n{}EOD\n", panel.name, m,
+                          lineData(series, series.methods[m], panel.figure));
+    }
+  }
+  return text;
+}
+
+/// Indices of the methods from the highest line to the lowest at the largest value.
+std::vector<std::size_t> legendOrder(const Series& series) {
+  const auto last = [&](std::size_t m) {
+    const MethodMeans* means = findMeans(series.steps.back(), series.methods[m]);
+    return means == nullptr ? 0 : means->errorRate.value_or(0);
+  };
+  std::vector<std::size_t> order(series.methods.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return last(a) > last(b); });
+  return order;
+}
+
+std::string legendText(const std::string& label) {
+  return gnuplotText(displayWidth(label) > longestLabel ? fitLeft(label, longestLabel) : label);
+}
+
+std::string plotCommand(const Series& series, const Panel& panel) {
+  std::string text =
+      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title "
+      "'uncertainty of the truth'";
+  for (const std::size_t m : legendOrder(series)) {
+    text += fmt::format(
+        ", \\\n  ${}{} using 1:2 with linespoints lc rgb '{}' pt {} ps 0.7 lw 2 dt {} title {}",
+        panel.name, m, colours.at(m % colours.size()), points.at(m % points.size()),
+        1 + m / colours.size(), legendText(series.methods[m]));
+  }
+  return text + "\n";
+}
+
+std::string panelCommands(const Series& series, const Panel& panel) {
+  std::string text;
+  constexpr std::array sides = {"lmargin", "rmargin", "bmargin", "tmargin"};
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    text += fmt::format("set {} at screen {}\n", sides.at(i), panel.margins.at(i));
+  }
+  return text + "set title " + gnuplotText(panel.title) + "\n" + plotCommand(series, panel);
+}
+
+}  // namespace
+
+std::string sweepPlotScript(const SweepRecord& sweep) {
+  const Series series = seriesOf(sweep);
+  std::string text =
+      "set encoding utf8\n"
+      "set terminal svg size 1000,820 noenhanced font 'sans-serif,14' background '#ffffff'\n" +
+      dataBlocks(series) +
+      "set multiplot\n"
+      "set border 3 lc rgb '#5b626b'\n"
+      "set tics nomirror out textcolor rgb '#1a1d21'\n"
+      "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
+      "set title offset 0,-0.4\n"
+      "set xlabel offset 0,0.4 " +
+      gnuplotText(sweep.axis) +
+      "\n"
+      "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
+      "set yrange [0:*]\n"
+      "set key at screen 0.745, screen 0.94 left top Left reverse samplen 2 spacing 1.25\n";
+  for (const Panel& panel : panels) {
+    text += panelCommands(series, panel);
+    text += "unset key\n";
+  }
+  return text + "unset multiplot\n";
+}
+
+std::string sweepPlot(const SweepRecord& sweep) {
+  const std::string title = sweep.title.empty() ? sweep.name : sweep.title;
+  return cleanSvg(runGnuplot(sweepPlotScript(sweep)), title);
+}
+
+}  // namespace gnomon

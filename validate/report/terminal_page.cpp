@@ -1,0 +1,59 @@
+#include "report/terminal_page.h"
+
+#include <fmt/core.h>
+
+#include "report/names.h"
+#include "report/number_text.h"
+#include "report/text_width.h"
+
+namespace gnomon {
+namespace {
+
+const char* verdictColour(Verdict verdict) {
+  return verdict == Verdict::held ? "32" : verdict == Verdict::failed ? "31" : "33";
+}
+
+}  // namespace
+
+void TerminalPage::paragraph(std::string_view text, std::size_t margin) {
+  for (const std::string& part : wrapText(text, terminalWidth - margin)) {
+    line(std::string(margin, ' ') + part);
+  }
+}
+
+void TerminalPage::heading(std::string_view text) {
+  for (const std::string& part : wrapText(text, terminalWidth)) line(styled(part, "1"));
+}
+
+std::string TerminalPage::styled(const std::string& text, const char* code) const {
+  return colours_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+}
+
+void TerminalPage::claims(const std::vector<ClaimRecord>& records) {
+  if (records.empty()) return;
+  constexpr std::size_t margin = terminalIndent + 21;
+  blank();
+  heading("Claims");
+  for (const ClaimRecord& claim : records) {
+    const std::string verdict = fitLeft(verdictName(claim.verdict), margin - terminalIndent);
+    std::vector<std::string> lines = wrapText(claim.text, terminalWidth - margin);
+    if (lines.empty()) lines.emplace_back();
+    line(std::string(terminalIndent, ' ') + styled(verdict, verdictColour(claim.verdict)) +
+         lines.front());
+    for (std::size_t i = 1; i < lines.size(); ++i) line(std::string(margin, ' ') + lines[i]);
+    paragraph(claim.detail, margin);
+  }
+}
+
+std::string thresholdFailureText(const ThresholdRecord& threshold) {
+  std::string text =
+      fmt::format("{}, {}, {}, region {}: {} is {}", threshold.method, threshold.light,
+                  threshold.view, threshold.region, threshold.metric,
+                  threshold.value ? exactText(*threshold.value) : "undefined");
+  if (threshold.maximum) text += fmt::format(", at most {} allowed", exactText(*threshold.maximum));
+  if (threshold.minimum)
+    text += fmt::format(", at least {} required", exactText(*threshold.minimum));
+  return text;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/record.h"
+
+namespace gnomon {
+
+/// The columns of a terminal that every table fits in.
+constexpr std::size_t terminalWidth = 100;
+/// By how much a table's rows stand in.
+constexpr std::size_t terminalIndent = 2;
+
+/// Text for a terminal, line by line.
+class TerminalPage {
+ public:
+  /// @param colours  ANSI colours and bold face; without them the text is plain
+  explicit TerminalPage(bool colours) : colours_(colours) {}
+
+  void line(const std::string& text) { text_ += text + "\n"; }
+  void blank() { text_ += "\n"; }
+  /// Text of any length, broken to the page's width.
+  void paragraph(std::string_view text, std::size_t margin = 0);
+  void heading(std::string_view text);
+  /// A section of claims with their verdicts; nothing, if there are none.
+  void claims(const std::vector<ClaimRecord>& claims);
+
+  [[nodiscard]] std::string styled(const std::string& text, const char* code) const;
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  bool colours_;
+  std::string text_;
+};
+
+/// Which gate failed, by what value: "METHOD, LIGHT, VIEW, region REGION: METRIC is …".
+std::string thresholdFailureText(const ThresholdRecord& threshold);
+
+}  // namespace gnomon

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/record.h"
+
+namespace gnomon {
+
+/// What a sweep found: one study, run once for each value of one key.
+struct SweepRecord {
+  std::string name;  ///< its folder, in which every step's is named by its value
+  std::string title;
+  std::string source;
+  std::string file;
+  std::string command;
+  std::string key;   ///< as `--set` takes it
+  std::string axis;  ///< what its values are, for a plot's axis
+  std::vector<double> values;
+  std::vector<StudyRecord> steps;   ///< one a value, in their order
+  std::vector<ClaimRecord> claims;  ///< judged over all steps
+
+  /// True unless a threshold failed in a step.
+  [[nodiscard]] bool passed() const;
+};
+
+}  // namespace gnomon
