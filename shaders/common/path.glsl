@@ -24,18 +24,19 @@ struct Path {
   float scale;          // a, world length per height unit
   float growth;         // change of a, per texel
   float height;         // h₀, world
+  float rise;           // slope of the flat relief at r → 0⁺, world
   float slope;          // tan θ
   float limit;          // no bump farther than this hides the light, texels
 };
 
 vec2 pathPoint(Path path, float t) { return path.start + t * (path.direction + t * path.bend); }
 
-// By how much the bump at t stands over the ray to the light: shadowed where that is 0 or more. With
+// By how much a bump of `bump` height units at t stands over the ray to the light: shadowed where that is 0 or more. With
 // γ = κt the horizon of osculating.glsl, tan β′ ≥ tan θ, times sin γ (1 + κh₁) / κ > 0 and without the
 // difference of numbers near 1:
 //   h₁ (1 - κ D) - h₀ - D ≥ 0,   D = (1 - cos γ) / κ + tan θ sin γ / κ.
 // Both quotients are series, right to 2e-4 up to a quarter turn, so that κ → 0 needs no case.
-float excess(Path path, float t) {
+float excess(Path path, float t, float bump) {
   float reach = t * path.worldPerTexel;
   float curvature = path.curvature + t * path.turn;
   float angle = curvature * reach;
@@ -43,9 +44,11 @@ float excess(Path path, float t) {
   float sine = 1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0));                  // sin γ / γ
   float versine = 0.5 * angle * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));  // (1 - cos γ) / γ
   float drop = reach * (versine + path.slope * sine);
-  float occluder = (path.scale + t * path.growth) * heightAt(pathPoint(path, t));
+  float occluder = (path.scale + t * path.growth) * bump;
   return occluder * (1.0 - curvature * drop) - path.height - drop;
 }
+
+float excess(Path path, float t) { return excess(path, t, heightAt(pathPoint(path, t))); }
 
 // Where the ray has left the highest bump below it for good. Over a convex surface the ray climbs by at
 // least (1 + κh₀) (tan θ s + κs²/2), where that is above 0. In a bowl the surface comes up again: there it
@@ -87,16 +90,22 @@ float pathEnd(Path path, float range) {
   return end;
 }
 
-// Calls derivatives: before any branch.
-Path makePath(Pixel pixel, LocalLight light, float height, float range) {
+// Calls derivatives: before any branch. `range` in texels.
+Path makePath(Pixel pixel, LocalLight light, float range) {
   Path path;
   path.start = pixel.texel;
   path.direction = light.direction;
   path.worldPerTexel = light.worldPerTexel;
   path.curvature = normalCurvature(pixel, light.tangent);  // (1)
   path.scale = pixel.worldPerHeight;
-  path.height = height;
   path.slope = light.slope;
+
+  // The cell that lies ahead knows both h₀ and the slope at r → 0⁺.
+  vec2 step = 1e-3 * light.direction;
+  Cell cell = heightCell(pixel.texel + step);
+  path.rise = path.scale * dot(gradientIn(cell), light.direction) / light.worldPerTexel;
+  cell.fraction -= step;
+  path.height = path.scale * heightIn(cell);
 
   // The way on the screen of one texel along e. A triangle seen from its edge tells nothing.
   vec2 texelX = dFdx(texel);
@@ -125,13 +134,11 @@ Path makePath(Pixel pixel, LocalLight light, float height, float range) {
   return path;
 }
 
-// Shadowed where the path begins: by the bare surface, (3), or by the slope that the point lies on,
-// r → 0⁺, in the cell ahead (attached shadow, d = 0).
+// Shadowed where the path begins: by the bare surface, (3), or by the slope that the point lies on
+// (attached shadow, d = 0).
 bool shadowedAtStart(Path path) {
   if (path.curvature > 0.0 && !(path.slope > bareHorizon(path.curvature, path.height))) return true;
-  vec2 gradient = heightGradient(path.start + 1e-3 * path.direction);
-  float slope = path.scale * dot(gradient, path.direction) / path.worldPerTexel;
-  return !(path.slope > osculatingHorizon(path.curvature, path.height, slope, 0.0));
+  return !(path.slope > osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
 }
 
 // Along the path the bilinear relief has its kinks, and nearly always its horizon, where it crosses the
@@ -158,6 +165,24 @@ void pass(inout Crossings at) {
   } else {
     at.next.y += at.step.y;
   }
+}
+
+// Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two crossings,
+// so that every other cell of the way is enough, and with it half of the reads.
+bool shadowedAtCrossings(Path path, float end) {
+  Crossings at = firstCrossings(path);
+  for (float enter = nextCrossing(at); enter <= end; enter = nextCrossing(at)) {
+    pass(at);
+    float leave = nextCrossing(at);
+    pass(at);
+    Cell cell = heightCell(pathPoint(path, 0.5 * (enter + leave)));
+    vec2 corner = pathPoint(path, 0.5 * (enter + leave)) - cell.fraction;
+    cell.fraction = clamp(pathPoint(path, enter) - corner, 0.0, 1.0);
+    if (excess(path, enter, heightIn(cell)) >= 0.0) return true;
+    cell.fraction = clamp(pathPoint(path, leave) - corner, 0.0, 1.0);
+    if (leave <= end && excess(path, leave, heightIn(cell)) >= 0.0) return true;
+  }
+  return false;
 }
 
 #endif

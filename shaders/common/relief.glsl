@@ -28,19 +28,22 @@ Cell heightCell(vec2 at) {
   return Cell(texels.wzxy, at - 0.5 - corner);
 }
 
-// h(x, y), height units.
-float heightAt(vec2 at) {
-  Cell cell = heightCell(at);
+// The bilinear function in a cell, height units.
+float heightIn(Cell cell) {
   vec2 rows = mix(cell.heights.xz, cell.heights.yw, cell.fraction.x);
   return mix(rows.x, rows.y, cell.fraction.y);
 }
 
+// h(x, y), height units.
+float heightAt(vec2 at) { return heightIn(heightCell(at)); }
+
 // (∂h/∂x, ∂h/∂y) of the bilinear function, height units per texel.
-vec2 heightGradient(vec2 at) {
-  Cell cell = heightCell(at);
+vec2 gradientIn(Cell cell) {
   return vec2(mix(cell.heights.y - cell.heights.x, cell.heights.w - cell.heights.z, cell.fraction.y),
               mix(cell.heights.z - cell.heights.x, cell.heights.w - cell.heights.y, cell.fraction.x));
 }
+
+vec2 heightGradient(vec2 at) { return gradientIn(heightCell(at)); }
 
 // N' of bump mapping (Blinn 1978): the normal of P + a h n, with the change of n left out.
 vec3 bumpedNormal(Pixel pixel, vec2 gradient) {

@@ -14,15 +14,6 @@ about = "farthest sample, texels"
 // below it. No table at all.
 
 bool isShadowed(Pixel pixel, LocalLight light) {
-  float height = pixel.worldPerHeight * heightAt(pixel.texel);
-  Path path = makePath(pixel, light, height, range);
-  if (shadowedAtStart(path)) return true;
-
-  Crossings at = firstCrossings(path);
-  for (;;) {
-    if (excess(path, nextCrossing(at)) >= 0.0) return true;
-    pass(at);
-    if (nextCrossing(at) > path.limit) break;
-  }
-  return false;
+  Path path = makePath(pixel, light, range);
+  return shadowedAtStart(path) || shadowedAtCrossings(path, path.limit);
 }
