@@ -1,16 +1,17 @@
-// The path over the map that lies under the ray to the light, and the surface along it, from nothing
-// but the interpolated frame and its screen derivatives.
+// The path over the map that lies under the ray to the light, and the surface along it, from
+// nothing but the interpolated frame and its screen derivatives.
 //
 // A straight line in the texture is not where the ray passes: on a sphere laid out by longitude and
-// latitude great circles bend. To third order in its length the section of the surface with the light's
-// plane is a geodesic. With t its arc length in texels of the pixel, e the light's direction there and
-// P_ee = e_i e_j P_ij,
+// latitude great circles bend. To third order in its length the section of the surface with the
+// light's plane is a geodesic. With t its arc length in texels of the pixel, e the light's
+// direction there and P_ee = e_i e_j P_ij,
 //   x(t) = x + t e + ½ t² b,   P_x b_x + P_y b_y = -(tangential part of P_ee),
-// the geodesic equation at t = 0: b^k = -Γ^k_ij e_i e_j. In a triangle P_x and P_y are linear in (x, y),
-// so that P_ee follows from the derivatives on the screen, whatever the view.
+// the geodesic equation at t = 0: b^k = -Γ^k_ij e_i e_j. In a triangle P_x and P_y are linear in
+// (x, y), so that P_ee follows from the derivatives on the screen, whatever the view.
 //
-// The curvature changes along the way too: κ(s) = κ + κ′s lets the surface fall by κ s²/2 + κ′s³/6, as a
-// circle of curvature κ + κ′s/3 does. And where heights are in texels, their unit a grows with |P_x × P_y|^½.
+// The curvature changes along the way too: κ(s) = κ + κ′s lets the surface fall by κ s²/2 + κ′s³/6,
+// as a circle of curvature κ + κ′s/3 does. And where heights are in texels, their unit a grows with
+// |P_x × P_y|^½.
 
 #ifdef TABLE_HEIGHT
 
@@ -31,9 +32,9 @@ struct Path {
 
 vec2 pathPoint(Path path, float t) { return path.start + t * (path.direction + t * path.bend); }
 
-// By how much a bump of `bump` height units at t stands over the ray to the light: shadowed where that is 0 or more. With
-// γ = κt the horizon of osculating.glsl, tan β′ ≥ tan θ, times sin γ (1 + κh₁) / κ > 0 and without the
-// difference of numbers near 1:
+// By how much a bump of `bump` height units at t stands over the ray to the light: shadowed where
+// that is 0 or more. With γ = κt the horizon of osculating.glsl, tan β′ ≥ tan θ, times sin γ (1 +
+// κh₁) / κ > 0 and without the difference of numbers near 1:
 //   h₁ (1 - κ D) - h₀ - D ≥ 0,   D = (1 - cos γ) / κ + tan θ sin γ / κ.
 // Both quotients are series, right to 2e-4 up to a quarter turn, so that κ → 0 needs no case.
 float excess(Path path, float t, float bump) {
@@ -41,8 +42,9 @@ float excess(Path path, float t, float bump) {
   float curvature = path.curvature + t * path.turn;
   float angle = curvature * reach;
   float q = angle * angle;
-  float sine = 1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0));                  // sin γ / γ
-  float versine = 0.5 * angle * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));  // (1 - cos γ) / γ
+  // sin γ / γ and (1 - cos γ) / γ.
+  float sine = 1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0));
+  float versine = 0.5 * angle * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));
   float drop = reach * (versine + path.slope * sine);
   float occluder = (path.scale + t * path.growth) * bump;
   return occluder * (1.0 - curvature * drop) - path.height - drop;
@@ -50,10 +52,10 @@ float excess(Path path, float t, float bump) {
 
 float excess(Path path, float t) { return excess(path, t, heightAt(pathPoint(path, t))); }
 
-// Where the ray has left the highest bump below it for good. Over a convex surface the ray climbs by at
-// least (1 + κh₀) (tan θ s + κs²/2), where that is above 0. In a bowl the surface comes up again: there it
-// climbs by tan θ s - |κ| (1 + 2 tan²θ) s²/2 at first, and is back after more than the chord sin θ s -
-// |κ| s²/2 says.
+// Where the ray has left the highest bump below it for good. Over a convex surface the ray climbs
+// by at least (1 + κh₀) (tan θ s + κs²/2), where that is above 0. In a bowl the surface comes up
+// again: there it climbs by tan θ s - |κ| (1 + 2 tan²θ) s²/2 at first, and is back after more than
+// the chord sin θ s - |κ| s²/2 says.
 float pathLimit(Path path, float farthest) {
   float highest = path.scale * heightBounds.y;
   float climb = path.slope - path.growth * heightBounds.y / path.worldPerTexel;
@@ -73,13 +75,13 @@ float pathLimit(Path path, float farthest) {
 }
 
 // Where the path itself is no longer known: past `range`; past the border of a map that does not
-// repeat, where nothing says that there is a surface; past a quarter turn; and where the path has turned
-// by half a radian, since its next term is not known.
+// repeat, where nothing says that there is a surface; past a quarter turn; and where the path has
+// turned by half a radian, since its next term is not known.
 float pathEnd(Path path, float range) {
   float quarter = 0.5 * pi / path.worldPerTexel;
   float curvature = abs(path.curvature);
-  float end = min(range, 2.0 * quarter / max(curvature + sqrt(curvature * curvature +
-                                                  4.0 * quarter * abs(path.turn)), 1e-20));
+  float root = sqrt(curvature * curvature + 4.0 * quarter * abs(path.turn));
+  float end = min(range, 2.0 * quarter / max(curvature + root, 1e-20));
   end = min(end, 0.25 / max(length(path.bend), 1e-20));
 #ifndef WRAP_REPEAT
   vec2 size = vec2(textureSize(heightMap, 0));
@@ -141,8 +143,8 @@ bool shadowedAtStart(Path path) {
   return !(path.slope > osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
 }
 
-// Along the path the bilinear relief has its kinks, and nearly always its horizon, where it crosses the
-// lines of texel centres.
+// Along the path the bilinear relief has its kinks, and nearly always its horizon, where it crosses
+// the lines of texel centres.
 struct Crossings {
   vec2 next;  // the next crossing of a column and of a row, texels along the path
   vec2 step;  // from one to the next
@@ -167,8 +169,8 @@ void pass(inout Crossings at) {
   }
 }
 
-// Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two crossings,
-// so that every other cell of the way is enough, and with it half of the reads.
+// Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two
+// crossings, so that every other cell of the way is enough, and with it half of the reads.
 bool shadowedAtCrossings(Path path, float end) {
   Crossings at = firstCrossings(path);
   for (float enter = nextCrossing(at); enter <= end; enter = nextCrossing(at)) {

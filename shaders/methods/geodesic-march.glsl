@@ -10,8 +10,8 @@ maximum = 16384
 about = "farthest sample, texels"
 */
 
-// Every crossing of the path with the lines of texel centres, until the ray has left the highest bump
-// below it. No table at all.
+// Every crossing of the path with the lines of texel centres, until the ray has left the highest
+// bump below it. No table at all.
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light, range);

@@ -22,14 +22,16 @@ maximum = 16384
 about = "farthest sample, texels"
 */
 
-// Eq. (4) of the paper turned round: d is stored and tan β is not, but comes from the height map itself,
-// at those distances and in the light's own direction. Nothing is interpolated between texels or azimuths,
-// which is what blurs the shadows of horizon maps. What hides the light stands mostly near, where the
-// first crossings of the path find it; the table names the few places farther on that are worth a look,
-// up to where the ray leaves the relief below it. One blocker is enough, so that the first ends the search.
+// Eq. (4) of the paper turned round: d is stored and tan β is not, but comes from the height map
+// itself, at those distances and in the light's own direction. Nothing is interpolated between
+// texels or azimuths, which is what blurs the shadows of horizon maps. What hides the light stands
+// mostly near, where the first crossings of the path find it; the table names the few places
+// farther on that are worth a look, up to where the ray leaves the relief below it. One blocker is
+// enough, so that the first ends the search.
 
-// Where the horizon point of one of the four texels about the pixel, in one of the two azimuths about the
-// light's, lies along the path: that texel's own place plus its d, both along e. `candidate` is 0 to 7.
+// Where the horizon point of one of the four texels about the pixel, in one of the two azimuths
+// about the light's, lies along the path: that texel's own place plus its d, both along e.
+// `candidate` is 0 to 7.
 float candidateDistance(Pixel pixel, LocalLight light, int candidate) {
   float azimuths = float(textureSize(distanceTable, 0).z);
   vec2 texel = floor(pixel.texel - 0.5) + vec2(candidate & 1, candidate >> 1 & 1);
