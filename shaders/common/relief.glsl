@@ -20,31 +20,30 @@ struct Cell {
   vec2 fraction;  // place in the cell, 0 to 1
 };
 
+// The four texels come from one gather at the corner that they share, half a texel from where the
+// choice of texels could depend on rounding; the sampler wraps as wrapTexel does.
 Cell heightCell(vec2 at) {
-  ivec2 size = textureSize(heightMap, 0);
   vec2 corner = floor(at - 0.5);
-  ivec2 i = wrapTexel(ivec2(corner), size);
-  ivec2 j = wrapTexel(ivec2(corner) + 1, size);
-  Cell cell;
-  cell.heights = vec4(texelFetch(heightMap, i, 0).r, texelFetch(heightMap, ivec2(j.x, i.y), 0).r,
-                      texelFetch(heightMap, ivec2(i.x, j.y), 0).r, texelFetch(heightMap, j, 0).r);
-  cell.fraction = at - 0.5 - corner;
-  return cell;
+  vec4 texels = textureGather(heightMap, (corner + 1.0) / vec2(textureSize(heightMap, 0)));
+  return Cell(texels.wzxy, at - 0.5 - corner);
 }
 
-// h(x, y), height units.
-float heightAt(vec2 at) {
-  Cell cell = heightCell(at);
+// The bilinear function in a cell, height units.
+float heightIn(Cell cell) {
   vec2 rows = mix(cell.heights.xz, cell.heights.yw, cell.fraction.x);
   return mix(rows.x, rows.y, cell.fraction.y);
 }
 
+// h(x, y), height units.
+float heightAt(vec2 at) { return heightIn(heightCell(at)); }
+
 // (∂h/∂x, ∂h/∂y) of the bilinear function, height units per texel.
-vec2 heightGradient(vec2 at) {
-  Cell cell = heightCell(at);
+vec2 gradientIn(Cell cell) {
   return vec2(mix(cell.heights.y - cell.heights.x, cell.heights.w - cell.heights.z, cell.fraction.y),
               mix(cell.heights.z - cell.heights.x, cell.heights.w - cell.heights.y, cell.fraction.x));
 }
+
+vec2 heightGradient(vec2 at) { return gradientIn(heightCell(at)); }
 
 // N' of bump mapping (Blinn 1978): the normal of P + a h n, with the change of n left out.
 vec3 bumpedNormal(Pixel pixel, vec2 gradient) {

@@ -93,7 +93,8 @@ TEST(PublishedMethods, CurvatureAwareTipOfAPinIsLitDownToTheSpheresHorizon) {
   const std::size_t tip = 40 * 81 + 40;
   const double dip = std::acos(radius / (radius + height)) * 180 / pi;
   for (const double azimuth : {0.0, 33.0, 190.0}) {
-    for (const char* method : {"onoue-2003", "onoue-2004", "onoue-exact", "osculating-march"}) {
+    for (const char* method : {"onoue-2003", "onoue-2004", "onoue-exact", "osculating-march",
+                               "geodesic-march", "resampled-horizon"}) {
       const auto shade = [&](double elevation) {
         return scene.answer(method, view, lightToward(azimuth, elevation)).samples[tip];
       };
@@ -110,8 +111,9 @@ TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
   const RenderView view = atlasView(scene.surface, 4);
   const Vec3 light = lightToward(0, 30);
   const SampleGrid samples = scene.samples(view);
-  for (const char* method : {"unshadowed", "max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact",
-                             "relief-march", "osculating-march"}) {
+  for (const char* method :
+       {"unshadowed", "max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact", "relief-march",
+        "osculating-march", "geodesic-march", "resampled-horizon"}) {
     const Mask mask = scene.answer(method, view, light);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
@@ -268,7 +270,8 @@ TEST(PublishedMethods, MirroredTextureGivesTheMirroredRelief) {
   const RenderScene scene(cage, relief, {32, 32}, TableBits::thirtyTwo);
   const RenderScene mirroredScene(mirroredCage, mirroredRelief, {32, 32}, TableBits::thirtyTwo);
   const Vec3 light = lightToward(20, 30);
-  for (const char* method : {"max-forsyth", "onoue-2004", "unshadowed"}) {
+  for (const char* method :
+       {"max-forsyth", "onoue-2004", "unshadowed", "geodesic-march", "resampled-horizon"}) {
     // The mirrored cage has no chart, so its atlas of 16 × 16 tiles is the same by its number of
     // faces.
     const Mask a = scene.answer(method, atlasView(scene.surface, 8), light);

@@ -71,7 +71,7 @@ std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& met
                                       const char* stage) {
   std::vector<ShaderPiece> pieces;
   for (const char* name : {"pixel.glsl", "relief.glsl", "tables.glsl", "osculating.glsl",
-                           "angles.glsl", "passes.glsl"}) {
+                           "path.glsl", "angles.glsl", "passes.glsl"}) {
     pieces.push_back(readShader(shaders / "common" / name));
   }
   pieces.push_back({method.source.file + " (parameters)", parameterUniforms(method)});

@@ -1,0 +1,190 @@
+// The path over the map that lies under the ray to the light, and the surface along it, from
+// nothing but the interpolated frame and its screen derivatives.
+//
+// A straight line in the texture is not where the ray passes: on a sphere laid out by longitude and
+// latitude great circles bend. To third order in its length the section of the surface with the
+// light's plane is a geodesic. With t its arc length in texels of the pixel, e the light's
+// direction there and P_ee = e_i e_j P_ij,
+//   x(t) = x + t e + ½ t² b,   P_x b_x + P_y b_y = -(tangential part of P_ee),
+// the geodesic equation at t = 0: b^k = -Γ^k_ij e_i e_j. In a triangle P_x and P_y are linear in
+// (x, y), so that P_ee follows from the derivatives on the screen, whatever the view.
+//
+// The curvature changes along the way too: κ(s) = κ + κ′s lets the surface fall by κ s²/2 + κ′s³/6,
+// as a circle of curvature κ + κ′s/3 does. And where heights are in texels, their unit a grows with
+// |P_x × P_y|^½.
+
+#ifdef TABLE_HEIGHT
+
+struct Path {
+  vec2 start;           // x, texels
+  vec2 direction;       // e
+  vec2 bend;            // b / 2
+  float worldPerTexel;  // σ
+  float curvature;      // κ, 1 / world
+  float turn;           // κ′ σ / 3: change of the circle's curvature, 1 / world per texel
+  float scale;          // a, world length per height unit
+  float growth;         // change of a, per texel
+  float height;         // h₀, world
+  float rise;           // slope of the flat relief at r → 0⁺, world
+  float slope;          // tan θ
+  float limit;          // no bump farther than this hides the light, texels
+};
+
+vec2 pathPoint(Path path, float t) { return path.start + t * (path.direction + t * path.bend); }
+
+// By how much a bump of `bump` height units at t stands over the ray to the light: shadowed where
+// that is 0 or more. With γ = κt the horizon of osculating.glsl, tan β′ ≥ tan θ, times sin γ (1 +
+// κh₁) / κ > 0 and without the difference of numbers near 1:
+//   h₁ (1 - κ D) - h₀ - D ≥ 0,   D = (1 - cos γ) / κ + tan θ sin γ / κ.
+// Both quotients are series, right to 2e-4 up to a quarter turn, so that κ → 0 needs no case.
+float excess(Path path, float t, float bump) {
+  float reach = t * path.worldPerTexel;
+  float curvature = path.curvature + t * path.turn;
+  float angle = curvature * reach;
+  float q = angle * angle;
+  // sin γ / γ and (1 - cos γ) / γ.
+  float sine = 1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0));
+  float versine = 0.5 * angle * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));
+  float drop = reach * (versine + path.slope * sine);
+  float occluder = (path.scale + t * path.growth) * bump;
+  return occluder * (1.0 - curvature * drop) - path.height - drop;
+}
+
+float excess(Path path, float t) { return excess(path, t, heightAt(pathPoint(path, t))); }
+
+// Where the ray has left the highest bump below it for good. Over a convex surface the ray climbs
+// by at least (1 + κh₀) (tan θ s + κs²/2), where that is above 0. In a bowl the surface comes up
+// again: there it climbs by tan θ s - |κ| (1 + 2 tan²θ) s²/2 at first, and is back after more than
+// the chord sin θ s - |κ| s²/2 says.
+float pathLimit(Path path, float farthest) {
+  float highest = path.scale * heightBounds.y;
+  float climb = path.slope - path.growth * heightBounds.y / path.worldPerTexel;
+  float free = max(highest - path.height, 0.0) / max(1.0 + path.curvature * path.height, 0.1);
+  float low = min(path.curvature, path.curvature + farthest * path.turn);
+  if (low < 0.0) {
+    float end = farthest * path.worldPerTexel;
+    bool back = climb * inversesqrt(1.0 + climb * climb) * end + 0.5 * low * end * end <= free;
+    if (back) return farthest;
+    low *= 1.0 + 2.0 * climb * climb;
+  }
+  float square = climb * climb + 2.0 * low * free;
+  if (square < 0.0) return farthest;
+  float root = climb + sqrt(square);
+  if (root <= 0.0) return farthest;
+  return min(farthest, 2.0 * free / (root * path.worldPerTexel));
+}
+
+// Where the path itself is no longer known: past `range`; past the border of a map that does not
+// repeat, where nothing says that there is a surface; past a quarter turn; and where the path has
+// turned by half a radian, since its next term is not known.
+float pathEnd(Path path, float range) {
+  float quarter = 0.5 * pi / path.worldPerTexel;
+  float curvature = abs(path.curvature);
+  float root = sqrt(curvature * curvature + 4.0 * quarter * abs(path.turn));
+  float end = min(range, 2.0 * quarter / max(curvature + root, 1e-20));
+  end = min(end, 0.25 / max(length(path.bend), 1e-20));
+#ifndef WRAP_REPEAT
+  vec2 size = vec2(textureSize(heightMap, 0));
+  vec2 ahead = mix(path.start, size - path.start, greaterThan(path.direction, vec2(0.0)));
+  vec2 border = ahead / max(abs(path.direction), 1e-6);
+  end = min(end, max(min(border.x, border.y), 0.0));
+#endif
+  return end;
+}
+
+// Calls derivatives: before any branch. `range` in texels.
+Path makePath(Pixel pixel, LocalLight light, float range) {
+  Path path;
+  path.start = pixel.texel;
+  path.direction = light.direction;
+  path.worldPerTexel = light.worldPerTexel;
+  path.curvature = normalCurvature(pixel, light.tangent);  // (1)
+  path.scale = pixel.worldPerHeight;
+  path.slope = light.slope;
+
+  // The cell that lies ahead knows both h₀ and the slope at r → 0⁺.
+  vec2 step = 1e-3 * light.direction;
+  Cell cell = heightCell(pixel.texel + step);
+  path.rise = path.scale * dot(gradientIn(cell), light.direction) / light.worldPerTexel;
+  cell.fraction -= step;
+  path.height = path.scale * heightIn(cell);
+
+  // The way on the screen of one texel along e. A triangle seen from its edge tells nothing.
+  vec2 texelX = dFdx(texel);
+  vec2 texelY = dFdy(texel);
+  float area = texelX.x * texelY.y - texelX.y * texelY.x;
+  bool known = area * area > 1e-8 * dot(texelX, texelX) * dot(texelY, texelY);
+  vec2 e = light.direction;
+  vec2 way = vec2(e.x * texelY.y - e.y * texelY.x, texelX.x * e.y - texelX.y * e.x) /
+             (known ? area : 1.0) * (known ? 1.0 : 0.0);
+
+  vec3 changeX = dFdx(px) * way.x + dFdy(px) * way.y;
+  vec3 changeY = dFdx(py) * way.x + dFdy(py) * way.y;
+  vec3 change = e.x * changeX + e.y * changeY;  // P_ee
+  vec3 across = cross(pixel.px, pixel.py);
+  float volume = dot(across, pixel.normal);
+  path.bend = -0.5 * vec2(dot(change, cross(pixel.py, pixel.normal)),
+                          dot(change, cross(pixel.normal, pixel.px))) / volume;
+  float grown = dot(cross(changeX, pixel.py) + cross(pixel.px, changeY), across);
+  path.growth = heightInTexels ? 0.5 * path.scale * grown / dot(across, across) : 0.0;
+  Pixel changing = pixel;
+  changing.k1 = dFdx(curvatures.x) * way.x + dFdy(curvatures.x) * way.y;
+  changing.k2 = dFdx(curvatures.y) * way.x + dFdy(curvatures.y) * way.y;
+  path.turn = normalCurvature(changing, light.tangent) / 3.0;
+
+  path.limit = pathLimit(path, pathEnd(path, range));
+  return path;
+}
+
+// Shadowed where the path begins: by the bare surface, (3), or by the slope that the point lies on
+// (attached shadow, d = 0).
+bool shadowedAtStart(Path path) {
+  if (path.curvature > 0.0 && !(path.slope > bareHorizon(path.curvature, path.height))) return true;
+  return !(path.slope > osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
+}
+
+// Along the path the bilinear relief has its kinks, and nearly always its horizon, where it crosses
+// the lines of texel centres.
+struct Crossings {
+  vec2 next;  // the next crossing of a column and of a row, texels along the path
+  vec2 step;  // from one to the next
+};
+
+Crossings firstCrossings(Path path) {
+  Crossings at;
+  at.step = 1.0 / max(abs(path.direction), 1e-6);
+  vec2 passed = fract(path.start - 0.5);
+  at.next = mix(passed, 1.0 - passed, greaterThan(path.direction, vec2(0.0))) * at.step;
+  at.next += mix(vec2(0.0), at.step, lessThan(at.next, vec2(1e-3)));  // where the path begins
+  return at;
+}
+
+float nextCrossing(Crossings at) { return min(at.next.x, at.next.y); }
+
+void pass(inout Crossings at) {
+  if (at.next.x <= at.next.y) {
+    at.next.x += at.step.x;
+  } else {
+    at.next.y += at.step.y;
+  }
+}
+
+// Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two
+// crossings, so that every other cell of the way is enough, and with it half of the reads.
+bool shadowedAtCrossings(Path path, float end) {
+  Crossings at = firstCrossings(path);
+  for (float enter = nextCrossing(at); enter <= end; enter = nextCrossing(at)) {
+    pass(at);
+    float leave = nextCrossing(at);
+    pass(at);
+    Cell cell = heightCell(pathPoint(path, 0.5 * (enter + leave)));
+    vec2 corner = pathPoint(path, 0.5 * (enter + leave)) - cell.fraction;
+    cell.fraction = clamp(pathPoint(path, enter) - corner, 0.0, 1.0);
+    if (excess(path, enter, heightIn(cell)) >= 0.0) return true;
+    cell.fraction = clamp(pathPoint(path, leave) - corner, 0.0, 1.0);
+    if (leave <= end && excess(path, leave, heightIn(cell)) >= 0.0) return true;
+  }
+  return false;
+}
+
+#endif

@@ -1,0 +1,19 @@
+/* gnomon-method
+title = "Height map marched along the surface's own path"
+citation = "this project"
+tables = ["height"]
+
+[parameters.range]
+default = 128
+minimum = 1
+maximum = 16384
+about = "farthest sample, texels"
+*/
+
+// Every crossing of the path with the lines of texel centres, until the ray has left the highest
+// bump below it. No table at all.
+
+bool isShadowed(Pixel pixel, LocalLight light) {
+  Path path = makePath(pixel, light, range);
+  return shadowedAtStart(path) || shadowedAtCrossings(path, path.limit);
+}

@@ -1,0 +1,349 @@
+// The methods that follow the ray's own path over the map: against the ray itself, against each
+// other, and where they must agree with the methods that do not.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "relief/patterns.h"
+#include "render/render_scene.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+using test::difference;
+using test::flatRelief;
+using test::lightToward;
+using test::randomRelief;
+using test::RenderScene;
+using test::shareShadowed;
+using test::stepRelief;
+
+using Parameters = std::map<std::string, double>;
+
+Mask with(const RenderScene& scene, const std::string& method, const RenderView& view,
+          const Vec3& light, const Parameters& parameters) {
+  return scene.answer(readMethod(methodFile(shaderFolder(), method)), view, light,
+                      TableFilter::exact, parameters);
+}
+
+/// z = (x² + y²) / 200 over |x|, |y| ≤ 32: a bowl that ends at its border.
+Cage openBowl() {
+  std::array<Vec3, 16> points{};
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      const double ends = 32.0 * 32.0;
+      const auto square = [&](int k) { return k == 0 || k == 3 ? ends : -ends / 3; };
+      points[static_cast<std::size_t>(4 * j + i)] =
+          Vec3(32.0 * (Vec2(i, j) / 1.5 - 1.0), (square(i) + square(j)) / 200);
+    }
+  }
+  return makeBezier(points, 16, 16);
+}
+
+Relief cosineRelief(int texels, double period, double height) {
+  return {makeCosine(texels, texels, {period}, height, Wrap::repeat), HeightSpace::world, Vec2(1)};
+}
+
+struct SphericalPatch {
+  double radius, width, height;  // world; arcs in radians
+};
+
+/// Whether the ray from a displaced point of a sphere meets the relief: the ray in space, taken in
+/// steps of a twentieth of a texel, against the height under each of its points.
+bool rayMeetsRelief(const SphericalPatch& patch, const HeightField& field, const Vec3& place,
+                    const Vec3& light) {
+  const Vec2 texelsPerArc = Vec2(field.width(), field.height()) / Vec2(patch.width, patch.height);
+  const auto heightUnder = [&](const Vec3& point) {
+    const Vec2 arcs(std::atan2(point.x, point.z), std::asin(point.y / glm::length(point)));
+    return field.at((arcs + Vec2(patch.width, patch.height) / 2.0) * texelsPerArc);
+  };
+  const double step = 0.05 * patch.radius / texelsPerArc.x;
+  const Vec3 start = place * (1 + heightUnder(place) / patch.radius);
+  for (double s = step; s < 2 * patch.radius; s += step) {
+    const Vec3 point = start + s * light;
+    const double above = glm::length(point) - patch.radius;
+    if (above < heightUnder(point)) return true;
+    if (above > field.maximum() && glm::dot(point, light) > 0) return false;
+  }
+  return false;
+}
+
+/// On a sphere by longitude and latitude great circles bend away from straight lines in the map,
+/// most far from the equator. The method must follow them; the march on the osculating circle does
+/// not.
+TEST(PathMethods, FollowTheRayWhereLinesOfTheMapDoNot) {
+  const GlContext gl;
+  const SphericalPatch patch{60, 1.6, 1.6};
+  const RenderScene scene(makeSphere(patch.radius, patch.width, patch.height, 32, 32),
+                          cosineRelief(96, 24, 8), {32, 96}, TableBits::eight, 2);
+  const RenderView view = atlasView(scene.surface, 5);
+  const SampleGrid grid = scene.samples(view);
+  for (const Vec3& light : {lightToward(20, 25), lightToward(160, 30)}) {
+    Mask exact{view.width, view.height, std::vector<Shade>(grid.samples.size(), Shade::none)};
+    for (std::size_t i = 0; i < grid.samples.size(); ++i) {
+      const SurfaceSample& sample = grid.samples[i];
+      const Vec3 place = scene.surface.evaluate(sample.face, sample.s, sample.t).position;
+      const bool dark = rayMeetsRelief(patch, scene.relief.field, place, light);
+      exact.samples[i] = dark ? Shade::shadowed : Shade::lit;
+    }
+    const double straight = difference(with(scene, "osculating-march", view, light, {}), exact);
+    const double bent = difference(scene.answer("geodesic-march", view, light), exact);
+    const double resampled = difference(scene.answer("resampled-horizon", view, light), exact);
+    EXPECT_GT(shareShadowed(exact), 0.2);
+    EXPECT_LT(shareShadowed(exact), 0.8);
+    EXPECT_LT(bent, straight / 3);
+    EXPECT_LT(bent, 0.002);
+    EXPECT_LT(resampled, bent + 0.001);
+  }
+}
+
+/// Heights in texels grow with the texels: the same sphere, whose texels narrow toward its poles.
+TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
+  const GlContext gl;
+  Relief relief = cosineRelief(96, 24, 8);
+  relief.space = HeightSpace::texture;
+  const SphericalPatch patch{60, 1.6, 2.4};
+  const RenderScene scene(makeSphere(patch.radius, patch.width, patch.height, 32, 48), relief,
+                          {4, 4}, TableBits::eight, 2);
+  const RenderView view = atlasView(scene.surface, 5);
+  const SampleGrid grid = scene.samples(view);
+  const Vec3 light = lightToward(265, 30);
+  // The world's height under a point: texels are (R cos(lat) · 1.6 / 96) by (R · 2.4 / 96).
+  std::size_t differ = 0;
+  const Mask mask = scene.answer("geodesic-march", view, light);
+  const auto heightUnder = [&](const Vec3& point) {
+    const double latitude = std::asin(point.y / glm::length(point));
+    const Vec2 arcs(std::atan2(point.x, point.z), latitude);
+    const Vec2 texel = (arcs / Vec2(patch.width, patch.height) + 0.5) * 96.0;
+    const double unit = patch.radius / 96 *
+                        std::sqrt(patch.width * patch.height * std::max(std::cos(latitude), 0.0));
+    return unit * relief.field.at(texel);
+  };
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    const SurfaceSample& sample = grid.samples[i];
+    const Vec3 place = scene.surface.evaluate(sample.face, sample.s, sample.t).position;
+    const Vec3 start = place * (1 + heightUnder(place) / patch.radius);
+    bool dark = false;
+    for (double s = 0.03; s < 100 && !dark; s += 0.03) {
+      const Vec3 point = start + s * light;
+      dark = glm::length(point) - patch.radius < heightUnder(point);
+    }
+    differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
+  }
+  EXPECT_GT(shareShadowed(mask), 0.2);
+  EXPECT_LT(static_cast<double>(differ) / static_cast<double>(mask.size()), 0.001);
+}
+
+/// The arch z = -x² / 120 over |x| ≤ 40, y even: curvature 1/60 at the crown and 0.58 of that at
+/// its foot, where a texel is 1.2 times as long.
+TEST(PathMethods, FollowTheChangeOfCurvature) {
+  const GlContext gl;
+  std::array<Vec3, 16> points{};
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      const double blossom = i == 0 || i == 3 ? 1600 : -1600.0 / 3;
+      points[static_cast<std::size_t>(4 * j + i)] =
+          Vec3(40.0 * (Vec2(i, j) / 1.5 - 1.0), -blossom / 120);
+    }
+  }
+  // Clamped: past its border there is nothing.
+  const Relief relief{makeColumns(96, 96, {32, 6, 4}, 6, Wrap::clamp), HeightSpace::world, Vec2(1)};
+  const RenderScene scene(makeBezier(points, 32, 8), relief, {4, 4}, TableBits::eight, 4);
+  const RenderView view = atlasView(scene.surface, 9);
+  const SampleGrid grid = scene.samples(view);
+  const Vec3 light = lightToward(5, 20);
+  const Mask mask = scene.answer("geodesic-march", view, light);
+  // How far a point stands over the relief: over its foot on the parabola, found by Newton's
+  // method.
+  const auto above = [&](const Vec3& point) {
+    double x = point.x;
+    for (int k = 0; k < 8; ++k) {
+      const double gap = -x * x / 120 - point.z;
+      x -= (x - point.x - gap * x / 60) / (1 - gap / 60 + x * x / 3600);
+    }
+    const double side = point.z > -x * x / 120 ? 1 : -1;
+    return side * std::hypot(point.x - x, point.z + x * x / 120) -
+           scene.relief.field.at((Vec2(x, point.y) / 80.0 + 0.5) * 96.0);
+  };
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    const SurfaceSample& sample = grid.samples[i];
+    const LimitPoint place = scene.surface.evaluate(sample.face, sample.s, sample.t);
+    const Vec3 start =
+        place.position - above(place.position) * glm::normalize(glm::cross(place.ds, place.dt));
+    bool dark = false;
+    for (double s = 0.04; s < 60 && !dark; s += 0.04) {
+      const Vec3 point = start + s * light;
+      if (std::abs(point.x) > 40 || std::abs(point.y) > 40) break;
+      dark = above(point) < 0;
+    }
+    differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
+  }
+  EXPECT_GT(shareShadowed(mask), 0.2);
+  EXPECT_LT(static_cast<double>(differ) / static_cast<double>(mask.size()), 0.002);
+}
+
+TEST(PathMethods, OnAPlaneAreTheMarchOnTheCircle) {
+  const GlContext gl;
+  const RenderScene scene(makePlane(64, 64, 8, 8), cosineRelief(64, 16, 6), {16, 16},
+                          TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 33);
+  for (const Vec3& light : {lightToward(20, 30), lightToward(155, 25), lightToward(290, 20)}) {
+    const Mask march =
+        with(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+    // A bump that is highest between crossings is missed: in cells that are saddles.
+    EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
+    EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
+    EXPECT_GT(shareShadowed(march), 0.05);
+  }
+}
+
+/// At the equator, toward the east, the path is straight and the curvature one: both marches are
+/// exact.
+TEST(PathMethods, OnACylinderAreTheMarchOnTheCircle) {
+  const GlContext gl;
+  const RenderScene scene(makeCylinder(60, 64.0 / 60, 64, 32, 32), cosineRelief(64, 16, 6),
+                          {16, 16}, TableBits::eight, 2);
+  const RenderView view = atlasView(scene.surface, 8);
+  for (const Vec3& light : {lightToward(0, 40), lightToward(180, 25), lightToward(90, 30)}) {
+    const Mask march =
+        with(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+    EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
+    EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
+    EXPECT_GT(shareShadowed(march), 0.05);
+  }
+}
+
+/// What bump mapping turns from the light is dark, however few crossings are looked at.
+TEST(PathMethods, AreNeverBlindToAttachedShadows) {
+  const GlContext gl;
+  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 3, 5), {4, 8},
+                          TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 16);
+  for (const Vec3& light : {lightToward(20, 60), lightToward(200, 30)}) {
+    const Mask turned = scene.answer("unshadowed", view, light);
+    const std::map<std::string, Parameters> few = {
+        {"geodesic-march", {{"range", 1}}},
+        {"resampled-horizon", {{"range", 1}, {"crossings", 1}, {"refinements", 0}}}};
+    for (const auto& [method, parameters] : few) {
+      const Mask mask = with(scene, method, view, light, parameters);
+      for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (turned.samples[i] == Shade::shadowed) {
+          ASSERT_EQ(mask.samples[i], Shade::shadowed) << method << " " << i;
+        }
+      }
+    }
+    EXPECT_GT(shareShadowed(turned), 0.02);
+  }
+}
+
+Relief columnRelief() {
+  return {makeColumns(64, 64, {32, 8, 2}, 8, Wrap::repeat), HeightSpace::world, Vec2(1)};
+}
+
+/// With a single crossing all else comes from the table.
+TEST(PathMethods, ResampledHorizonTendsToTheMarchWithItsAzimuths) {
+  const GlContext gl;
+  const Vec3 light = lightToward(20, 25);
+  const auto differenceAt = [&](int azimuths) {
+    const RenderScene scene(makeSphere(60, 1, 1, 16, 16), columnRelief(), {azimuths, 64},
+                            TableBits::eight, 2);
+    const RenderView view = atlasView(scene.surface, 12);
+    return difference(with(scene, "resampled-horizon", view, light, {{"crossings", 1}}),
+                      scene.answer("geodesic-march", view, light));
+  };
+  const double few = differenceAt(4);
+  const double some = differenceAt(16);
+  const double many = differenceAt(64);
+  EXPECT_GT(few, 2 * some);
+  EXPECT_GT(some, many);
+  EXPECT_LT(many, 0.01);
+}
+
+TEST(PathMethods, ASearchAboutTheBestCandidateFindsMore) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1, 1, 16, 16), columnRelief(), {16, 64}, TableBits::eight,
+                          2);
+  const RenderView view = atlasView(scene.surface, 12);
+  const Vec3 light = lightToward(20, 25);
+  const auto share = [&](double refinements) {
+    return shareShadowed(with(scene, "resampled-horizon", view, light,
+                              {{"crossings", 1}, {"refinements", refinements}}));
+  };
+  EXPECT_GT(share(1), share(0));
+  EXPECT_GT(share(2), share(1));
+}
+
+/// geodesic-march without the bound: every crossing up to where the path ends.
+class UnboundedMarch {
+ public:
+  UnboundedMarch() : path_(fs::path(testing::TempDir()) / "unbounded-march.glsl") {
+    std::ofstream(path_) << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n"
+                            "tables = [\"height\"]\n*/\n"
+                            "bool isShadowed(Pixel pixel, LocalLight light) {\n"
+                            "  Path path = makePath(pixel, light, 128.0);\n"
+                            "  return shadowedAtStart(path) ||\n"
+                            "         shadowedAtCrossings(path, pathEnd(path, 128.0));\n"
+                            "}\n";
+  }
+  UnboundedMarch(const UnboundedMarch&) = delete;
+  UnboundedMarch& operator=(const UnboundedMarch&) = delete;
+  ~UnboundedMarch() { fs::remove(path_); }
+  [[nodiscard]] Method read() const { return readMethod(path_); }
+
+ private:
+  fs::path path_;
+};
+
+void expectBoundCostsNothing(const RenderScene& scene, double elevation) {
+  const UnboundedMarch unbounded;
+  const RenderView view = atlasView(scene.surface, 6);
+  for (const double azimuth : {20.0, 110.0, 215.0}) {
+    const Vec3 light = lightToward(azimuth, elevation);
+    const Mask full = scene.answer(unbounded.read(), view, light);
+    EXPECT_EQ(difference(scene.answer("geodesic-march", view, light), full), 0) << azimuth;
+    EXPECT_GT(shareShadowed(full), 0.02);
+  }
+}
+
+/// The search ends where the ray has left the relief below it: the masks are those of the full one.
+TEST(PathMethods, EndOfTheSearchLosesNoShadow) {
+  const GlContext gl;
+  Relief rough = randomRelief(64, 64, 3, 3);
+  const RenderScene sphere(makeSphere(60, 1, 1, 32, 32), rough, {4, 4}, TableBits::eight);
+  const RenderScene bowl(openBowl(), rough, {4, 4}, TableBits::eight);
+  // Tall pins on flat ground, all of one height: where the ray leaves them is where it matters.
+  const RenderScene pins(
+      openBowl(), stepRelief(64, 64, 10, [](int i, int j) { return (7 * i + 13 * j) % 29 == 0; }),
+      {4, 4}, TableBits::eight);
+  rough.space = HeightSpace::texture;
+  const RenderScene scaled(makeSphere(60, 1, 1.6, 32, 32), rough, {4, 4}, TableBits::eight);
+  for (const double elevation : {25.0, 45.0, 65.0}) {
+    expectBoundCostsNothing(sphere, elevation);
+    expectBoundCostsNothing(bowl, elevation);
+    expectBoundCostsNothing(pins, elevation);
+    expectBoundCostsNothing(scaled, elevation);
+  }
+}
+
+/// The slope of the bowl is at most 0.32 √2, that is 24.4°: a light at 30° reaches all of it. The
+/// circle that the bowl follows at its middle goes on and rises over that.
+TEST(PathMethods, NothingStandsBeyondTheBorderOfAMapThatDoesNotRepeat) {
+  const GlContext gl;
+  const RenderScene scene(openBowl(), flatRelief(64, 64), {4, 4}, TableBits::eight, 4);
+  const RenderView view = atlasView(scene.surface, 8);
+  const Vec3 light = lightToward(20, 30);
+  EXPECT_EQ(shareShadowed(scene.answer("geodesic-march", view, light)), 0);
+  EXPECT_EQ(shareShadowed(scene.answer("resampled-horizon", view, light)), 0);
+  EXPECT_GT(shareShadowed(scene.answer("osculating-march", view, light)), 0.1);
+}
+
+}  // namespace
+}  // namespace gnomon
