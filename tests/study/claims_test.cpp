@@ -291,7 +291,7 @@ TEST(SweepClaims, GainsGrowFromTheFirstValueToTheLast) {
                                           study("c", {{0.02, 0.06}, {0.02, 0.08}}, 0.02)};
   const ClaimRecord record = judgeGrowth(steps);
   EXPECT_EQ(record.verdict, Verdict::held);
-  EXPECT_THAT(record.detail, HasSubstr("5.00 points at surface.curvature = 1, 1.00 at 0"));
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points at surface.curvature = 1, 1.00 points at 0"));
   EXPECT_EQ(judgeGrowth({steps[2], steps[1], steps[0]}).verdict, Verdict::failed);
 }
 

@@ -209,9 +209,18 @@ TEST_F(StudyFile, MethodsOverrideTheStudysBakeAndBase) {
 }
 
 TEST_F(StudyFile, AMethodMayBeAFileBesideIt) {
-  const StudySpec study = readWith({R"(method=[{file="own/mine.glsl"}])"});
+  fs::create_directory(folder() / "own");
+  std::ofstream(folder() / "own/mine.glsl")
+      << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\nazimuths = 8\nsubdivisions = 5\n*/\n"
+         "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n";
+  const StudySpec study = readWith(
+      {R"(method=[{file="own/mine.glsl"},{file="own/mine.glsl",label="b",bake={azimuths=12}}])"});
   EXPECT_EQ(study.methods[0].file, folder() / "own/mine.glsl");
   EXPECT_EQ(study.methods[0].label, "mine");
+  // What its authors state comes before the study's own, and an override before that.
+  EXPECT_EQ(study.methods[0].bake.settings.azimuths, 8);
+  EXPECT_EQ(study.methods[0].baseSubdivisions, 5);
+  EXPECT_EQ(study.methods[1].bake.settings.azimuths, 12);
 }
 
 TEST_F(StudyFile, OnlyTheMethodsAskedForStay) {
@@ -370,7 +379,7 @@ TEST_F(StudyFile, RefusesWhatItCannotUse) {
       {"surface.curvature=0.1", "surface.curvature: unknown key"},
       {"relief.amplitude=1", "relief.amplitude: unknown key"},
       {"relief.jitter=1", "relief.jitter: unknown key, expected height, height_space"},
-      {"bake.azimuth=1", "bake.azimuth: unknown key, expected azimuths, bits, radius"},
+      {"bake.azimuth=1", "bake.azimuth: unknown key, expected azimuths, bits, limit, radius"},
       {"base.subdivision=1", "base.subdivision: unknown key, expected subdivisions"},
       {"truth.steps=1", "truth.steps: unknown key, expected step"},
       {"view.0.samples=3", "view.0.samples: unknown key"},
