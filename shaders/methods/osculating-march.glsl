@@ -1,6 +1,6 @@
 /* gnomon-method
 title = "Height map marched on the osculating circle"
-citation = "the best that a local method can do"
+citation = "the horizon of one circle a pixel, found by brute force"
 tables = ["height"]
 
 [parameters.stride]
@@ -19,7 +19,7 @@ about = "farthest sample, texels"
 // The height map sampled densely toward the light, every sample standing on the circle that the
 // surface follows in that direction: exact but for the stride and for what one circle cannot know of
 // the surface (in a bowl it supposes that the bowl goes on). Too slow for a product; it bounds what a
-// method can do with h, κ and the light alone.
+// method can do with h, and with κ and the light at the pixel alone.
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   float curvature = normalCurvature(pixel, light.tangent);     // (1), 1 / world

@@ -43,7 +43,7 @@ class MethodPass {
                             const GpuTables& tables) const;
 
   /// Median time of one frame, all its passes, over at most `frames` frames, after one that warms
-  /// up; milliseconds. A slow method is timed for about a second, at least one frame. By the wall
+  /// up; milliseconds. A slow method is timed for about 0.3 s, at least one frame. By the wall
   /// clock between two glFinish: GL's timer queries of a software renderer see only a part of the
   /// work (Mesa's llvmpipe answered 0.002 ms for a frame of 15 ms).
   [[nodiscard]] double frameMilliseconds(const RenderView& view, const Drawing& drawing,

@@ -313,7 +313,7 @@ class StudyRun {
 
   /// On the first camera view under the first light; without a camera view there is no frame time.
   void timeFrames() {
-    constexpr int frames = 5;
+    constexpr int frames = 25;
     const auto camera =
         std::find_if(study_.views.begin(), study_.views.end(),
                      [](const ViewSpec& v) { return std::holds_alternative<Camera>(v.kind); });
