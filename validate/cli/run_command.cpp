@@ -13,6 +13,7 @@
 #include "relief/table_file.h"
 #include "render/gl_context.h"
 #include "report/folder_writer.h"
+#include "report/frontier.h"
 #include "report/gnuplot.h"
 #include "report/metrics_csv.h"
 #include "report/ranking_html.h"
@@ -54,8 +55,8 @@ std::vector<StudyPlan> readPlans(const RunRequest& request) {
 }
 
 /// What tells of a whole run in its folder, or in a sweep's.
-constexpr std::array reportFiles = {"summary.json", "metrics.csv", "report.html", "sweep.csv",
-                                    "sweep.svg"};
+constexpr std::array reportFiles = {"summary.json", "metrics.csv",  "report.html", "sweep.csv",
+                                    "sweep.svg",    "frontier.svg", "frontier.csv"};
 constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
 
 void removeFiles(const fs::path& folder, std::span<const char* const> names) {
@@ -96,7 +97,13 @@ void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size
   record.claims = judgeClaims(study.claims, records, own);
   const fs::path folder = out / record.name;
   writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
-  writeTextAtomically(folder / "report.html", reportHtml(record, folder));
+  const std::vector<FrontierPoint> points = frontier(record);
+  const std::string plot = points.empty() ? "" : frontierPlot(points);
+  if (!plot.empty()) {
+    writeTextAtomically(folder / "frontier.svg", plot);
+    writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
+  }
+  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plot));
   writeTextAtomically(folder / "summary.json", summaryJson(record));
 }
 

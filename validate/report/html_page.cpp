@@ -1,5 +1,6 @@
 #include "report/html_page.h"
 
+#include <OpenImageIO/strutil.h>
 #include <fmt/core.h>
 
 #include "report/html_figures.h"
@@ -30,6 +31,12 @@ std::string htmlHead(std::string_view title) {
 std::string htmlSection(std::string_view id, std::string_view title, const std::string& content) {
   if (content.empty()) return "";
   return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, title, content);
+}
+
+std::string htmlPlot(const std::string& svg, std::string_view alt) {
+  return fmt::format(
+      "<figure class=\"plot\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></figure>\n",
+      escapeHtml(alt), OIIO::Strutil::base64_encode(svg));
 }
 
 std::string htmlFact(std::string_view term, std::string_view text) {

@@ -20,6 +20,11 @@ std::string htmlHead(std::string_view title);
 /// @param title  as HTML
 std::string htmlSection(std::string_view id, std::string_view title, const std::string& content);
 
+/// A plot inside the page.
+/// @param svg  the document
+/// @param alt  what it shows, as text
+std::string htmlPlot(const std::string& svg, std::string_view alt);
+
 /// A term and what it is, for a list <dl>; nothing, if there is no text.
 std::string htmlFact(std::string_view term, std::string_view text);
 

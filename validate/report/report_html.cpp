@@ -195,7 +195,8 @@ std::string navigation(const std::vector<Case>& cases) {
 
 }  // namespace
 
-std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder) {
+std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
+                       const std::string& frontier) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
   std::string html = htmlHead(record.title.empty() ? record.name : record.title) + "<body>\n" +
@@ -203,6 +204,10 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
                      htmlClaims(record.claims) + thresholdSection(record) + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
+  }
+  if (!frontier.empty()) {
+    html += htmlSection("frontier", "Error against memory",
+                        htmlPlot(frontier, "Error rate of each method against its memory"));
   }
   return html + costSection(record) + truthSection(record) + citations(record.methods) +
          timingSection(record.timings) + reproduceSection(record) + "</main>\n</body>\n</html>\n";

@@ -1,6 +1,5 @@
 #include "report/sweep_html.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -39,13 +38,6 @@ std::string header(const SweepRecord& sweep) {
       verdictHtml(sweep), plural(sweep.values.size(), "value"), escapeHtml(sweep.key));
 }
 
-std::string plotFigure(const SweepRecord& sweep, const std::string& plot) {
-  return fmt::format(
-      "<figure class=\"plot\"><img alt=\"Error rate of each method against {}\" "
-      "src=\"data:image/svg+xml;base64,{}\"></figure>\n",
-      escapeHtml(sweep.axis), OIIO::Strutil::base64_encode(plot));
-}
-
 std::string valueTable(const SweepRecord& sweep) {
   std::vector<StudyMeans> steps;
   std::vector<std::string> labels;
@@ -82,7 +74,7 @@ std::string sweepHtml(const SweepRecord& sweep, const std::string& plot) {
                      "<p class=\"note\">Percent of the samples, mean over all lights and views. "
                      "The grey band is the truth’s own uncertainty: differences as small as it say "
                      "nothing.</p>\n" +
-                         plotFigure(sweep, plot)) +
+                         htmlPlot(plot, "Error rate of each method against " + sweep.axis)) +
          htmlSection("values", "Error by value",
                      "<p class=\"note\">The stronger the tint, the larger the error. Each value "
                      "leads to its own report.</p>\n" +

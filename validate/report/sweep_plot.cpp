@@ -9,18 +9,11 @@
 
 #include "report/gnuplot.h"
 #include "report/number_text.h"
+#include "report/plot_style.h"
 #include "report/study_ranking.h"
-#include "report/text_width.h"
 
 namespace gnomon {
 namespace {
-
-/// The colours of Okabe and Ito that are readable as lines on white: the common colour vision
-/// deficiencies keep them apart.
-constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                "#56B4E9", "#E69F00", "#000000"};
-constexpr std::array<int, 7> points = {7, 5, 9, 13, 11, 6, 4};
-constexpr std::size_t longestLabel = 32;
 
 using Figure = std::optional<double> MethodMeans::*;
 
@@ -107,10 +100,6 @@ std::vector<std::size_t> legendOrder(const Series& series) {
   return order;
 }
 
-std::string legendText(const std::string& label) {
-  return gnuplotText(displayWidth(label) > longestLabel ? fitLeft(label, longestLabel) : label);
-}
-
 std::string plotCommand(const Series& series, const Panel& panel) {
   std::string text =
       "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title "
@@ -118,8 +107,8 @@ std::string plotCommand(const Series& series, const Panel& panel) {
   for (const std::size_t m : legendOrder(series)) {
     text += fmt::format(
         ", \\\n  ${}{} using 1:2 with linespoints lc rgb '{}' pt {} ps 0.7 lw 2 dt {} title {}",
-        panel.name, m, colours.at(m % colours.size()), points.at(m % points.size()),
-        1 + m / colours.size(), legendText(series.methods[m]));
+        panel.name, m, plotColours.at(m % plotColours.size()), plotPoints.at(m % plotPoints.size()),
+        1 + m / plotColours.size(), plotLegend(series.methods[m]));
   }
   return text + "\n";
 }

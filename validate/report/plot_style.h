@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "report/gnuplot.h"
+#include "report/text_width.h"
+
+namespace gnomon {
+
+// What the plots share.
+
+/// The colours of Okabe and Ito that are readable as lines on white: the common colour vision
+/// deficiencies keep them apart.
+constexpr std::array<const char*, 7> plotColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                    "#56B4E9", "#E69F00", "#000000"};
+/// gnuplot's numbers of point shapes, one a colour.
+constexpr std::array<int, 7> plotPoints = {7, 5, 9, 13, 11, 6, 4};
+
+/// A label of a legend, shortened where it is too long, quoted for gnuplot.
+inline std::string plotLegend(const std::string& label) {
+  constexpr std::size_t longest = 32;
+  return gnuplotText(displayWidth(label) > longest ? fitLeft(label, longest) : label);
+}
+
+}  // namespace gnomon
