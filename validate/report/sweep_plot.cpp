@@ -122,13 +122,24 @@ std::string panelCommands(const Series& series, const Panel& panel) {
   return text + "set title " + gnuplotText(panel.title) + "\n" + plotCommand(series, panel);
 }
 
+/// So high that the first panel is as high as the legend beside it: gnuplot would put the rest into
+/// a second column, off the page.
+int pageHeight(const Series& series) {
+  constexpr double lineHeight = 24;
+  const double share = panels[0].margins[3] - panels[0].margins[2];
+  const double lines = static_cast<double>(series.methods.size()) + 2;
+  return std::max(820, static_cast<int>(lines * lineHeight / share));
+}
+
 }  // namespace
 
 std::string sweepPlotScript(const SweepRecord& sweep) {
   const Series series = seriesOf(sweep);
   std::string text =
-      "set encoding utf8\n"
-      "set terminal svg size 1000,820 noenhanced font 'sans-serif,14' background '#ffffff'\n" +
+      "set encoding utf8\n" +
+      fmt::format("set terminal svg size 1000,{} noenhanced font 'sans-serif,14' "
+                  "background '#ffffff'\n",
+                  pageHeight(series)) +
       dataBlocks(series) +
       "set multiplot\n"
       "set border 3 lc rgb '#5b626b'\n"
@@ -140,10 +151,11 @@ std::string sweepPlotScript(const SweepRecord& sweep) {
       "\n"
       "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
       "set yrange [0:*]\n"
-      "set key at screen 0.745, screen 0.94 left top Left reverse samplen 2 spacing 1.25\n";
+      "set key at screen 0.745, screen 0.94 left top Left reverse samplen 2 "
+      "spacing 1.1\n";
   for (const Panel& panel : panels) {
     text += panelCommands(series, panel);
-    text += "unset key\n";
+    text += "unset key\nset xtics font ',10'\n";  // half as wide from here on
   }
   return text + "unset multiplot\n";
 }
