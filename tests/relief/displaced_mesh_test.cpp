@@ -169,9 +169,10 @@ TEST(DisplacedMesh, FirstFacesHeightRulesASeam) {
     }
     moved += own ? 0 : 1;
   }
-  // At most every shared vertex that is not the first: 12 · 3 + 8 · 2.
-  EXPECT_GT(moved, 20U);
-  EXPECT_LE(moved, 12U * 3 + 8 * 2);
+  // Along an edge of which both sides run over the map alike heights agree; at corners the map's four
+  // do, since it repeats. At most: every inner vertex of an edge, once.
+  EXPECT_GT(moved, 0U);
+  EXPECT_LE(moved, 12U * 3);
 }
 
 }  // namespace

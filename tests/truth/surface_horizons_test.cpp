@@ -80,7 +80,7 @@ TEST(SurfaceHorizons, BareSphereEndsAtItsTangentPlane) {
   for (const double limit : {pi / 2, pi}) {
     const AngleTable table = scene.shoot(8, 8, 48, 32, 8, limit);
     for (const float angle : table.angles) {
-      EXPECT_LE(angle, limit);
+      EXPECT_LE(angle, static_cast<float>(limit));
       // A facet of 0.125 world units is tilted by up to 0.125 / 40 / √2 from its middle's normal.
       ASSERT_NEAR(angle, pi / 2, 0.003 + precision);
     }
