@@ -51,7 +51,9 @@ TEST(AngleTable, OfAWallIsItsElevation) {
   EXPECT_EQ(table.originY, 0);
   for (int x = 8; x < 32; ++x) {
     // Toward -x, azimuth 2 of 4: the edge of the wall's top at x = 7.5, 6 above the floor.
-    const auto at = [&](int m) { return table.angles[static_cast<std::size_t>((m * 4 + 2) * 32 + x)]; };
+    const auto at = [&](int m) {
+      return table.angles[static_cast<std::size_t>((m * 4 + 2) * 32 + x)];
+    };
     EXPECT_NEAR(at(2), std::atan2(x + 0.5 - 7.5, 6), 1e-6);
     EXPECT_NEAR(at(0), pi / 2, 1e-6);
   }

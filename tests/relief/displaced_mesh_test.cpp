@@ -55,8 +55,8 @@ std::size_t expectAdjacency(const DisplacedMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_EQ(mesh.adjacency[6 * triangle + 2 * k], corners.at(k));
       const std::uint32_t opposite = mesh.adjacency[6 * triangle + 2 * k + 1];
-      const auto neighbour = sides.find({placeOf(mesh, corners.at((k + 1) % 3)),
-                                         placeOf(mesh, corners.at(k))});
+      const auto neighbour =
+          sides.find({placeOf(mesh, corners.at((k + 1) % 3)), placeOf(mesh, corners.at(k))});
       if (neighbour == sides.end()) {
         ++borders;
         EXPECT_EQ(opposite, corners.at((k + 2) % 3));
@@ -81,9 +81,8 @@ TEST(DisplacedMesh, VerticesAreTheDisplacedPointsOfTheLimitSurface) {
       const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
       // Where the texture's two ends meet the first face's height rules: 0 and 192 are alike, since
       // the map repeats.
-      const Vec3 expected =
-          point.position +
-          worldPerHeight(space, frame) * relief.field.at(frame.texel) * frame.normal;
+      const Vec3 expected = point.position + worldPerHeight(space, frame) *
+                                                 relief.field.at(frame.texel) * frame.normal;
       ASSERT_LT(glm::length(v.position - expected), 1e-6);
       highest = std::max(highest, glm::length(v.position - point.position));
     }
@@ -169,8 +168,8 @@ TEST(DisplacedMesh, FirstFacesHeightRulesASeam) {
     }
     moved += own ? 0 : 1;
   }
-  // Along an edge of which both sides run over the map alike heights agree; at corners the map's four
-  // do, since it repeats. At most: every inner vertex of an edge, once.
+  // Along an edge of which both sides run over the map alike heights agree; at corners the map's
+  // four do, since it repeats. At most: every inner vertex of an edge, once.
   EXPECT_GT(moved, 0U);
   EXPECT_LE(moved, 12U * 3);
 }

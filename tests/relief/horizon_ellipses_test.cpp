@@ -57,11 +57,10 @@ TEST(HorizonEllipses, PitIsADiscAsWideAsItsMouth) {
 TEST(HorizonEllipses, HalfADiscBeforeAWallThatReachesTheSky) {
   // Lit within 90° of azimuth 0: centroid 4 / 3π, Σ = diag(¼ - 16 / 9π², ¼) by the half disc's
   // moments. 1025 sectors of 2048 are lit: one half too many, 1e-3 of the disc.
-  const Ellipse e =
-      fitted([](double a) { return std::cos(a) > -1e-9 ? 0.0 : 1e12; }, 2048);
-  expectEllipse(e,
-                {{4 / (3 * pi), 0}, 2 * std::sqrt(0.25 - 16 / (9 * pi * pi)), 0, 2 * std::sqrt(0.25)},
-                2e-3);
+  const Ellipse e = fitted([](double a) { return std::cos(a) > -1e-9 ? 0.0 : 1e12; }, 2048);
+  expectEllipse(
+      e, {{4 / (3 * pi), 0}, 2 * std::sqrt(0.25 - 16 / (9 * pi * pi)), 0, 2 * std::sqrt(0.25)},
+      2e-3);
 }
 
 TEST(HorizonEllipses, GrooveIsAnEllipseExactly) {
@@ -69,17 +68,12 @@ TEST(HorizonEllipses, GrooveIsAnEllipseExactly) {
   // x² + (1 + k²) y² ≤ 1 turned by t: semi-axes 1 and 1 / √(1 + k²).
   for (const double k : {0.5, 1.0, 4.0}) {
     for (const double turn : {0.0, 0.4, pi / 2, 2.5}) {
-      const Ellipse e =
-          fitted([&](double a) { return k * std::abs(std::sin(a - turn)); }, 256);
+      const Ellipse e = fitted([&](double a) { return k * std::abs(std::sin(a - turn)); }, 256);
       const double c = std::cos(turn);
       const double s = std::sin(turn);
       const double narrow = 1 / std::hypot(1.0, k);
-      expectEllipse(e,
-                    {{0, 0},
-                     c * c + narrow * s * s,
-                     (1 - narrow) * c * s,
-                     s * s + narrow * c * c},
-                    1e-5);
+      expectEllipse(
+          e, {{0, 0}, c * c + narrow * s * s, (1 - narrow) * c * s, s * s + narrow * c * c}, 1e-5);
     }
   }
 }

@@ -108,10 +108,8 @@ class DisplacedScene {
     const Method read = readMethod(methodFile(shaderFolder(), method));
     const MethodPass pass(shaderFolder(), read, relief.field.wrap(), TableFilter::exact,
                           parameters);
-    return pass.render(view,
-                       {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, light,
-                        &gpuVolumes_},
-                       {});
+    return pass.render(
+        view, {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, light, &gpuVolumes_}, {});
   }
 
   [[nodiscard]] SampleGrid samples(const RenderView& view) const {

@@ -1,9 +1,9 @@
 // How methods rank against the truth on a sphere, and what more azimuths and bits do.
 //
-// Errors are means over eight lights, none of which lies in an azimuth of a table. Two settings of one
-// method are compared light by light; with d the differences of their errors, s their standard
-// deviation and n = 8 lights, the mean of d is known to s / √n. A rise counts where it exceeds three
-// times that: of 32 comparisons of settings that are alike, less than one would in ten runs.
+// Errors are means over eight lights, none of which lies in an azimuth of a table. Two settings of
+// one method are compared light by light; with d the differences of their errors, s their standard
+// deviation and n = 8 lights, the mean of d is known to s / √n. A rise counts where it exceeds
+// three times that: of 32 comparisons of settings that are alike, less than one would in ten runs.
 
 #include <gtest/gtest.h>
 
@@ -30,11 +30,14 @@ constexpr int lightCount = 8;
 
 std::vector<Vec3> lights() {
   std::vector<Vec3> all;
-  for (int l = 0; l < lightCount; ++l) all.push_back(lightToward(11 + 46.3 * l, l % 2 == 0 ? 45 : 30));
+  for (int l = 0; l < lightCount; ++l)
+    all.push_back(lightToward(11 + 46.3 * l, l % 2 == 0 ? 45 : 30));
   return all;
 }
 
-Cage sphere() { return makeSphere(1 / 0.015, 1.44, 1.44, 24, 24); }
+Cage sphere() {
+  return makeSphere(1 / 0.015, 1.44, 1.44, 24, 24);
+}
 
 Relief columns() {
   return {makeColumns(96, 96, {32, 8, 1}, 8, Wrap::repeat), HeightSpace::world, Vec2(1)};
@@ -93,7 +96,8 @@ const std::vector<std::string> tableMethods = {"max-forsyth", "onoue-2004", "slo
 TEST_F(SphereErrors, DoNotRiseWithMoreAzimuthsAndBits) {
   std::map<std::string, std::map<std::pair<int, TableBits>, std::vector<double>>> found;
   const std::vector<int> azimuths = {8, 16, 32, 64};
-  const std::vector<TableBits> depths = {TableBits::eight, TableBits::sixteen, TableBits::thirtyTwo};
+  const std::vector<TableBits> depths = {TableBits::eight, TableBits::sixteen,
+                                         TableBits::thirtyTwo};
   for (const int m : azimuths) {
     for (const TableBits bits : depths) {
       const RenderScene on = scene({m, 64}, bits);
@@ -118,10 +122,14 @@ TEST_F(SphereErrors, DoNotRiseWithMoreAzimuthsAndBits) {
             << method << ", bits";
       }
     }
-    // The comparison can tell settings apart: the coarsest is clearly worse than the finest.
+    // The comparison can tell settings apart: the coarsest is clearly worse than the finest. But
+    // for the method that only finds its candidates in the table, and them in eight azimuths
+    // already.
     const double coarsest = mean(of[{8, TableBits::eight}]);
     const double finest = mean(of[{64, TableBits::thirtyTwo}]);
-    EXPECT_LT(finest, 0.95 * coarsest) << method;
+    if (method != "resampled-horizon") {
+      EXPECT_LT(finest, 0.95 * coarsest) << method;
+    }
     RecordProperty(method + "_8x8", std::to_string(coarsest));
     RecordProperty(method + "_64x32", std::to_string(finest));
   }

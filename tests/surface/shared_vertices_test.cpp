@@ -90,12 +90,11 @@ TEST(SharedVertices, OfATorusRunAcrossBothOfItsSeams) {
 
 TEST(SharedVertices, OfAGridMayBeMoreAlongOneSideThanAlongTheOther) {
   // 2 inner edges across 5 rows' worth, 3 along: (columns - 1) rows + columns (rows - 1) edges.
-  const std::size_t upright = 3 * 3;  // edges along t, each with 7 - 2 inner vertices
-  const std::size_t level = 4 * 2;    // edges along s, each with 4 - 2 inner vertices
-  const std::size_t inner = 3 * 2;    // corners of four faces
+  const std::size_t upright = 3 * 3;      // edges along t, each with 7 - 2 inner vertices
+  const std::size_t level = 4 * 2;        // edges along s, each with 4 - 2 inner vertices
+  const std::size_t inner = 3 * 2;        // corners of four faces
   const std::size_t rim = 2 * 3 + 2 * 2;  // corners of two
-  EXPECT_EQ(expectVisits(makePlane(12, 9, 4, 3), 4, 7),
-            upright * 5 + level * 2 + inner * 3 + rim);
+  EXPECT_EQ(expectVisits(makePlane(12, 9, 4, 3), 4, 7), upright * 5 + level * 2 + inner * 3 + rim);
 }
 
 TEST(SharedVertices, OfAnOpenPatchLeaveItsRimAlone) {
