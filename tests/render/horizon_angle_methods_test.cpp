@@ -231,7 +231,7 @@ TEST(SloanCohen, DoesNotDependOnWhereTheTextureBegins) {
 
 TEST(SloanCohen, DoesNotDependOnTheSizeOfATexelWhereHeightsAreInTexels) {
   const GlContext gl;
-  const Relief relief = cosineRelief(48, 12, 4, HeightSpace::texture);
+  const Relief relief = cosineRelief(48, 12, 8, HeightSpace::texture);
   for (const char* method : {"sloan-cohen", "ellipse", "max-forsyth"}) {
     const auto maskOn = [&](double size) {
       const RenderScene scene(makePlane(size, size, 8, 8), relief, {8, 48}, TableBits::eight);
@@ -361,6 +361,40 @@ TEST(EllipseMethod, GrooveIsLitAlongAndDarkAcross) {
   for (const double azimuth : {0.0, 180.0}) EXPECT_EQ(bottomShadowed(lightToward(azimuth, 20)), 0);
   for (const double azimuth : {90.0, 270.0}) EXPECT_EQ(bottomShadowed(lightToward(azimuth, 20)), 1);
   EXPECT_EQ(bottomShadowed(lightToward(90, 85)), 0);
+}
+
+TEST(EllipseMethod, IsItsFormulaAtTexelCentres) {
+  const GlContext gl;
+  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
+    Relief relief = randomRelief(32, 32, 5, 5);
+    relief.space = space;
+    // Texels 3 wide and 1.5 high.
+    const RenderScene scene(makePlane(96, 48, 8, 8), relief, {16, 32}, TableBits::thirtyTwo);
+    const EllipseTable table = fitEllipses(scene.tables);
+    const RenderView view = atlasView(scene.surface, 4);
+    for (const Vec3& light : {lightToward(20, 25), lightToward(200, 40), lightToward(95, 15)}) {
+      const Mask mask = scene.answer("ellipse", view, light);
+      const double unit = space == HeightSpace::world ? 1 : std::sqrt(4.5);
+      const Vec3 local = glm::normalize(Vec3(light.x / 3, light.y / 1.5, light.z / unit));
+      std::size_t differ = 0;
+      for (std::size_t i = 0; i < 32 * 32; ++i) {
+        const std::size_t texel = (31 - i / 32) * 32 + i % 32;
+        const auto entry = [&](std::size_t layer) {
+          return double{table.values[layer * 32 * 32 + texel]};
+        };
+        // A⁻¹ (l - c) by Cramer's rule.
+        const Vec2 off = Vec2(local.x, local.y) - Vec2(entry(0), entry(1));
+        const double area = entry(2) * entry(4) - entry(3) * entry(3);
+        const Vec2 place =
+            Vec2(entry(4) * off.x - entry(3) * off.y, entry(2) * off.y - entry(3) * off.x) / area;
+        const bool dark = glm::dot(place, place) > 1;
+        differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
+      }
+      EXPECT_LE(differ, 1U);  // where |A⁻¹ (l - c)| is 1 to a float's rounding
+      EXPECT_GT(shareShadowed(mask), 0.01);
+      EXPECT_LT(shareShadowed(mask), 0.99);
+    }
+  }
 }
 
 TEST(EllipseMethod, IsTheFlatHorizonMapWhereTheLitPartIsAnEllipse) {

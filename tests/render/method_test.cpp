@@ -157,6 +157,23 @@ TEST(Method, EveryShippedMethodCompilesAndOneMayLeaveAnythingOut) {
   }
 }
 
+TEST(MethodPass, TexturePassLeavesOutTexelsThatTheSurfaceDoesNotHave) {
+  const GlContext gl;
+  const MethodFile file(
+      "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\npasses = [\"texture\"]\n*/\n"
+      "float resolveTexel(Pixel pixel) { return 1.0; }\n"
+      "bool isShadowed(Pixel pixel, LocalLight light) { return resolvedAt(pixel.texel) != 1.0; "
+      "}\n");
+  // The chart ends at 11.4 of 16 texels: the centre of texel 11 lies beyond.
+  Cage cage = makePlane(16, 16, 4, 4);
+  for (Vec2& uv : cage.uvs) uv *= 11.4 / 16;
+  cage.grid.reset();
+  const test::RenderScene scene(cage, test::flatRelief(16, 16), {4, 4}, TableBits::eight);
+  EXPECT_EQ(scene.texture.width, 12);
+  const RenderView view = atlasView(scene.surface, 20);
+  EXPECT_EQ(test::shareShadowed(scene.answer(readMethod(file.path()), view, {0, 0, 1})), 0);
+}
+
 TEST(MethodPass, TexturePassNeedsNoTables) {
   const GlContext gl;
   // What the texture pass leaves comes back between texels as bilinear values, in any number of

@@ -388,6 +388,31 @@ TEST(ShadowVolumes, LeaveNoStreaksWhereFacetsStandEdgeOnToTheLight) {
   }
 }
 
+TEST(ShadowVolumes, StayClosedWhereRoundingDecidesHowAFacetFaces) {
+  const GlContext gl;
+  const DisplacedScene scene(arch(4, 4), randomRelief(16, 16, 3, 3), 2);
+  const RenderView view =
+      cameraView(cameraAt({10, -50, 60}, {0, 0, 5}, 50, 64), scene.displaced.mesh);
+  const SampleGrid samples = scene.samples(view);
+  const Rays rays(scene, 2);
+  const BaseMesh& mesh = scene.displaced.mesh;
+  std::size_t judged = 0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    // A light in the very plane of a facet. Its two neighbours and itself must agree on whether it
+    // faces the light, or a volume without a wall would run through the picture.
+    const auto corner = [&](std::size_t k) {
+      return mesh.vertices[mesh.triangles[3 * t + k]].position;
+    };
+    Vec3 light = corner(1) - corner(0) + 0.3 * (corner(2) - corner(0));
+    light = glm::normalize(light.z < 0 ? -light : light);
+    const Verdict verdict =
+        judge(scene.answer("shadow-volume", view, light), rays.mask(samples, light), samples);
+    EXPECT_EQ(verdict.wrong, 0U) << t;
+    judged += verdict.lit;
+  }
+  EXPECT_GT(judged, 10000U);
+}
+
 TEST(ShadowVolumes, AreCountedForOneCameraOnly) {
   const GlContext gl;
   const DisplacedScene scene(makePlane(24, 24, 3, 3), flatRelief(24, 24), 2);
