@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "relief/patterns.h"
+#include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon {
@@ -142,6 +143,45 @@ TEST(SurfaceHorizons, OnAPlaneAreTheFlatReliefs) {
     EXPECT_GE(shot.angles[i], flat.angles[i] - precision - 1e-3);
   }
   EXPECT_GT(compared, shot.angles.size() / 5);
+}
+
+/// In the hole of a torus the far side stands before the sky: light comes through a gap, or not at
+/// all.
+TEST(SurfaceHorizons, InATorussHoleAreTheLowestRaysThatEscape) {
+  const HorizonScene scene(makeTorus(30, 14, 64, 64), flatRelief(64, 64), 0.25);
+  constexpr int azimuths = 48;
+  const AngleTable table = scene.shoot(20, 2, 1, 1, azimuths, pi / 2);
+  const SurfaceSample sample = sampleAt(scene.surface, scene.relief, {20.5, 2.5});
+  const TexelFrame frame = texelFrame(scene.surface.evaluate(sample.face, sample.s, sample.t),
+                                      scene.relief.texelsPerUv());
+  const Facet facet = scene.mesh.facet(sample.face, sample.s, sample.t);
+  int gaps = 0;
+  for (int m = 0; m < azimuths; ++m) {
+    const double azimuth = 2 * pi * m / azimuths;
+    const Vec3 tangent =
+        glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
+    // From the tangent plane upward, by a twentieth of a degree: the first ray that escapes, and
+    // how far on rays escape.
+    double first = -1;
+    double width = 0;
+    for (double off = 90; off >= 0; off -= 0.05) {
+      const Vec3 direction =
+          std::cos(radians(off)) * frame.normal + std::sin(radians(off)) * tangent;
+      const bool free = glm::dot(direction, facet.normal) > 0 &&
+                        !scene.scene.occluded(facet.point + 1e-4 * facet.normal, direction);
+      if (free && first < 0) first = off;
+      if (free) width = first - off;
+      if (!free && first >= 0) break;
+    }
+    const double found = table.angles[static_cast<std::size_t>(m)];
+    if (first < 0) {
+      EXPECT_EQ(found, 0) << m;
+    } else if (width > 4) {
+      EXPECT_NEAR(found, radians(first), precision + radians(0.06)) << m;
+      gaps += first < 85 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(gaps, 3);
 }
 
 TEST(SurfaceHorizons, TexelWithoutASampleGetsTheLimit) {
