@@ -240,6 +240,25 @@ TEST_F(BadInput, ViewsThatShowNothing) {
   expectFailureWith({"relief.repeats=[1e-300, 1e-300]"}, 3, {"no sample of a view has a frame"});
 }
 
+TEST_F(BadInput, AMethodThatNoViewCanShow) {
+  const std::string atlas = replaced(
+      smallStudy(), "type = \"camera\"\nwidth = 64\nheight = 64\neye = [0, 0, 80]\nfov = 30",
+      "type = \"atlas\"\nsamples = 8");
+  write("small.toml", replaced(atlas, "name = \"max-forsyth\"", "name = \"shadow-volume\""));
+  expectFailureWith({}, 3, {"method \"shadow-volume\"", "[[view]] of type camera expected"});
+  // In an atlas beside a camera it is left out, and in the camera's view it answers.
+  const std::string both =
+      replaced(smallStudy(), "[[light]]", "[[view]]\ntype = \"atlas\"\nsamples = 8\n\n[[light]]");
+  runStudy("small", replaced(both, "name = \"max-forsyth\"", "name = \"shadow-volume\""));
+  for (const nlohmann::json& result : summary("small").at("results")) {
+    if (result.at("method") == "shadow-volume") {
+      EXPECT_EQ(result.at("view"), "camera");
+    }
+  }
+  EXPECT_LT(resultOf(summary("small"), "shadow-volume", "evening", "camera").at("error_rate"),
+            0.02);
+}
+
 TEST_F(BadInput, ATruthThatCannotTellItsOwnError) {
   // A texel's centre line is always among the micro-mesh's: twice as coarse is the same mesh.
   writeSmall();

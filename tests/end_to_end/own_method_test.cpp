@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "end_to_end/program.h"
 
 // A method is one GLSL file and no C++: files of this folder run as the built-in ones do.
@@ -72,6 +74,31 @@ bool isShadowed(Pixel pixel, LocalLight light) { return true; }
   EXPECT_EQ(result.at("fpr"), 1);
   // It declares no table, so none is charged to it.
   EXPECT_EQ(summary("small").at("cost").at(2).at("table_bytes"), 0);
+}
+
+TEST_F(OwnMethod, HasATexturePassOfItsOwn) {
+  runStudy("small", study(method("texture-checks")));
+  const GreyImage image = mask("small", "camera_evening_texture-checks");
+  std::size_t seen = 0;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const unsigned char pixel =
+          image.pixels[static_cast<std::size_t>(row * image.width + column)];
+      if (pixel == 128) continue;
+      // The camera stands 80 above a plane of 32 × 32 texels, one world unit each.
+      const double reach = 80 * std::tan(15 * 3.14159265358979 / 180);
+      const double x = 16 + reach * (2 * (column + 0.5) / image.width - 1);
+      const double y = 16 + reach * (1 - 2 * (row + 0.5) / image.height);
+      const auto nearEdge = [](double at) { return std::abs(at / 8 - std::round(at / 8)) < 0.07; };
+      if (nearEdge(x) || nearEdge(y)) continue;  // between texels the value is bilinear
+      ++seen;
+      const bool dark = static_cast<int>(std::floor(x / 8) + std::floor(y / 8)) % 2 == 1;
+      ASSERT_EQ(pixel, dark ? 0 : 255) << column << " " << row;
+    }
+  }
+  EXPECT_GT(seen, 1000U);
+  // 32² texels, each a value and a mark, in floats.
+  EXPECT_EQ(summary("small").at("cost").at(2).at("table_bytes"), 32 * 32 * 8);
 }
 
 TEST_F(OwnMethod, AllWithAnotherBaseMeshThanTheStudys) {

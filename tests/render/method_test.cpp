@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 #include "common/error.h"
 #include "render/render_scene.h"
@@ -79,6 +82,116 @@ TEST(Method, NamesTheLineOfAFaultInItsDeclaration) {
           .find("no function `bool isShadowed"),
       std::string::npos);
   EXPECT_THROW(methodFile(shaderFolder(), "no-such-method"), InputError);
+}
+
+std::string declared(const std::string& lines, const std::string& code = {}) {
+  return "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n" + lines +
+         "\n*/\nbool isShadowed(Pixel pixel, LocalLight light) { return false; }\n" + code;
+}
+
+TEST(Method, DeclaresPassesMeshAndItsAuthorsNumbers) {
+  const MethodFile plain(declared(""));
+  const Method none = readMethod(plain.path());
+  EXPECT_FALSE(none.passes.texture || none.passes.lightDepth || none.passes.shadowVolumes);
+  EXPECT_EQ(none.passes.count(), 1);
+  EXPECT_EQ(none.mesh, DrawnMesh::base);
+  EXPECT_FALSE(none.subdivisions.has_value());
+  EXPECT_FALSE(none.azimuths.has_value());
+
+  const MethodFile file(
+      declared("tables = [\"surface-angles\", \"ellipse\"]\n"
+               "passes = [\"texture\", \"light-depth\", \"shadow-volumes\"]\n"
+               "mesh = \"displaced\"\nsubdivisions = 9\nazimuths = 8\n"
+               "[parameters.depth_side]\ndefault = 64\nminimum = 1\nmaximum = 99",
+               "float resolveTexel(Pixel pixel) { return 0.0; }\n"));
+  const Method all = readMethod(file.path());
+  EXPECT_TRUE(all.passes.texture && all.passes.lightDepth && all.passes.shadowVolumes);
+  EXPECT_EQ(all.passes.count(), 5);  // depth and volumes are two
+  EXPECT_EQ(all.mesh, DrawnMesh::displaced);
+  EXPECT_EQ(all.subdivisions, 9);
+  EXPECT_EQ(all.azimuths, 8);
+  EXPECT_TRUE(all.tables.surfaceAngles && all.tables.ellipse);
+  EXPECT_FALSE(all.tables.angles || all.tables.horizon);
+
+  const MethodFile base(declared("mesh = \"base\""));
+  EXPECT_EQ(readMethod(base.path()).mesh, DrawnMesh::base);
+}
+
+TEST(Method, NamesTheLineOfAFaultInItsPassesMeshOrNumbers) {
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"passes = [\"txture\"]",
+       ".glsl:4: pass `txture`, expected texture, light-depth, shadow-volumes"},
+      {"tables = []\npasses = \"texture\"", ".glsl:5: `passes`: a list expected"},
+      {"passes = [3]", ".glsl:4: pass ``"},
+      {"mesh = \"fine\"", ".glsl:4: mesh `fine`, expected base or displaced"},
+      {"\nmesh = 3", ".glsl:5: mesh"},
+      {"subdivisions = 0", ".glsl:4: `subdivisions`: a whole number from 1 to 1024 expected"},
+      {"subdivisions = 1025", ".glsl:4: `subdivisions`"},
+      {"subdivisions = 2.5", ".glsl:4: `subdivisions`"},
+      {"\n\nazimuths = -8", ".glsl:6: `azimuths`: a whole number from 1 to 1024 expected"},
+      {"azimuths = \"8\"", ".glsl:4: `azimuths`"},
+      {"passes = [\"light-depth\"]", ": pass `light-depth` needs the parameter depth_side"},
+      {"passes = [\"shadow-volumes\"]", ": pass `shadow-volumes` needs mesh = \"displaced\""},
+      {"passes = [\"texture\"]", ": pass `texture` needs the function `float resolveTexel"},
+      {"tables = [\"angles\", \"surface-angles\"]",
+       ": tables `angles` and `surface-angles`, one expected"},
+  };
+  for (const auto& [lines, message] : faults) {
+    const std::string error = errorOf(declared(lines));
+    EXPECT_NE(error.find(message), std::string::npos) << lines << "\n" << error;
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 0) << error;
+    EXPECT_NE(error.find(".glsl:"), std::string::npos) << error;
+    EXPECT_EQ(error.find(".glsl:0"), std::string::npos) << error;
+  }
+}
+
+TEST(Method, EveryShippedMethodCompilesAndOneMayLeaveAnythingOut) {
+  const GlContext gl;
+  const fs::path shaders = shaderFolder();
+  for (const std::string& name : methodNames(shaders)) {
+    const Method method = readMethod(methodFile(shaders, name));
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+      EXPECT_NO_THROW(MethodPass(shaders, method, wrap, TableFilter::exact, {})) << name;
+      EXPECT_NO_THROW(MethodPass(shaders, method, wrap, TableFilter::hardware, {})) << name;
+    }
+  }
+}
+
+TEST(MethodPass, TexturePassLeavesOutTexelsThatTheSurfaceDoesNotHave) {
+  const GlContext gl;
+  const MethodFile file(
+      "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\npasses = [\"texture\"]\n*/\n"
+      "float resolveTexel(Pixel pixel) { return 1.0; }\n"
+      "bool isShadowed(Pixel pixel, LocalLight light) { return resolvedAt(pixel.texel) != 1.0; "
+      "}\n");
+  // The chart ends at 11.4 of 16 texels: the centre of texel 11 lies beyond.
+  Cage cage = makePlane(16, 16, 4, 4);
+  for (Vec2& uv : cage.uvs) uv *= 11.4 / 16;
+  cage.grid.reset();
+  const test::RenderScene scene(cage, test::flatRelief(16, 16), {4, 4}, TableBits::eight);
+  EXPECT_EQ(scene.texture.width, 12);
+  const RenderView view = atlasView(scene.surface, 20);
+  EXPECT_EQ(test::shareShadowed(scene.answer(readMethod(file.path()), view, {0, 0, 1})), 0);
+}
+
+TEST(MethodPass, TexturePassNeedsNoTables) {
+  const GlContext gl;
+  // What the texture pass leaves comes back between texels as bilinear values, in any number of
+  // bits.
+  const MethodFile file(
+      "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\npasses = [\"texture\"]\n*/\n"
+      "float resolveTexel(Pixel pixel) { return floor(pixel.texel.x) / 16.0; }\n"
+      "bool isShadowed(Pixel pixel, LocalLight light) {\n"
+      "  float expected = clamp((pixel.texel.x - 0.5) / 16.0, 0.0, 15.0 / 16.0);\n"
+      "  return abs(resolvedAt(pixel.texel) - expected) > 1e-6;\n}\n");
+  const Method method = readMethod(file.path());
+  const test::RenderScene scene(makePlane(16, 16, 4, 4), test::flatRelief(16, 16), {4, 4},
+                                TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 20);
+  EXPECT_EQ(test::shareShadowed(scene.answer(method, view, {0, 0, 1})), 0);
+  // 16² texels of a value and of a mark that the texel is there, each a float.
+  const MethodPass pass(shaderFolder(), method, Wrap::clamp, TableFilter::exact, {});
+  EXPECT_EQ(pass.passBytes(scene.drawing({0, 0, 1}), {}), 16U * 16 * 2 * 4);
 }
 
 TEST(MethodPass, NamesFileAndLineThatDoNotCompile) {

@@ -1,10 +1,16 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "relief/angle_table.h"
+#include "relief/displaced_mesh.h"
 #include "relief/horizon_bake.h"
+#include "relief/horizon_ellipses.h"
 #include "relief/relief.h"
 #include "relief/stored_table.h"
 #include "render/gl_context.h"
@@ -28,13 +34,15 @@ class RenderScene {
         horizon(storeTable(tables.horizon, bits)),
         distance(storeTable(tables.distance, bits)),
         mesh(makeBaseMesh(surface, relief.texelsPerUv(), subdivisions)),
+        texture(textureView(mesh)),
+        bits_(bits),
         gpuMesh_(mesh),
         gpuHeights_(relief.field),
         gpuHorizon_(horizon, tables.width, tables.height, tables.azimuths, tables.wrap),
         gpuDistance_(distance, tables.width, tables.height, tables.azimuths, tables.wrap) {}
 
   [[nodiscard]] Drawing drawing(const Vec3& light) const {
-    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, light};
+    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, light, nullptr, &texture};
   }
 
   [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
@@ -47,7 +55,19 @@ class RenderScene {
                             TableFilter filter = TableFilter::exact,
                             const std::map<std::string, double>& parameters = {}) const {
     const MethodPass pass(shaderFolder(), method, relief.field.wrap(), filter, parameters);
-    return pass.render(view, drawing(light), {&gpuHorizon_, &gpuDistance_});
+    GpuTables gpu{&gpuHorizon_, &gpuDistance_};
+    std::optional<GpuAngles> angles;
+    std::optional<GpuTable> ellipses;
+    if (method.tables.angles) angles.emplace(horizonAngles(tables, angleLimit), bits_);
+    if (method.tables.surfaceAngles) angles.emplace(surfaceAngles.value(), bits_);
+    if (method.tables.ellipse) {
+      const EllipseTable fit = fitEllipses(tables);
+      ellipses.emplace(storeTable(fit.values, bits_), fit.width, fit.height, EllipseTable::layers,
+                       fit.wrap);
+    }
+    if (angles) gpu.angles = &*angles;
+    if (ellipses) gpu.ellipse = &*ellipses;
+    return pass.render(view, drawing(light), gpu);
   }
 
   [[nodiscard]] SampleGrid samples(const RenderView& view) const {
@@ -60,12 +80,50 @@ class RenderScene {
   StoredTable horizon;
   StoredTable distance;
   BaseMesh mesh;
+  RenderView texture;                       ///< all unique texels
+  double angleLimit = pi / 2;               ///< of horizon angles
+  std::optional<AngleTable> surfaceAngles;  ///< for methods that read them
 
  private:
+  TableBits bits_;
   GpuMesh gpuMesh_;
   GpuHeights gpuHeights_;
   GpuTable gpuHorizon_;
   GpuTable gpuDistance_;
+};
+
+/// A surface as real geometry on the GPU.
+class DisplacedScene {
+ public:
+  DisplacedScene(const Cage& cage, Relief heights, int subdivisions)
+      : surface(cage),
+        relief(std::move(heights)),
+        displaced(makeDisplacedMesh(surface, relief, subdivisions)),
+        gpuMesh_(displaced.mesh),
+        gpuVolumes_(displaced),
+        gpuHeights_(relief.field) {}
+
+  [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
+                            const std::map<std::string, double>& parameters = {}) const {
+    const Method read = readMethod(methodFile(shaderFolder(), method));
+    const MethodPass pass(shaderFolder(), read, relief.field.wrap(), TableFilter::exact,
+                          parameters);
+    return pass.render(
+        view, {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, light, &gpuVolumes_}, {});
+  }
+
+  [[nodiscard]] SampleGrid samples(const RenderView& view) const {
+    return SamplesPass(shaderFolder()).render(view, gpuMesh_);
+  }
+
+  LimitSurface surface;
+  Relief relief;
+  DisplacedMesh displaced;
+
+ private:
+  GpuMesh gpuMesh_;
+  GpuVolumes gpuVolumes_;
+  GpuHeights gpuHeights_;
 };
 
 /// Share of samples on which two masks of one view differ.

@@ -30,7 +30,8 @@ struct MethodTables {
 
 /// Which passes a method needs before the one that answers.
 struct MethodPasses {
-  /// `resolveTexel` for every texel of the surface, in the texture's own plane.
+  /// `resolveTexel` for every texel of the surface, in the texture's own plane; kept in the bits of
+  /// the horizon angles that the method reads, as floats where it reads none.
   bool texture = false;
   /// The mesh's depth seen from the light, in a map of `depth_side` texels a side: a parameter that
   /// such a method must have.

@@ -81,6 +81,11 @@ std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& met
   return pieces;
 }
 
+/// A texture pass keeps its values in the bits of the angles that it reads; without any, in floats.
+TableBits resolvedBits(const GpuTables& tables) {
+  return tables.angles != nullptr ? tables.angles->bits() : TableBits::thirtyTwo;
+}
+
 GLenum resolvedFormat(TableBits bits) {
   if (bits == TableBits::eight) return GL_RG8;
   return bits == TableBits::sixteen ? GL_RG16 : GL_RG32F;
@@ -123,7 +128,7 @@ std::uint64_t MethodPass::passBytes(const Drawing& drawing, const GpuTables& tab
   if (passes_.texture) {
     bytes += static_cast<std::uint64_t>(drawing.texture->width) *
              static_cast<std::uint64_t>(drawing.texture->height) *
-             static_cast<std::uint64_t>(bytesPerResolved(tables.angles->bits()));
+             static_cast<std::uint64_t>(bytesPerResolved(resolvedBits(tables)));
   }
   if (passes_.lightDepth) {
     const auto side = static_cast<std::uint64_t>(depthSide());
@@ -146,9 +151,8 @@ class MethodPass::Frame {
       if (drawing.texture == nullptr) {
         throw InternalError(fmt::format("method {} got no texture plane", pass.name_));
       }
-      require(tables.angles, "angles");
       resolved_.emplace(drawing.texture->width, drawing.texture->height,
-                        std::vector<GLenum>{resolvedFormat(tables.angles->bits())});
+                        std::vector<GLenum>{resolvedFormat(resolvedBits(tables))});
     }
     if (pass.lightDepth_) {
       const double side = pass.depthSide();

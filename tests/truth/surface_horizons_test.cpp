@@ -1,0 +1,220 @@
+#include "truth/surface_horizons.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "relief/patterns.h"
+#include "surface/texel_frame.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::flatRelief;
+using test::sampleAt;
+using test::stepRelief;
+
+constexpr double precision = 1e-3;  // as stated: radians
+
+struct HorizonScene {
+  LimitSurface surface;
+  Relief relief;
+  MicroMesh mesh;
+  MicroScene scene;
+
+  HorizonScene(const Cage& cage, Relief heights, double stepTexels)
+      : surface(cage),
+        relief(std::move(heights)),
+        mesh(surface, relief, {stepTexels, 0}),
+        scene(mesh) {}
+
+  /// Of texel centres x0 … x0 + columns - 1 by y0 … y0 + rows - 1.
+  [[nodiscard]] AngleTable shoot(int x0, int y0, int columns, int rows, int azimuths,
+                                 double limit) const {
+    SampleGrid texels{columns, rows, {}};
+    for (int y = y0 + rows - 1; y >= y0; --y) {
+      for (int x = x0; x < x0 + columns; ++x) {
+        texels.samples.push_back(sampleAt(surface, relief, Vec2(x, y) + 0.5));
+      }
+    }
+    return shootHorizons(surface, relief, mesh, scene, texels, azimuths, limit);
+  }
+};
+
+TEST(SurfaceHorizons, BesideABoxAreItsElevation) {
+  // A box 8 × 8, 6 high; its top ends at 31.5 and 24.5 toward +x, at 16.5 … 24.5 in y.
+  const HorizonScene scene(
+      makePlane(64, 40, 8, 5),
+      stepRelief(64, 40, 6, [](int i, int j) { return i >= 24 && i < 32 && j >= 16 && j < 24; }),
+      0.5);
+  const AngleTable table = scene.shoot(33, 20, 28, 1, 4, pi / 2);
+  EXPECT_EQ(table.width, 28);
+  EXPECT_EQ(table.height, 1);
+  for (int i = 0; i < 28; ++i) {
+    const double expected = std::atan2(33.5 + i - 31.5, 6);
+    const auto at = [&](int m) { return table.angles[static_cast<std::size_t>(m * 28 + i)]; };
+    EXPECT_LE(at(2), expected + 1e-5) << i;
+    EXPECT_GE(at(2), expected - precision - 1e-5) << i;
+    for (const int m : {0, 1, 3}) EXPECT_NEAR(at(m), pi / 2, 1e-6);
+  }
+}
+
+TEST(SurfaceHorizons, RowsAndAzimuthsRunAsTheMapDoes) {
+  // Highest where x is least and y is greatest: the first of four texels along x, the last along y.
+  const HorizonScene scene(makePlane(16, 16, 4, 4),
+                           stepRelief(16, 16, 9, [](int i, int j) { return i < 4 && j >= 12; }),
+                           0.5);
+  const AngleTable table = scene.shoot(0, 0, 16, 16, 8, pi / 2);
+  const auto angle = [&](int x, int y, int m) {
+    return table.angles[static_cast<std::size_t>((m * 16 + y) * 16 + x)];
+  };
+  EXPECT_NEAR(angle(10, 13, 4), std::atan2(10.5 - 3.5, 9), precision + 1e-5);
+  EXPECT_NEAR(angle(1, 5, 2), std::atan2(12.5 - 5.5, 9), precision + 1e-5);
+  EXPECT_NEAR(angle(8, 8, 3), std::atan2((12.5 - 8.5) * std::sqrt(2), 9), 0.2);
+  EXPECT_NEAR(angle(10, 13, 0), pi / 2, 1e-6);
+  EXPECT_NEAR(angle(10, 2, 4), pi / 2, 1e-6);
+}
+
+TEST(SurfaceHorizons, BareSphereEndsAtItsTangentPlane) {
+  const HorizonScene scene(makeSphere(40, 1.6, 1.2, 40, 32), flatRelief(64, 48), 0.125);
+  for (const double limit : {pi / 2, pi}) {
+    const AngleTable table = scene.shoot(8, 8, 48, 32, 8, limit);
+    for (const float angle : table.angles) {
+      EXPECT_LE(angle, static_cast<float>(limit));
+      // A facet of 0.125 world units is tilted by up to 0.125 / 40 / √2 from its middle's normal.
+      ASSERT_NEAR(angle, pi / 2, 0.003 + precision);
+    }
+  }
+}
+
+TEST(SurfaceHorizons, LessThanAHalfTurnIsKeptToItsLimit) {
+  const HorizonScene scene(makeSphere(40, 1.6, 1.2, 40, 32), flatRelief(64, 48), 0.5);
+  for (const float angle : scene.shoot(30, 20, 2, 2, 8, 0.7).angles) EXPECT_FLOAT_EQ(angle, 0.7F);
+}
+
+/// Eq. (3) of Onoue, Max & Nishita 2004: 90° + arccos(R / (R + h)).
+TEST(SurfaceHorizons, TipOfAPinSeesBelowItsTangentPlane) {
+  for (const double height : {2.0, 5.0, 9.0}) {
+    constexpr double radius = 60;
+    const HorizonScene scene(
+        makeSphere(radius, 2, 2, 40, 40),
+        stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; }), 0.2);
+    // The tip's own facet falls toward greater x and y: of eight azimuths it faces the second.
+    const AngleTable table = scene.shoot(40, 40, 1, 1, 8, pi);
+    const double kappa = 1 / radius;
+    EXPECT_NEAR(table.angles[1], pi / 2 + std::acos(1 / (1 + kappa * height)), 2 * precision);
+    EXPECT_NEAR(scene.shoot(40, 40, 1, 1, 8, pi / 2).angles[1], pi / 2, 1e-6);
+  }
+}
+
+TEST(SurfaceHorizons, OnAPlaneAreTheFlatReliefs) {
+  // Cosines of x and of y added: flat inside each cell, so that facets are the relief itself.
+  const Relief relief{makeCosine(48, 48, {12}, 6, Wrap::clamp), HeightSpace::world, Vec2(1)};
+  const HorizonTables baked = bakeHorizons(relief.field, {16, 200});
+  const AngleTable flat = horizonAngles(baked, pi / 2);
+  const HorizonScene scene(makePlane(48, 48, 8, 8), relief, 0.5);
+  const AngleTable shot = scene.shoot(0, 0, 48, 48, 16, pi / 2);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < shot.angles.size(); ++i) {
+    // Four facets meet at a texel's centre, and a ray starts from one of them. Left out is where
+    // one of these slopes is the horizon.
+    const auto x = static_cast<int>(i % 48);
+    const auto y = static_cast<int>(i / 48 % 48);
+    const double azimuth = 2 * pi * static_cast<double>(i / (48 * 48)) / 16;
+    const HeightField& h = relief.field;
+    const auto steepest = [](double along, double before, double here, double after) {
+      return std::max(along * (here - before), along * (after - here));
+    };
+    const double facet =
+        steepest(std::cos(azimuth), h.texel(x - 1, y), h.texel(x, y), h.texel(x + 1, y)) +
+        steepest(std::sin(azimuth), h.texel(x, y - 1), h.texel(x, y), h.texel(x, y + 1));
+    if (baked.distance[i] < 1.5F || flat.angles[i] > 1.5F || facet > baked.horizon[i]) continue;
+    // Nor does the plane go on beyond its border, as the map does.
+    const Vec2 occluder =
+        Vec2(x, y) + double{baked.distance[i]} * Vec2(std::cos(azimuth), std::sin(azimuth));
+    if (glm::any(glm::lessThan(occluder, Vec2(0))) ||
+        glm::any(glm::greaterThan(occluder, Vec2(47)))) {
+      continue;
+    }
+    ++compared;
+    EXPECT_LE(shot.angles[i], flat.angles[i] + 1e-3);
+    EXPECT_GE(shot.angles[i], flat.angles[i] - precision - 1e-3);
+  }
+  EXPECT_GT(compared, shot.angles.size() / 5);
+}
+
+/// In the hole of a torus the far side stands before the sky: light comes through a gap, or not at
+/// all.
+TEST(SurfaceHorizons, InATorussHoleAreTheLowestRaysThatEscape) {
+  const HorizonScene scene(makeTorus(30, 14, 64, 64), flatRelief(64, 64), 0.25);
+  constexpr int azimuths = 48;
+  const AngleTable table = scene.shoot(20, 2, 1, 1, azimuths, pi / 2);
+  const SurfaceSample sample = sampleAt(scene.surface, scene.relief, {20.5, 2.5});
+  const TexelFrame frame = texelFrame(scene.surface.evaluate(sample.face, sample.s, sample.t),
+                                      scene.relief.texelsPerUv());
+  const Facet facet = scene.mesh.facet(sample.face, sample.s, sample.t);
+  int gaps = 0;
+  for (int m = 0; m < azimuths; ++m) {
+    const double azimuth = 2 * pi * m / azimuths;
+    const Vec3 tangent =
+        glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
+    // From the tangent plane upward, by a twentieth of a degree: the first ray that escapes, and
+    // how far on rays escape.
+    double first = -1;
+    double width = 0;
+    for (double off = 90; off >= 0; off -= 0.05) {
+      const Vec3 direction =
+          std::cos(radians(off)) * frame.normal + std::sin(radians(off)) * tangent;
+      const bool free = glm::dot(direction, facet.normal) > 0 &&
+                        !scene.scene.occluded(facet.point + 1e-4 * facet.normal, direction);
+      if (free && first < 0) first = off;
+      if (free) width = first - off;
+      if (!free && first >= 0) break;
+    }
+    const double found = table.angles[static_cast<std::size_t>(m)];
+    if (first < 0) {
+      EXPECT_EQ(found, 0) << m;
+    } else if (width > 4) {
+      EXPECT_NEAR(found, radians(first), precision + radians(0.06)) << m;
+      gaps += first < 85 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(gaps, 3);
+}
+
+TEST(SurfaceHorizons, TexelWithoutASampleGetsTheLimit) {
+  const HorizonScene scene(makePlane(8, 8, 2, 2), flatRelief(8, 8), 0.5);
+  const SampleGrid none{2, 1, {SurfaceSample{}, SurfaceSample{}}};
+  const AngleTable table =
+      shootHorizons(scene.surface, scene.relief, scene.mesh, scene.scene, none, 3, 1.25);
+  EXPECT_EQ(table.angles, std::vector<float>(6, 1.25F));
+}
+
+TEST(SurfaceHorizons, OneRayMeetsWhatAPacketMeets) {
+  const HorizonScene scene(makeTorus(30, 10, 66, 66), test::randomRelief(96, 66, 2, 7), 0.5);
+  std::size_t hits = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Vec3 direction = test::lightToward(9.0 * k, 7.0 * (k % 13) - 40);
+    RayPacket packet;
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
+      const auto turn = static_cast<double>(i);
+      packet.origins.at(i) =
+          Vec3(45 * std::sin(turn), 20 * std::cos(3 * turn), 45 * std::cos(turn));
+      packet.lengths.at(i) = std::numeric_limits<double>::infinity();
+      packet.active.at(i) = true;
+    }
+    const auto met = scene.scene.occluded(packet, direction);
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
+      EXPECT_EQ(scene.scene.occluded(packet.origins.at(i), direction), met.at(i));
+      EXPECT_EQ(scene.scene.nearest(packet.origins.at(i), direction).has_value(), met.at(i));
+      hits += met.at(i) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 50U);
+  EXPECT_LT(hits, 590U);
+}
+
+}  // namespace
+}  // namespace gnomon
