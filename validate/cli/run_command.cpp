@@ -12,6 +12,7 @@
 #include "common/memory.h"
 #include "relief/table_file.h"
 #include "render/gl_context.h"
+#include "report/budget_files.h"
 #include "report/folder_writer.h"
 #include "report/gnuplot.h"
 #include "report/metrics_csv.h"
@@ -55,7 +56,7 @@ std::vector<StudyPlan> readPlans(const RunRequest& request) {
 
 /// What tells of a whole run in its folder, or in a sweep's.
 constexpr std::array reportFiles = {"summary.json", "metrics.csv", "report.html", "sweep.csv",
-                                    "sweep.svg"};
+                                    "sweep.svg",    "budget.csv"};
 constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
 
 void removeFiles(const fs::path& folder, std::span<const char* const> names) {
@@ -96,6 +97,7 @@ void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size
   record.claims = judgeClaims(study.claims, records, own);
   const fs::path folder = out / record.name;
   writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
+  if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
   writeTextAtomically(folder / "report.html", reportHtml(record, folder));
   writeTextAtomically(folder / "summary.json", summaryJson(record));
 }
