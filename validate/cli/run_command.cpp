@@ -55,8 +55,8 @@ std::vector<StudyPlan> readPlans(const RunRequest& request) {
 }
 
 /// What tells of a whole run in its folder, or in a sweep's.
-constexpr std::array reportFiles = {"summary.json", "metrics.csv", "report.html", "sweep.csv",
-                                    "sweep.svg",    "budget.csv"};
+constexpr std::array reportFiles = {"summary.json", "metrics.csv", "report.html",
+                                    "sweep.csv",    "sweep.svg",   "budget.csv"};
 constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
 
 void removeFiles(const fs::path& folder, std::span<const char* const> names) {

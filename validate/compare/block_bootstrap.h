@@ -13,7 +13,7 @@ namespace gnomon {
 /// sample alone is no independent observation; a block larger than the features of the error
 /// nearly is.
 struct BlockErrors {
-  std::vector<double> wrong;   ///< weight of the samples on which mask and truth differ, one a block
+  std::vector<double> wrong;  ///< weight of the samples on which mask and truth differ, one a block
   std::vector<double> weight;  ///< weight of all samples, one a block; 0 for one without any
 
   /// Σ wrong / Σ weight, the error rate; 0 without any sample.
@@ -50,12 +50,13 @@ struct BootstrapSettings {
   std::uint64_t seed = 1978;
 };
 
-/// The confidence interval of before.rate() - after.rate(), two answers at the same samples: the block
-/// bootstrap (Efron 1979; of blocks, Künsch 1989). As many blocks as there are are drawn with
+/// The confidence interval of before.rate() - after.rate(), two answers at the same samples: the
+/// block bootstrap (Efron 1979; of blocks, Künsch 1989). As many blocks as there are are drawn with
 /// replacement, the same ones for both answers, so that what they have in common cancels; the
 /// interval is that between the percentiles of the differences of all resamples.
 /// The same input gives the same bits: the generator and what is made of its numbers are fixed.
-/// @throws InternalError where the blocks of both differ in number, fewer than two hold a sample, or
+/// @throws InternalError where the blocks of both differ in number, fewer than two hold a sample,
+/// or
 ///   the settings have no resample or a confidence outside 0 to 1
 Interval differenceInterval(const BlockErrors& before, const BlockErrors& after,
                             const BootstrapSettings& settings = {});

@@ -13,16 +13,18 @@
 namespace gnomon {
 namespace {
 
-/// Paul Tol's "muted" scheme, in an order that sets light beside dark; then what is left.
-constexpr std::array<const char*, 9> colours = {"#332288", "#88ccee", "#117733", "#ddcc77", "#cc6677",
-                                                "#44aa99", "#882255", "#999933", "#aa4499"};
+/// Paul Tol's "muted" scheme in an order that sets light beside dark, and one of his oranges; then
+/// what is left.
+constexpr std::array<const char*, 10> colours = {"#332288", "#88ccee", "#117733", "#ddcc77",
+                                                 "#cc6677", "#44aa99", "#882255", "#999933",
+                                                 "#aa4499", "#ee7733"};
 constexpr const char* distantColour = "#111111";
 constexpr const char* otherColour = "#bbbbbb";
 constexpr const char* distantName = "left: distant occluders";
 constexpr const char* otherName = "left: other";
 
 constexpr double pageWidth = 1000;
-constexpr double labelWidth = 190;
+constexpr double labelWidth = 240;
 constexpr double valueWidth = 70;
 constexpr double barHeight = 24;
 constexpr double rowHeight = 30;
@@ -99,7 +101,8 @@ class Chart {
 
   [[nodiscard]] std::string svg() const {
     return fmt::format(
-        "<svg class=\"budget\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"Error of each "
+        "<svg class=\"budget\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"Error of "
+        "each "
         "method by cause; the table holds the same figures\">\n{}</svg>\n",
         pageWidth, height_, content_);
   }
@@ -116,8 +119,8 @@ class Chart {
 
   void line(const char* kind, double x, double top, double bottom) {
     content_ += fmt::format(
-        "<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{3:.1f}\"/>\n", kind, x,
-        top, bottom);
+        "<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{3:.1f}\"/>\n", kind,
+        x, top, bottom);
   }
 
   void axis() {
@@ -125,7 +128,8 @@ class Chart {
     const double step = tickStep(span_.high - span_.low);
     for (double k = std::ceil(span_.low / step); k * step <= span_.high; ++k) {
       line(k == 0 ? "zero" : "tick", place(k * step), 0, bottom);
-      text(place(k * step), bottom + 16, "number", fmt::format("{:g} %", 100 * k * step));
+      text(place(k * step), bottom + 16, "number",
+           fmt::format("{:g} %", k == 0 ? 0 : 100 * k * step));
     }
   }
 
@@ -155,19 +159,21 @@ class Chart {
         100 * requireFinite(piece.share, "budget.share"));
     constexpr double roomForNumber = 16;
     if (width < roomForNumber) return;
-    content_ += fmt::format(
-        "<text class=\"part\" x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n",
-        place(from) + width / 2, top + barHeight / 2 + 5, isDark(part.colour) ? "#fff" : "#000",
-        piece.part + 1);
+    content_ +=
+        fmt::format("<text class=\"part\" x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n",
+                    place(from) + width / 2, top + barHeight / 2 + 5,
+                    isDark(part.colour) ? "#fff" : "#000", piece.part + 1);
   }
 
   static bool isDark(const std::string& colour) {
-    const auto channel = [&](std::size_t at) { return std::stoi(colour.substr(at, 2), nullptr, 16); };
+    const auto channel = [&](std::size_t at) {
+      return std::stoi(colour.substr(at, 2), nullptr, 16);
+    };
     return 299 * channel(1) + 587 * channel(3) + 114 * channel(5) < 128'000;
   }
 
   static std::string fitted(const std::string& label) {
-    constexpr std::size_t longest = 17;
+    constexpr std::size_t longest = 20;
     return displayWidth(label) > longest ? fitLeft(label, longest) : label;
   }
 

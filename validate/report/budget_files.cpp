@@ -29,8 +29,8 @@ Json stateJson(const BudgetState& state) {
           {"false_light", jsonNumber(state.falseLight, "budget.false_light")}};
 }
 
-std::string partLine(const BudgetRecord& budget, const std::string& part, const BudgetShare& forward,
-                     const BudgetShare& backward) {
+std::string partLine(const BudgetRecord& budget, const std::string& part,
+                     const BudgetShare& forward, const BudgetShare& backward) {
   std::vector<std::string> cells = {budget.method, budget.view, budget.light, part};
   for (const BudgetShare* share : {&forward, &backward}) {
     cells.push_back(exactText(share->value));

@@ -12,8 +12,8 @@ namespace gnomon {
 /// and the error_rate, false_shadow and false_light of every state, forward and backward.
 Json jsonBudget(const BudgetRecord& budget);
 
-/// One row a method, light and part of its error: "total", the causes, "distant" and "other". What is
-/// not a cause has one share, written as forward and backward alike.
+/// One row a method, light and part of its error: "total", the causes, "distant" and "other". What
+/// is not a cause has one share, written as forward and backward alike.
 std::string budgetCsv(const StudyRecord& record);
 
 }  // namespace gnomon

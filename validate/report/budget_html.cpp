@@ -18,9 +18,8 @@ namespace {
 
 std::string shareCells(const BudgetShare& share) {
   const std::string value = signedPercent(share.value);
-  return numberCell(share.distinguishable
-                        ? "<b>" + value + "</b>"
-                        : fmt::format("<span class=\"quiet\">{} ≈</span>", value),
+  return numberCell(share.distinguishable ? "<b>" + value + "</b>"
+                                          : fmt::format("<span class=\"quiet\">{} ≈</span>", value),
                     share.distinguishable ? "" : "not distinguishable from none") +
          numberCell(fmt::format("<small>{}</small>", intervalText(share.interval)));
 }

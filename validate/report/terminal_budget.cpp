@@ -29,8 +29,8 @@ std::string shareCells(const BudgetShare& share) {
 std::string head() {
   std::string cells;
   for (const char* order : {"forward", "backward"}) {
-    cells += fitRight(order, shareWidth) + std::string(markWidth, ' ') +
-             fitRight("95 %", intervalWidth);
+    cells +=
+        fitRight(order, shareWidth) + std::string(markWidth, ' ') + fitRight("95 %", intervalWidth);
   }
   return rowText("cause", cells);
 }

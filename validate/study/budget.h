@@ -32,9 +32,9 @@ struct BudgetCase {
   double uncertainty = 0;  ///< of the truth
 };
 
-/// Attributes an error to its causes: the share of a cause is the error rate before it is undone less
-/// that after, and what is left at the end is split by the region `distant`. By construction the
-/// shares of either order and the rest add up to the error rate of the first state.
+/// Attributes an error to its causes: the share of a cause is the error rate before it is undone
+/// less that after, and what is left at the end is split by the region `distant`. By construction
+/// the shares of either order and the rest add up to the error rate of the first state.
 /// @param forward, backward  errors of the ladder's states
 /// @throws InternalError where their number is not that of the causes and one more, and as
 ///   differenceInterval

@@ -12,8 +12,9 @@ namespace gnomon {
 /// worse: two wrongs of a method may cancel.
 struct BudgetShare {
   double value = 0;
-  Interval interval;          ///< 95 %, by the block bootstrap
-  bool distinguishable = false;  ///< from none: beyond the truth's uncertainty, and no 0 in the interval
+  Interval interval;  ///< 95 %, by the block bootstrap
+  bool distinguishable =
+      false;  ///< from none: beyond the truth's uncertainty, and no 0 in the interval
 };
 
 /// What one cause takes of a method's error when it is undone.
@@ -36,13 +37,13 @@ struct BudgetState {
 struct BudgetRecord {
   std::string method;  ///< a MethodRecord's label
   std::string view;
-  std::string light;         ///< its name, or "all": the mean over the study's lights
-  double uncertainty = 0;    ///< of the truth in this view, mean over these lights
-  std::size_t blocks = 0;    ///< that the bootstrap draws from
-  BudgetShare total;         ///< the method's error rate
+  std::string light;       ///< its name, or "all": the mean over the study's lights
+  double uncertainty = 0;  ///< of the truth in this view, mean over these lights
+  std::size_t blocks = 0;  ///< that the bootstrap draws from
+  BudgetShare total;       ///< the method's error rate
   std::vector<BudgetCause> causes;
-  BudgetShare distant;       ///< left, in the region `distant`: only global geometry can tell
-  BudgetShare other;         ///< left elsewhere
+  BudgetShare distant;  ///< left, in the region `distant`: only global geometry can tell
+  BudgetShare other;    ///< left elsewhere
   std::vector<BudgetState> forward;   ///< one more than there are causes
   std::vector<BudgetState> backward;  ///< likewise
 };

@@ -23,7 +23,8 @@ CauseSpec readCause(const TomlReader& rung, const std::vector<CauseSpec>& before
   CauseSpec cause{rung.text("cause"), rung.text("change", "")};
   const bool twice = std::any_of(before.begin(), before.end(),
                                  [&](const CauseSpec& other) { return other.name == cause.name; });
-  if (twice) rung.fail("cause", fmt::format("\"{}\" found twice, distinct causes expected", cause.name));
+  if (twice)
+    rung.fail("cause", fmt::format("\"{}\" found twice, distinct causes expected", cause.name));
   return cause;
 }
 
@@ -55,9 +56,10 @@ LadderSpec readLadder(const TomlReader& section, const StudySpec& study,
   }
   section.finish();
   if (!isSameMethod(ladder.forward.back(), ladder.backward.back())) {
-    section.fail("rung",
-                 "rungs change the same keys, so that forward and backward end differently; keys of "
-                 "one rung each expected");
+    section.fail(
+        "rung",
+        "rungs change the same keys, so that forward and backward end differently; keys of "
+        "one rung each expected");
   }
   return ladder;
 }
@@ -73,11 +75,12 @@ BudgetSpec readBudget(const TomlReader& root, const StudySpec& study,
       if (other.method != ladder.method) continue;
       section.fail("method", fmt::format("\"{}\" has another ladder", ladder.method));
     }
-    const bool atlas = std::any_of(study.views.begin(), study.views.end(), [](const ViewSpec& view) {
-      return std::holds_alternative<AtlasSpec>(view.kind);
-    });
+    const bool atlas = std::any_of(
+        study.views.begin(), study.views.end(),
+        [](const ViewSpec& view) { return std::holds_alternative<AtlasSpec>(view.kind); });
     if (!atlas) {
-      section.fail("method", "no [[view]] of type atlas found, where its error could be attributed");
+      section.fail("method",
+                   "no [[view]] of type atlas found, where its error could be attributed");
     }
     budget.ladders.push_back(std::move(ladder));
   }

@@ -14,7 +14,8 @@ namespace gnomon {
 /// @param root   of the file
 /// @param study  with its views and methods
 /// @param quick  views have a quarter of their side, and so have blocks
-/// @throws InputError with file, line and key: for a `[budget]` without a ladder, a ladder without an
+/// @throws InputError with file, line and key: for a `[budget]` without a ladder, a ladder without
+/// an
 ///   atlas view, two of one method, a label that no method has, a rung that changes nothing, two
 ///   of one cause, and where undoing all causes forward and backward is not the same
 BudgetSpec readBudget(const TomlReader& root, const StudySpec& study,

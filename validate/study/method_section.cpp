@@ -29,8 +29,9 @@ double checkedValue(const TomlReader& section, const Method& method, const std::
   if (found == method.parameters.end()) {
     std::vector<std::string> names;
     for (const auto& entry : method.parameters) names.push_back(entry.first);
-    section.fail(name, fmt::format("{} has no such parameter, one of {} expected", method.name,
-                                   names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    section.fail(name,
+                 fmt::format("{} has no such parameter, one of {} expected", method.name,
+                             names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
   const MethodParameter& parameter = found->second;
   if (!(value >= parameter.minimum && value <= parameter.maximum)) {
@@ -47,8 +48,7 @@ BakeSpec readBake(const TomlReader& section, BakeSpec bake) {
   bake.settings.azimuths = section.integer("azimuths", 1, 1024, bake.settings.azimuths);
   bake.settings.radiusTexels =
       section.number("radius", Range{0, 1e5, true}, bake.settings.radiusTexels);
-  bake.angleLimit =
-      radians(section.number("limit", Range{1, 180}, bake.angleLimit * 180 / pi));
+  bake.angleLimit = radians(section.number("limit", Range{1, 180}, bake.angleLimit * 180 / pi));
   const int asked = section.integer("bits", 8, 32, static_cast<int>(bake.bits));
   if (std::find(bits.begin(), bits.end(), asked) == bits.end()) {
     section.fail("bits", fmt::format("{} found, 8, 16 or 32 expected", asked));

@@ -101,9 +101,9 @@ class StudyRun {
   /// A method that only a camera can see needs one.
   void requireView(const Method& method, const std::string& label) const {
     if (!method.passes.shadowVolumes) return;
-    const bool camera = std::any_of(
-        study_.views.begin(), study_.views.end(),
-        [](const ViewSpec& view) { return std::holds_alternative<Camera>(view.kind); });
+    const bool camera =
+        std::any_of(study_.views.begin(), study_.views.end(),
+                    [](const ViewSpec& view) { return std::holds_alternative<Camera>(view.kind); });
     if (!camera) {
       throw InputError(fmt::format(
           "method \"{}\" counts shadow volumes at a camera's pixels: a [[view]] of type camera "
@@ -132,8 +132,8 @@ class StudyRun {
         if (!method.method.tables.surfaceAngles) continue;
         const RenderView& plane = method.base->texture;
         const SampleGrid texels = SamplesPass(shaders_).render(plane, method.base->gpu);
-        const HorizonScene on{surface_, study_.relief, mesh, scene, texels,
-                              {plane.texelWindow.x, plane.texelWindow.y}};
+        const HorizonScene on{surface_, study_.relief, mesh,
+                              scene,    texels,        {plane.texelWindow.x, plane.texelWindow.y}};
         method.tables.angles = &tables_.surfaceAngles(method.spec->bake, on, clock_);
       }
     }
@@ -143,8 +143,7 @@ class StudyRun {
     const auto found = bases_.find(choice);
     if (found != bases_.end()) return found->second;
     return clock_.measure("samples", [&](const Progress&) -> BaseCase& {
-      return bases_.emplace(choice, makeBaseCase(study_, surface_, choice, shaders_))
-          .first->second;
+      return bases_.emplace(choice, makeBaseCase(study_, surface_, choice, shaders_)).first->second;
     });
   }
 
@@ -269,8 +268,8 @@ class StudyRun {
         for (std::size_t m = 0; m < methods_.size(); ++m) {
           const BaseCase* base = methods_[m].base;
           if (answersIn(methods_[m], v)) {
-            masks[m] = clock_.measure(
-                "methods", [&](const Progress&) { return answer(methods_[m], v, l); });
+            masks[m] = clock_.measure("methods",
+                                      [&](const Progress&) { return answer(methods_[m], v, l); });
             clock_.measure("compare", [&](const Progress&) {
               if (!fields.contains(base)) fields.emplace(base, lightField(*base, v, l));
               compare(m, v, l, *masks[m], fields.at(base));
@@ -329,6 +328,7 @@ class StudyRun {
         for (const MethodSpec& state : *way) addState(state, ladder.method);
       }
     }
+    requireBlocks(bases_.at(standardMesh()).views[*budgetView_]);
     stateErrors_.resize(study_.lights.size());
   }
 
@@ -336,18 +336,30 @@ class StudyRun {
     if (stateOf(spec) < states_.size()) return;
     states_.push_back(prepare(spec));
     if (states_.back().method.passes.shadowVolumes) {
-      throw InputError(fmt::format(
-          "ladder \"{}\": {} counts shadow volumes at a camera's pixels, a method that answers in an "
-          "atlas expected",
-          method, states_.back().method.name));
+      throw InputError(
+          fmt::format("ladder \"{}\": {} counts shadow volumes at a camera's pixels, a method that "
+                      "answers in an "
+                      "atlas expected",
+                      method, states_.back().method.name));
     }
+  }
+
+  /// The bootstrap needs at least two blocks.
+  void requireBlocks(const ViewCase& seen) const {
+    const auto blocks = [&](int samples) {
+      return (samples + study_.budget.blockSide - 1) / study_.budget.blockSide;
+    };
+    if (blocks(seen.view.width) * blocks(seen.view.height) >= 2) return;
+    throw InputError(fmt::format(
+        "budget.block: {} samples found, less than a side of the view, {} × {}, expected",
+        study_.budget.blockSide, seen.view.width, seen.view.height));
   }
 
   /// Its index, or the number of states.
   [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const {
-    const auto found =
-        std::find_if(states_.begin(), states_.end(),
-                     [&](const MethodCase& state) { return isSameMethod(*state.spec, spec); });
+    const auto found = std::find_if(states_.begin(), states_.end(), [&](const MethodCase& state) {
+      return isSameMethod(*state.spec, spec);
+    });
     return static_cast<std::size_t>(found - states_.begin());
   }
 
@@ -371,8 +383,9 @@ class StudyRun {
                      const std::vector<std::optional<Mask>>& masks) const {
     for (const LadderSpec& ladder : study_.budget.ladders) {
       if (stateOf(ladder.forward.front()) != state) continue;
-      const auto method = std::find_if(study_.methods.begin(), study_.methods.end(),
-                                       [&](const MethodSpec& m) { return m.label == ladder.method; });
+      const auto method =
+          std::find_if(study_.methods.begin(), study_.methods.end(),
+                       [&](const MethodSpec& m) { return m.label == ladder.method; });
       const auto& own = masks[static_cast<std::size_t>(method - study_.methods.begin())];
       if (!own || own->samples == mask.samples) continue;
       std::size_t differ = 0;
@@ -429,9 +442,9 @@ class StudyRun {
     }
     BootstrapSettings bootstrap;
     bootstrap.resamples = study_.budget.resamples;
-    record_.budgets.push_back(attributeError(
-        ladder, {view, name, uncertainty / static_cast<double>(lights.size())},
-        along(ladder.forward), along(ladder.backward), bootstrap));
+    record_.budgets.push_back(
+        attributeError(ladder, {view, name, uncertainty / static_cast<double>(lights.size())},
+                       along(ladder.forward), along(ladder.backward), bootstrap));
   }
 
   // ---- cost
@@ -484,8 +497,8 @@ class StudyRun {
   PanelPictures pictures_;
   std::map<MeshChoice, BaseCase> bases_;
   std::vector<MethodCase> methods_;
-  std::vector<MethodCase> states_;         ///< of all ladders, without repetition
-  std::optional<std::size_t> budgetView_;  ///< where they are compared
+  std::vector<MethodCase> states_;                     ///< of all ladders, without repetition
+  std::optional<std::size_t> budgetView_;              ///< where they are compared
   std::vector<std::vector<StateErrors>> stateErrors_;  ///< [light][state]
   StudyRecord record_;
 };
