@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<const char*, 10> colours = {"#332288", "#88ccee", "#117733", "#ddcc77",
                                                  "#cc6677", "#44aa99", "#882255", "#999933",
                                                  "#aa4499", "#ee7733"};
-constexpr const char* distantColour = "#111111";
+constexpr const char* distantColour = "#5f5f5f";
 constexpr const char* otherColour = "#bbbbbb";
 constexpr const char* distantName = "left: distant occluders";
 constexpr const char* otherName = "left: other";
