@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "render/render_scene.h"
 #include "surface/curvature.h"
@@ -189,7 +192,8 @@ bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const 
 /// Base frames of a fine mesh are those of the limit surface up to its chords: what differs is
 /// rounding near the threshold.
 template <typename Formula>
-void expectFormula(const std::string& method, const Formula& formula) {
+void expectFormula(const Method& method, const std::map<std::string, double>& parameters,
+                   const Formula& formula) {
   for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
     Relief relief = randomRelief(64, 32, 2, 21);
     relief.space = space;
@@ -198,7 +202,7 @@ void expectFormula(const std::string& method, const Formula& formula) {
     const RenderView view = atlasView(scene.surface, 3);
     const SampleGrid samples = scene.samples(view);
     const Vec3 light = lightToward(50, 30);
-    const Mask mask = scene.answer(method, view, light);
+    const Mask mask = scene.answer(method, view, light, TableFilter::exact, parameters);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
@@ -208,8 +212,13 @@ void expectFormula(const std::string& method, const Formula& formula) {
     }
     EXPECT_GT(shareShadowed(mask), 0.2);
     EXPECT_LT(shareShadowed(mask), 0.9);
-    EXPECT_LT(static_cast<double>(differ) / static_cast<double>(mask.size()), 1e-3) << method;
+    EXPECT_LT(static_cast<double>(differ) / static_cast<double>(mask.size()), 1e-3) << method.name;
   }
+}
+
+template <typename Formula>
+void expectFormula(const std::string& method, const Formula& formula) {
+  expectFormula(readMethod(methodFile(shaderFolder(), method)), {}, formula);
 }
 
 TEST(PublishedMethods, CurvatureAwareShaderIsItsFormulaOnTheLimitSurface) {
@@ -220,6 +229,45 @@ TEST(PublishedMethods, CurvatureAwareShaderIsItsFormulaOnTheLimitSurface) {
 TEST(PublishedMethods, ExactShaderIsTheCirclesFormulaOnTheLimitSurface) {
   const GlContext gl;
   expectFormula("onoue-exact", circleHorizon);
+}
+
+/// The paper's unnumbered formula, in its own letters.
+double unreducedHorizon(const Lookups& at) {
+  const double angle = at.curvature * at.reach;
+  const double rise = at.slope * at.reach;
+  const double outer = 1 / at.curvature + at.height;
+  if (std::abs(angle) < 1e-9) return at.slope / (1 + at.curvature * at.height);
+  const double half = std::sin(angle / 2);
+  return (rise * std::cos(angle) - 2 * outer * half * half) /
+         (2 * outer * half * std::cos(angle / 2));
+}
+
+/// (2) with the occluder's height in the place of the pixel's.
+double smallAngleHorizonOfAll(const Lookups& at) {
+  const double peak = at.height + at.slope * at.reach;
+  return at.slope * (1 - at.curvature * peak) - at.curvature * at.reach / 2;
+}
+
+TEST(HorizonLadder, SwitchesAreTheirFormulasOnTheLimitSurface) {
+  const GlContext gl;
+  const Method ladder = readMethod(std::string(GNOMON_SCENES) + "/methods/horizon-ladder.glsl");
+  expectFormula(ladder, {{"angles", 1}}, unreducedHorizon);
+  expectFormula(ladder, {{"denominator", 1}}, smallAngleHorizonOfAll);
+}
+
+/// Kept in the denominator, the term makes (2) the exact form to first order in the curvature: what
+/// is left shrinks with its square. As published, (2) is not.
+TEST(HorizonLadder, TheDroppedTermIsOfFirstOrder) {
+  const auto errors = [](double curvature) {
+    const Lookups at{curvature, 3, 0.4, 10};
+    const double exact = circleHorizon(at);
+    return std::pair(std::abs(smallAngleHorizonOfAll(at) - exact),
+                     std::abs(smallAngleHorizon(at) - exact));
+  };
+  const auto [kept, dropped] = errors(1e-3);
+  const auto [keptAtHalf, droppedAtHalf] = errors(5e-4);
+  EXPECT_NEAR(kept / keptAtHalf, 4, 0.1);
+  EXPECT_NEAR(dropped / droppedAtHalf, 2, 0.1);
 }
 
 /// As the truth's own test: the ground behind a wall on a sphere, in the light's plane, is shadowed

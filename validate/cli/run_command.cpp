@@ -12,6 +12,7 @@
 #include "common/memory.h"
 #include "relief/table_file.h"
 #include "render/gl_context.h"
+#include "report/budget_files.h"
 #include "report/folder_writer.h"
 #include "report/frontier.h"
 #include "report/gnuplot.h"
@@ -55,8 +56,8 @@ std::vector<StudyPlan> readPlans(const RunRequest& request) {
 }
 
 /// What tells of a whole run in its folder, or in a sweep's.
-constexpr std::array reportFiles = {"summary.json", "metrics.csv",  "report.html", "sweep.csv",
-                                    "sweep.svg",    "frontier.svg", "frontier.csv"};
+constexpr std::array reportFiles = {"summary.json", "metrics.csv",  "report.html",  "sweep.csv",
+                                    "sweep.svg",    "frontier.svg", "frontier.csv", "budget.csv"};
 constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
 
 void removeFiles(const fs::path& folder, std::span<const char* const> names) {
@@ -103,6 +104,7 @@ void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size
     writeTextAtomically(folder / "frontier.svg", plot);
     writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
   }
+  if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
   writeTextAtomically(folder / "report.html", reportHtml(record, folder, plot));
   writeTextAtomically(folder / "summary.json", summaryJson(record));
 }

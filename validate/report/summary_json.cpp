@@ -1,5 +1,6 @@
 #include "report/summary_json.h"
 
+#include "report/budget_files.h"
 #include "report/cost.h"
 #include "report/json_values.h"
 #include "report/names.h"
@@ -117,6 +118,7 @@ std::string summaryJson(const StudyRecord& record) {
       {"timings", jsonList(record.timings, timingJson)},
       {"thresholds", jsonList(record.thresholds, thresholdJson)},
       {"claims", jsonList(record.claims, jsonClaim)},
+      {"budget", jsonList(record.budgets, jsonBudget)},
       {"panels", jsonList(record.panels, panelJson)},
       {"undefined_samples", record.undefinedSamples}};
   return jsonText(json);

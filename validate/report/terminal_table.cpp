@@ -10,6 +10,7 @@
 #include "report/cases.h"
 #include "report/cost.h"
 #include "report/number_text.h"
+#include "report/terminal_budget.h"
 #include "report/terminal_page.h"
 #include "report/text_width.h"
 #include "study/result_metrics.h"
@@ -246,6 +247,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   page.paragraph(record.source);
   appendResults(page, record);
   page.claims(record.claims);
+  appendBudgets(page, record);
   appendThresholds(page, record);
   appendCost(page, record);
   appendTimings(page, record);

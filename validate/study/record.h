@@ -8,6 +8,7 @@
 
 #include "compare/counts.h"
 #include "compare/shadow_length.h"
+#include "study/budget_record.h"
 
 namespace gnomon {
 
@@ -127,6 +128,8 @@ struct StudyRecord {
   std::vector<TimingRecord> timings;
   std::vector<ThresholdRecord> thresholds;
   std::vector<ClaimRecord> claims;
+  std::vector<BudgetRecord>
+      budgets;  ///< a ladder for all lights together, then for each of several
   std::vector<PanelRecord> panels;
   std::uint64_t undefinedSamples = 0;  ///< left out: no frame exists there
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 
 #include "common/error.h"
 #include "compare/counts.h"
@@ -16,8 +18,11 @@
 #include "render/method_pass.h"
 #include "render/passes.h"
 #include "study/base_case.h"
+#include "study/budget.h"
 #include "study/environment.h"
+#include "study/file_names.h"
 #include "study/light_field.h"
+#include "study/method_section.h"
 #include "study/panel_pictures.h"
 #include "study/table_set.h"
 #include "study/thresholds.h"
@@ -29,6 +34,7 @@ namespace {
 
 /// A method ready to be asked.
 struct MethodCase {
+  const MethodSpec* spec;
   Method method;
   MethodPass pass;
   GpuTables tables;
@@ -46,6 +52,7 @@ class StudyRun {
             clock_.measure("surface", [&](const Progress&) { return LimitSurface(study.cage); })),
         heights_(study.relief.field),
         tables_(study.relief.field),
+        writer_(writer),
         pictures_(study, heights_, shaders_, writer, clock_) {
     record_.environment = describeEnvironment(gl);
     record_.name = study.name;
@@ -56,9 +63,11 @@ class StudyRun {
 
   StudyRecord run() {
     prepareMethods();
+    prepareLadders();
     traceTruth();
     traceUncertainty();
     compareMethods();
+    attributeErrors();
     timeFrames();
     record_.thresholds = judgeThresholds(study_.thresholds, record_.results);
     record_.timings = clock_.timings();
@@ -72,23 +81,29 @@ class StudyRun {
     // The study's own base is shown and traced even where every method draws another.
     baseFor(standardMesh());
     for (const MethodSpec& spec : study_.methods) {
-      Method method = readMethod(spec.file);
-      MethodPass pass(shaders_, method, study_.relief.field.wrap(), spec.filter, spec.parameters);
-      record_.methods.push_back({spec.label, method.name, method.title, method.citation});
-      requireView(method, spec.label);
-      const GpuTables tables = prepareTables(method, spec.bake);
-      BaseCase& base = baseFor({method.mesh, spec.baseSubdivisions});
-      if (method.passes.texture || method.tables.surfaceAngles) requireTextureView(base.texture);
-      methods_.push_back({std::move(method), std::move(pass), tables, &base});
+      MethodCase prepared = prepare(spec);
+      record_.methods.push_back(
+          {spec.label, prepared.method.name, prepared.method.title, prepared.method.citation});
+      requireView(prepared.method, spec.label);
+      methods_.push_back(std::move(prepared));
     }
+  }
+
+  MethodCase prepare(const MethodSpec& spec) {
+    Method method = readMethod(spec.file);
+    MethodPass pass(shaders_, method, study_.relief.field.wrap(), spec.filter, spec.parameters);
+    const GpuTables tables = prepareTables(method, spec.bake);
+    BaseCase& base = baseFor({method.mesh, spec.baseSubdivisions});
+    if (method.passes.texture || method.tables.surfaceAngles) requireTextureView(base.texture);
+    return {&spec, std::move(method), std::move(pass), tables, &base};
   }
 
   /// A method that only a camera can see needs one.
   void requireView(const Method& method, const std::string& label) const {
     if (!method.passes.shadowVolumes) return;
-    const bool camera = std::any_of(
-        study_.views.begin(), study_.views.end(),
-        [](const ViewSpec& view) { return std::holds_alternative<Camera>(view.kind); });
+    const bool camera =
+        std::any_of(study_.views.begin(), study_.views.end(),
+                    [](const ViewSpec& view) { return std::holds_alternative<Camera>(view.kind); });
     if (!camera) {
       throw InputError(fmt::format(
           "method \"{}\" counts shadow volumes at a camera's pixels: a [[view]] of type camera "
@@ -112,13 +127,15 @@ class StudyRun {
 
   /// The tables that are shot on the displaced surface.
   void shootTables(const MicroMesh& mesh, const MicroScene& scene) {
-    for (std::size_t m = 0; m < methods_.size(); ++m) {
-      if (!methods_[m].method.tables.surfaceAngles) continue;
-      const RenderView& plane = methods_[m].base->texture;
-      const SampleGrid texels = SamplesPass(shaders_).render(plane, methods_[m].base->gpu);
-      const HorizonScene on{surface_, study_.relief, mesh, scene, texels,
-                            {plane.texelWindow.x, plane.texelWindow.y}};
-      methods_[m].tables.angles = &tables_.surfaceAngles(study_.methods[m].bake, on, clock_);
+    for (std::vector<MethodCase>* cases : {&methods_, &states_}) {
+      for (MethodCase& method : *cases) {
+        if (!method.method.tables.surfaceAngles) continue;
+        const RenderView& plane = method.base->texture;
+        const SampleGrid texels = SamplesPass(shaders_).render(plane, method.base->gpu);
+        const HorizonScene on{surface_, study_.relief, mesh,
+                              scene,    texels,        {plane.texelWindow.x, plane.texelWindow.y}};
+        method.tables.angles = &tables_.surfaceAngles(method.spec->bake, on, clock_);
+      }
     }
   }
 
@@ -126,8 +143,7 @@ class StudyRun {
     const auto found = bases_.find(choice);
     if (found != bases_.end()) return found->second;
     return clock_.measure("samples", [&](const Progress&) -> BaseCase& {
-      return bases_.emplace(choice, makeBaseCase(study_, surface_, choice, shaders_))
-          .first->second;
+      return bases_.emplace(choice, makeBaseCase(study_, surface_, choice, shaders_)).first->second;
     });
   }
 
@@ -252,8 +268,8 @@ class StudyRun {
         for (std::size_t m = 0; m < methods_.size(); ++m) {
           const BaseCase* base = methods_[m].base;
           if (answersIn(methods_[m], v)) {
-            masks[m] = clock_.measure(
-                "methods", [&](const Progress&) { return answer(methods_[m], v, l); });
+            masks[m] = clock_.measure("methods",
+                                      [&](const Progress&) { return answer(methods_[m], v, l); });
             clock_.measure("compare", [&](const Progress&) {
               if (!fields.contains(base)) fields.emplace(base, lightField(*base, v, l));
               compare(m, v, l, *masks[m], fields.at(base));
@@ -261,6 +277,7 @@ class StudyRun {
           }
           shown.push_back({base, masks[m] ? &*masks[m] : nullptr});
         }
+        if (v == budgetView_) measureStates(l, masks);
         record_.panels.push_back(pictures_.draw(v, l, bases_.at(standardMesh()), shown));
       }
     }
@@ -295,6 +312,139 @@ class StudyRun {
                      [region](Region r) { return static_cast<std::uint8_t>(r == region); });
       add(regionName(region), selected);
     }
+  }
+
+  // ---- where the errors come from
+
+  /// The states of all ladders, one for each that differs from the others.
+  void prepareLadders() {
+    if (study_.budget.ladders.empty()) return;
+    const auto atlas =
+        std::find_if(study_.views.begin(), study_.views.end(),
+                     [](const ViewSpec& v) { return std::holds_alternative<AtlasSpec>(v.kind); });
+    budgetView_ = static_cast<std::size_t>(atlas - study_.views.begin());
+    for (const LadderSpec& ladder : study_.budget.ladders) {
+      for (const auto* way : {&ladder.forward, &ladder.backward}) {
+        for (const MethodSpec& state : *way) addState(state, ladder.method);
+      }
+    }
+    requireBlocks(bases_.at(standardMesh()).views[*budgetView_]);
+    stateErrors_.resize(study_.lights.size());
+  }
+
+  void addState(const MethodSpec& spec, const std::string& method) {
+    if (stateOf(spec) < states_.size()) return;
+    states_.push_back(prepare(spec));
+    if (states_.back().method.passes.shadowVolumes) {
+      throw InputError(
+          fmt::format("ladder \"{}\": {} counts shadow volumes at a camera's pixels, a method that "
+                      "answers in an "
+                      "atlas expected",
+                      method, states_.back().method.name));
+    }
+  }
+
+  /// The bootstrap needs at least two blocks.
+  void requireBlocks(const ViewCase& seen) const {
+    const auto blocks = [&](int samples) {
+      return (samples + study_.budget.blockSide - 1) / study_.budget.blockSide;
+    };
+    if (blocks(seen.view.width) * blocks(seen.view.height) >= 2) return;
+    throw InputError(fmt::format(
+        "budget.block: {} samples found, less than a side of the view, {} × {}, expected",
+        study_.budget.blockSide, seen.view.width, seen.view.height));
+  }
+
+  /// Its index, or the number of states.
+  [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const {
+    const auto found = std::find_if(states_.begin(), states_.end(), [&](const MethodCase& state) {
+      return isSameMethod(*state.spec, spec);
+    });
+    return static_cast<std::size_t>(found - states_.begin());
+  }
+
+  /// @param masks  of the study's methods in the same view and light
+  void measureStates(std::size_t light, const std::vector<std::optional<Mask>>& masks) {
+    for (std::size_t s = 0; s < states_.size(); ++s) {
+      const ViewCase& seen = states_[s].base->views[*budgetView_];
+      const Mask mask = clock_.measure(
+          "ladders", [&](const Progress&) { return answer(states_[s], *budgetView_, light); });
+      clock_.measure("compare", [&](const Progress&) {
+        requireStarts(s, mask, masks);
+        stateErrors_[light].push_back(
+            stateErrors(mask, seen.truths[light], seen.weights, study_.budget.blockSide));
+      });
+      clock_.measure("writing", [&](const Progress&) { writer_.mask(maskPath(s, light), mask); });
+    }
+  }
+
+  /// A ladder must begin at the very method that it speaks of.
+  void requireStarts(std::size_t state, const Mask& mask,
+                     const std::vector<std::optional<Mask>>& masks) const {
+    for (const LadderSpec& ladder : study_.budget.ladders) {
+      if (stateOf(ladder.forward.front()) != state) continue;
+      const auto method =
+          std::find_if(study_.methods.begin(), study_.methods.end(),
+                       [&](const MethodSpec& m) { return m.label == ladder.method; });
+      const auto& own = masks[static_cast<std::size_t>(method - study_.methods.begin())];
+      if (!own || own->samples == mask.samples) continue;
+      std::size_t differ = 0;
+      for (std::size_t i = 0; i < mask.size(); ++i) {
+        differ += own->samples.at(i) != mask.samples[i] ? 1 : 0;
+      }
+      throw InputError(
+          fmt::format("ladder \"{}\": its first state and the method differ in {} samples, none "
+                      "expected",
+                      ladder.method, differ));
+    }
+  }
+
+  [[nodiscard]] std::string maskPath(std::size_t state, std::size_t light) const {
+    std::vector<std::string> lights;
+    for (const LightSpec& spec : study_.lights) lights.push_back(spec.name);
+    return fmt::format("masks/ladders/{}_{}.png", fileNames(lights)[light], state);
+  }
+
+  void attributeErrors() {
+    for (const LadderSpec& ladder : study_.budget.ladders) {
+      std::vector<std::size_t> lights(study_.lights.size());
+      std::iota(lights.begin(), lights.end(), 0);
+      clock_.measure("confidence", [&](const Progress&) {
+        if (lights.size() > 1) attribute(ladder, "all", lights);
+        for (const std::size_t light : lights) {
+          attribute(ladder, study_.lights[light].name, {&light, 1});
+        }
+      });
+    }
+  }
+
+  /// Over some of the lights together.
+  void attribute(const LadderSpec& ladder, const std::string& name,
+                 std::span<const std::size_t> lights) {
+    const auto along = [&](const std::vector<MethodSpec>& way) {
+      std::vector<StateErrors> errors;
+      for (const MethodSpec& spec : way) {
+        const std::size_t state = stateOf(spec);
+        errors.push_back(stateErrors_[lights.front()][state]);
+        for (const std::size_t light : lights.subspan(1)) {
+          errors.back() += stateErrors_[light][state];
+        }
+      }
+      return errors;
+    };
+    const std::string& view = study_.views[*budgetView_].name;
+    double uncertainty = 0;
+    for (const UncertaintyRecord& flip : record_.truth.flips) {
+      const bool isMeant = std::any_of(lights.begin(), lights.end(), [&](std::size_t light) {
+        return study_.lights[light].name == flip.light;
+      });
+      if (flip.view == view && isMeant) uncertainty += flip.flipRate;
+    }
+    BootstrapSettings bootstrap;
+    bootstrap.resamples = study_.budget.resamples;
+    record_.budgets.push_back(
+        attributeError(ladder, {view, name, uncertainty / static_cast<double>(lights.size())},
+                       along(ladder.forward), along(ladder.backward), bootstrap));
   }
 
   // ---- cost
@@ -343,9 +493,13 @@ class StudyRun {
   LimitSurface surface_;
   GpuHeights heights_;
   TableSet tables_;
+  RunWriter& writer_;
   PanelPictures pictures_;
   std::map<MeshChoice, BaseCase> bases_;
   std::vector<MethodCase> methods_;
+  std::vector<MethodCase> states_;                     ///< of all ladders, without repetition
+  std::optional<std::size_t> budgetView_;              ///< where they are compared
+  std::vector<std::vector<StateErrors>> stateErrors_;  ///< [light][state]
   StudyRecord record_;
 };
 

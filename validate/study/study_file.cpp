@@ -10,6 +10,8 @@
 
 #include "common/error.h"
 #include "render/method.h"
+#include "study/ladder_section.h"
+#include "study/method_section.h"
 #include "study/relief_section.h"
 #include "study/result_metrics.h"
 #include "study/surface_section.h"
@@ -22,33 +24,11 @@ namespace {
 
 constexpr int mostPixelsASide = 16384;
 
-BakeSpec readBake(const TomlReader& section, BakeSpec bake) {
-  constexpr std::array bits = {8, 16, 32};
-  bake.settings.azimuths = section.integer("azimuths", 1, 1024, bake.settings.azimuths);
-  bake.settings.radiusTexels =
-      section.number("radius", Range{0, 1e5, true}, bake.settings.radiusTexels);
-  bake.angleLimit =
-      radians(section.number("limit", Range{1, 180}, bake.angleLimit * 180 / pi));
-  const int asked = section.integer("bits", 8, 32, static_cast<int>(bake.bits));
-  if (std::find(bits.begin(), bits.end(), asked) == bits.end()) {
-    section.fail("bits", fmt::format("{} found, 8, 16 or 32 expected", asked));
-  }
-  bake.bits = static_cast<TableBits>(asked);
-  section.finish();
-  return bake;
-}
-
 /// By default occluders are searched over the longer side of the map: one whole tile.
 BakeSpec standardBake(const Relief& relief) {
   BakeSpec bake;
   bake.settings.radiusTexels = std::max(relief.field.width(), relief.field.height());
   return bake;
-}
-
-int readSubdivisions(const TomlReader& section, int fallback) {
-  const int subdivisions = section.integer("subdivisions", 1, 1024, fallback);
-  section.finish();
-  return subdivisions;
 }
 
 Camera readCamera(const TomlReader& section) {
@@ -92,42 +72,6 @@ void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
     }
   }
   section.finish();
-}
-
-/// What methods are read against.
-struct MethodDefaults {
-  fs::path folder;  ///< of the study
-  fs::path shaders;
-  BakeSpec bake;
-  int baseSubdivisions;
-};
-
-MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
-  section.requireOneOf("name", "file");
-  MethodSpec method;
-  if (section.has("file")) {
-    method.file = defaults.folder / section.text("file");
-  } else {
-    const std::string name = section.text("name");
-    method.file = section.blame("name", [&] { return methodFile(defaults.shaders, name); });
-  }
-  method.label = section.text("label", method.file.stem().string());
-  if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
-  constexpr std::array filters = {TableFilter::exact, TableFilter::hardware};
-  method.filter = filters.at(section.choice("filter", {"exact", "hardware"}, 0));
-  const Method declared = readMethod(method.file);
-  method.bake = defaults.bake;
-  if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
-  if (const auto bake = section.optionalTable("bake")) method.bake = readBake(*bake, method.bake);
-  method.baseSubdivisions = declared.subdivisions.value_or(defaults.baseSubdivisions);
-  if (const auto base = section.optionalTable("base")) {
-    method.baseSubdivisions = readSubdivisions(*base, method.baseSubdivisions);
-  }
-  if (const auto parameters = section.optionalTable("parameters")) {
-    for (const auto& [name, value] : parameters->allNumbers()) method.parameters[name] = value;
-  }
-  section.finish();
-  return method;
 }
 
 std::string readMetric(const TomlReader& section) {
@@ -250,6 +194,8 @@ void keepMethods(StudySpec& study, const std::vector<std::string>& wanted) {
   std::erase_if(study.claims, [&](const ClaimSpec& claim) {
     return isGone(claim.less) || isGone(claim.than) || isGone(claim.method);
   });
+  std::erase_if(study.budget.ladders,
+                [&](const LadderSpec& ladder) { return isGone(ladder.method); });
 }
 
 /// Names become file names.
@@ -283,6 +229,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
                   readReliefSection(relief, file.parent_path()),
                   {},
                   1,
+                  {},
                   {},
                   {},
                   {},
@@ -328,6 +275,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
       claim.fail("gain_grows", "no [sweep] found, over which a gain could grow");
     }
   }
+  study.budget = readBudget(root, study, defaults, options.quick);
   (void)root.optionalTable("sweep");
   root.finish();
   keepMethods(study, options.methods);

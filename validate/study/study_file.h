@@ -63,8 +63,9 @@ struct ThresholdSpec {
 
 /// A claim of one of two forms: that one method's metric is smaller than another's in every light
 /// and view (or, with `gainExceeds`, that the mean difference between them is larger than in the
-/// study of that name; or, with `gainGrows`, that it is larger at the last value of the file's sweep
-/// than at the first); or that one method's metric lies between bounds in every light and view.
+/// study of that name; or, with `gainGrows`, that it is larger at the last value of the file's
+/// sweep than at the first); or that one method's metric lies between bounds in every light and
+/// view.
 struct ClaimSpec {
   std::string text, source;
   std::string less, than;  ///< method labels; empty in the second form
@@ -74,6 +75,31 @@ struct ClaimSpec {
   std::string method = {};  ///< label; empty in the first form
   std::optional<double> above = std::nullopt, below = std::nullopt;
   bool gainGrows = false;
+};
+
+/// What one cause of a ladder is, and what undoes it.
+struct CauseSpec {
+  std::string name;    ///< "azimuth count"
+  std::string change;  ///< what is put in its place, "256"; may be empty
+};
+
+/// A method's way from what was published to the best that this study can make of it, one cause at
+/// a time. Both ways begin at the method and end with all causes undone: `forward` undoes them in
+/// the order given, `backward` from the last to the first. Each has one state more than there are
+/// causes.
+struct LadderSpec {
+  std::string method;  ///< label of the study's method that both begin at
+  std::vector<CauseSpec> causes;
+  std::vector<MethodSpec> forward;
+  std::vector<MethodSpec> backward;
+};
+
+/// Which errors are attributed to their causes, in the study's first atlas view: there all base
+/// meshes show the same samples.
+struct BudgetSpec {
+  int blockSide = 32;    ///< samples: what the bootstrap draws together
+  int resamples = 1000;  ///< of the bootstrap
+  std::vector<LadderSpec> ladders;
 };
 
 struct StudySpec {
@@ -89,6 +115,7 @@ struct StudySpec {
   std::vector<MethodSpec> methods;
   std::vector<ThresholdSpec> thresholds;
   std::vector<ClaimSpec> claims;
+  BudgetSpec budget;
 };
 
 /// What the command line changes in a study.

@@ -109,7 +109,8 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
   std::vector<TomlReader> result;
   for (const toml::node& entry : *array) {
     if (!entry.is_table()) mismatch(entry, key, expected);
-    result.emplace_back(*entry.as_table(), file_, fmt::format("{}.{}", key, result.size()));
+    const std::string name = fmt::format("{}.{}", key, result.size());
+    result.emplace_back(*entry.as_table(), file_, path_.empty() ? name : path_ + "." + name);
   }
   return result;
 }

@@ -1,0 +1,108 @@
+#include "study/budget.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+BudgetShare shareOf(double value, const Interval& interval, double uncertainty) {
+  return {value, interval, std::abs(value) > uncertainty && !interval.holds(0)};
+}
+
+/// A share of the error that is left, or all of it.
+BudgetShare partOf(const BlockErrors& errors, double uncertainty,
+                   const BootstrapSettings& bootstrap) {
+  return shareOf(errors.rate(), rateInterval(errors, bootstrap), uncertainty);
+}
+
+BudgetShare stepOf(const StateErrors& before, const StateErrors& after, double uncertainty,
+                   const BootstrapSettings& bootstrap) {
+  return shareOf(before.wrong.rate() - after.wrong.rate(),
+                 differenceInterval(before.wrong, after.wrong, bootstrap), uncertainty);
+}
+
+BlockErrors without(BlockErrors all, const BlockErrors& part) {
+  for (std::size_t i = 0; i < all.wrong.size(); ++i) all.wrong[i] -= part.wrong.at(i);
+  return all;
+}
+
+std::vector<BudgetState> statesOf(const std::vector<StateErrors>& errors) {
+  std::vector<BudgetState> states;
+  for (const StateErrors& state : errors) {
+    const double total = state.counts.total();
+    const double scale = total > 0 ? 1 / total : 0;
+    states.push_back({state.wrong.rate(), scale * state.counts.falsePositive,
+                      scale * state.counts.falseNegative});
+  }
+  return states;
+}
+
+}  // namespace
+
+StateErrors& StateErrors::operator+=(const StateErrors& other) {
+  wrong += other.wrong;
+  distant += other.distant;
+  counts.truePositive += other.counts.truePositive;
+  counts.falsePositive += other.counts.falsePositive;
+  counts.falseNegative += other.counts.falseNegative;
+  counts.trueNegative += other.counts.trueNegative;
+  counts.samples += other.counts.samples;
+  return *this;
+}
+
+StateErrors stateErrors(const Mask& mask, const Truth& truth, const std::vector<double>& weights,
+                        int blockSide) {
+  std::vector<std::uint8_t> isDistant(truth.regions.size());
+  std::transform(truth.regions.begin(), truth.regions.end(), isDistant.begin(), [](Region region) {
+    return static_cast<std::uint8_t>(region == Region::distant);
+  });
+  return {blockErrors(mask, truth.mask, blockSide, weights),
+          blockErrors(mask, truth.mask, blockSide, weights, isDistant),
+          countSamples(mask, truth.mask, weights)};
+}
+
+BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
+                            const std::vector<StateErrors>& forward,
+                            const std::vector<StateErrors>& backward,
+                            const BootstrapSettings& bootstrap) {
+  const std::size_t causes = ladder.causes.size();
+  if (forward.size() != causes + 1 || backward.size() != causes + 1) {
+    throw InternalError(fmt::format("ladder {}: {} and {} states found, {} expected", ladder.method,
+                                    forward.size(), backward.size(), causes + 1));
+  }
+  const auto step = [&](const std::vector<StateErrors>& states, std::size_t k) {
+    return stepOf(states[k], states[k + 1], which.uncertainty, bootstrap);
+  };
+  BudgetRecord record;
+  record.method = ladder.method;
+  record.view = which.view;
+  record.light = which.light;
+  record.uncertainty = which.uncertainty;
+  record.blocks = forward.front().wrong.count();
+  record.total = partOf(forward.front().wrong, which.uncertainty, bootstrap);
+  for (std::size_t k = 0; k < causes; ++k) {
+    record.causes.push_back({ladder.causes[k].name, ladder.causes[k].change, step(forward, k),
+                             step(backward, causes - 1 - k)});
+  }
+  const StateErrors& last = forward.back();
+  record.distant = partOf(last.distant, which.uncertainty, bootstrap);
+  record.other = partOf(without(last.wrong, last.distant), which.uncertainty, bootstrap);
+  record.forward = statesOf(forward);
+  record.backward = statesOf(backward);
+  return record;
+}
+
+double orderDependence(const BudgetRecord& budget) {
+  double sum = 0;
+  for (const BudgetCause& cause : budget.causes) {
+    sum += std::abs(cause.forward.value - cause.backward.value);
+  }
+  return sum / 2;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+
+#include "study/study_file.h"
+#include "study/toml_reader.h"
+
+namespace gnomon {
+
+/// What methods are read against.
+struct MethodDefaults {
+  std::filesystem::path folder;  ///< of the study
+  std::filesystem::path shaders;
+  BakeSpec bake;
+  int baseSubdivisions;
+};
+
+/// A `[bake]` over what holds without it.
+BakeSpec readBake(const TomlReader& section, BakeSpec bake);
+
+/// A `[base]` over what holds without it.
+int readSubdivisions(const TomlReader& section, int fallback);
+
+/// One `[[method]]`.
+/// @throws InputError for a file that declares no method, and as TomlReader
+MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults);
+
+/// A method with the keys of a table changed: `name` or `file` (its parameters are then the
+/// authors'), `filter`, `bake`, `base`, `parameters`. Keys of none of these are left to the caller.
+/// @throws InputError as readMethodSection; for a parameter that the method does not have, or a
+///   value out of its range
+MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
+                         const MethodDefaults& defaults);
+
+/// Whether two entries ask for the same masks, whatever their labels.
+bool isSameMethod(const MethodSpec& a, const MethodSpec& b);
+
+}  // namespace gnomon
