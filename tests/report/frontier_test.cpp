@@ -67,9 +67,9 @@ TEST(Frontier, IsEmptyWhereThereIsNothingToTrade) {
   EXPECT_TRUE(frontier(recordOf({{"a", "a", 800, 0, 50}, {"b", "b", 900, 0, 30}})).empty());
   EXPECT_TRUE(frontier(StudyRecord{}).empty());
   // Without tables there is no memory to draw.
-  EXPECT_EQ(frontier(recordOf({{"n", "n", 0, 0, 9}, {"a", "a", 8, 0, 5}, {"a2", "a", 9, 0, 4}}))
-                .size(),
-            2U);
+  EXPECT_EQ(
+      frontier(recordOf({{"n", "n", 0, 0, 9}, {"a", "a", 8, 0, 5}, {"a2", "a", 9, 0, 4}})).size(),
+      2U);
 }
 
 TEST(Frontier, PlotAndRowsHoldEveryEntry) {

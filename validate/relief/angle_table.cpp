@@ -13,11 +13,10 @@ AngleTable horizonAngles(const HorizonTables& tables, double limit) {
   result.limit = limit;
   result.wrap = tables.wrap;
   result.angles.resize(tables.horizon.size());
-  std::transform(tables.horizon.begin(), tables.horizon.end(), result.angles.begin(),
-                 [limit](float slope) {
-                   return static_cast<float>(
-                       std::min(std::atan2(1.0, static_cast<double>(slope)), limit));
-                 });
+  std::transform(
+      tables.horizon.begin(), tables.horizon.end(), result.angles.begin(), [limit](float slope) {
+        return static_cast<float>(std::min(std::atan2(1.0, static_cast<double>(slope)), limit));
+      });
   return result;
 }
 

@@ -22,8 +22,8 @@ struct DisplacedMesh {
 };
 
 /// Every face cut into `subdivisions` × `subdivisions` quadrilaterals as makeBaseMesh does, each
-/// vertex displaced by the relief. Across a texture seam, where the heights of the two sides differ,
-/// the first face's height rules the common edge, as in the micro-mesh.
+/// vertex displaced by the relief. Across a texture seam, where the heights of the two sides
+/// differ, the first face's height rules the common edge, as in the micro-mesh.
 /// @throws as makeBaseMesh
 DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relief,
                                 int subdivisions);

@@ -41,11 +41,10 @@ void setView(GLuint program, const RenderView& view) {
   setUniform(program, "clipFromWorld", view.clipFromWorld);
   glProgramUniform2i(program, glGetUniformLocation(program, "atlasTiles"), view.atlasTiles.x,
                      view.atlasTiles.y);
-  glProgramUniform4f(program, glGetUniformLocation(program, "texelWindow"),
-                     static_cast<GLfloat>(view.texelWindow.x),
-                     static_cast<GLfloat>(view.texelWindow.y),
-                     static_cast<GLfloat>(view.texelWindow.z),
-                     static_cast<GLfloat>(view.texelWindow.w));
+  glProgramUniform4f(
+      program, glGetUniformLocation(program, "texelWindow"),
+      static_cast<GLfloat>(view.texelWindow.x), static_cast<GLfloat>(view.texelWindow.y),
+      static_cast<GLfloat>(view.texelWindow.z), static_cast<GLfloat>(view.texelWindow.w));
 }
 
 void setDrawing(GLuint program, const Drawing& drawing) {

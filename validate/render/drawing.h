@@ -17,9 +17,9 @@ struct Drawing {
   const GpuHeights& heights;
   Wrap wrap;
   HeightSpace heightSpace;
-  Vec3 light{0, 0, 1};                    ///< unit vector toward the light, world
+  Vec3 light{0, 0, 1};                  ///< unit vector toward the light, world
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
-  const RenderView* texture = nullptr;    ///< the texture's own plane, for methods that draw there
+  const RenderView* texture = nullptr;  ///< the texture's own plane, for methods that draw there
 };
 
 // What every pass shares.

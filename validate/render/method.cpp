@@ -130,7 +130,8 @@ std::optional<int> readCount(const Declaration& declaration, std::string_view ke
   if (!found) return std::nullopt;
   const auto value = found.value_exact<std::int64_t>();
   if (!value || *value < 1 || *value > 1024) {
-    declaration.fail(*found.node(), fmt::format("`{}`: a whole number from 1 to 1024 expected", key));
+    declaration.fail(*found.node(),
+                     fmt::format("`{}`: a whole number from 1 to 1024 expected", key));
   }
   return static_cast<int>(*value);
 }
@@ -163,8 +164,7 @@ void requirePasses(const Declaration& declaration, const Method& method) {
   if (method.passes.shadowVolumes && method.mesh != DrawnMesh::displaced) {
     declaration.fail(declaration.table(), "pass `shadow-volumes` needs mesh = \"displaced\"");
   }
-  if (method.passes.texture &&
-      method.source.text.find("resolveTexel") == std::string::npos) {
+  if (method.passes.texture && method.source.text.find("resolveTexel") == std::string::npos) {
     declaration.fail(declaration.table(),
                      "pass `texture` needs the function `float resolveTexel(Pixel pixel)`");
   }

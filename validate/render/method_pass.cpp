@@ -201,8 +201,7 @@ class MethodPass::Frame {
       bindTable(program, tables_.horizon, TextureUnit::horizon, "horizonTable", "horizonRange");
     }
     if (pass_.tables_.distance) {
-      bindTable(program, tables_.distance, TextureUnit::distance, "distanceTable",
-                "distanceRange");
+      bindTable(program, tables_.distance, TextureUnit::distance, "distanceTable", "distanceRange");
     }
     if (pass_.tables_.ellipse) {
       bindTable(program, tables_.ellipse, TextureUnit::ellipse, "ellipseTable", "ellipseRange");
@@ -212,7 +211,8 @@ class MethodPass::Frame {
 
   template <typename Table>
   void require(const Table* table, const char* what) const {
-    if (table == nullptr) throw InternalError(fmt::format("method {} got no {}", pass_.name_, what));
+    if (table == nullptr)
+      throw InternalError(fmt::format("method {} got no {}", pass_.name_, what));
   }
 
   void bindTable(GLuint program, const GpuTable* table, TextureUnit unit, const char* sampler,
@@ -252,9 +252,8 @@ class MethodPass::Frame {
       bindTexture(program, TextureUnit::lightDepth, depth_->depthTexture(), "lightDepthMap");
       // From clip space to texels of the map and depth 0 to 1.
       const auto side = static_cast<float>(light_.width);
-      const glm::mat4 mapFromClip =
-          glm::scale(glm::mat4(1), {side / 2, side / 2, 0.5F}) *
-          glm::translate(glm::mat4(1), glm::vec3(1, 1, 1));
+      const glm::mat4 mapFromClip = glm::scale(glm::mat4(1), {side / 2, side / 2, 0.5F}) *
+                                    glm::translate(glm::mat4(1), glm::vec3(1, 1, 1));
       setUniform(program, "lightMapFromWorld", mapFromClip * light_.clipFromWorld);
       const auto diameter = static_cast<float>(2.0002 * drawing_.mesh.bounds().radius);
       setUniform(program, "lightMapLengths", glm::vec2(diameter / side, diameter));

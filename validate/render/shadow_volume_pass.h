@@ -11,9 +11,10 @@ namespace gnomon {
 /// sees (z-fail), so that a camera inside a shadow counts right.
 ///
 /// Every triangle, turned to the light or not, shades what lies behind it: an open patch has no
-/// inside to rely on. Its volume is the triangle and, from each side across which the neighbour does
-/// not face the light as it does, a triangle to the point at infinity that the light points to.
-/// Volumes of neighbours that face alike join without a wall. The count is 0 where light arrives.
+/// inside to rely on. Its volume is the triangle and, from each side across which the neighbour
+/// does not face the light as it does, a triangle to the point at infinity that the light points
+/// to. Volumes of neighbours that face alike join without a wall. The count is 0 where light
+/// arrives.
 class ShadowVolumePass {
  public:
   explicit ShadowVolumePass(const std::filesystem::path& shaders);

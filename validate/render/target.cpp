@@ -35,8 +35,8 @@ Target::Target(int width, int height, const std::vector<GLenum>& formats, Stenci
     glNamedFramebufferTexture(framebuffer_.name(), attachments.back(), colours_.back().name(), 0);
   }
   const bool counts = stencil == Stencil::eightBits;
-  glTextureStorage2D(depth_.name(), 1, counts ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
-                     width, height);
+  glTextureStorage2D(depth_.name(), 1, counts ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, width,
+                     height);
   if (counts) {
     glTextureParameteri(depth_.name(), GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX);
   }

@@ -47,11 +47,8 @@ RenderView atlasView(const LimitSurface& surface, int samplesPerSide) {
     columns = static_cast<int>(std::ceil(std::sqrt(surface.faceCount())));
     rows = (surface.faceCount() + columns - 1) / columns;
   }
-  return {columns * samplesPerSide,
-          rows * samplesPerSide,
-          glm::mat4(1),
-          {columns, rows},
-          {0, 0, 0, 0}};
+  return {
+      columns * samplesPerSide, rows * samplesPerSide, glm::mat4(1), {columns, rows}, {0, 0, 0, 0}};
 }
 
 RenderView textureView(const BaseMesh& mesh) {
@@ -88,9 +85,8 @@ void requireTextureView(const RenderView& view) {
 
 RenderView lightView(const Sphere& bounds, const Vec3& light, int side) {
   const double radius = 1.0001 * bounds.radius;
-  const glm::dmat4 clip =
-      glm::ortho(-radius, radius, -radius, radius, 0.0, 2 * radius) *
-      glm::lookAt(bounds.centre + radius * light, bounds.centre, across(light));
+  const glm::dmat4 clip = glm::ortho(-radius, radius, -radius, radius, 0.0, 2 * radius) *
+                          glm::lookAt(bounds.centre + radius * light, bounds.centre, across(light));
   RenderView view;
   view.width = side;
   view.height = side;

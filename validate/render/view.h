@@ -30,8 +30,8 @@ RenderView cameraView(const Camera& camera, const BaseMesh& mesh);
 /// sample (i, j) of a face: ((i + 0.5) / samplesPerSide, (j + 0.5) / samplesPerSide), t upward.
 RenderView atlasView(const LimitSurface& surface, int samplesPerSide);
 
-/// The texture's own plane, one pixel a texel: all texels that the mesh's texture coordinates reach,
-/// each unique. Where charts overlap, one of them shows. Sides end at 2³⁰.
+/// The texture's own plane, one pixel a texel: all texels that the mesh's texture coordinates
+/// reach, each unique. Where charts overlap, one of them shows. Sides end at 2³⁰.
 RenderView textureView(const BaseMesh& mesh);
 
 /// @throws InputError if the view has more than 2²⁷ texels, MemoryError if they cannot fit

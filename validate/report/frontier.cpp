@@ -39,9 +39,9 @@ void markEfficient(std::vector<FrontierPoint>& points) {
 
 /// A third more room on every side, in the logarithm.
 std::string ranges(const std::vector<FrontierPoint>& points) {
-  const auto [low, high] = std::minmax_element(
-      points.begin(), points.end(),
-      [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
   constexpr double room = 1.35;
   // An error of nothing has no place on a logarithmic axis.
   const double least = std::max(low->errorRate, 1e-5);
@@ -83,9 +83,9 @@ std::string frontierPlot(const std::vector<FrontierPoint>& points) {
   std::string data = "$frontier << EOD\n";
   for (const FrontierPoint& point : points) data += point.efficient ? dataRow(point) : "";
   // On to the right end: more memory need not be worse.
-  const FrontierPoint best = *std::min_element(
-      points.begin(), points.end(),
-      [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
+  const FrontierPoint best =
+      *std::min_element(points.begin(), points.end(),
+                        [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
   data += dataRow({"", "", points.back().bytes, best.errorRate});
   data += "EOD\n";
   std::string plot = "plot $frontier using 1:2 with steps lc rgb '#9aa1a9' lw 2 title 'frontier'";
@@ -93,8 +93,8 @@ std::string frontierPlot(const std::vector<FrontierPoint>& points) {
     data += fmt::format("$m{} << EOD\n", m);
     for (const FrontierPoint& point : points) data += point.name == names[m] ? dataRow(point) : "";
     data += "EOD\n";
-    plot += fmt::format(", \\\n  $m{} using 1:2 with points lc rgb '{}' pt {} ps 1 lw 2 title {}", m,
-                        plotColours.at(m % plotColours.size()),
+    plot += fmt::format(", \\\n  $m{} using 1:2 with points lc rgb '{}' pt {} ps 1 lw 2 title {}",
+                        m, plotColours.at(m % plotColours.size()),
                         plotPoints.at((m + m / plotColours.size()) % plotPoints.size()),
                         plotLegend(names[m]));
   }
@@ -119,7 +119,7 @@ std::string frontierCsv(const std::vector<FrontierPoint>& points) {
   std::string text = csvLine({"label", "method", "bytes", "error_rate", "efficient"});
   for (const FrontierPoint& point : points) {
     text += csvLine({point.label, point.name, exactText(point.bytes), exactText(point.errorRate),
-                    point.efficient ? "1" : "0"});
+                     point.efficient ? "1" : "0"});
   }
   return text;
 }

@@ -11,9 +11,9 @@ namespace gnomon {
 /// One method entry's memory and mean error.
 struct FrontierPoint {
   std::string label;
-  std::string name;     ///< the method's own: entries of one name are one series
-  double bytes = 0;     ///< its tables and the height map, where it reads it
-  double errorRate = 0; ///< mean over lights and views, share of the samples
+  std::string name;        ///< the method's own: entries of one name are one series
+  double bytes = 0;        ///< its tables and the height map, where it reads it
+  double errorRate = 0;    ///< mean over lights and views, share of the samples
   bool efficient = false;  ///< no other entry has both less or equal memory and a smaller error
 };
 

@@ -135,24 +135,24 @@ int pageHeight(const Series& series) {
 
 std::string sweepPlotScript(const SweepRecord& sweep) {
   const Series series = seriesOf(sweep);
-  std::string text =
-      "set encoding utf8\n" +
-      fmt::format("set terminal svg size 1000,{} noenhanced font 'sans-serif,14' "
-                  "background '#ffffff'\n",
-                  pageHeight(series)) +
-      dataBlocks(series) +
-      "set multiplot\n"
-      "set border 3 lc rgb '#5b626b'\n"
-      "set tics nomirror out textcolor rgb '#1a1d21'\n"
-      "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
-      "set title offset 0,-0.4\n"
-      "set xlabel offset 0,0.4 " +
-      gnuplotText(sweep.axis) +
-      "\n"
-      "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
-      "set yrange [0:*]\n"
-      "set key at screen 0.745, screen 0.94 left top Left reverse samplen 2 "
-      "spacing 1.1\n";
+  std::string text = "set encoding utf8\n" +
+                     fmt::format(
+                         "set terminal svg size 1000,{} noenhanced font 'sans-serif,14' "
+                         "background '#ffffff'\n",
+                         pageHeight(series)) +
+                     dataBlocks(series) +
+                     "set multiplot\n"
+                     "set border 3 lc rgb '#5b626b'\n"
+                     "set tics nomirror out textcolor rgb '#1a1d21'\n"
+                     "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
+                     "set title offset 0,-0.4\n"
+                     "set xlabel offset 0,0.4 " +
+                     gnuplotText(sweep.axis) +
+                     "\n"
+                     "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
+                     "set yrange [0:*]\n"
+                     "set key at screen 0.745, screen 0.94 left top Left reverse samplen 2 "
+                     "spacing 1.1\n";
   for (const Panel& panel : panels) {
     text += panelCommands(series, panel);
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on

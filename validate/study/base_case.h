@@ -25,8 +25,9 @@ struct ViewCase {
 };
 
 /// A mesh and the study's views of it. Methods that draw another mesh than the study's base show
-/// other samples in a camera view, so each has views and truths of its own: the truth is asked at the
-/// (face, s, t) of the very pixels that the method draws. In an atlas all show the same samples.
+/// other samples in a camera view, so each has views and truths of its own: the truth is asked at
+/// the (face, s, t) of the very pixels that the method draws. In an atlas all show the same
+/// samples.
 struct BaseCase {
   BaseMesh mesh;
   GpuMesh gpu;

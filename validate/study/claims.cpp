@@ -198,12 +198,12 @@ ClaimRecord judgeGrowth(const ClaimSpec& claim, const SweepRecord& sweep) {
                         claim.less, claim.than)};
   }
   const double growth = meanGain(atLast) - meanGain(atFirst);
-  return {claim.text, claim.source,
-          judgeDifference(growth, largestUncertainty(atLast) + largestUncertainty(atFirst)),
-          fmt::format("mean gain in {}{} {} at {} = {}, {} at {}", claim.metric, regionText(claim),
-                      differenceText(claim.metric, meanGain(atLast)), sweep.key,
-                      sweep.values.back(), differenceText(claim.metric, meanGain(atFirst)),
-                      sweep.values.front())};
+  return {
+      claim.text, claim.source,
+      judgeDifference(growth, largestUncertainty(atLast) + largestUncertainty(atFirst)),
+      fmt::format("mean gain in {}{} {} at {} = {}, {} at {}", claim.metric, regionText(claim),
+                  differenceText(claim.metric, meanGain(atLast)), sweep.key, sweep.values.back(),
+                  differenceText(claim.metric, meanGain(atFirst)), sweep.values.front())};
 }
 
 /// A claim that each step has judged for itself.

@@ -25,8 +25,8 @@ struct HorizonScene {
   const Relief& relief;
   const MicroMesh& mesh;
   const MicroScene& scene;
-  const SampleGrid& texels;   ///< the samples at all texel centres of the surface
-  glm::ivec2 origin;          ///< texel coordinates of the grid's lower left corner
+  const SampleGrid& texels;  ///< the samples at all texel centres of the surface
+  glm::ivec2 origin;         ///< texel coordinates of the grid's lower left corner
 };
 
 /// The tables that a study's methods ask for: every bake is done once, and stored once for each
@@ -49,10 +49,10 @@ class TableSet {
   const HorizonTables& bake(const BakeSettings& settings, StageClock& clock);
 
   const HeightField& field_;
-  std::map<std::pair<int, double>, HorizonTables> bakes_;           ///< azimuths, radius
+  std::map<std::pair<int, double>, HorizonTables> bakes_;  ///< azimuths, radius
   using Key = std::tuple<int, double, TableBits>;
-  std::map<Key, TablePair> stored_;       ///< and bits
-  std::map<Key, GpuTable> ellipses_;      ///< the same
+  std::map<Key, TablePair> stored_;                                         ///< and bits
+  std::map<Key, GpuTable> ellipses_;                                        ///< the same
   std::map<std::tuple<int, double, double, TableBits>, GpuAngles> angles_;  ///< and limit
   std::map<Key, GpuAngles> surfaceAngles_;  ///< azimuths, limit, bits
 };
