@@ -52,10 +52,10 @@ maximum = 16384
 about = "farthest sample, texels"
 */
 
-// One method, every approximation of which can be undone by itself: what an error budget needs. As it
-// is by default it is onoue-2004; with `curved` off max-forsyth; with `angles` and `denominator`
-// onoue-exact; and with everything on geodesic-march: it gives the same masks as those. The switches
-// are 0 or 1.
+// One method, every approximation of which can be undone by itself: what an error budget needs.
+// As it is by default it is onoue-2004; with `curved` off max-forsyth; with `angles` and
+// `denominator` onoue-exact; and with everything on geodesic-march: it gives the same masks as
+// those. The switches are 0 or 1.
 
 bool isOn(float value) { return value > 0.5; }
 
@@ -109,8 +109,8 @@ Horizon startOf(Path path) {
   return Horizon(dot(gradient, path.direction), 0.0);
 }
 
-// No occluder at t or farther is seen higher than this over a surface that is nowhere concave: each of
-// the formulas falls with the distance and is largest for the relief's highest point.
+// No occluder at t or farther is seen higher than this over a surface that is nowhere concave:
+// each of the formulas falls with the distance and is largest for the relief's highest point.
 float highestFrom(Path path, float low, float t) {
   float reach = t * path.worldPerTexel;
   float angle = min(low * reach, 0.5 * pi);
@@ -145,8 +145,8 @@ float stored(float value, vec2 tableRange) {
   return step > 0.0 ? tableRange.x + step * floor((value - tableRange.x) / step + 0.5) : value;
 }
 
-// What the tables would hold had they been baked at this pixel's curvature, read as they are: linear
-// between four texels and two azimuths.
+// What the tables would hold had they been baked at this pixel's curvature, read as they are:
+// linear between four texels and two azimuths.
 Horizon rulingAt(Path path, LocalLight light) {
   int azimuths = textureSize(horizonTable, 0).z;
   float place = light.azimuth / (2.0 * pi) * float(azimuths);
@@ -169,8 +169,8 @@ Horizon rulingAt(Path path, LocalLight light) {
   return sum;
 }
 
-// Where the horizon point of one of the four texels about the pixel, in one of the two azimuths about
-// the light's, lies along the path. `candidate` is 0 to 7.
+// Where the horizon point of one of the four texels about the pixel, in one of the two azimuths
+// about the light's, lies along the path. `candidate` is 0 to 7.
 float candidateDistance(Path path, LocalLight light, int candidate) {
   float azimuths = float(textureSize(distanceTable, 0).z);
   vec2 texel = floor(path.start - 0.5) + vec2(candidate & 1, candidate >> 1 & 1);
@@ -180,8 +180,8 @@ float candidateDistance(Path path, LocalLight light, int candidate) {
          distance * cos(2.0 * pi * float(azimuth) / azimuths - light.azimuth);
 }
 
-// The highest of the tables' eight horizon points, each moved to the path and along it to the highest
-// place within a texel or two: nothing is interpolated but the height map.
+// The highest of the tables' eight horizon points, each moved to the path and along it to the
+// highest place within a texel or two: nothing is interpolated but the height map.
 float resampledSlope(Path path, LocalLight light) {
   float highest = seenSlope(path, startOf(path));
   for (int k = 0; k < 8; ++k) {
@@ -202,8 +202,9 @@ float resampledSlope(Path path, LocalLight light) {
   return highest;
 }
 
-// The tables as they are read. Along a bent path the horizon point that they name lies in the direction
-// of the chord to it: they are asked once for where it lies and again in that direction.
+// The tables as they are read. Along a bent path the horizon point that they name lies in the
+// direction of the chord to it: they are asked once for where it lies and again in that
+// direction.
 Horizon tablesAt(Path path, LocalLight light) {
   float azimuth = light.azimuth;
   if (path.bend != vec2(0.0)) {
