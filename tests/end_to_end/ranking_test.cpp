@@ -45,6 +45,19 @@ TEST_F(RankingOverStudies, HoldsTheMeansOfTheStudies) {
   EXPECT_THAT(read("out/ranking.csv"), HasSubstr("\nhigh,max-forsyth,"));
 }
 
+TEST_F(RankingOverStudies, LeavesOutAStudyThatAsksForIt) {
+  writeStudy("low", "2");
+  writeStudy("high", "6");
+  writeStudy("apart", "3");
+  write("apart.toml", replaced(read("apart.toml"), "[study]\n", "[study]\nranked = false\n"));
+  ASSERT_EQ(gnomon({"run", "low.toml", "apart.toml", "high.toml"}).status, 0);
+  EXPECT_THAT(read("out/ranking.csv"), Not(HasSubstr("apart")));
+  EXPECT_THAT(read("out/ranking.csv"), HasSubstr("\nhigh,"));
+  ASSERT_EQ(gnomon({"run", "low.toml", "apart.toml", "--out", "two"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(file("two/apart/summary.json")));
+  EXPECT_FALSE(std::filesystem::exists(file("two/ranking.csv")));
+}
+
 TEST_F(RankingOverStudies, OneStudyHasNone) {
   writeStudy("low", "2");
   const Outcome outcome = gnomon({"run", "low.toml"});

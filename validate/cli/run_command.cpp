@@ -196,16 +196,20 @@ ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudyPlan> plans = readPlans(request);
   requirePlots(plans);
   const GlContext gl;
-  const bool ranked = plans.size() > 1;
+  const auto isRanked = [](const StudyPlan& plan) { return plan.steps.front().ranked; };
+  const bool ranked = std::count_if(plans.begin(), plans.end(), isRanked) > 1;
   if (ranked) removeFiles(request.out, rankingFiles);
   Records records;
   std::vector<PlanRecords> parts;
   for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, records));
   std::vector<StudyMeans> studies;
-  for (const PlanRecords& part : parts) studies.push_back(finishPlan(part, request, records));
+  bool passed = true;
+  for (const PlanRecords& part : parts) {
+    StudyMeans means = finishPlan(part, request, records);
+    passed = passed && means.passed;
+    if (isRanked(*part.plan)) studies.push_back(std::move(means));
+  }
   if (ranked) reportRanking(studies, request);
-  const bool passed = std::all_of(studies.begin(), studies.end(),
-                                  [](const StudyMeans& study) { return study.passed; });
   return request.check && !passed ? ExitStatus::thresholdFailed : ExitStatus::pass;
 }
 

@@ -236,6 +236,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
                   {},
                   {},
                   {}};
+  study.ranked = header.flag("ranked", true);
   requirePlainName(header, study.name);
   for (const TomlReader* section : {&header, &surface, &relief}) section->finish();
 

@@ -116,6 +116,7 @@ struct StudySpec {
   std::vector<ThresholdSpec> thresholds;
   std::vector<ClaimSpec> claims;
   BudgetSpec budget;
+  bool ranked = true;  ///< counts in a ranking over the studies of a run
 };
 
 /// What the command line changes in a study.
