@@ -61,4 +61,11 @@ float horizonAngleOfTexel(ivec2 texel, vec2 st) {
   return sum;
 }
 
+// The same at a pixel of the texture's plane toward the light, whose place on the tangent plane was
+// found at the vertices.
+float horizonAngleOfPixel(Pixel pixel) {
+  vec2 st = vertexLight.xy / max(1.0, max(abs(vertexLight.x), abs(vertexLight.y)));
+  return horizonAngleOfTexel(ivec2(floor(pixel.texel)), st);
+}
+
 #endif

@@ -10,10 +10,7 @@ azimuths = 8
 // unique: curvature, and all else that shades a texel, is in the table. What is left are the table's
 // steps, its azimuths and its texels. With many azimuths and bits it bounds what a table can do.
 
-float resolveTexel(Pixel pixel) {
-  vec2 st = vertexLight.xy / max(1.0, max(abs(vertexLight.x), abs(vertexLight.y)));
-  return horizonAngleOfTexel(ivec2(floor(pixel.texel)), st);
-}
+float resolveTexel(Pixel pixel) { return horizonAngleOfPixel(pixel); }
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   float horizon = resolvedAt(pixel.texel);

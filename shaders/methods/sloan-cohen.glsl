@@ -18,10 +18,7 @@ azimuths = 8
 // The tables are the flat relief's and are laid over the surface again and again, as bump maps are;
 // angles are taken in the texture's frame, in which they hold on any surface.
 
-float resolveTexel(Pixel pixel) {
-  vec2 st = vertexLight.xy / max(1.0, max(abs(vertexLight.x), abs(vertexLight.y)));
-  return horizonAngleOfTexel(ivec2(floor(pixel.texel)), st);
-}
+float resolveTexel(Pixel pixel) { return horizonAngleOfPixel(pixel); }
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   float horizon = resolvedAt(pixel.texel);
