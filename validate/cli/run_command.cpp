@@ -2,34 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
 #include <set>
-#include <span>
 
+#include "cli/plan_runs.h"
 #include "cli/terminal_progress.h"
-#include "common/atomic_file.h"
 #include "common/memory.h"
 #include "relief/table_file.h"
-#include "render/gl_context.h"
-#include "report/budget_files.h"
-#include "report/folder_writer.h"
-#include "report/frontier.h"
-#include "report/gnuplot.h"
-#include "report/metrics_csv.h"
-#include "report/ranking_html.h"
-#include "report/ranking_json.h"
-#include "report/report_html.h"
-#include "report/summary_json.h"
-#include "report/sweep_files.h"
-#include "report/sweep_html.h"
-#include "report/sweep_plot.h"
 #include "report/terminal_ranking.h"
-#include "report/terminal_sweep.h"
-#include "report/terminal_table.h"
-#include "study/claims.h"
-#include "study/run_study.h"
-#include "study/sweep.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -41,179 +20,10 @@ std::vector<StudyPlan> readPlans(const RunRequest& request) {
   std::set<std::string> names;
   for (const fs::path& file : request.studies) {
     plans.push_back(readStudyPlan(file, request.options));
-    const StudyPlan& plan = plans.back();
-    if (!names.insert(plan.name).second) {
-      throw InputError(
-          fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
-                      file.string(), plan.name));
-    }
-    if (request.check && plan.steps.front().thresholds.empty()) {
-      throw InputError(
-          fmt::format("{}: no [[threshold]], so there is nothing to check", file.string()));
-    }
+    requireNewName(names, file, plans.back().name);
   }
   return plans;
 }
-
-/// What tells of a whole run in its folder, or in a sweep's.
-constexpr std::array reportFiles = {"summary.json", "metrics.csv",  "report.html",  "sweep.csv",
-                                    "sweep.svg",    "frontier.svg", "frontier.csv", "budget.csv"};
-constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
-
-void removeFiles(const fs::path& folder, std::span<const char* const> names) {
-  for (const char* name : names) {
-    std::error_code ignored;
-    fs::remove(folder / name, ignored);
-  }
-}
-
-/// The study's file, and of a sweep's step which one it is.
-std::string placeOf(const StudySpec& study) {
-  const bool isStep = study.name.find('/') != std::string::npos;
-  return isStep ? fmt::format("{}: {}", study.file.string(), study.name) : study.file.string();
-}
-
-StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
-  const fs::path folder = request.out / study.name;
-  // Older figures must not stand beside newer pictures.
-  removeFiles(folder, reportFiles);
-  FolderWriter writer(folder);
-  TerminalProgress progress(study.name);
-  try {
-    StudyRecord record = runStudy(study, gl, writer, [&](std::string_view stage, double share) {
-      progress.update(stage, share);
-    });
-    record.command = request.command;
-    return record;
-  } catch (const Error& error) {
-    // What fails inside a run speaks of keys or of the study's other files.
-    throw Error(error.status(), fmt::format("{}: {}", placeOf(study), error.what()));
-  }
-}
-
-/// Judges a study's claims by what the run holds so far, and writes its reports.
-void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size_t own,
-            const fs::path& out) {
-  StudyRecord& record = records[own];
-  record.claims = judgeClaims(study.claims, records, own);
-  const fs::path folder = out / record.name;
-  writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
-  const std::vector<FrontierPoint> points = frontier(record);
-  const std::string plot = points.empty() ? "" : frontierPlot(points);
-  if (!plot.empty()) {
-    writeTextAtomically(folder / "frontier.svg", plot);
-    writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
-  }
-  if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
-  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plot));
-  writeTextAtomically(folder / "summary.json", summaryJson(record));
-}
-
-/// Whether a claim of the study needs the record of another one, which may be run later.
-bool speaksOfOthers(const StudySpec& study) {
-  return std::any_of(study.claims.begin(), study.claims.end(),
-                     [](const ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
-}
-
-/// The records of all steps of all plans, one after the other.
-using Records = std::vector<StudyRecord>;
-
-/// The part of the records that belongs to a plan.
-struct PlanRecords {
-  const StudyPlan* plan;
-  std::size_t first;
-};
-
-SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRequest& request) {
-  const auto begin = records.begin() + static_cast<std::ptrdiff_t>(part.first);
-  const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
-  return makeSweepRecord(*part.plan, Records(begin, begin + count), request.command);
-}
-
-void writeSweep(const SweepRecord& sweep, const fs::path& out) {
-  const fs::path folder = out / sweep.name;
-  const std::string plot = sweepPlot(sweep);
-  writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
-  writeTextAtomically(folder / "sweep.svg", plot);
-  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plot));
-  writeTextAtomically(folder / "summary.json", sweepJson(sweep));
-}
-
-/// Runs all steps of a plan and adds their records.
-PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
-                    Records& records) {
-  const PlanRecords part{&plan, records.size()};
-  if (plan.sweep) removeFiles(request.out / plan.name, reportFiles);
-  for (const StudySpec& step : plan.steps) {
-    records.push_back(runOne(step, gl, request));
-    // At once, so that a later failure leaves this one's report.
-    report(step, records, records.size() - 1, request.out);
-  }
-  if (plan.sweep) writeSweep(sweepOf(part, records, request), request.out);
-  return part;
-}
-
-/// Judges again what speaks of other studies, now that all have run; prints the plan's table.
-/// @return what it gives to the ranking
-StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Records& records) {
-  const StudyPlan& plan = *part.plan;
-  const bool again = speaksOfOthers(plan.steps.front());
-  for (std::size_t i = 0; again && i < plan.steps.size(); ++i) {
-    report(plan.steps[i], records, part.first + i, request.out);
-  }
-  const auto print = [&](const std::string& table) {
-    fmt::print("{}\nReport: {}\n\n", table, (request.out / plan.name / "report.html").string());
-  };
-  if (!plan.sweep) {
-    print(resultTable(records[part.first], coloursWanted()));
-    return studyMeans(records[part.first]);
-  }
-  const SweepRecord sweep = sweepOf(part, records, request);
-  if (again) writeSweep(sweep, request.out);
-  print(sweepTable(sweep, coloursWanted()));
-  return studyMeans(sweep);
-}
-
-/// Ranks the methods over all studies, and prints and writes that.
-void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request) {
-  writeTextAtomically(request.out / "ranking.csv", rankingCsv(studies));
-  writeTextAtomically(request.out / "ranking.html", rankingHtml(studies, request.command));
-  writeTextAtomically(request.out / "ranking.json", rankingJson(studies, request.command));
-  fmt::print("{}\nReport: {}\n", rankingOverStudies(studies, coloursWanted()),
-             (request.out / "ranking.html").string());
-}
-
-/// That sweeps can be drawn shows before anything is run.
-void requirePlots(const std::vector<StudyPlan>& plans) {
-  const bool any = std::any_of(plans.begin(), plans.end(),
-                               [](const StudyPlan& plan) { return plan.sweep.has_value(); });
-  if (any) (void)runGnuplot("");
-}
-
-}  // namespace
-
-ExitStatus runStudies(const RunRequest& request) {
-  const std::vector<StudyPlan> plans = readPlans(request);
-  requirePlots(plans);
-  const GlContext gl;
-  const auto isRanked = [](const StudyPlan& plan) { return plan.steps.front().ranked; };
-  const bool ranked = std::count_if(plans.begin(), plans.end(), isRanked) > 1;
-  if (ranked) removeFiles(request.out, rankingFiles);
-  Records records;
-  std::vector<PlanRecords> parts;
-  for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, records));
-  std::vector<StudyMeans> studies;
-  bool passed = true;
-  for (const PlanRecords& part : parts) {
-    StudyMeans means = finishPlan(part, request, records);
-    passed = passed && means.passed;
-    if (isRanked(*part.plan)) studies.push_back(std::move(means));
-  }
-  if (ranked) reportRanking(studies, request);
-  return request.check && !passed ? ExitStatus::thresholdFailed : ExitStatus::pass;
-}
-
-namespace {
 
 void bakeTables(const StudySpec& study, const fs::path& out) {
   TerminalProgress progress(study.name);
@@ -235,6 +45,34 @@ void bakeTables(const StudySpec& study, const fs::path& out) {
 }
 
 }  // namespace
+
+void requireNewName(std::set<std::string>& names, const fs::path& file, const std::string& name) {
+  if (names.insert(name).second) return;
+  throw InputError(fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
+                               file.string(), name));
+}
+
+ExitStatus runStudies(const RunRequest& request) {
+  const std::vector<StudyPlan> plans = readPlans(request);
+  requirePlots(plans);
+  const GlContext gl;
+  if (isRanking(plans)) removeRanking(request);
+  Records records;
+  std::vector<PlanRecords> parts;
+  for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, records));
+  std::vector<StudyMeans> studies;
+  for (const PlanRecords& part : parts) {
+    StudyMeans means = finishPlan(part, request, records);
+    printPlan(part, request, records);
+    if (isRanked(*part.plan)) studies.push_back(std::move(means));
+  }
+  if (isRanking(plans)) {
+    reportRanking(studies, request);
+    fmt::print("{}\nReport: {}\n", rankingOverStudies(studies, coloursWanted()),
+               (request.out / "ranking.html").string());
+  }
+  return ExitStatus::pass;
+}
 
 ExitStatus bakeStudies(const RunRequest& request) {
   for (const StudyPlan& plan : readPlans(request)) {

@@ -1,0 +1,166 @@
+#include "cli/plan_runs.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli/terminal_progress.h"
+#include "common/atomic_file.h"
+#include "report/budget_files.h"
+#include "report/folder_writer.h"
+#include "report/frontier.h"
+#include "report/gnuplot.h"
+#include "report/metrics_csv.h"
+#include "report/ranking_html.h"
+#include "report/ranking_json.h"
+#include "report/report_html.h"
+#include "report/summary_json.h"
+#include "report/sweep_files.h"
+#include "report/sweep_html.h"
+#include "report/sweep_plot.h"
+#include "report/terminal_ranking.h"
+#include "report/terminal_sweep.h"
+#include "report/terminal_table.h"
+#include "study/claims.h"
+#include "study/run_study.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+/// What tells of a whole run in its folder, or in a sweep's.
+constexpr std::array reportFiles = {"summary.json", "metrics.csv",  "report.html",  "sweep.csv",
+                                    "sweep.svg",    "frontier.svg", "frontier.csv", "budget.csv"};
+constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
+
+void removeFiles(const fs::path& folder, std::span<const char* const> names) {
+  for (const char* name : names) {
+    std::error_code ignored;
+    fs::remove(folder / name, ignored);
+  }
+}
+
+/// The study's file, and of a sweep's step which one it is.
+std::string placeOf(const StudySpec& study) {
+  const bool isStep = study.name.find('/') != std::string::npos;
+  return isStep ? fmt::format("{}: {}", study.file.string(), study.name) : study.file.string();
+}
+
+StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
+  const fs::path folder = request.out / study.name;
+  // Older figures must not stand beside newer pictures.
+  removeFiles(folder, reportFiles);
+  FolderWriter writer(folder);
+  TerminalProgress progress(study.name);
+  try {
+    StudyRecord record = runStudy(study, gl, writer, [&](std::string_view stage, double share) {
+      progress.update(stage, share);
+    });
+    record.command = request.command;
+    return record;
+  } catch (const Error& error) {
+    // What fails inside a run speaks of keys or of the study's other files.
+    throw Error(error.status(), fmt::format("{}: {}", placeOf(study), error.what()));
+  }
+}
+
+/// Judges a study's claims by what the run holds so far, and writes its reports.
+void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size_t own,
+            const fs::path& out) {
+  StudyRecord& record = records[own];
+  record.claims = judgeClaims(study.claims, records, own);
+  const fs::path folder = out / record.name;
+  writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
+  const std::vector<FrontierPoint> points = frontier(record);
+  const std::string plot = points.empty() ? "" : frontierPlot(points);
+  if (!plot.empty()) {
+    writeTextAtomically(folder / "frontier.svg", plot);
+    writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
+  }
+  if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
+  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plot));
+  writeTextAtomically(folder / "summary.json", summaryJson(record));
+}
+
+/// Whether a claim of the study needs the record of another one, which may be run later.
+bool speaksOfOthers(const StudySpec& study) {
+  return std::any_of(study.claims.begin(), study.claims.end(),
+                     [](const ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
+}
+
+SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRequest& request) {
+  const auto begin = records.begin() + static_cast<std::ptrdiff_t>(part.first);
+  const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
+  return makeSweepRecord(*part.plan, Records(begin, begin + count), request.command);
+}
+
+void writeSweep(const SweepRecord& sweep, const fs::path& out) {
+  const fs::path folder = out / sweep.name;
+  const std::string plot = sweepPlot(sweep);
+  writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
+  writeTextAtomically(folder / "sweep.svg", plot);
+  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plot));
+  writeTextAtomically(folder / "summary.json", sweepJson(sweep));
+}
+
+}  // namespace
+
+PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+                    Records& records) {
+  const PlanRecords part{&plan, records.size()};
+  if (plan.sweep) removeFiles(request.out / plan.name, reportFiles);
+  for (const StudySpec& step : plan.steps) {
+    records.push_back(runOne(step, gl, request));
+    // At once, so that a later failure leaves this one's report.
+    report(step, records, records.size() - 1, request.out);
+  }
+  if (plan.sweep) writeSweep(sweepOf(part, records, request), request.out);
+  return part;
+}
+
+StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Records& records) {
+  const StudyPlan& plan = *part.plan;
+  const bool again = speaksOfOthers(plan.steps.front());
+  for (std::size_t i = 0; again && i < plan.steps.size(); ++i) {
+    report(plan.steps[i], records, part.first + i, request.out);
+  }
+  if (!plan.sweep) return studyMeans(records[part.first]);
+  const SweepRecord sweep = sweepOf(part, records, request);
+  if (again) writeSweep(sweep, request.out);
+  return studyMeans(sweep);
+}
+
+void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records) {
+  const StudyPlan& plan = *part.plan;
+  const std::string table = plan.sweep
+                                ? sweepTable(sweepOf(part, records, request), coloursWanted())
+                                : resultTable(records[part.first], coloursWanted());
+  fmt::print("{}\nReport: {}\n\n", table, (request.out / plan.name / "report.html").string());
+}
+
+bool isRanking(std::span<const StudyPlan> plans) {
+  return std::count_if(plans.begin(), plans.end(), isRanked) > 1;
+}
+
+bool isRanked(const StudyPlan& plan) {
+  return plan.steps.front().ranked;
+}
+
+void removeRanking(const RunRequest& request) {
+  removeFiles(request.out, rankingFiles);
+}
+
+void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request) {
+  writeTextAtomically(request.out / "ranking.csv", rankingCsv(studies));
+  writeTextAtomically(request.out / "ranking.html", rankingHtml(studies, request.command));
+  writeTextAtomically(request.out / "ranking.json", rankingJson(studies, request.command));
+}
+
+void requirePlots(std::span<const StudyPlan> plans) {
+  const bool any = std::any_of(plans.begin(), plans.end(),
+                               [](const StudyPlan& plan) { return plan.sweep.has_value(); });
+  if (any) (void)runGnuplot("");
+}
+
+}  // namespace gnomon
