@@ -104,6 +104,9 @@ Json parsed(const fs::path& path) {
     const auto read = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const auto line = 1 + std::count(text.begin(), text.begin() + read, '\n');
     throw InputError(fmt::format("{}:{}: no JSON: {}", path.string(), line, error.what()));
+  } catch (const Json::exception& error) {
+    // A number that no double holds.
+    throw InputError(fmt::format("{}: no JSON: {}", path.string(), error.what()));
   }
 }
 

@@ -133,11 +133,12 @@ struct StudySpec {
 struct StudyOptions {
   std::vector<std::string> overrides;  ///< `key.path=value`
   std::vector<std::string> methods;    ///< labels or names to keep; all, if empty
+  /// A quarter of each view's side (in an atlas the odd number at or above it) and a sixteenth of the
+  /// micro-mesh: a preview, not a measurement.
+  bool quick = false;
   /// `LABEL=NAME` or `LABEL=FILE.glsl`: another shader in a method's place, see replaceMethods.
   std::vector<std::string> replacements = {};
   bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate leaves them free
-  /// A quarter of each view's side and a sixteenth of the micro-mesh: a preview, not a measurement.
-  bool quick = false;
 };
 
 /// Reads and checks a study: paths in it are relative to its own folder. A `[sweep]` is left to
