@@ -21,15 +21,22 @@ namespace {
 /// The order of a run's stages, and what passes from one to the next.
 class StudyRun {
  public:
-  StudyRun(const StudySpec& study, RunWriter& writer, const StageProgress& progress)
+  StudyRun(const StudySpec& study, const GlContext& gl, RunWriter& writer,
+           const StageProgress& progress)
       : study_(study),
+        frameClock_(frameClockOf(gl.renderer())),
         clock_(progress),
         scene_(study, clock_),
         writer_(writer),
-        pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {}
+        pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {
+    record_.environment = describeEnvironment(gl);
+    record_.name = study.name;
+    record_.title = study.title;
+    record_.source = study.source;
+    record_.file = study.file.string();
+  }
 
-  StudyRecord run(const GlContext& gl) {
-    describe(gl);
+  StudyRecord run() {
     prepareMethods();
     LadderStage ladders(scene_, writer_);
     traceTruth(ladders);
@@ -42,14 +49,6 @@ class StudyRun {
   }
 
  private:
-  void describe(const GlContext& gl) {
-    record_.environment = describeEnvironment(gl);
-    record_.name = study_.name;
-    record_.title = study_.title;
-    record_.source = study_.source;
-    record_.file = study_.file.string();
-  }
-
   void prepareMethods() {
     // The study's own base is shown and traced even where every method draws another.
     scene_.standardBase();
@@ -143,14 +142,16 @@ class StudyRun {
     if (camera != study_.views.end()) {
       const auto view = static_cast<std::size_t>(camera - study_.views.begin());
       cost.frameMs = clock_.measure("frame times", [&](const Progress&) {
-        return method.pass.frameMilliseconds(
-            method.base->views[view].view, scene_.drawing(*method.base, 0), method.tables, frames);
+        return method.pass.frameMilliseconds(method.base->views[view].view,
+                                             scene_.drawing(*method.base, 0), method.tables, frames,
+                                             frameClock_);
       });
     }
     return cost;
   }
 
   const StudySpec& study_;
+  FrameClock frameClock_;
   StageClock clock_;
   RunScene scene_;
   RunWriter& writer_;
@@ -163,7 +164,7 @@ class StudyRun {
 
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer,
                      const StageProgress& progress) {
-  return StudyRun(study, writer, progress).run(gl);
+  return StudyRun(study, gl, writer, progress).run();
 }
 
 }  // namespace gnomon
