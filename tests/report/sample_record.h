@@ -17,7 +17,7 @@ inline StudyRecord emptyRecord() {
   record.file = "scenes/sample.toml";
   record.command = "gnomon run scenes/sample.toml --set 'truth.step=1/8' > \"out\"";
   record.environment = {"0.1.0",        "0123abc", "A processor",       2,
-                        "A rasteriser", "4.5",     "3.13.5 <built-in>", "3.5.0"};
+                        "A rasteriser", "4.5",     "3.13.5 <built-in>", "3.5.0", "a <clock>"};
   record.truth = {2'000'000, 0.125, 0.004, 28'000'000, 24'000'000, {}};
   record.undefinedSamples = 12;
   return record;

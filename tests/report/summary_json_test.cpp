@@ -48,8 +48,8 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(json["schema"], "gnomon-summary/1");
   EXPECT_EQ(keysOf(json["study"]), (Keys{"name", "title", "source", "file", "command"}));
   EXPECT_EQ(keysOf(json["environment"]),
-            (Keys{"gnomon_version", "commit", "cpu", "threads", "gl_renderer", "gl_version",
-                  "embree_version", "opensubdiv_version"}));
+            (Keys{"gnomon_version", "commit", "cpu", "threads", "gl_renderer", "frame_clock",
+                  "gl_version", "embree_version", "opensubdiv_version"}));
   EXPECT_EQ(keysOf(json["truth"]), (Keys{"micro_triangles", "step_texels", "uncertainty",
                                          "bvh_bytes", "mesh_bytes", "flips"}));
   EXPECT_EQ(keysOf(json["truth"]["flips"][0]),

@@ -19,6 +19,7 @@ Json jsonEnvironment(const EnvironmentRecord& environment) {
           {"cpu", environment.cpu},
           {"threads", environment.threads},
           {"gl_renderer", environment.glRenderer},
+          {"frame_clock", environment.frameClock},
           {"gl_version", environment.glVersion},
           {"embree_version", environment.embreeVersion},
           {"opensubdiv_version", environment.openSubdivVersion}};

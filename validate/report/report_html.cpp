@@ -178,9 +178,9 @@ std::string reproduceSection(const StudyRecord& record) {
                               ? fmt::format("{}, {}", e.cpu,
                                             plural(static_cast<std::size_t>(e.threads), "thread"))
                               : e.cpu) +
-          htmlFact("OpenGL", e.glRenderer) + htmlFact("OpenGL version", e.glVersion) +
-          htmlFact("Embree", e.embreeVersion) + htmlFact("OpenSubdiv", e.openSubdivVersion) +
-          "</dl>\n");
+          htmlFact("OpenGL", e.glRenderer) + htmlFact("Frame times by", e.frameClock) +
+          htmlFact("OpenGL version", e.glVersion) + htmlFact("Embree", e.embreeVersion) +
+          htmlFact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
 }
 
 /// Links to the cases: with many lights a reader needs them.

@@ -212,7 +212,9 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
   const std::size_t numbers = std::accumulate(costWidths.begin(), costWidths.end(), terminalIndent);
   width = std::min(width, terminalWidth - numbers);
   page.blank();
-  page.heading("Cost");
+  page.heading(record.environment.frameClock.empty()
+                   ? "Cost"
+                   : fmt::format("Cost, frames by {}", record.environment.frameClock));
   page.line(
       costRow(width, "method", {"triangles", "tables", "passes", "ms/frame", "to max-forsyth"}));
   for (const CostRecord& cost : record.cost) {

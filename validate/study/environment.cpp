@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "render/frame_timer.h"
 #include "surface/limit_surface.h"
 #include "truth/micro_scene.h"
 
@@ -35,6 +36,7 @@ EnvironmentRecord describeEnvironment(const GlContext& gl) {
   environment.glVersion = gl.version();
   environment.embreeVersion = MicroScene::embreeVersion();
   environment.openSubdivVersion = openSubdivVersion();
+  environment.frameClock = frameClockName(frameClockOf(environment.glRenderer));
   return environment;
 }
 

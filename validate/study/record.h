@@ -25,6 +25,7 @@ struct EnvironmentRecord {
   std::string glVersion;
   std::string embreeVersion;
   std::string openSubdivVersion;
+  std::string frameClock;  ///< what measured the frame times: "wall clock", "GL timer queries"
 };
 
 /// How far the truth itself can be trusted.

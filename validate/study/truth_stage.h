@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "study/record.h"
+#include "study/run_scene.h"
+#include "truth/micro_mesh.h"
+#include "truth/micro_scene.h"
+
+namespace gnomon {
+
+/// The displaced surface, ready to be traced.
+struct TracedSurface {
+  /// @param meshStage, sceneStage  of the run's clock
+  /// @throws MemoryError for a mesh that cannot fit
+  TracedSurface(RunScene& run, const MicroMeshSettings& settings, std::string_view meshStage,
+                std::string_view sceneStage);
+
+  MicroMesh mesh;
+  MicroScene scene;  ///< shares the mesh's vertices
+};
+
+/// What a run reports of the surface that its truth was traced on.
+TruthRecord sizesOf(const TracedSurface& surface);
+
+/// Traces every view of every mesh of the scene under every light.
+/// @returns the number of samples for which no frame exists
+/// @throws InputError for a view in which no sample has a frame
+std::uint64_t traceTruths(RunScene& scene, const TracedSurface& surface);
+
+/// Traces the standard base's samples once more at half the resolution and half the lift: what
+/// flips is the truth's own error.
+/// @param truth  its step is doubled; gets the flip rates and the uncertainty
+/// @throws InputError where the coarser mesh has more than half the triangles: too alike to tell
+void traceUncertainty(RunScene& scene, TruthRecord& truth);
+
+}  // namespace gnomon
