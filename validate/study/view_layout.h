@@ -18,7 +18,7 @@ namespace gnomon {
 /// samples a side, one to the next row |∂(x, y)/∂t|, each the mean of what it is at the middles of
 /// all faces. All built-in shapes have the same everywhere, so that distances are those on the
 /// texture's plane. Nothing breaks within a face, nor between those of a grid chart; the tiles of
-/// other surfaces stand alone.
+/// other surfaces stand alone. The picture's edge is one too where a closed surface goes on.
 /// @param texelsPerUv  repeats × map size
 SampleLayout makeSampleLayout(const LimitSurface& surface, Vec2 texelsPerUv, const RenderView& view,
                               const SampleGrid& samples);
