@@ -30,6 +30,7 @@ Metric find(const std::vector<Metric>& metrics, std::string_view name) {
 
 std::vector<Metric> unmeasured(const std::vector<std::string_view>& names) {
   std::vector<Metric> metrics;
+  metrics.reserve(names.size());
   for (const std::string_view name : names) metrics.push_back({name, {}, notInRegions});
   return metrics;
 }
