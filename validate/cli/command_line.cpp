@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 
+#include "cli/compare_command.h"
 #include "cli/run_command.h"
 #include "common/error.h"
 #include "render/method.h"
@@ -123,6 +124,9 @@ int dispatch(int argc, char** argv) {
   CLI::App* bake = app.add_subcommand("bake", "Bake the horizon and distance tables into an EXR");
   addStudyOptions(*bake, request);
   bake->footer("\nExample:\n  gnomon bake scenes/figure8.toml --set bake.azimuths=64");
+  CompareRequest comparison;
+  comparison.command = request.command;
+  CLI::App* compare = addCompareCommand(app, comparison);
   CLI::App* list = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
 
   try {
@@ -133,15 +137,16 @@ int dispatch(int argc, char** argv) {
     throw UsageError(fmt::format("{}. See gnomon --help", error.what()));
   }
   if (app.get_subcommands().empty()) {
-    throw UsageError("a command expected: run, check, bake or list. See gnomon --help");
+    throw UsageError("a command expected: run, check, compare, bake or list. See gnomon --help");
   }
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   request.check = check->parsed();
-  const ExitStatus status = list->parsed()   ? listParts()
-                            : bake->parsed() ? bakeStudies(request)
-                                             : runStudies(request);
+  const ExitStatus status = list->parsed()      ? listParts()
+                            : compare->parsed() ? compareMasks(comparison)
+                            : bake->parsed()    ? bakeStudies(request)
+                                                : runStudies(request);
   return static_cast<int>(status);
 }
 
