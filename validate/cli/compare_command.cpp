@@ -149,7 +149,7 @@ ExitStatus compareMasks(const CompareRequest& request) {
   const MaskPicture truth = readMaskPicture(
       request.truth, {.channel = request.truthChannel, .threshold = request.threshold});
   std::optional<MaskPicture> roi;
-  if (request.roi) roi = readMaskPicture(*request.roi, {.threshold = request.threshold});
+  if (request.roi) roi = readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
   const ComparedMasks masks = common(request, candidate.mask, truth.mask, roi);
   MaskComparison comparison{recordOf(request.candidate, candidate), recordOf(request.truth, truth)};
   if (roi) comparison.roi = recordOf(*request.roi, *roi);

@@ -28,6 +28,10 @@ Json jsonList(const Records& records, const Convert& convert) {
 }
 
 Json jsonEnvironment(const EnvironmentRecord& environment);
+/// name, title, source, file, command.
+Json jsonStudy(const StudyRecord& record);
+/// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light.
+Json jsonTruth(const TruthRecord& truth);
 /// text, source, verdict, detail.
 Json jsonClaim(const ClaimRecord& claim);
 /// method, error_rate, false_shadow, false_light, uncertainty.
