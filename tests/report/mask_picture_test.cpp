@@ -85,12 +85,12 @@ TEST_F(MaskPictures, ThreeEqualChannelsAreOneAndOthersMustBeNamed) {
   test::writePicture(file("tint.exr"), {3, 2, {"R", "G", "B"}, different});
   EXPECT_THAT(refusal("tint.exr"),
               AllOf(HasSubstr("channels differ, 0.25 and 1 at column 0, row 0")));
-  EXPECT_THAT(shadesOf("tint.exr", {.channel = "G"}), ElementsAreArray(shades_));
-  EXPECT_THAT(refusal("tint.exr", {.channel = "shadow"}),
+  EXPECT_THAT(shadesOf("tint.exr", {"G", {}}), ElementsAreArray(shades_));
+  EXPECT_THAT(refusal("tint.exr", {"shadow", {}}),
               HasSubstr("no channel \"shadow\", it has R, G, B"));
   test::writePicture(file("two.exr"), {3, 1, {"diffuse", "shadow"}, {9, 1, 9, 0, 9, 1}});
   EXPECT_THAT(refusal("two.exr"), HasSubstr("channels diffuse, shadow found"));
-  EXPECT_THAT(readMaskPicture(file("two.exr"), {.channel = "shadow"}).mask.samples,
+  EXPECT_THAT(readMaskPicture(file("two.exr"), {"shadow", {}}).mask.samples,
               ElementsAre(lit, dark, lit));
 }
 
@@ -105,7 +105,7 @@ TEST_F(MaskPictures, FindsAChannelInALaterPart) {
   ASSERT_TRUE(out->open(file("parts.exr").string(), parts[1], OIIO::ImageOutput::AppendSubimage));
   ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, shadow.data()));
   ASSERT_TRUE(out->close());
-  EXPECT_THAT(readMaskPicture(file("parts.exr"), {.channel = "shadow"}).mask.samples,
+  EXPECT_THAT(readMaskPicture(file("parts.exr"), {"shadow", {}}).mask.samples,
               ElementsAre(dark, lit, dark));
 }
 

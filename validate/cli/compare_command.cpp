@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* examples = R"(
 White is lit, black shadowed; Gnomon's grey (128) and alpha 0 mean no sample. Pixels count alike.
-Gates: any metric of `gnomon list` but shadow lengths, which need the surface; an undefined one fails.
+Gates take any metric of the table; one that is not defined fails.
 
 Exit status: 0 all gates hold, 1 one failed, 2 usage, 3 pictures that cannot be compared.
 
@@ -149,7 +149,8 @@ ExitStatus compareMasks(const CompareRequest& request) {
   const MaskPicture truth = readMaskPicture(
       request.truth, {.channel = request.truthChannel, .threshold = request.threshold});
   std::optional<MaskPicture> roi;
-  if (request.roi) roi = readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
+  if (request.roi)
+    roi = readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
   const ComparedMasks masks = common(request, candidate.mask, truth.mask, roi);
   MaskComparison comparison{recordOf(request.candidate, candidate), recordOf(request.truth, truth)};
   if (roi) comparison.roi = recordOf(*request.roi, *roi);
