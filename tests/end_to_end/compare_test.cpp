@@ -50,8 +50,26 @@ TEST_F(Compare, AStudysOwnMasksGiveItsOwnFigures) {
   const nlohmann::json found = figures({"out/small/masks/camera_evening_max-forsyth.png",
                                         "out/small/masks/camera_evening_truth.png"});
   ASSERT_GT(own.at("error_rate"), 0);
-  for (const char* key : {"samples", "tp", "fp", "fn", "tn", "error_rate", "false_shadow",
-                          "false_light", "fpr", "fnr", "ber", "iou", "f1", "mcc", "prevalence"}) {
+  for (const char* key : {"samples",
+                          "tp",
+                          "fp",
+                          "fn",
+                          "tn",
+                          "error_rate",
+                          "false_shadow",
+                          "false_light",
+                          "fpr",
+                          "fnr",
+                          "ber",
+                          "iou",
+                          "f1",
+                          "mcc",
+                          "prevalence",
+                          "assd",
+                          "hd95",
+                          "boundary_iou_1",
+                          "boundary_iou_4",
+                          "surface_dice_1"}) {
     EXPECT_EQ(found.at(key), own.at(key)) << key;
   }
   EXPECT_EQ(found.at("without_sample").get<int>() + found.at("samples").get<int>(), 64 * 64);

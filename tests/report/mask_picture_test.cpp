@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
@@ -202,6 +203,32 @@ TEST_F(MaskPictures, RefusesWhatIsNoUprightPicture) {
   const std::string bytes = readFile(file("whole.exr"));
   writeTextAtomically(file("cut.exr"), bytes.substr(0, bytes.size() / 2));
   EXPECT_THAT(refusal("cut.exr"), HasSubstr("cut.exr"));
+}
+
+TEST_F(MaskPictures, DamageIsRefusedOrHarmless) {
+  std::vector<float> pixels;
+  for (int i = 0; i < 11 * 6; ++i) pixels.push_back(i % 3 == 0 ? 1.0F : 0.0F);
+  for (const char* name : {"m.exr", "m.tif", "m.bmp"}) {
+    test::writePicture(
+        file(name),
+        {11, 6, {"Y"}, pixels, name[2] == 'e' ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8});
+    const std::string whole = readFile(file(name));
+    const std::string bad = std::string("bad") + &name[1];
+    std::mt19937 random(4);
+    for (int i = 0; i < 100; ++i) {
+      std::string damaged = whole;
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+      writeTextAtomically(file(bad), damaged);
+      try {
+        const MaskPicture picture = readMaskPicture(file(bad), {{}, 0.5});
+        EXPECT_EQ(picture.mask.size(), static_cast<std::size_t>(picture.mask.width) *
+                                           static_cast<std::size_t>(picture.mask.height));
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      } catch (const MemoryError&) {
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -12,18 +12,21 @@
 
 #include "common/error.h"
 #include "common/memory.h"
+#include "common/one_line.h"
+#include "relief/exr_limit.h"
 
 namespace gnomon {
 namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
+  throw InputError(fmt::format("{}: {}", path.string(), oneLine(why)));
 }
 
 std::unique_ptr<OIIO::ImageInput> openPicture(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) refuse(path, "no such file, an image was expected");
+  limitExrSize();
   // What was written unmultiplied stays so: the library would round the product to a file's bits.
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
@@ -121,16 +124,22 @@ std::vector<float> readChannels(const fs::path& path, OIIO::ImageInput& image,
   return values;
 }
 
-/// The display window, or the data's where the file has none.
+/// A rectangle of pixels, in coordinates in which no sum overflows.
 struct Window {
-  int x, y, width, height;
+  std::int64_t x, y, width, height;
+
+  [[nodiscard]] std::int64_t right() const { return x + width; }
+  [[nodiscard]] std::int64_t below() const { return y + height; }
 };
 
-Window displayWindow(const OIIO::ImageSpec& spec) {
-  if (spec.full_width > 0 && spec.full_height > 0) {
-    return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
-  }
+Window dataWindow(const OIIO::ImageSpec& spec) {
   return {spec.x, spec.y, spec.width, spec.height};
+}
+
+/// The data's, where the file has none.
+Window displayWindow(const OIIO::ImageSpec& spec) {
+  if (spec.full_width < 1 || spec.full_height < 1) return dataWindow(spec);
+  return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
 }
 
 /// One pixel of the channels chosen.
@@ -146,7 +155,7 @@ class PixelReader {
   }
 
   /// @param column, row  of the picture, for the message
-  [[nodiscard]] float value(const float* pixel, int column, int row) const {
+  [[nodiscard]] float value(const float* pixel, std::int64_t column, std::int64_t row) const {
     const float found = pixel[choice_.colours.front() - choice_.first];
     for (const int colour : choice_.colours) {
       const float other = pixel[colour - choice_.first];
@@ -167,33 +176,24 @@ class PixelReader {
 
 GreyPicture placeInWindow(const fs::path& path, const Choice& choice,
                           const std::vector<float>& data) {
-  const OIIO::ImageSpec& spec = choice.spec;
-  const Window window = displayWindow(spec);
-  const double pixels = static_cast<double>(window.width) * window.height;
-  requireMemory(2 * sizeof(float) * pixels,
-                fmt::format("{}: a display window of {} × {} pixels", path.string(), window.width,
-                            window.height));
+  const Window from = dataWindow(choice.spec);
+  const Window to = displayWindow(choice.spec);
+  const double pixels = static_cast<double>(to.width) * static_cast<double>(to.height);
+  requireMemory(2 * sizeof(float) * pixels, fmt::format("{}: a display window of {} × {} pixels",
+                                                        path.string(), to.width, to.height));
   const PixelReader reader(path, choice);
-  GreyPicture picture{window.width, window.height, {}, {}};
+  GreyPicture picture{static_cast<int>(to.width), static_cast<int>(to.height), {}, {}};
   picture.values.resize(static_cast<std::size_t>(pixels), 0.0F);
-  const bool covered = window.x >= spec.x && window.y >= spec.y &&
-                       window.x + window.width <= spec.x + spec.width &&
-                       window.y + window.height <= spec.y + spec.height;
+  const bool covered =
+      to.x >= from.x && to.y >= from.y && to.right() <= from.right() && to.below() <= from.below();
   if (choice.alpha >= 0 || !covered) picture.alphas.resize(picture.values.size(), 0.0F);
-  for (int y = std::max(window.y, spec.y);
-       y < std::min(window.y + window.height, spec.y + spec.height); ++y) {
-    for (int x = std::max(window.x, spec.x);
-         x < std::min(window.x + window.width, spec.x + spec.width); ++x) {
-      const auto from =
-          static_cast<std::size_t>(y - spec.y) * static_cast<std::size_t>(spec.width) +
-          static_cast<std::size_t>(x - spec.x);
-      const int column = x - window.x;
-      const int row = y - window.y;
-      const auto to = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.width) +
-                      static_cast<std::size_t>(column);
-      const float* pixel = data.data() + from * static_cast<std::size_t>(choice.count);
-      picture.values[to] = reader.value(pixel, column, row);
-      if (!picture.alphas.empty()) picture.alphas[to] = reader.alpha(pixel);
+  for (auto y = std::max(to.y, from.y); y < std::min(to.below(), from.below()); ++y) {
+    for (auto x = std::max(to.x, from.x); x < std::min(to.right(), from.right()); ++x) {
+      const auto source = static_cast<std::size_t>((y - from.y) * from.width + x - from.x);
+      const auto target = static_cast<std::size_t>((y - to.y) * to.width + x - to.x);
+      const float* pixel = data.data() + source * static_cast<std::size_t>(choice.count);
+      picture.values[target] = reader.value(pixel, x - to.x, y - to.y);
+      if (!picture.alphas.empty()) picture.alphas[target] = reader.alpha(pixel);
     }
   }
   return picture;

@@ -7,10 +7,13 @@ namespace gnomon {
 namespace {
 
 Json flipJson(const UncertaintyRecord& flip) {
+  Json boundaries = Json::object();
+  addMetrics(boundaries, flip.boundaries);
   return {{"view", flip.view},
           {"light", flip.light},
           {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
-          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")}};
+          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
+          {"boundaries", std::move(boundaries)}};
 }
 
 }  // namespace
@@ -21,6 +24,16 @@ Json jsonNumber(double value, std::string_view key) {
 
 Json jsonNumber(std::optional<double> value, std::string_view key) {
   return value ? jsonNumber(*value, key) : Json(nullptr);
+}
+
+void addMetrics(Json& json, const std::vector<Metric>& metrics) {
+  Json undefined = Json::object();
+  for (const Metric& metric : metrics) {
+    const std::string name(metric.name);
+    json[name] = jsonNumber(metric.value, name);
+    if (!metric.value) undefined[name] = metric.reason;
+  }
+  json["undefined"] = std::move(undefined);
 }
 
 Json jsonEnvironment(const EnvironmentRecord& environment) {

@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "compare/rates.h"
 #include "report/study_ranking.h"
 #include "study/record.h"
 
@@ -19,6 +21,9 @@ using Json = nlohmann::ordered_json;
 Json jsonNumber(double value, std::string_view key);
 /// A number, or null.
 Json jsonNumber(std::optional<double> value, std::string_view key);
+
+/// Adds each value by its name, and under `undefined` why there is none.
+void addMetrics(Json& json, const std::vector<Metric>& metrics);
 
 template <typename Records, typename Convert>
 Json jsonList(const Records& records, const Convert& convert) {

@@ -145,13 +145,7 @@ std::string maskComparisonJson(const MaskComparison& c) {
                {"fp", jsonNumber(c.counts.falsePositive, "fp")},
                {"fn", jsonNumber(c.counts.falseNegative, "fn")},
                {"tn", jsonNumber(c.counts.trueNegative, "tn")}};
-  Json undefined = Json::object();
-  for (const Metric& metric : c.metrics) {
-    const std::string name(metric.name);
-    json[name] = jsonNumber(metric.value, name);
-    if (!metric.value) undefined[name] = metric.reason;
-  }
-  json["undefined"] = std::move(undefined);
+  addMetrics(json, c.metrics);
   json["gates"] = jsonList(c.gates, gateJson);
   return jsonText(json);
 }

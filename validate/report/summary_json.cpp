@@ -27,13 +27,7 @@ Json resultJson(const ResultRecord& result) {
                {"fp", jsonNumber(counts.falsePositive, "results.fp")},
                {"fn", jsonNumber(counts.falseNegative, "results.fn")},
                {"tn", jsonNumber(counts.trueNegative, "results.tn")}};
-  Json undefined = Json::object();
-  for (const Metric& metric : metricsOf(result)) {
-    const std::string name(metric.name);
-    json[name] = jsonNumber(metric.value, name);
-    if (!metric.value) undefined[name] = metric.reason;
-  }
-  json["undefined"] = std::move(undefined);
+  addMetrics(json, metricsOf(result));
   return json;
 }
 
