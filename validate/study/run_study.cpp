@@ -31,11 +31,7 @@ class StudyRun {
         scene_(study, clock_),
         writer_(writer),
         pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {
-    record_.environment = describeEnvironment(gl);
-    record_.name = study.name;
-    record_.title = study.title;
-    record_.source = study.source;
-    record_.file = study.file.string();
+    record_ = startRecord(study, gl);
   }
 
   StudyRecord run() {
