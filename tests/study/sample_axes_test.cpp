@@ -113,13 +113,17 @@ TEST(SampleAxes, TheTerminatorIsAsFarAsBruteForceFindsIt) {
   const LimitSurface surface(makeTorus(60, 25, 60, 60));
   const Relief relief = plateau(1);
   const Vec3 light = lightToward(30, 25);
+  const auto sineAt = [&](const LimitPoint& point) {
+    return glm::dot(outwardNormal(point), light);
+  };
   std::vector<Vec3> terminator;
   for (int face = 0; face < surface.faceCount(); ++face) {
+    if (std::abs(sineAt(surface.evaluate(face, 0.5, 0.5))) > 0.2) continue;
     double before = 0;
-    for (int i = 0; i <= 8; ++i) {
-      for (int j = 0; j <= 12; ++j) {
-        const LimitPoint point = surface.evaluate(face, i / 8.0, j / 12.0);
-        const double sine = glm::dot(outwardNormal(point), light);
+    for (int i = 0; i <= 60; ++i) {
+      for (int j = 0; j <= 20; ++j) {
+        const LimitPoint point = surface.evaluate(face, i / 60.0, j / 20.0);
+        const double sine = sineAt(point);
         if (j > 0 && before * sine <= 0) terminator.push_back(point.position);
         before = sine;
       }
