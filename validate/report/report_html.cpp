@@ -7,6 +7,7 @@
 #include "common/memory.h"
 #include "report/budget_html.h"
 #include "report/cases.h"
+#include "report/confidence_html.h"
 #include "report/cost.h"
 #include "report/html_figures.h"
 #include "report/html_page.h"
@@ -202,8 +203,8 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
   const std::vector<Case> cases = casesWithPictures(record);
   std::string html = htmlHead(record.title.empty() ? record.name : record.title) + "<body>\n" +
                      header(record, ranked) + "<main>\n" + rankingSection(ranked) +
-                     htmlClaims(record.claims) + budgetSection(record) + thresholdSection(record) +
-                     navigation(cases);
+                     confidenceSection(record) + htmlClaims(record.claims) + budgetSection(record) +
+                     thresholdSection(record) + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
   }

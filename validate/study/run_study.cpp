@@ -13,6 +13,7 @@
 #include "study/method_case.h"
 #include "study/panel_pictures.h"
 #include "study/run_scene.h"
+#include "study/spread_stage.h"
 #include "study/thresholds.h"
 #include "study/truth_stage.h"
 
@@ -74,8 +75,10 @@ class StudyRun {
   /// Masks live for one view and light: that is all that a panel needs.
   void compareMethods(LadderStage& ladders) {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
+      SpreadStage spread(scene_, methods_, v);
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
         const std::vector<std::optional<Mask>> masks = compareMethods(v, l);
+        spread.measure(l, masks);
         if (v == ladders.view()) ladders.measure(l, masks);
         std::vector<PanelMask> shown;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -83,6 +86,7 @@ class StudyRun {
         }
         record_.panels.push_back(pictures_.draw(v, l, scene_.standardBase(), shown));
       }
+      spread.report(record_);
     }
   }
 
