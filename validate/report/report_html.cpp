@@ -13,6 +13,7 @@
 #include "report/html_tables.h"
 #include "report/html_text.h"
 #include "report/number_text.h"
+#include "report/page.h"
 #include "report/ranking.h"
 
 namespace gnomon {
@@ -200,10 +201,12 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
                        const std::string& frontier) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
-  std::string html = htmlHead(record.title.empty() ? record.name : record.title) + "<body>\n" +
-                     header(record, ranked) + "<main>\n" + rankingSection(ranked) +
-                     htmlClaims(record.claims) + budgetSection(record) + thresholdSection(record) +
-                     navigation(cases);
+  const bool hasPictures = !record.panels.empty();
+  std::string html = htmlHead(record.title.empty() ? record.name : record.title,
+                              hasPictures ? viewerScriptHash() : "") +
+                     "<body>\n" + header(record, ranked) + "<main>\n" + rankingSection(ranked) +
+                     htmlClaims(record.claims) + thresholdSection(record) +
+                     (hasPictures ? std::string(viewerMarkup()) : "") + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
   }
@@ -211,8 +214,11 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
     html += htmlSection("frontier", "Error against memory",
                         htmlPlot(frontier, "Error rate of each method against its memory"));
   }
-  return html + costSection(record) + truthSection(record) + citations(record.methods) +
-         timingSection(record.timings) + reproduceSection(record) + "</main>\n</body>\n</html>\n";
+  html += budgetSection(record) + costSection(record) + truthSection(record) +
+          citations(record.methods) + timingSection(record.timings) + reproduceSection(record) +
+          "</main>\n";
+  if (hasPictures) html += "<script>" + std::string(viewerScript()) + "</script>\n";
+  return html + "</body>\n</html>\n";
 }
 
 }  // namespace gnomon
