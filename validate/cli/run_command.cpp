@@ -12,6 +12,7 @@
 #include "common/memory.h"
 #include "relief/table_file.h"
 #include "render/gl_context.h"
+#include "report/bin_files.h"
 #include "report/budget_files.h"
 #include "report/folder_writer.h"
 #include "report/frontier.h"
@@ -98,6 +99,7 @@ void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size
   record.claims = judgeClaims(study.claims, records, own);
   const fs::path folder = out / record.name;
   writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
+  if (!record.bins.empty()) writeTextAtomically(folder / "bins.csv", binsCsv(record));
   const std::vector<FrontierPoint> points = frontier(record);
   const std::string plot = points.empty() ? "" : frontierPlot(points);
   if (!plot.empty()) {

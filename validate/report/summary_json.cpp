@@ -1,6 +1,8 @@
 #include "report/summary_json.h"
 
+#include "report/bin_files.h"
 #include "report/budget_files.h"
+#include "report/confidence_files.h"
 #include "report/cost.h"
 #include "report/json_values.h"
 #include "report/names.h"
@@ -114,6 +116,9 @@ std::string summaryJson(const StudyRecord& record) {
       {"truth", truthJson(record.truth)},
       {"methods", jsonList(record.methods, methodJson)},
       {"results", jsonList(record.results, resultJson)},
+      {"confidence", jsonList(record.confidence, jsonConfidence)},
+      {"differences", jsonList(record.differences, jsonDifference)},
+      {"bins", jsonList(record.bins, jsonBin)},
       {"cost",
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},

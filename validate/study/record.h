@@ -8,7 +8,9 @@
 
 #include "compare/counts.h"
 #include "compare/shadow_length.h"
+#include "study/bin_record.h"
 #include "study/budget_record.h"
+#include "study/confidence_record.h"
 
 namespace gnomon {
 
@@ -126,6 +128,9 @@ struct StudyRecord {
   TruthRecord truth;
   std::vector<MethodRecord> methods;
   std::vector<ResultRecord> results;
+  std::vector<ConfidenceRecord> confidence;   ///< of every method in every view
+  std::vector<DifferenceRecord> differences;  ///< of every two methods in every view
+  std::vector<BinRecord> bins;
   std::vector<CostRecord> cost;
   std::vector<TimingRecord> timings;
   std::vector<ThresholdRecord> thresholds;
