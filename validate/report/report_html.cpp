@@ -67,8 +67,10 @@ std::string rankingSection(const std::vector<RankedMethod>& ranked) {
       "ranking", "Methods, best first",
       "<p class=\"note\">Percent of the samples, mean over all lights and views. <b>±</b> is the "
       "truth’s own uncertainty: the share of its samples that change at half its resolution. "
-      "The bar shows the error’s two parts: <i class=\"chip shadow\"></i> false shadow, "
-      "<i class=\"chip light\"></i> false light.</p>\n" +
+      "<b>95&#8239;%</b> is the interval of the mean error by a bootstrap over blocks of the "
+      "view. The bar shows the error’s two parts, <i class=\"chip shadow\"></i> false shadow and "
+      "<i class=\"chip light\"></i> false light, round its end the truth’s uncertainty "
+      "<i class=\"chip truth\"></i> and the interval <i class=\"chip whisker\"></i>.</p>\n" +
           rankingTable(ranked));
 }
 
@@ -184,6 +186,21 @@ std::string reproduceSection(const StudyRecord& record) {
           htmlFact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
 }
 
+std::string plotSection(std::span<const DrawnPlot> plots) {
+  std::string content;
+  for (const DrawnPlot& plot : plots) {
+    // The page has the budget's own bars, with their table.
+    if (plot.sheet.name == "budget") continue;
+    content += fmt::format("<h3>{}</h3>\n", escapeHtml(plot.sheet.title)) +
+               htmlPlot(plot.svg, plot.sheet.about);
+  }
+  if (content.empty()) return "";
+  return htmlSection("plots", "Where the error grows",
+                     "<p class=\"note\">Each plot lies beside this page as SVG and PDF, in "
+                     "<code>plots/</code>.</p>\n" +
+                         content);
+}
+
 /// Links to the cases: with many lights a reader needs them.
 std::string navigation(const std::vector<Case>& cases) {
   if (cases.size() < 2) return "";
@@ -198,7 +215,7 @@ std::string navigation(const std::vector<Case>& cases) {
 }  // namespace
 
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       const std::string& frontier) {
+                       std::span<const DrawnPlot> plots) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
   const bool hasPictures = !record.panels.empty();
@@ -210,11 +227,7 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
   }
-  if (!frontier.empty()) {
-    html += htmlSection("frontier", "Error against memory",
-                        htmlPlot(frontier, "Error rate of each method against its memory"));
-  }
-  html += budgetSection(record) + costSection(record) + truthSection(record) +
+  html += plotSection(plots) + budgetSection(record) + costSection(record) + truthSection(record) +
           citations(record.methods) + timingSection(record.timings) + reproduceSection(record) +
           "</main>\n";
   if (hasPictures) html += "<script>" + std::string(viewerScript()) + "</script>\n";
