@@ -29,12 +29,15 @@ TEST(BinOf, HoldsItsLowerEdgeButNotItsUpper) {
   EXPECT_EQ(binOf(7, {}), 0);
 }
 
-TEST(BinOf, RefusesEdgesThatDoNotRise) {
-  EXPECT_THROW(binOf(0, std::vector<double>{1, 1}), InternalError);
-  EXPECT_THROW(binOf(0, std::vector<double>{2, 1}), InternalError);
+TEST(RequireEdges, RefusesEdgesThatDoNotRise) {
+  EXPECT_THROW(requireEdges(std::vector<double>{1, 1}), InternalError);
+  EXPECT_THROW(requireEdges(std::vector<double>{2, 1}), InternalError);
   std::vector<double> many(255);
   for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<double>(i);
-  EXPECT_THROW(binOf(0, many), InternalError);
+  EXPECT_THROW(requireEdges(many), InternalError);
+  many.pop_back();
+  EXPECT_NO_THROW(requireEdges(many));
+  EXPECT_EQ(binOf(1000, many), 254);
 }
 
 TEST(CountBins, CountsEachSampleInItsBin) {

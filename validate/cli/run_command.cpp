@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <span>
 
+#include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
 #include "common/atomic_file.h"
 #include "common/memory.h"
@@ -23,29 +23,20 @@
 #include "study/claims.h"
 #include "study/run_study.h"
 #include "study/sweep.h"
+#include "study/truth_study.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-/// All studies are read before the first is run: a typing error in the last one shows at once.
-std::vector<StudyPlan> readPlans(const RunRequest& request) {
-  std::vector<StudyPlan> plans;
-  std::set<std::string> names;
-  for (const fs::path& file : request.studies) {
-    plans.push_back(readStudyPlan(file, request.options));
-    const StudyPlan& plan = plans.back();
-    if (!names.insert(plan.name).second) {
-      throw InputError(
-          fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
-                      file.string(), plan.name));
-    }
-    if (request.check && plan.steps.front().thresholds.empty()) {
-      throw InputError(
-          fmt::format("{}: no [[threshold]], so there is nothing to check", file.string()));
-    }
+/// @throws InputError where a check would have nothing to check
+void requireThresholds(const std::vector<StudyPlan>& plans) {
+  for (const StudyPlan& plan : plans) {
+    const StudySpec& study = plan.steps.front();
+    if (!study.thresholds.empty()) continue;
+    throw InputError(
+        fmt::format("{}: no [[threshold]], so there is nothing to check", study.file.string()));
   }
-  return plans;
 }
 
 constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
@@ -57,28 +48,18 @@ void removeFiles(const fs::path& folder, std::span<const char* const> names) {
   }
 }
 
-/// The study's file, and of a sweep's step which one it is.
-std::string placeOf(const StudySpec& study) {
-  const bool isStep = study.name.find('/') != std::string::npos;
-  return isStep ? fmt::format("{}: {}", study.file.string(), study.name) : study.file.string();
-}
-
 StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
   const fs::path folder = request.out / study.name;
   // Older figures must not stand beside newer pictures.
   removeRunFiles(folder);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
-  try {
-    StudyRecord record = runStudy(study, gl, writer, [&](std::string_view stage, double share) {
-      progress.update(stage, share);
-    });
-    record.command = request.command;
-    return record;
-  } catch (const Error& error) {
-    // What fails inside a run speaks of keys or of the study's other files.
-    throw Error(error.status(), fmt::format("{}: {}", placeOf(study), error.what()));
-  }
+  StudyRecord record = inStudy(study, [&] {
+    return runStudy(study, gl, writer,
+                    [&](std::string_view stage, double share) { progress.update(stage, share); });
+  });
+  record.command = request.command;
+  return record;
 }
 
 /// Judges a study's claims by what the run holds so far, and writes its reports.
@@ -164,7 +145,8 @@ void requirePlots(const std::vector<StudyPlan>& plans) {
 }  // namespace
 
 ExitStatus runStudies(const RunRequest& request) {
-  const std::vector<StudyPlan> plans = readPlans(request);
+  const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
+  if (request.check) requireThresholds(plans);
   requirePlots(plans);
   const GlContext gl;
   const auto isRanked = [](const StudyPlan& plan) { return plan.steps.front().ranked; };
@@ -188,27 +170,19 @@ namespace {
 
 void bakeTables(const StudySpec& study, const fs::path& out) {
   TerminalProgress progress(study.name);
-  const HeightField& field = study.relief.field;
-  const HorizonTables tables = bakeHorizons(field, study.bake.settings,
-                                            [&](double share) { progress.update("bake", share); });
-  const StoredHorizons stored{tables.width,
-                              tables.height,
-                              tables.azimuths,
-                              tables.radiusTexels,
-                              tables.wrap,
-                              storeTable(tables.horizon, study.bake.bits),
-                              storeTable(tables.distance, study.bake.bits)};
+  const StoredHorizons stored =
+      bakeStudyTables(study, [&](double share) { progress.update("bake", share); });
   const fs::path path = out / study.name / "tables.exr";
   writeHorizons(path, stored);
-  fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), tables.width,
-             tables.height, tables.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
+  fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), stored.width,
+             stored.height, stored.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
              static_cast<int>(study.bake.bits));
 }
 
 }  // namespace
 
 ExitStatus bakeStudies(const RunRequest& request) {
-  for (const StudyPlan& plan : readPlans(request)) {
+  for (const StudyPlan& plan : readPlans(request.studies, request.options)) {
     for (const StudySpec& step : plan.steps) bakeTables(step, request.out);
   }
   return ExitStatus::pass;

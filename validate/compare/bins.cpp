@@ -19,13 +19,15 @@ void requireBin(std::uint8_t bin, std::size_t binCount) {
 
 }  // namespace
 
-std::uint8_t binOf(double value, std::span<const double> edges) {
+void requireEdges(std::span<const double> edges) {
   const bool rise =
       std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>()) == edges.end();
-  if (edges.size() >= noBin || !rise) {
-    throw InternalError(
-        fmt::format("{} edges found, fewer than {} that rise expected", edges.size(), noBin));
-  }
+  if (edges.size() < noBin && rise) return;
+  throw InternalError(
+      fmt::format("{} edges found, fewer than {} that rise expected", edges.size(), noBin));
+}
+
+std::uint8_t binOf(double value, std::span<const double> edges) {
   if (std::isnan(value)) return noBin;
   const auto above = std::upper_bound(edges.begin(), edges.end(), value);
   return static_cast<std::uint8_t>(above - edges.begin());

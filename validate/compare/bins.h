@@ -10,14 +10,18 @@
 
 namespace gnomon {
 
+/// The bin of a sample that has none.
+constexpr std::uint8_t noBin = 255;
+
+/// @throws InternalError for `noBin` edges or more, or edges that do not rise
+void requireEdges(std::span<const double> edges);
+
 /// The bin of a value: n edges, in rising order, make n + 1 bins, of which each holds its lower
 /// edge but not its upper one. Bin 0 is what lies below all edges, bin n what lies at the last or
 /// beyond, infinity too.
+/// @param edges  as requireEdges
 /// @returns 0 to n, or `noBin` for NaN: a sample without that value
-/// @throws InternalError for `noBin` edges or more, or edges that do not rise
 std::uint8_t binOf(double value, std::span<const double> edges);
-constexpr std::uint8_t noBin = 255;
-
 /// The counts of each bin: countSamples of the samples whose bin it is. They add up to those of all
 /// samples that have a bin.
 /// @param bins      one a sample, each below `binCount` or `noBin`

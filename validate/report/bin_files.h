@@ -7,8 +7,8 @@
 
 namespace gnomon {
 
-/// One bin: method, view, light ("all": all lights together), axis, low, high (null where the bin
-/// has no end), samples, the cells tp, fp, fn, tn (areas in weighted views), error_rate,
+/// One bin: method, view, light ("all": the sum over the lights), axis, low, high (null where the
+/// bin has no end), samples, the cells tp, fp, fn, tn (areas in weighted views), error_rate,
 /// false_shadow, false_light (over the bin's own samples).
 Json jsonBin(const BinRecord& bin);
 

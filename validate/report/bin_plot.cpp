@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -12,26 +11,19 @@
 #include "report/number_text.h"
 #include "report/plot_style.h"
 #include "study/confidence_record.h"
+#include "study/sample_axes.h"
 
 namespace gnomon {
 namespace {
 
 using Ends = std::pair<std::optional<double>, std::optional<double>>;
 
-struct AxisText {
-  std::string_view name;
-  std::string_view title;
-};
-
-constexpr std::array<AxisText, 3> axisTexts = {{
-    {"curvature_height", "curvature along the light × height (convex above 0)"},
-    {"elevation", "elevation of the light over the surface, degrees"},
-    {"terminator", "distance to the terminator, texels (turned away below 0)"},
-}};
-
+/// "elevation of the light, degrees", or the name of an axis that is not known here.
 std::string axisTitle(std::string_view axis) {
-  for (const AxisText& text : axisTexts) {
-    if (text.name == axis) return std::string(text.title);
+  for (const SampleAxis& known : sampleAxes()) {
+    if (known.name != axis) continue;
+    return known.unit.empty() ? std::string(known.title)
+                              : fmt::format("{}, {}", known.title, known.unit);
   }
   return std::string(axis);
 }
@@ -152,7 +144,7 @@ PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_
   }
   const std::string title = axisTitle(axis);
   return {fmt::format("error-by-{}", axis),
-          fmt::format("Error by {}", title),
+          fmt::format("Error by {} ({})", title, view),
           fmt::format("Error rate of each method by {}, view {}", title, view),
           1000,
           std::max(520, 24 * (static_cast<int>(methods.size()) + 5)),

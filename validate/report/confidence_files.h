@@ -10,10 +10,10 @@ namespace gnomon {
 /// blocks, block_side.
 Json jsonConfidence(const ConfidenceRecord& confidence);
 
-/// Two methods: view, light, first, second, difference (error rate of the first less that of the
-/// second), low, high (its 95 % interval; null where there is none), reason (why there is none, or
-/// null), uncertainty (of the truth), verdict ("better", "worse", "not distinguishable": of the
-/// first).
+/// Two methods: view, light ("all": the mean over the lights), first, second, difference (error
+/// rate of the first less that of the second), low, high (its 95 % interval; null where there is
+/// none), reason (why there is none, or null), uncertainty (of the truth), verdict ("better",
+/// "worse", "not distinguishable": of the first).
 Json jsonDifference(const DifferenceRecord& difference);
 
 }  // namespace gnomon

@@ -7,6 +7,8 @@
 #include "common/memory.h"
 #include "report/budget_html.h"
 #include "report/cases.h"
+#include "report/confidence_html.h"
+#include "report/confidence_text.h"
 #include "report/cost.h"
 #include "report/html_figures.h"
 #include "report/html_page.h"
@@ -48,17 +50,30 @@ std::string leadHtml(const std::vector<RankedMethod>& ranked) {
                       notDistinguishable(best.errorRate.value, 0.0, best.uncertainty)
                           ? ": so small an error cannot be told from none"
                           : "");
-  if (best.indistinguishable.empty()) return text;
-  return text + fmt::format(" {} cannot be told from the best.",
-                            plural(best.indistinguishable.size(), "other method"));
+  return text;
+}
+
+/// What the best method of each view is better than, and by how much.
+std::string comparedHtml(const StudyRecord& record) {
+  const std::vector<std::string> views = confidenceViews(record);
+  std::string html;
+  for (const std::string& view : views) {
+    const std::string verdict = verdictText(record, view);
+    if (verdict.empty()) continue;
+    html +=
+        fmt::format("<p class=\"lead\">{}{}</p>\n",
+                    views.size() > 1 ? "In " + escapeHtml(view) + ": " : "", escapeHtml(verdict));
+  }
+  return html;
 }
 
 std::string header(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
   return fmt::format(
       "<header>\n<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n<h1>{}</h1>\n"
       "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n"
-      "</header>\n",
-      headingOf(record), escapeHtml(record.source), verdictHtml(record), leadHtml(ranked));
+      "{}</header>\n",
+      headingOf(record), escapeHtml(record.source), verdictHtml(record), leadHtml(ranked),
+      comparedHtml(record));
 }
 
 std::string rankingSection(const std::vector<RankedMethod>& ranked) {
@@ -227,9 +242,9 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
   }
-  html += plotSection(plots) + budgetSection(record) + costSection(record) + truthSection(record) +
-          citations(record.methods) + timingSection(record.timings) + reproduceSection(record) +
-          "</main>\n";
+  html += confidenceSection(record) + plotSection(plots) + budgetSection(record) +
+          costSection(record) + truthSection(record) + citations(record.methods) +
+          timingSection(record.timings) + reproduceSection(record) + "</main>\n";
   if (hasPictures) html += "<script>" + std::string(viewerScript()) + "</script>\n";
   return html + "</body>\n</html>\n";
 }

@@ -29,10 +29,11 @@ struct ConfidenceRecord {
 /// What can be said of the first of two methods.
 enum class DifferenceVerdict { better, worse, notDistinguishable };
 
-/// Two methods of one view, paired block by block.
+/// Two methods of one view, all lights together, paired block by block. Each interval is one of
+/// 95 % by itself: of twenty pairs that do not differ, one may seem to.
 struct DifferenceRecord {
   std::string view;
-  std::string light;      ///< as in ConfidenceRecord
+  std::string light;      ///< "all": the mean over the lights
   std::string first;      ///< a MethodRecord's label
   std::string second;     ///< likewise, later in the study
   double difference = 0;  ///< error rate of the first less that of the second: below 0 it is better

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "compare/boundaries.h"
 #include "compare/counts.h"
 #include "study/cast_lengths.h"
 #include "study/environment.h"
@@ -12,6 +13,7 @@
 #include "study/method_case.h"
 #include "study/panel_pictures.h"
 #include "study/run_scene.h"
+#include "study/spread_stage.h"
 #include "study/thresholds.h"
 #include "study/truth_stage.h"
 
@@ -29,11 +31,7 @@ class StudyRun {
         scene_(study, clock_),
         writer_(writer),
         pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {
-    record_.environment = describeEnvironment(gl);
-    record_.name = study.name;
-    record_.title = study.title;
-    record_.source = study.source;
-    record_.file = study.file.string();
+    record_ = startRecord(study, gl);
   }
 
   StudyRecord run() {
@@ -77,8 +75,10 @@ class StudyRun {
   /// Masks live for one view and light: that is all that a panel needs.
   void compareMethods(LadderStage& ladders) {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
+      SpreadStage spread(scene_, methods_, v);
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
         const std::vector<std::optional<Mask>> masks = compareMethods(v, l);
+        spread.measure(l, masks);
         if (v == ladders.view()) ladders.measure(l, masks);
         std::vector<PanelMask> shown;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -86,6 +86,7 @@ class StudyRun {
         }
         record_.panels.push_back(pictures_.draw(v, l, scene_.standardBase(), shown));
       }
+      spread.report(record_);
     }
   }
 
@@ -119,6 +120,7 @@ class StudyRun {
     };
     add("all", {});
     record_.results.back().lengths = castLengths(mask, truth, field);
+    record_.results.back().boundaries = compareBoundaries(mask, truth.mask, seen.layout);
     std::vector<std::uint8_t> selected(mask.size());
     for (const Region region : reportedRegions) {
       std::transform(truth.regions.begin(), truth.regions.end(), selected.begin(),
