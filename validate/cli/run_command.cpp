@@ -12,19 +12,11 @@
 #include "common/memory.h"
 #include "relief/table_file.h"
 #include "render/gl_context.h"
-#include "report/bin_files.h"
-#include "report/budget_files.h"
 #include "report/folder_writer.h"
-#include "report/frontier.h"
 #include "report/gnuplot.h"
-#include "report/metrics_csv.h"
 #include "report/ranking_html.h"
 #include "report/ranking_json.h"
-#include "report/report_html.h"
-#include "report/summary_json.h"
-#include "report/sweep_files.h"
-#include "report/sweep_html.h"
-#include "report/sweep_plot.h"
+#include "report/run_files.h"
 #include "report/terminal_ranking.h"
 #include "report/terminal_sweep.h"
 #include "report/terminal_table.h"
@@ -47,9 +39,6 @@ void requireThresholds(const std::vector<StudyPlan>& plans) {
   }
 }
 
-/// What tells of a whole run in its folder, or in a sweep's.
-constexpr std::array reportFiles = {"summary.json", "metrics.csv",  "report.html",  "sweep.csv",
-                                    "sweep.svg",    "frontier.svg", "frontier.csv", "budget.csv"};
 constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
 
 void removeFiles(const fs::path& folder, std::span<const char* const> names) {
@@ -62,7 +51,7 @@ void removeFiles(const fs::path& folder, std::span<const char* const> names) {
 StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
   const fs::path folder = request.out / study.name;
   // Older figures must not stand beside newer pictures.
-  removeFiles(folder, reportFiles);
+  removeRunFiles(folder);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
   StudyRecord record = inStudy(study, [&] {
@@ -78,18 +67,7 @@ void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size
             const fs::path& out) {
   StudyRecord& record = records[own];
   record.claims = judgeClaims(study.claims, records, own);
-  const fs::path folder = out / record.name;
-  writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
-  if (!record.bins.empty()) writeTextAtomically(folder / "bins.csv", binsCsv(record));
-  const std::vector<FrontierPoint> points = frontier(record);
-  const std::string plot = points.empty() ? "" : frontierPlot(points);
-  if (!plot.empty()) {
-    writeTextAtomically(folder / "frontier.svg", plot);
-    writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
-  }
-  if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
-  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plot));
-  writeTextAtomically(folder / "summary.json", summaryJson(record));
+  writeRunFiles(record, out / record.name);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
@@ -113,26 +91,17 @@ SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRe
   return makeSweepRecord(*part.plan, Records(begin, begin + count), request.command);
 }
 
-void writeSweep(const SweepRecord& sweep, const fs::path& out) {
-  const fs::path folder = out / sweep.name;
-  const std::string plot = sweepPlot(sweep);
-  writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
-  writeTextAtomically(folder / "sweep.svg", plot);
-  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plot));
-  writeTextAtomically(folder / "summary.json", sweepJson(sweep));
-}
-
 /// Runs all steps of a plan and adds their records.
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
                     Records& records) {
   const PlanRecords part{&plan, records.size()};
-  if (plan.sweep) removeFiles(request.out / plan.name, reportFiles);
+  if (plan.sweep) removeRunFiles(request.out / plan.name);
   for (const StudySpec& step : plan.steps) {
     records.push_back(runOne(step, gl, request));
     // At once, so that a later failure leaves this one's report.
     report(step, records, records.size() - 1, request.out);
   }
-  if (plan.sweep) writeSweep(sweepOf(part, records, request), request.out);
+  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), request.out / plan.name);
   return part;
 }
 
@@ -152,7 +121,7 @@ StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Record
     return studyMeans(records[part.first]);
   }
   const SweepRecord sweep = sweepOf(part, records, request);
-  if (again) writeSweep(sweep, request.out);
+  if (again) writeSweepFiles(sweep, request.out / plan.name);
   print(sweepTable(sweep, coloursWanted()));
   return studyMeans(sweep);
 }

@@ -63,7 +63,8 @@ Json pictureJson(const PictureRecord& picture) {
   return {{"kind", pictureKindName(picture.kind)},
           {"method", picture.method},
           {"caption", picture.caption},
-          {"path", picture.path}};
+          {"path", picture.path},
+          {"mask", picture.mask.empty() ? Json(nullptr) : Json(picture.mask)}};
 }
 
 Json panelJson(const PanelRecord& panel) {
