@@ -4,6 +4,7 @@
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/version.h>
 
+#include <algorithm>
 #include <mutex>
 #include <shared_mutex>
 #include <vector>
@@ -187,8 +188,10 @@ LimitPoint LimitSurface::evaluate(int face, double s, double t) const {
 Vec3 outwardNormal(const LimitPoint& point) {
   const Vec3 normal = glm::cross(point.ds, point.dt);
   const double area = glm::length(normal);
-  // A sine below 1e-12 is rounding. Written so that NaN counts as degenerate too.
-  if (!(area > 1e-12 * glm::length(point.ds) * glm::length(point.dt))) return Vec3(0);
+  // Beside the longer derivative a shorter one, or a height over it, of 1e-12 is rounding. Written
+  // so that NaN counts as degenerate too.
+  const double longer = std::max(glm::length(point.ds), glm::length(point.dt));
+  if (!(area > 1e-12 * longer * longer)) return Vec3(0);
   return normal / area;
 }
 

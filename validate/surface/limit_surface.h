@@ -20,7 +20,8 @@ struct LimitPoint {
 };
 
 /// P_s × P_t normalised: the surface's outward side, since faces run counter-clockwise seen from
-/// outside. Zero where P_s and P_t span no area.
+/// outside. Zero where P_s and P_t span no area: less than 1e-12 of the square of the
+/// longer.
 Vec3 outwardNormal(const LimitPoint& point);
 
 /// The Catmull-Clark limit surface of a cage (Catmull & Clark 1978), evaluated at any parameter by
