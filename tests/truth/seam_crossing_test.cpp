@@ -126,11 +126,15 @@ TEST(TextureCharts, AgreesWithASearchOfAllFacesOnSpot) {
   }
   const auto covered = [&](Vec2 p) {
     return std::any_of(faces.begin(), faces.end(), [&](const std::array<Vec2, 4>& c) {
-      bool inside = true;
+      bool inside = false;
       for (std::size_t k = 0; k < 4; ++k) {
-        const Vec2 edge = c.at((k + 1) % 4) - c.at(k);
-        const Vec2 to = p - c.at(k);
-        inside = inside && edge.x * to.y - edge.y * to.x >= -0.06 * glm::length(edge);
+        const Vec2 begin = c.at(k);
+        const Vec2 edge = c.at((k + 1) % 4) - begin;
+        const double along = glm::clamp(glm::dot(p - begin, edge) / glm::dot(edge, edge), 0.0, 1.0);
+        if (glm::length(p - begin - along * edge) < 0.06) return true;
+        const bool above = begin.y > p.y;
+        if (above == (begin.y + edge.y > p.y)) continue;
+        inside ^= begin.x + edge.x * (p.y - begin.y) / edge.y > p.x;
       }
       return inside;
     });

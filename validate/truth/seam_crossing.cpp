@@ -100,23 +100,37 @@ bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, dou
   const double t = sample.t;
   Vec2 origin = (1 - t) * ((1 - s) * c0 + s * c1) + t * ((1 - s) * c3 + s * c2);
   int entered = -1;
-  // No straight line visits a face of a chart twice; rounding at a vertex may.
+  double place = 0;  // along the line, texels
   for (std::size_t step = 0; step < 2 * faces_.size() + 8 && face->turn != 0; ++step) {
-    // The first of the sides that the line leaves by (Cyrus & Beck 1978).
+    // The next side that the line leaves by. By its end points where it meets one between them; in
+    // a corner rounding may miss both sides, and the nearest side's line decides (Cyrus & Beck
+    // 1978).
     double left = std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();
     int side = -1;
+    int nearestSide = -1;
     for (int k = 0; k < 4; ++k) {
       const Vec2 begin = face->corners.at(static_cast<std::size_t>(k));
       const Vec2 along = face->corners.at(static_cast<std::size_t>((k + 1) % 4)) - begin;
-      const double outward = face->turn * cross(direction, along);
-      if (k == entered || !(outward > 0)) continue;
-      const double at = face->turn * cross(begin - origin, along) / outward;
-      if (at < left) {
+      const double outward = cross(direction, along);
+      if (k == entered || !(face->turn * outward > 0)) continue;
+      const double at = cross(begin - origin, along) / outward;
+      const double share = cross(begin - origin, direction) / outward;  // of the side
+      if (at < nearest) {
+        nearest = at;
+        nearestSide = k;
+      }
+      if (share >= 0 && share <= 1 && at >= place - sameTexel && at < left) {
         left = at;
         side = k;
       }
     }
-    if (side < 0 || left >= reach) return false;
+    if (side < 0) {
+      left = nearest;
+      side = nearestSide;
+    }
+    place = std::max(place, left);
+    if (side < 0 || place >= reach) return false;
     const Neighbour& next = face->neighbours.at(static_cast<std::size_t>(side));
     if (next.kind != Side::continued) return next.kind == Side::seam;
     origin += next.shift;

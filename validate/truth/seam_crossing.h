@@ -29,8 +29,7 @@ class TextureCharts {
   /// Shared edges that are seams.
   [[nodiscard]] std::size_t seamCount() const { return seams_; }
   /// Whether the straight line of the map from a sample meets a seam before its end: the line that
-  /// tables and marches take the relief from. Face by face, exactly; where texture coordinates make
-  /// a face concave, by its sides' lines.
+  /// tables and marches take the relief from.
   /// @param direction  unit vector in the texture plane
   /// @param reach      length of the line, texels
   [[nodiscard]] bool crossesSeam(const SurfaceSample& sample, Vec2 direction, double reach) const;
