@@ -67,6 +67,16 @@ TEST(ClosedCage, HeightsDifferAcrossSpotsSeams) {
   EXPECT_LT(jumps, surface.faceCount());  // and most edges are none
 }
 
+TEST(ClosedCage, TrianglesOfLoopStayClosed) {
+  Cage cage;
+  cage.scheme = SubdivisionScheme::loop;
+  cage.positions = {{8, 0, 0}, {-8, 0, 0}, {0, 8, 0}, {0, -8, 0}, {0, 0, 8}, {0, 0, -8}};
+  cage.faceVertices = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  cage.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  for (int corner = 0; corner < 24; ++corner) cage.faceUvs.push_back(corner % 3);
+  expectClosed(MicroMesh(LimitSurface(cage), randomRelief(16, 16, 1, 5), {0.3, 0}), Vec3(0));
+}
+
 TEST(ClosedCage, CreasesStayClosed) {
   Cage cage = cubeCage();
   cage.creases = {{{0, 1}, 10}, {{1, 3}, 10}, {{3, 2}, 2.5}};
