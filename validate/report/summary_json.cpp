@@ -17,11 +17,25 @@ Json studyJson(const StudyRecord& record) {
           {"command", record.command}};
 }
 
+/// Adds each value by its name, and under `undefined` why there is none.
+void addMetrics(Json& json, const std::vector<Metric>& metrics) {
+  Json undefined = Json::object();
+  for (const Metric& metric : metrics) {
+    const std::string name(metric.name);
+    json[name] = jsonNumber(metric.value, name);
+    if (!metric.value) undefined[name] = metric.reason;
+  }
+  json["undefined"] = std::move(undefined);
+}
+
 Json flipJson(const UncertaintyRecord& flip) {
+  Json boundaries = Json::object();
+  addMetrics(boundaries, flip.boundaries);
   return {{"view", flip.view},
           {"light", flip.light},
           {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
-          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")}};
+          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
+          {"boundaries", std::move(boundaries)}};
 }
 
 Json truthJson(const TruthRecord& truth) {
@@ -51,13 +65,7 @@ Json resultJson(const ResultRecord& result) {
                {"fp", jsonNumber(counts.falsePositive, "results.fp")},
                {"fn", jsonNumber(counts.falseNegative, "results.fn")},
                {"tn", jsonNumber(counts.trueNegative, "results.tn")}};
-  Json undefined = Json::object();
-  for (const Metric& metric : metricsOf(result)) {
-    const std::string name(metric.name);
-    json[name] = jsonNumber(metric.value, name);
-    if (!metric.value) undefined[name] = metric.reason;
-  }
-  json["undefined"] = std::move(undefined);
+  addMetrics(json, metricsOf(result));
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/counts.h"
+#include "compare/rates.h"
 #include "compare/shadow_length.h"
 #include "study/budget_record.h"
 
@@ -36,6 +37,8 @@ struct UncertaintyRecord {
   /// By how much the median length ratio of that coarser truth's shadows to the truth's differs
   /// from 1; none where too few could be measured.
   std::optional<double> lengthError = std::nullopt;
+  /// The boundary metrics of that coarser truth's mask, as if it were a method's.
+  std::vector<Metric> boundaries = {};
 };
 
 struct TruthRecord {
@@ -63,6 +66,7 @@ struct ResultRecord {
   std::string region;
   Counts counts;
   std::optional<ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
+  std::vector<Metric> boundaries = {};                  ///< likewise; empty for other regions
 };
 
 struct CostRecord {

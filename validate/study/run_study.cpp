@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "compare/boundaries.h"
 #include "compare/counts.h"
 #include "study/cast_lengths.h"
 #include "study/environment.h"
@@ -120,6 +121,7 @@ class StudyRun {
     };
     add("all", {});
     record_.results.back().lengths = castLengths(mask, truth, field);
+    record_.results.back().boundaries = compareBoundaries(mask, truth.mask, seen.layout);
     std::vector<std::uint8_t> selected(mask.size());
     for (const Region region : reportedRegions) {
       std::transform(truth.regions.begin(), truth.regions.end(), selected.begin(),

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "common/error.h"
+#include "compare/boundaries.h"
 #include "study/cast_lengths.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
@@ -109,7 +111,11 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
         const LightField field = scene.lightField(base, v, l);
         return differenceFromOne(castLengths(coarse.mask, view.truths[l], field).ratio);
       });
-      truth.flips.push_back({study.views[v].name, study.lights[l].name, flips, lengthError});
+      auto boundaries = scene.clock.measure("uncertainty", [&](const Progress&) {
+        return compareBoundaries(coarse.mask, view.truths[l].mask, view.layout);
+      });
+      truth.flips.push_back(
+          {study.views[v].name, study.lights[l].name, flips, lengthError, std::move(boundaries)});
       truth.uncertainty = std::max(truth.uncertainty, flips);
     }
   }
