@@ -29,6 +29,18 @@ if(NOT TARGET gnomon::Epoxy)
     INTERFACE_INCLUDE_DIRECTORIES ${EPOXY_INCLUDE_DIR})
 endif()
 
+# OpenEXR's names parts of itself that Debian keeps in other packages.
+if(NOT TARGET gnomon::OpenEXR)
+  find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
+  find_path(OPENEXR_INCLUDE_DIR OpenEXR/ImfHeader.h REQUIRED)
+  find_library(OPENEXR_LIBRARY OpenEXR REQUIRED)
+  add_library(gnomon::OpenEXR UNKNOWN IMPORTED)
+  set_target_properties(gnomon::OpenEXR PROPERTIES
+    IMPORTED_LOCATION ${OPENEXR_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES
+      "${OPENEXR_INCLUDE_DIR};${OPENEXR_INCLUDE_DIR}/OpenEXR;${IMATH_INCLUDE_DIR}")
+endif()
+
 # OpenImageIO's package configuration insists on files of other Debian packages (its tools), and so
 # does that of Imath, whose headers it needs.
 if(NOT TARGET gnomon::OpenImageIO)

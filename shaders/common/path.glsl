@@ -43,8 +43,8 @@ float excess(Path path, float t, float bump) {
   float angle = curvature * reach;
   float q = angle * angle;
   // sin γ / γ and (1 - cos γ) / γ.
-  float sine = 1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0));
-  float versine = 0.5 * angle * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));
+  float sine = 1.0 + q * (-1.0 / 6.0 + q * (1.0 / 120.0 - q * (1.0 / 5040.0)));
+  float versine = angle * (0.5 + q * (-1.0 / 24.0 + q * (1.0 / 720.0 - q * (1.0 / 40320.0))));
   float drop = reach * (versine + path.slope * sine);
   float occluder = (path.scale + t * path.growth) * bump;
   return occluder * (1.0 - curvature * drop) - path.height - drop;

@@ -1,8 +1,12 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "end_to_end/program.h"
 
@@ -38,6 +42,45 @@ Cells count(const GreyImage& candidate, const GreyImage& truth, const Weight& we
 
 Cells count(const GreyImage& candidate, const GreyImage& truth) {
   return count(candidate, truth, [](std::size_t) { return 1.0; });
+}
+
+/// The middles of all sides between a lit and a shadowed pixel, columns and rows.
+std::vector<std::array<double, 2>> sidesOf(const GreyImage& mask) {
+  std::vector<std::array<double, 2>> sides;
+  const auto at = [&](int x, int y) {
+    return mask.pixels[static_cast<std::size_t>(y * mask.width + x)];
+  };
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      const int here = at(x, y);
+      if (here == 128) continue;
+      if (x + 1 < mask.width && at(x + 1, y) == 255 - here) sides.push_back({x + 0.5, y + 0.0});
+      if (y + 1 < mask.height && at(x, y + 1) == 255 - here) sides.push_back({x + 0.0, y + 0.5});
+    }
+  }
+  return sides;
+}
+
+/// Sum of the distances from each side to the nearest of the others, and how many exceed 2.
+struct Gaps {
+  double sum = 0;
+  double far = 0;
+};
+
+Gaps gapsBetween(const std::vector<std::array<double, 2>>& from,
+                 const std::vector<std::array<double, 2>>& to, double step) {
+  Gaps gaps;
+  for (const auto& a : from) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& b : to) {
+      const double x = a[0] - b[0];
+      const double y = a[1] - b[1];
+      least = std::min(least, x * x + y * y);
+    }
+    gaps.sum += step * std::sqrt(least);
+    gaps.far += step * std::sqrt(least) > 2 + 1e-9 ? 1 : 0;
+  }
+  return gaps;
 }
 
 class Controls : public EndToEnd {
@@ -107,6 +150,25 @@ TEST_F(Controls, TheFiguresAreThoseOfTheMasks) {
         EXPECT_NEAR(reported.at(name).get<double>(), value, 1e-13) << method << ", " << name;
       }
     }
+  }
+}
+
+TEST_F(Controls, BoundariesAreThoseOfTheMasks) {
+  runSphere({"--set", "light.0.elevation=30", "--method", "onoue-2004"});
+  for (const std::string view : {"camera", "atlas"}) {
+    const auto truth = sidesOf(sphereMask(view, 30, "truth"));
+    const auto candidate = sidesOf(sphereMask(view, 30, "onoue-2004"));
+    // In pixels, and in texels: the atlas shows all 128 of them.
+    const double step = view == "camera" ? 1 : 128.0 / sphereMask(view, 30, "truth").width;
+    const Gaps there = gapsBetween(candidate, truth, step);
+    const Gaps back = gapsBetween(truth, candidate, step);
+    const auto sides = static_cast<double>(truth.size() + candidate.size());
+    const nlohmann::json reported = result(view, 30, "onoue-2004");
+    EXPECT_NEAR(reported.at("assd").get<double>(), (there.sum + back.sum) / sides, 1e-9) << view;
+    EXPECT_NEAR(reported.at("surface_dice_2").get<double>(), 1 - (there.far + back.far) / sides,
+                1e-9)
+        << view;
+    EXPECT_LT(reported.at("boundary_iou_1"), reported.at("boundary_iou_4")) << view;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <random>
 
 #include "common/atomic_file.h"
@@ -175,6 +176,23 @@ TEST_F(TableFile, WritesWholeFilesOrNone) {
   EXPECT_THAT(messageOf<InputError>([&] { writeHorizons(file("t.exr"), tables); }),
               HasSubstr("t.exr"));
   EXPECT_TRUE(std::filesystem::is_empty(folder()));
+}
+
+/// Where an EXR's header keeps the last row: after the attribute's name, type and size, the fourth
+/// of the window's numbers.
+std::size_t lastRowPlace(const std::string& bytes) {
+  const std::string name("dataWindow\0box2i\0", 17);
+  return bytes.find(name) + name.size() + 4 + 12;
+}
+
+TEST_F(TableFile, AHeaderThatPromisesTooManyRowsIsRefusedBeforeTheyAreCounted) {
+  writeHorizons(file("t.exr"), randomTables(4, 4, 2, TableBits::eight));
+  std::string bytes = readFile(file("t.exr"));
+  ASSERT_LT(lastRowPlace(bytes) + 4, bytes.size());
+  bytes.replace(lastRowPlace(bytes), 4, std::string("\xff\xff\xff\x3f", 4));
+  std::ofstream(file("many.exr"), std::ios::binary) << bytes;
+  const auto refused = messageOf<InputError>([&] { readHorizons(file("many.exr")); });
+  EXPECT_THAT(refused, AllOf(HasSubstr("many.exr"), HasSubstr("data window")));
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ TEST_F(ReportHtml, EscapesAllText) {
   EnvironmentRecord& e = record.environment;
   for (std::string* text : {&record.name, &record.title, &record.source, &record.file,
                             &record.command, &e.gnomonVersion, &e.commit, &e.cpu, &e.glRenderer,
-                            &e.glVersion, &e.embreeVersion, &e.openSubdivVersion}) {
+                            &e.glVersion, &e.embreeVersion, &e.openSubdivVersion, &e.frameClock}) {
     spoil(*text);
   }
   const std::string html = reportHtml(record, folder_);

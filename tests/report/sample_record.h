@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "compare/boundaries.h"
 #include "study/record.h"
 
 namespace gnomon::test {
@@ -16,8 +18,8 @@ inline StudyRecord emptyRecord() {
   record.source = "Figure 8 & its \"claims\"";
   record.file = "scenes/sample.toml";
   record.command = "gnomon run scenes/sample.toml --set 'truth.step=1/8' > \"out\"";
-  record.environment = {"0.1.0",        "0123abc", "A processor",       2,
-                        "A rasteriser", "4.5",     "3.13.5 <built-in>", "3.5.0"};
+  record.environment = {"0.1.0", "0123abc",           "A processor", 2,          "A rasteriser",
+                        "4.5",   "3.13.5 <built-in>", "3.5.0",       "a <clock>"};
   record.truth = {2'000'000, 0.125, 0.004, 28'000'000, 24'000'000, {}};
   record.undefinedSamples = 12;
   return record;
@@ -27,6 +29,15 @@ inline ResultRecord result(const std::string& method, const std::string& light,
                            const std::string& view, const std::string& region,
                            const Counts& counts) {
   return {method, light, view, region, counts};
+}
+
+/// Two distances, and one share for each of the others.
+inline std::vector<Metric> boundaries(double assd, double hd95, double share) {
+  std::vector<Metric> metrics;
+  for (const std::string_view name : boundaryMetricNames()) metrics.push_back({name, share, {}});
+  metrics[0].value = assd;
+  metrics[1].value = hd95;
+  return metrics;
 }
 
 /// Counts over `samples` samples, a quarter of them shadowed in the truth.
@@ -44,13 +55,15 @@ inline StudyRecord sampleRecord(int lights = 2) {
                     {"best", "resampled-horizon", "Resampled", ""}};
   for (int i = 0; i < lights; ++i) {
     const std::string light = "elevation " + std::to_string(15 + 15 * i) + "°";
-    record.truth.flips.push_back({"camera", light, 0.002 + 0.002 * (i == 0 ? 0 : 1), 0.01});
+    record.truth.flips.push_back(
+        {"camera", light, 0.002 + 0.002 * (i == 0 ? 0 : 1), 0.01, boundaries(0.25, 1.0, 0.75)});
     const auto add = [&](const std::string& method, double falseShadow, double falseLight) {
       const Counts all = countsOf(1000, falseShadow, falseLight);
       record.results.push_back(result(method, light, "camera", "all", all));
       record.results.back().lengths =
           method == "close" ? ShadowLengths{12, {}, {}, {}, {}}
                             : ShadowLengths{400, 1 + falseShadow / 100, 0.5, 2.0, 8.0};
+      record.results.back().boundaries = boundaries(falseShadow / 8, falseShadow / 2, 0.5);
       const Counts lit{0, falseShadow, 0, 750 - falseShadow, 750};
       record.results.push_back(result(method, light, "camera", "lit", lit));
       record.results.push_back(result(method, light, "camera", "distant", Counts{}));

@@ -42,18 +42,18 @@ using Keys = std::vector<std::string>;
 
 TEST(SummaryJson, HasEveryKeyInOrder) {
   const ordered_json json = written(recordWithPanel());
-  EXPECT_EQ(keysOf(json),
-            (Keys{"schema", "status", "study", "environment", "truth", "methods", "results", "cost",
-                  "timings", "thresholds", "claims", "budget", "panels", "undefined_samples"}));
+  EXPECT_EQ(keysOf(json), (Keys{"schema", "status", "study", "environment", "truth", "methods",
+                                "results", "confidence", "differences", "bins", "cost", "timings",
+                                "thresholds", "claims", "budget", "panels", "undefined_samples"}));
   EXPECT_EQ(json["schema"], "gnomon-summary/1");
   EXPECT_EQ(keysOf(json["study"]), (Keys{"name", "title", "source", "file", "command"}));
   EXPECT_EQ(keysOf(json["environment"]),
-            (Keys{"gnomon_version", "commit", "cpu", "threads", "gl_renderer", "gl_version",
-                  "embree_version", "opensubdiv_version"}));
+            (Keys{"gnomon_version", "commit", "cpu", "threads", "gl_renderer", "frame_clock",
+                  "gl_version", "embree_version", "opensubdiv_version"}));
   EXPECT_EQ(keysOf(json["truth"]), (Keys{"micro_triangles", "step_texels", "uncertainty",
                                          "bvh_bytes", "mesh_bytes", "flips"}));
   EXPECT_EQ(keysOf(json["truth"]["flips"][0]),
-            (Keys{"view", "light", "flip_rate", "length_error"}));
+            (Keys{"view", "light", "flip_rate", "length_error", "boundaries"}));
   EXPECT_EQ(keysOf(json["methods"][0]), (Keys{"label", "name", "title", "citation"}));
   EXPECT_EQ(keysOf(json["cost"][0]), (Keys{"method", "polygons", "table_bytes", "height_bytes",
                                            "frame_ms", "passes", "frame_ratio"}));
@@ -89,11 +89,18 @@ TEST(SummaryJson, ValuesSurviveTheTrip) {
   EXPECT_EQ(first["error_rate"].get<double>(), 0.1);
   EXPECT_EQ(first["iou"].get<double>(), 230.0 / 330);
   EXPECT_TRUE(first["undefined"].empty());
+  EXPECT_EQ(first["assd"], 10);
+  EXPECT_EQ(first["hd95"], 40);
+  EXPECT_EQ(first["boundary_iou_1"], 0.5);
+  EXPECT_EQ(first["surface_dice_4"], 0.5);
   EXPECT_EQ(first["shadow_length_ratio"], 1.8);
   EXPECT_EQ(first["shadow_length_q1"], 0.5);
   EXPECT_EQ(first["shadow_length_q3"], 2.0);
   EXPECT_EQ(first["shadow_runs"], 400);
   EXPECT_EQ(json["truth"]["flips"][0]["length_error"], 0.01);
+  EXPECT_EQ(json["truth"]["flips"][0]["boundaries"]["assd"], 0.25);
+  EXPECT_EQ(json["truth"]["flips"][0]["boundaries"]["surface_dice_1"], 0.75);
+  EXPECT_TRUE(json["truth"]["flips"][0]["boundaries"]["undefined"].empty());
   EXPECT_EQ(json["cost"][0]["frame_ms"], 1.25);
   EXPECT_TRUE(json["cost"][1]["frame_ms"].is_null());
   EXPECT_EQ(json["panels"][0]["pictures"][2]["kind"], "displaced");
@@ -114,7 +121,7 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
   for (const std::string_view name : metricNames()) {
     EXPECT_TRUE(distant[std::string(name)].is_null()) << name;
     EXPECT_EQ(distant["undefined"].value(std::string(name), ""),
-              isLengthMetric(name) ? "measured over all samples together only" : "no samples")
+              isRate(name) ? "no samples" : "measured over all samples together only")
         << name;
   }
   EXPECT_TRUE(json["thresholds"][1]["value"].is_null());
@@ -152,6 +159,12 @@ TEST(SummaryJson, RefusesNumbersThatAreNotFinite) {
     EXPECT_THROW(summaryJson(record), InternalError);
     record = sampleRecord();
     record.results[0].lengths->ratio = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.results[0].boundaries[0].value = bad;
+    EXPECT_THROW(summaryJson(record), InternalError);
+    record = sampleRecord();
+    record.truth.flips[1].boundaries[1].value = bad;
     EXPECT_THROW(summaryJson(record), InternalError);
     record = sampleRecord();
     record.truth.stepTexels = bad;

@@ -223,6 +223,47 @@ TEST(Claims, OrderLengthsByTheTruthsOwnLengths) {
   EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
 }
 
+// ---- boundaries
+
+/// A study whose methods `new` and `old` have given values of one boundary metric under one light,
+/// where the coarser truth has the value `truths`.
+StudyRecord boundaryStudy(std::string_view metric, double ofNew, double ofOld,
+                          std::optional<double> truths) {
+  StudyRecord record = study("s", {{0.02, 0.05}}, 0.5);
+  record.truth.flips[0].boundaries = {{metric, truths, {}}};
+  record.results[0].boundaries = {{metric, ofNew, {}}};
+  record.results[1].boundaries = {{metric, ofOld, {}}};
+  return record;
+}
+
+TEST(Claims, OrderBoundariesByTheTruthsOwn) {
+  ClaimSpec claim = newIsBetter();
+  claim.metric = "assd";
+  const ClaimRecord judged = judge(claim, {boundaryStudy("assd", 0.5, 0.75, 0.125)});
+  EXPECT_EQ(judged.verdict, Verdict::held) << "though half of the samples flip";
+  EXPECT_THAT(judged.detail, HasSubstr("mean difference 0.250"));
+  EXPECT_EQ(judge(claim, {boundaryStudy("assd", 0.5, 0.75, 0.25)}).verdict,
+            Verdict::notDistinguishable);
+  EXPECT_EQ(judge(claim, {boundaryStudy("assd", 0.75, 0.5, 0.125)}).verdict, Verdict::failed);
+
+  claim.metric = "surface_dice_2";
+  EXPECT_EQ(judge(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.875)}).verdict,
+            Verdict::held);
+  EXPECT_EQ(judge(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.75)}).verdict,
+            Verdict::notDistinguishable);
+}
+
+TEST(Claims, TellNoBoundariesApartWithoutTheTruthsOwn) {
+  ClaimSpec claim = newIsBetter();
+  claim.metric = "hd95";
+  StudyRecord record = boundaryStudy("hd95", 1, 100, {});
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  record.truth.flips.clear();
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  record.results[0].boundaries[0].value.reset();
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notEvaluated);
+}
+
 // ---- across studies
 
 TEST(Claims, CompareGainsAcrossStudies) {

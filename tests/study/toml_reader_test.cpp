@@ -355,5 +355,13 @@ TEST_F(ParseToml, RefusesOverridesThatLeadNowhere) {
   EXPECT_EQ(refused("relief.=3"), "--set relief.=3: `` is no key of a table");
 }
 
+class TomlFile : public TemporaryFolder {};
+
+TEST_F(TomlFile, AFaultOfSyntaxIsOneLineEvenAtTheEndOfOne) {
+  std::ofstream(file("cut.toml")) << "[relief]\nwall = t\nheight = 3\n";
+  const auto refused = messageOf<InputError>([&] { parseToml(file("cut.toml"), {}); });
+  EXPECT_THAT(refused, HasSubstr("cut.toml:2:9: "));
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -10,6 +10,7 @@
 #include "cli/baseline_check.h"
 #include "cli/failure.h"
 #include "cli/plan_runs.h"
+#include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
 #include "common/atomic_file.h"
 #include "common/shell_quote.h"

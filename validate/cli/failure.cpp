@@ -2,20 +2,19 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <exception>
 #include <new>
+
+#include "common/one_line.h"
 
 namespace gnomon {
 namespace {
 
-/// Without line breaks and other controls; none at its end.
-std::string oneLine(std::string message) {
-  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
-  message.erase(std::find_if_not(message.rbegin(), message.rend(), isControl).base(),
-                message.end());
-  std::replace_if(message.begin(), message.end(), isControl, ' ');
-  return message;
+/// One line, with no control character at its end.
+std::string cleaned(std::string_view message) {
+  std::string line = oneLine(message);
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
 }
 
 }  // namespace
@@ -24,11 +23,11 @@ Failure currentFailure() {
   try {
     throw;
   } catch (const Error& error) {
-    return {error.status(), oneLine(error.what())};
+    return {error.status(), cleaned(error.what())};
   } catch (const std::bad_alloc&) {
     return {ExitStatus::internal, "out of memory"};
   } catch (const std::exception& error) {
-    return {ExitStatus::internal, oneLine(fmt::format("internal error: {}", error.what()))};
+    return {ExitStatus::internal, cleaned(fmt::format("internal error: {}", error.what()))};
   } catch (...) {
     return {ExitStatus::internal, "internal error: of a kind that is not known"};
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -27,11 +26,6 @@ struct RunRequest {
 /// written as `out/ranking.csv`, `ranking.html` and last `ranking.json`.
 /// Thresholds are judged and recorded, but decide nothing: see checkStudies.
 ExitStatus runStudies(const RunRequest& request);
-
-/// Adds a study's name to those of a run.
-/// @throws InputError for one that is among them
-void requireNewName(std::set<std::string>& names, const std::filesystem::path& file,
-                    const std::string& name);
 
 /// Bakes the tables of the studies and writes them as `out/NAME/tables.exr`.
 ExitStatus bakeStudies(const RunRequest& request);

@@ -14,16 +14,12 @@
 
 #include "common/error.h"
 #include "common/memory.h"
+#include "common/one_line.h"
+#include "relief/exr_limit.h"
 
 namespace gnomon {
 namespace {
 namespace fs = std::filesystem;
-
-/// A message of the image library on one line.
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
 
 std::unique_ptr<OIIO::ImageInput> openImage(const fs::path& path) {
   std::error_code failure;
@@ -33,6 +29,7 @@ std::unique_ptr<OIIO::ImageInput> openImage(const fs::path& path) {
   // Heights are data: a colour channel must not come multiplied by the image's alpha.
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
+  limitExrSize();
   auto image = OIIO::ImageInput::open(path.string(), &wishes);
   if (!image) {
     throw InputError(fmt::format("{}: not an image that can be read: {}", path.string(),

@@ -17,6 +17,8 @@
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "common/memory.h"
+#include "common/one_line.h"
+#include "relief/exr_limit.h"
 
 namespace gnomon {
 namespace {
@@ -24,11 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr int mostAzimuths = 1000;  // three digits in a channel's name
 constexpr int rowsAtOnce = 16;      // what EXR's zip compression packs together
-
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
   throw InputError(fmt::format("{}: {}", path.string(), oneLine(reason)));
@@ -338,6 +335,7 @@ void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
 StoredHorizons readHorizons(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) refuse(path, "no such file, tables in EXR expected");
+  limitExrSize();
   const auto image = OIIO::ImageInput::open(path.string());
   if (!image) refuse(path, "not an EXR that can be read: " + OIIO::geterror());
   const OIIO::ImageSpec spec = image->spec();

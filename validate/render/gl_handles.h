@@ -44,6 +44,9 @@ struct DeleteFramebuffer {
 struct DeleteShader {
   void operator()(GLuint name) const { glDeleteShader(name); }
 };
+struct DeleteQuery {
+  void operator()(GLuint name) const { glDeleteQueries(1, &name); }
+};
 struct DeleteProgram {
   void operator()(GLuint name) const { glDeleteProgram(name); }
 };
@@ -52,6 +55,7 @@ using Texture = Handle<DeleteTexture>;
 using Buffer = Handle<DeleteBuffer>;
 using VertexArray = Handle<DeleteVertexArray>;
 using Framebuffer = Handle<DeleteFramebuffer>;
+using Query = Handle<DeleteQuery>;
 using Shader = Handle<DeleteShader>;
 using Program = Handle<DeleteProgram>;
 
@@ -69,6 +73,11 @@ inline VertexArray makeVertexArray() {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
   return VertexArray(name);
+}
+inline Query makeTimeQuery() {
+  GLuint name = 0;
+  glCreateQueries(GL_TIME_ELAPSED, 1, &name);
+  return Query(name);
 }
 inline Framebuffer makeFramebuffer() {
   GLuint name = 0;

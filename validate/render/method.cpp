@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "common/one_line.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -34,7 +35,7 @@ class Declaration {
                                .append(text.substr(opening.size(), end - opening.size())));
     } catch (const toml::parse_error& error) {
       throw InputError(
-          fmt::format("{}:{}: {}", file_, error.source().begin.line, error.description()));
+          fmt::format("{}:{}: {}", file_, error.source().begin.line, oneLine(error.description())));
     }
   }
 

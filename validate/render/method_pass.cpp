@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "common/error.h"
@@ -290,27 +289,9 @@ Mask MethodPass::render(const RenderView& view, const Drawing& drawing,
 }
 
 double MethodPass::frameMilliseconds(const RenderView& view, const Drawing& drawing,
-                                     const GpuTables& tables, int frames) const {
-  constexpr double enoughMilliseconds = 300;
-  using Clock = std::chrono::steady_clock;
+                                     const GpuTables& tables, int frames, FrameClock clock) const {
   const Frame frame(*this, view, drawing, tables);
-  std::vector<double> milliseconds;
-  double total = 0;
-  for (int i = 0; i <= frames; ++i) {
-    glFinish();
-    const Clock::time_point start = Clock::now();
-    frame.draw();
-    glFinish();
-    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - start;
-    if (i == 0) continue;  // warms up
-    milliseconds.push_back(elapsed.count());
-    total += elapsed.count();
-    if (total > enoughMilliseconds) break;
-  }
-  throwOnGlError("timing a method");
-  const auto middle = milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2);
-  std::nth_element(milliseconds.begin(), middle, milliseconds.end());
-  return *middle;
+  return medianFrameMilliseconds([&] { frame.draw(); }, frames, clock);
 }
 
 }  // namespace gnomon

@@ -9,6 +9,7 @@
 
 #include "common/mask.h"
 #include "render/drawing.h"
+#include "render/frame_timer.h"
 #include "render/light_depth_pass.h"
 #include "render/method.h"
 #include "render/shadow_volume_pass.h"
@@ -42,12 +43,10 @@ class MethodPass {
   [[nodiscard]] Mask render(const RenderView& view, const Drawing& drawing,
                             const GpuTables& tables) const;
 
-  /// Median time of one frame, all its passes, over at most `frames` frames, after one that warms
-  /// up; milliseconds. A slow method is timed for about 0.3 s, at least one frame. By the wall
-  /// clock between two glFinish: GL's timer queries of a software renderer see only a part of the
-  /// work (Mesa's llvmpipe answered 0.002 ms for a frame of 15 ms).
+  /// Median time of one frame, all its passes, milliseconds: see medianFrameMilliseconds.
   [[nodiscard]] double frameMilliseconds(const RenderView& view, const Drawing& drawing,
-                                         const GpuTables& tables, int frames) const;
+                                         const GpuTables& tables, int frames,
+                                         FrameClock clock) const;
 
   /// Bytes of the textures that its passes fill and read again in every frame.
   [[nodiscard]] std::uint64_t passBytes(const Drawing& drawing, const GpuTables& tables) const;

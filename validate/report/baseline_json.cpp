@@ -20,8 +20,7 @@ std::string oneLine(const Json& json) {
 
 Json environmentJson(const EnvironmentRecord& environment) {
   Json json = jsonEnvironment(environment);
-  json.erase("threads");
-  json.erase("cpu");
+  for (const char* key : {"threads", "cpu", "frame_clock"}) json.erase(key);
   return json;
 }
 

@@ -1,6 +1,8 @@
 #include "report/summary_json.h"
 
+#include "report/bin_files.h"
 #include "report/budget_files.h"
+#include "report/confidence_files.h"
 #include "report/cost.h"
 #include "report/json_values.h"
 #include "report/names.h"
@@ -8,30 +10,6 @@
 
 namespace gnomon {
 namespace {
-
-Json studyJson(const StudyRecord& record) {
-  return {{"name", record.name},
-          {"title", record.title},
-          {"source", record.source},
-          {"file", record.file},
-          {"command", record.command}};
-}
-
-Json flipJson(const UncertaintyRecord& flip) {
-  return {{"view", flip.view},
-          {"light", flip.light},
-          {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
-          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")}};
-}
-
-Json truthJson(const TruthRecord& truth) {
-  return {{"micro_triangles", truth.microTriangles},
-          {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
-          {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
-          {"bvh_bytes", truth.bvhBytes},
-          {"mesh_bytes", truth.meshBytes},
-          {"flips", jsonList(truth.flips, flipJson)}};
-}
 
 Json methodJson(const MethodRecord& method) {
   return {{"label", method.label},
@@ -51,13 +29,7 @@ Json resultJson(const ResultRecord& result) {
                {"fp", jsonNumber(counts.falsePositive, "results.fp")},
                {"fn", jsonNumber(counts.falseNegative, "results.fn")},
                {"tn", jsonNumber(counts.trueNegative, "results.tn")}};
-  Json undefined = Json::object();
-  for (const Metric& metric : metricsOf(result)) {
-    const std::string name(metric.name);
-    json[name] = jsonNumber(metric.value, name);
-    if (!metric.value) undefined[name] = metric.reason;
-  }
-  json["undefined"] = std::move(undefined);
+  addMetrics(json, metricsOf(result));
   return json;
 }
 
@@ -91,7 +63,8 @@ Json pictureJson(const PictureRecord& picture) {
   return {{"kind", pictureKindName(picture.kind)},
           {"method", picture.method},
           {"caption", picture.caption},
-          {"path", picture.path}};
+          {"path", picture.path},
+          {"mask", picture.mask.empty() ? Json(nullptr) : Json(picture.mask)}};
 }
 
 Json panelJson(const PanelRecord& panel) {
@@ -108,11 +81,14 @@ std::string summaryJson(const StudyRecord& record) {
   const Json json = {
       {"schema", summarySchema},
       {"status", jsonStatus(record.passed())},
-      {"study", studyJson(record)},
+      {"study", jsonStudy(record)},
       {"environment", jsonEnvironment(record.environment)},
-      {"truth", truthJson(record.truth)},
+      {"truth", jsonTruth(record.truth)},
       {"methods", jsonList(record.methods, methodJson)},
       {"results", jsonList(record.results, resultJson)},
+      {"confidence", jsonList(record.confidence, jsonConfidence)},
+      {"differences", jsonList(record.differences, jsonDifference)},
+      {"bins", jsonList(record.bins, jsonBin)},
       {"cost",
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},

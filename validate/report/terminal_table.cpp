@@ -11,6 +11,7 @@
 #include "report/cost.h"
 #include "report/number_text.h"
 #include "report/terminal_budget.h"
+#include "report/terminal_confidence.h"
 #include "report/terminal_page.h"
 #include "report/text_width.h"
 #include "study/result_metrics.h"
@@ -212,7 +213,9 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
   const std::size_t numbers = std::accumulate(costWidths.begin(), costWidths.end(), terminalIndent);
   width = std::min(width, terminalWidth - numbers);
   page.blank();
-  page.heading("Cost");
+  page.heading(record.environment.frameClock.empty()
+                   ? "Cost"
+                   : fmt::format("Cost, frames by {}", record.environment.frameClock));
   page.line(
       costRow(width, "method", {"triangles", "tables", "passes", "ms/frame", "to max-forsyth"}));
   for (const CostRecord& cost : record.cost) {
@@ -245,6 +248,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   TerminalPage page(colours);
   page.heading(record.title.empty() ? record.name : record.title);
   page.paragraph(record.source);
+  appendConfidence(page, record);
   appendResults(page, record);
   page.claims(record.claims);
   appendBudgets(page, record);

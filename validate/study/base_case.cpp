@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "common/error.h"
 #include "common/memory.h"
 #include "render/passes.h"
+#include "study/view_layout.h"
 
 namespace gnomon {
 namespace {
@@ -22,8 +24,9 @@ void requireRoom(const StudySpec& study, const RenderView& view, const std::stri
     throw InputError(fmt::format("{} found, at most {} expected", what, mostSamples));
   }
   constexpr double bytesWhileRendering = 64;
-  constexpr double bytesOfWeightsAndPlaces = sizeof(double) + sizeof(SurfaceSample);
-  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region);
+  constexpr double bytesOfWeightsAndPlaces =
+      sizeof(double) + sizeof(SurfaceSample) + sizeof(std::uint8_t);
+  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region) + 1;  // and whether at a seam
   requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
                            bytesOfTruth * static_cast<double>(study.lights.size()) +
                            sizeof(Shade) * static_cast<double>(study.methods.size())),
@@ -47,6 +50,7 @@ ViewCase makeViewCase(const StudySpec& study, const LimitSurface& surface, const
     throw InputError(
         fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
   }
+  view.layout = makeSampleLayout(surface, study.relief.texelsPerUv(), view.view, view.samples);
   if (atlas != nullptr) {
     view.weights =
         sampleAreas(surface, view.samples, atlas->samplesPerSide * atlas->samplesPerSide);

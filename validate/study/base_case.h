@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "compare/sample_layout.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
 #include "render/view.h"
@@ -20,6 +21,7 @@ namespace gnomon {
 struct ViewCase {
   RenderView view;
   SampleGrid samples;
+  SampleLayout layout;          ///< how they lie beside each other
   std::vector<double> weights;  ///< world area of each sample in an atlas; empty for a camera
   std::vector<Truth> truths;    ///< one a light, filled by the run
 };

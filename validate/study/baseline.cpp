@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "common/error.h"
+#include "compare/shadow_length.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -20,6 +21,11 @@ constexpr double leastLengthTolerance = 0.02;
 
 constexpr std::array<std::string_view, 5> metrics = {"error_rate", "false_shadow", "false_light",
                                                      "shadow_length_ratio", "prevalence"};
+
+bool isLength(std::string_view metric) {
+  const auto& names = lengthMetricNames();
+  return std::find(names.begin(), names.end(), metric) != names.end();
+}
 
 /// What one value is of.
 using Key = std::tuple<std::string, std::string, std::string, std::string, std::string>;
@@ -40,7 +46,7 @@ GateRecord gateFor(const BaselineEntry& entry) {
   if (entry.metric == "prevalence") {
     gate.minimum = entry.value - entry.tolerance;
     gate.maximum = entry.value + entry.tolerance;
-  } else if (isLengthMetric(entry.metric)) {
+  } else if (isLength(entry.metric)) {
     const double distance = std::abs(entry.value - 1) + entry.tolerance;
     gate.minimum = 1 - distance;
     gate.maximum = 1 + distance;
@@ -93,12 +99,15 @@ std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& re
   const auto found = std::find_if(flips.begin(), flips.end(), [&](const UncertaintyRecord& flip) {
     return flip.view == result.view && flip.light == result.light;
   });
-  if (isLengthMetric(metric)) return found == flips.end() ? std::nullopt : found->lengthError;
-  return found == flips.end() ? record.truth.uncertainty : found->flipRate;
+  if (isRate(metric)) return found == flips.end() ? record.truth.uncertainty : found->flipRate;
+  if (found == flips.end()) return std::nullopt;
+  if (isLength(metric)) return found->lengthError;
+  const double spread = metricUncertainty(*found, metric);
+  return std::isfinite(spread) ? std::optional(spread) : std::nullopt;
 }
 
 double toleranceOf(std::string_view metric, double spread) {
-  return std::max(2 * spread, isLengthMetric(metric) ? leastLengthTolerance : leastRateTolerance);
+  return std::max(2 * spread, isLength(metric) ? leastLengthTolerance : leastRateTolerance);
 }
 
 std::vector<BaselineEntry> referenceValues(std::span<const StudyRecord> steps) {
@@ -153,7 +162,7 @@ std::vector<NoticeRecord> betterThan(const Baseline& baseline,
     if (gate.verdict != GateVerdict::passed || !gate.expected || gate.metric == "prevalence") {
       continue;
     }
-    const bool length = isLengthMetric(gate.metric);
+    const bool length = isLength(gate.metric);
     const double gain = length ? std::abs(*gate.expected - 1) - std::abs(*gate.value - 1)
                                : *gate.expected - *gate.value;
     const double tolerance =

@@ -47,11 +47,12 @@ struct Baseline {
 /// may not move at all.
 std::span<const std::string_view> baselineMetrics();
 
-/// The measured spread of a metric of one result; none for a length whose error was not measured.
+/// The measured spread of a metric of one result, of any metric; none for a length or boundary whose
+/// error was not measured.
 std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& result,
                                std::string_view metric);
 
-/// The tolerance for a spread.
+/// The tolerance for a spread: that of rates also for the metrics of boundaries.
 double toleranceOf(std::string_view metric, double spread);
 
 /// All values that a baseline holds of a study's run: those that are defined and whose spread is

@@ -43,8 +43,8 @@ double uncertaintyOf(const StudyRecord& study, const ResultRecord& result,
   const auto flip = std::find_if(flips.begin(), flips.end(), [&](const UncertaintyRecord& record) {
     return record.view == result.view && record.light == result.light;
   });
-  if (isLengthMetric(metric)) {
-    return flip == flips.end() ? 0 : flip->lengthError.value_or(0);
+  if (!isRate(metric)) {
+    return metricUncertainty(flip == flips.end() ? UncertaintyRecord{} : *flip, metric);
   }
   const double rate = flip == flips.end() ? study.truth.uncertainty : flip->flipRate;
   return rate * concentration(study, result);
@@ -79,10 +79,10 @@ double largestUncertainty(const std::vector<Pair>& found) {
   return largest;
 }
 
-/// A difference as texts show it: rates in points of a hundred, lengths as the ratios they are.
+/// A difference as texts show it: rates in points of a hundred, all others as they are.
 std::string differenceText(const std::string& metric, double difference) {
-  return isLengthMetric(metric) ? fmt::format("{:.3f}", difference)
-                                : fmt::format("{:.2f} points", 100 * difference);
+  return isRate(metric) ? fmt::format("{:.2f} points", 100 * difference)
+                        : fmt::format("{:.3f}", difference);
 }
 
 std::string regionText(const ClaimSpec& claim) {

@@ -21,8 +21,9 @@ namespace gnomon {
 ///   failed               outside somewhere, also when moved by it
 ///   not distinguishable  anything between
 /// The truth's uncertainty is the share of samples that flip at half its resolution; in a region,
-/// as if all of them lay in it, so that it is never too small; of a length ratio, by how much the
-/// coarser truth's differs from 1. Where no case has a value, the claim is not evaluated.
+/// as if all of them lay in it, so that it is never too small; of a boundary metric or a length
+/// ratio, `metricUncertainty`: by how much the coarser truth's own differs from that of a perfect
+/// mask. Where no case has a value, the claim is not evaluated.
 /// With `gainExceeds` the mean of (than - less) over lights and views is compared with the same
 /// mean in the study of that name, by the sum of both studies' largest uncertainties; without that
 /// study in the run the claim is not evaluated, and says what to run. A claim with `gainGrows` is

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "render/frame_timer.h"
 #include "surface/limit_surface.h"
 #include "truth/micro_scene.h"
 
@@ -35,7 +36,18 @@ EnvironmentRecord describeEnvironment(const GlContext& gl) {
   environment.glVersion = gl.version();
   environment.embreeVersion = MicroScene::embreeVersion();
   environment.openSubdivVersion = openSubdivVersion();
+  environment.frameClock = frameClockName(frameClockOf(environment.glRenderer));
   return environment;
+}
+
+StudyRecord startRecord(const StudySpec& study, const GlContext& gl) {
+  StudyRecord record;
+  record.environment = describeEnvironment(gl);
+  record.name = study.name;
+  record.title = study.title;
+  record.source = study.source;
+  record.file = study.file.string();
+  return record;
 }
 
 }  // namespace gnomon

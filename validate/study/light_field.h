@@ -11,18 +11,15 @@ namespace gnomon {
 /// The steps along which the shadows of one light are measured in one view.
 ///
 /// At each sample, with the exact limit surface's P and n: V = -(L - (L·n) n), normalised, is the
-/// direction in which shadows fall. Its image is how the sample's place in the picture moves a
-/// world unit along V: in a camera view by the Jacobian of the projection at P, in an atlas by
-/// solving V = a P_s + b P_t, since there columns run along s and rows against t. A step of one
-/// sample is the unit vector of that image and measures one over its length, in world units;
-/// foreshortening is thus undone.
+/// direction in which shadows fall. Its image (see `ViewMap`) is how the sample's place in the
+/// picture moves a world unit along V. A step of one sample is the unit vector of that image and
+/// measures one over its length, in world units; foreshortening is thus undone.
 ///
 /// Zero, that is left out, where no sample is, the undisplaced surface is turned from the light
 /// (n·L ≤ 0: there a shadow has no end that an occluder gave it), the light is within 1e-6 of n,
 /// the frame is degenerate, or the surface is seen edge-on.
 ///
-/// `reach` is 3 times the world lengths of a column and of a row together: rounding to the nearest
-/// sample at both ends moves a step by less than 2 of either.
+/// `reach` is `sampleReach`.
 /// @param light  unit vector toward the light
 LightField makeLightField(const LimitSurface& surface, const RenderView& view,
                           const SampleGrid& samples, const Vec3& light);

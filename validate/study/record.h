@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "compare/counts.h"
+#include "compare/rates.h"
 #include "compare/shadow_length.h"
+#include "study/bin_record.h"
 #include "study/budget_record.h"
+#include "study/confidence_record.h"
 
 namespace gnomon {
 
@@ -25,6 +28,7 @@ struct EnvironmentRecord {
   std::string glVersion;
   std::string embreeVersion;
   std::string openSubdivVersion;
+  std::string frameClock;  ///< what measured the frame times: "wall clock", "GL timer queries"
 };
 
 /// How far the truth itself can be trusted.
@@ -35,6 +39,8 @@ struct UncertaintyRecord {
   /// By how much the median length ratio of that coarser truth's shadows to the truth's differs
   /// from 1; none where too few could be measured.
   std::optional<double> lengthError = std::nullopt;
+  /// The boundary metrics of that coarser truth's mask, as if it were a method's.
+  std::vector<Metric> boundaries = {};
 };
 
 struct TruthRecord {
@@ -62,6 +68,7 @@ struct ResultRecord {
   std::string region;
   Counts counts;
   std::optional<ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
+  std::vector<Metric> boundaries = {};                  ///< likewise; empty for other regions
 };
 
 struct CostRecord {
@@ -105,6 +112,7 @@ struct PictureRecord {
   std::string method;  ///< a label, or "truth"
   std::string caption;
   std::string path;
+  std::string mask = {};  ///< of the answer that a shaded picture shows
 };
 
 /// The pictures of one view under one light, in the order of Figure 8.
@@ -126,6 +134,9 @@ struct StudyRecord {
   TruthRecord truth;
   std::vector<MethodRecord> methods;
   std::vector<ResultRecord> results;
+  std::vector<ConfidenceRecord> confidence;   ///< of every method in every view
+  std::vector<DifferenceRecord> differences;  ///< of every two methods in every view
+  std::vector<BinRecord> bins;
   std::vector<CostRecord> cost;
   std::vector<TimingRecord> timings;
   std::vector<ThresholdRecord> thresholds;

@@ -8,7 +8,7 @@
 
 namespace gnomon {
 
-/// All metrics of one result: its rates, then the lengths of its shadows.
+/// All metrics of one result: its rates, the boundaries of its shadows, then their lengths.
 /// @throws InternalError as `rates`
 std::vector<Metric> metricsOf(const ResultRecord& result);
 
@@ -19,8 +19,15 @@ Metric metricOf(const ResultRecord& result, std::string_view name);
 /// The names of all metrics, in their order.
 const std::vector<std::string_view>& metricNames();
 
-/// Whether a metric measures lengths: its uncertainty is the truth's `lengthError`, not the share
-/// of samples that flip.
-bool isLengthMetric(std::string_view name);
+/// Whether a metric is one of `rates`. Its uncertainty is the share of samples that flip.
+bool isRate(std::string_view name);
+
+/// By how much the truth itself may be wrong in any other metric: how far the coarser truth's own
+/// figure is from that of a perfect mask, which is `lengthError` for lengths, 0 off for distances
+/// between boundaries, 1 for boundary IoU and surface Dice. Infinite where the coarser truth has no
+/// boundary to compare, so that nothing can be told apart; 0 where its lengths could not be
+/// measured.
+/// @throws InternalError for a rate or an unknown name
+double metricUncertainty(const UncertaintyRecord& truth, std::string_view name);
 
 }  // namespace gnomon

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "compare/boundaries.h"
 #include "compare/counts.h"
 #include "study/cast_lengths.h"
 #include "study/environment.h"
@@ -12,8 +13,10 @@
 #include "study/method_case.h"
 #include "study/panel_pictures.h"
 #include "study/run_scene.h"
+#include "study/spread_stage.h"
 #include "study/thresholds.h"
 #include "study/truth_stage.h"
+#include "truth/seam_crossing.h"
 
 namespace gnomon {
 namespace {
@@ -21,15 +24,18 @@ namespace {
 /// The order of a run's stages, and what passes from one to the next.
 class StudyRun {
  public:
-  StudyRun(const StudySpec& study, RunWriter& writer, const StageProgress& progress)
+  StudyRun(const StudySpec& study, const GlContext& gl, RunWriter& writer,
+           const StageProgress& progress)
       : study_(study),
+        frameClock_(frameClockOf(gl.renderer())),
         clock_(progress),
         scene_(study, clock_),
         writer_(writer),
-        pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {}
+        pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {
+    record_ = startRecord(study, gl);
+  }
 
-  StudyRecord run(const GlContext& gl) {
-    describe(gl);
+  StudyRecord run() {
     prepareMethods();
     LadderStage ladders(scene_, writer_);
     traceTruth(ladders);
@@ -42,14 +48,6 @@ class StudyRun {
   }
 
  private:
-  void describe(const GlContext& gl) {
-    record_.environment = describeEnvironment(gl);
-    record_.name = study_.name;
-    record_.title = study_.title;
-    record_.source = study_.source;
-    record_.file = study_.file.string();
-  }
-
   void prepareMethods() {
     // The study's own base is shown and traced even where every method draws another.
     scene_.standardBase();
@@ -78,8 +76,10 @@ class StudyRun {
   /// Masks live for one view and light: that is all that a panel needs.
   void compareMethods(LadderStage& ladders) {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
+      SpreadStage spread(scene_, methods_, v);
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
         const std::vector<std::optional<Mask>> masks = compareMethods(v, l);
+        spread.measure(l, masks);
         if (v == ladders.view()) ladders.measure(l, masks);
         std::vector<PanelMask> shown;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -87,6 +87,7 @@ class StudyRun {
         }
         record_.panels.push_back(pictures_.draw(v, l, scene_.standardBase(), shown));
       }
+      spread.report(record_);
     }
   }
 
@@ -120,12 +121,14 @@ class StudyRun {
     };
     add("all", {});
     record_.results.back().lengths = castLengths(mask, truth, field);
+    record_.results.back().boundaries = compareBoundaries(mask, truth.mask, seen.layout);
     std::vector<std::uint8_t> selected(mask.size());
     for (const Region region : reportedRegions) {
       std::transform(truth.regions.begin(), truth.regions.end(), selected.begin(),
                      [region](Region r) { return static_cast<std::uint8_t>(r == region); });
       add(regionName(region), selected);
     }
+    add(seamRegion, truth.crossesSeam);
   }
 
   /// On the first camera view under the first light; without a camera view there is no frame time.
@@ -143,14 +146,16 @@ class StudyRun {
     if (camera != study_.views.end()) {
       const auto view = static_cast<std::size_t>(camera - study_.views.begin());
       cost.frameMs = clock_.measure("frame times", [&](const Progress&) {
-        return method.pass.frameMilliseconds(
-            method.base->views[view].view, scene_.drawing(*method.base, 0), method.tables, frames);
+        return method.pass.frameMilliseconds(method.base->views[view].view,
+                                             scene_.drawing(*method.base, 0), method.tables, frames,
+                                             frameClock_);
       });
     }
     return cost;
   }
 
   const StudySpec& study_;
+  FrameClock frameClock_;
   StageClock clock_;
   RunScene scene_;
   RunWriter& writer_;
@@ -163,7 +168,7 @@ class StudyRun {
 
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer,
                      const StageProgress& progress) {
-  return StudyRun(study, writer, progress).run(gl);
+  return StudyRun(study, gl, writer, progress).run();
 }
 
 }  // namespace gnomon

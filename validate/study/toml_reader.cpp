@@ -8,6 +8,7 @@
 
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/one_line.h"
 
 namespace gnomon {
 namespace {
@@ -323,7 +324,7 @@ toml::table parseToml(const std::filesystem::path& path,
     return table;
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}:{}: {}", path.string(), error.source().begin.line,
-                                 error.source().begin.column, error.description()));
+                                 error.source().begin.column, oneLine(error.description())));
   }
 }
 

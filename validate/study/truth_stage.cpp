@@ -5,20 +5,32 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "common/error.h"
+#include "compare/boundaries.h"
 #include "study/cast_lengths.h"
+#include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon {
 namespace {
 
+TraceSettings settingsOf(const RunScene& scene, const LightSpec& light, double liftShare) {
+  return {light.direction(), scene.study.bake.settings.radiusTexels, liftShare};
+}
+
 Truth trace(const RunScene& scene, const TracedSurface& surface, const SampleGrid& samples,
             const LightSpec& light, double liftShare, const Progress& progress) {
-  const TraceSettings settings{light.direction(), scene.study.bake.settings.radiusTexels,
-                               liftShare};
   return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene, samples,
-                      settings, progress);
+                      settingsOf(scene, light, liftShare), progress);
+}
+
+std::vector<std::uint8_t> seams(const RunScene& scene, const TracedSurface& surface,
+                                const TextureCharts& charts, const SampleGrid& samples,
+                                const Truth& truth, const LightSpec& light) {
+  return seamCrossings(scene.surface, scene.study.relief, surface.mesh, surface.scene, charts,
+                       samples, truth, settingsOf(scene, light, standardLift));
 }
 
 void requireFrames(const SampleGrid& samples, const Truth& truth) {
@@ -64,11 +76,14 @@ TruthRecord sizesOf(const TracedSurface& surface) {
 
 std::uint64_t traceTruths(RunScene& scene, const TracedSurface& surface) {
   std::uint64_t undefined = 0;
+  const TextureCharts charts(scene.surface, scene.study.relief);
   for (auto& [choice, base] : scene.bases) {
     for (ViewCase& view : base.views) {
       for (const LightSpec& light : scene.study.lights) {
         view.truths.push_back(scene.clock.measure("truth", [&](const Progress& progress) {
-          return trace(scene, surface, view.samples, light, standardLift, progress);
+          Truth truth = trace(scene, surface, view.samples, light, standardLift, progress);
+          truth.crossesSeam = seams(scene, surface, charts, view.samples, truth, light);
+          return truth;
         }));
       }
       requireFrames(view.samples, view.truths.front());
@@ -96,7 +111,11 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
         const LightField field = scene.lightField(base, v, l);
         return differenceFromOne(castLengths(coarse.mask, view.truths[l], field).ratio);
       });
-      truth.flips.push_back({study.views[v].name, study.lights[l].name, flips, lengthError});
+      auto boundaries = scene.clock.measure("uncertainty", [&](const Progress&) {
+        return compareBoundaries(coarse.mask, view.truths[l].mask, view.layout);
+      });
+      truth.flips.push_back(
+          {study.views[v].name, study.lights[l].name, flips, lengthError, std::move(boundaries)});
       truth.uncertainty = std::max(truth.uncertainty, flips);
     }
   }

@@ -1,0 +1,26 @@
+/* gnomon-method
+title = "Interactive horizon mapping"
+citation = "Sloan & Cohen 2000"
+tables = ["angles"]
+passes = ["texture"]
+azimuths = 8
+*/
+
+// Eight azimuths of horizon angles in two RGBA maps. A pass in the texture's plane leaves the horizon's
+// angle toward the light in a texture, by basis maps looked up with the light's place (s, t) on the
+// tangent plane, which is found at the vertices. The camera's pass looks the light's own angle up from
+// its interpolated cosine and subtracts. All in steps of 8 bits, as the hardware of the paper did; an
+// angle is off the normal and at most 90°, so that a light below the tangent plane is never seen.
+//
+// The paper marks lit pixels in the stencil by an alpha test, and draws the surface again where the
+// mark is. Here the test itself is the answer: what a stencil would keep, the mask keeps.
+//
+// The tables are the flat relief's and are laid over the surface again and again, as bump maps are;
+// angles are taken in the texture's frame, in which they hold on any surface.
+
+float resolveTexel(Pixel pixel) { return horizonAngleOfPixel(pixel); }
+
+bool isShadowed(Pixel pixel, LocalLight light) {
+  float horizon = resolvedAt(pixel.texel);
+  return !(toSteps(horizon - angleOfCosine(vertexLight.w)) > 0.0);
+}

@@ -1,0 +1,10 @@
+// Any bytes as a study file.
+
+#include "fuzz/reader_fuzz.h"
+#include "study/sweep.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gnomon::test::fuzzReader(data, size, ".toml",
+                           [](const std::filesystem::path& path) { gnomon::readStudyPlan(path); });
+  return 0;
+}

@@ -1,0 +1,176 @@
+#include "compare/contour.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "common/error.h"
+#include "common/memory.h"
+#include "compare/mask_checks.h"
+
+namespace gnomon {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void requireLayout(const SampleLayout& layout, std::size_t samples) {
+  requireOnePerSample(layout.breaks.size(), samples, "breaks");
+  for (const double step : {layout.columnStep, layout.rowStep}) {
+    if (!(step > 0 && std::isfinite(step))) {
+      throw InputError(fmt::format("layout: a step of {}, a finite one above 0 expected", step));
+    }
+  }
+  if (layout.tileSide < 0) {
+    throw InputError(fmt::format("layout: tiles of side {}, at least 0 expected", layout.tileSide));
+  }
+}
+
+/// Tells which sides of a mask are its contour.
+class Sides {
+ public:
+  Sides(const Mask& mask, const Mask& other, const SampleLayout& layout)
+      : mask_(mask),
+        other_(other),
+        layout_(layout),
+        width_(static_cast<std::size_t>(mask.width)),
+        height_(static_cast<std::size_t>(mask.height)),
+        tile_(static_cast<std::size_t>(layout.tileSide)) {}
+
+  /// Calls `act(halfColumn)` for the sides of a half row, ascending.
+  template <typename Act>
+  void visit(std::size_t halfRow, const Act& act) const {
+    const std::size_t row = halfRow / 2;
+    const bool isBelow = halfRow % 2 == 1;
+    if (isBelow && endsTile(row)) return;
+    const std::size_t count = isBelow ? width_ : width_ - 1;
+    for (std::size_t column = 0; column < count; ++column) {
+      const std::size_t i = row * width_ + column;
+      const std::size_t j = isBelow ? i + width_ : i + 1;
+      if (mask_.samples[i] == mask_.samples[j] || !hasAnswers(i) || !hasAnswers(j)) continue;
+      if (isBroken(i, isBelow ? breakBelow : breakRight)) continue;
+      if (!isBelow && endsTile(column)) continue;
+      act(static_cast<int>(2 * column + (isBelow ? 0 : 1)));
+    }
+  }
+
+  [[nodiscard]] std::size_t halfRows() const {
+    return width_ == 0 || height_ == 0 ? 0 : 2 * height_ - 1;
+  }
+
+ private:
+  [[nodiscard]] bool hasAnswers(std::size_t i) const {
+    return isAnswer(mask_.samples[i]) && isAnswer(other_.samples[i]);
+  }
+  [[nodiscard]] bool isBroken(std::size_t i, std::uint8_t which) const {
+    return !layout_.breaks.empty() && (layout_.breaks[i] & which) != 0;
+  }
+  [[nodiscard]] bool endsTile(std::size_t place) const {
+    return tile_ > 0 && (place + 1) % tile_ == 0;
+  }
+
+  const Mask& mask_;
+  const Mask& other_;
+  const SampleLayout& layout_;
+  std::size_t width_, height_, tile_;
+};
+
+/// Fills `columnStarts` and `rows` from the sides row by row: a counting sort.
+void orderByColumn(Contour& contour, std::size_t width) {
+  std::vector<std::size_t> places(2 * width + 1, 0);
+  for (const int column : contour.columns) ++places[static_cast<std::size_t>(column) + 1];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  contour.columnStarts = places;
+  contour.rows.resize(contour.size());
+  for (std::size_t row = 0; row + 1 < contour.rowStarts.size(); ++row) {
+    for (std::size_t i = contour.rowStarts[row]; i < contour.rowStarts[row + 1]; ++i) {
+      contour.rows[places[static_cast<std::size_t>(contour.columns[i])]++] = static_cast<int>(row);
+    }
+  }
+}
+
+void requireSides(std::size_t sides) {
+  // Row and column of each; its distance and length, twice while a percentile is found.
+  constexpr double bytesPerSide = 2 * sizeof(int) + 4 * sizeof(double);
+  requireMemory(bytesPerSide * static_cast<double>(sides),
+                fmt::format("boundaries: a contour of {} sides of samples", sides));
+}
+
+}  // namespace
+
+Contour contourOf(const Mask& mask, const Mask& other, const SampleLayout& layout) {
+  requireSameView(mask, other);
+  requireLayout(layout, mask.size());
+  const Sides sides(mask, other, layout);
+  Contour contour;
+  contour.rowStarts.push_back(0);
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < sides.halfRows(); ++row) {
+    sides.visit(row, [&](int) { ++count; });
+    contour.rowStarts.push_back(count);
+  }
+  requireSides(count);
+  contour.columns.reserve(count);
+  for (std::size_t row = 0; row < sides.halfRows(); ++row) {
+    sides.visit(row, [&](int column) { contour.columns.push_back(column); });
+  }
+  orderByColumn(contour, static_cast<std::size_t>(mask.width));
+  return contour;
+}
+
+ContourDistances::ContourDistances(const Contour& contour, const SampleLayout& layout,
+                                   int firstHalfRow)
+    : contour_(contour), columnScale_(layout.columnStep / 2), rowScale_(layout.rowStep / 2) {
+  const auto rows = contour.rows.begin();
+  for (std::size_t column = 0; column + 1 < contour.columnStarts.size(); ++column) {
+    const std::size_t begin = contour.columnStarts[column];
+    const std::size_t end = contour.columnStarts[column + 1];
+    if (begin == end) continue;
+    const auto next = std::lower_bound(rows + static_cast<std::ptrdiff_t>(begin),
+                                       rows + static_cast<std::ptrdiff_t>(end), firstHalfRow);
+    columns_.push_back(
+        {static_cast<int>(column), begin, end, static_cast<std::size_t>(next - rows)});
+  }
+}
+
+void ContourDistances::moveTo(int halfRow) {
+  if (halfRow == halfRow_) return;
+  halfRow_ = halfRow;
+  envelope_.clear();
+  last_ = 0;
+  for (Column& column : columns_) {
+    while (column.next < column.end && contour_.rows[column.next] < halfRow) ++column.next;
+    int gap = std::numeric_limits<int>::max();
+    if (column.next < column.end) gap = contour_.rows[column.next] - halfRow;
+    if (column.next > column.begin) gap = std::min(gap, halfRow - contour_.rows[column.next - 1]);
+    const double height = gap * rowScale_;
+    add({column.halfColumn * columnScale_, height * height, -infinity});
+  }
+}
+
+void ContourDistances::add(Parabola parabola) {
+  while (!envelope_.empty()) {
+    const Parabola& before = envelope_.back();
+    // Where both are as high: the new one is lower from there on.
+    parabola.from = ((parabola.height + parabola.place * parabola.place) -
+                     (before.height + before.place * before.place)) /
+                    (2 * (parabola.place - before.place));
+    if (parabola.from > before.from) break;
+    envelope_.pop_back();
+  }
+  if (envelope_.empty()) parabola.from = -infinity;
+  envelope_.push_back(parabola);
+}
+
+double ContourDistances::from(int halfColumn) {
+  if (envelope_.empty()) return infinity;
+  const double place = halfColumn * columnScale_;
+  while (last_ + 1 < envelope_.size() && envelope_[last_ + 1].from <= place) ++last_;
+  while (envelope_[last_].from > place) --last_;
+  const Parabola& nearest = envelope_[last_];
+  return std::sqrt((place - nearest.place) * (place - nearest.place) + nearest.height);
+}
+
+}  // namespace gnomon
