@@ -300,8 +300,8 @@ TEST_F(StudyFile, AFilterThatMatchesNothingIsAFault) {
   EXPECT_THAT(refused("light = \"noon\"\n"),
               HasSubstr("threshold.0.light: \"noon\" found, one of elevation 30° azimuth 20°"));
   EXPECT_THAT(refused("view = \"front\"\n"), HasSubstr("one of camera, atlas expected"));
-  EXPECT_THAT(refused("region = \"seam\"\n"),
-              HasSubstr("one of all, lit, attached, cast, distant, beyond-terminator expected"));
+  EXPECT_THAT(refused("region = \"dark\"\n"),
+              HasSubstr("one of all, lit, attached, cast, distant, beyond-terminator, seam expected"));
   EXPECT_THAT(refused("metric = \"accuracy\"\n"),
               AllOf(HasSubstr("\"accuracy\" found, one of error_rate"), HasSubstr("mcc")));
   EXPECT_THAT(refused("method = \"\"\n"), HasSubstr("a string that is not empty expected"));

@@ -26,7 +26,7 @@ void requireRoom(const StudySpec& study, const RenderView& view, const std::stri
   constexpr double bytesWhileRendering = 64;
   constexpr double bytesOfWeightsAndPlaces =
       sizeof(double) + sizeof(SurfaceSample) + sizeof(std::uint8_t);
-  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region);
+  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region) + 1;  // and whether at a seam
   requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
                            bytesOfTruth * static_cast<double>(study.lights.size()) +
                            sizeof(Shade) * static_cast<double>(study.methods.size())),

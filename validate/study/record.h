@@ -110,6 +110,7 @@ struct PictureRecord {
   std::string method;  ///< a label, or "truth"
   std::string caption;
   std::string path;
+  std::string mask = {};  ///< of the answer that a shaded picture shows
 };
 
 /// The pictures of one view under one light, in the order of Figure 8.

@@ -16,6 +16,7 @@
 #include "study/spread_stage.h"
 #include "study/thresholds.h"
 #include "study/truth_stage.h"
+#include "truth/seam_crossing.h"
 
 namespace gnomon {
 namespace {
@@ -31,11 +32,7 @@ class StudyRun {
         scene_(study, clock_),
         writer_(writer),
         pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {
-    record_.environment = describeEnvironment(gl);
-    record_.name = study.name;
-    record_.title = study.title;
-    record_.source = study.source;
-    record_.file = study.file.string();
+    record_ = startRecord(study, gl);
   }
 
   StudyRecord run() {
@@ -131,6 +128,7 @@ class StudyRun {
                      [region](Region r) { return static_cast<std::uint8_t>(r == region); });
       add(regionName(region), selected);
     }
+    add(seamRegion, truth.crossesSeam);
   }
 
   /// On the first camera view under the first light; without a camera view there is no frame time.

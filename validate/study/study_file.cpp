@@ -16,6 +16,7 @@
 #include "study/result_metrics.h"
 #include "study/surface_section.h"
 #include "study/toml_reader.h"
+#include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon {
@@ -102,6 +103,7 @@ std::string readFilter(const TomlReader& section, const char* key, const Entries
 std::vector<std::string> regionNames() {
   std::vector<std::string> names = {"all"};
   for (const Region region : reportedRegions) names.emplace_back(regionName(region));
+  names.emplace_back(seamRegion);
   return names;
 }
 
