@@ -71,7 +71,7 @@ class BadInput : public EndToEnd {
 TEST_F(BadInput, CommandLine) {
   writeSmall();
   for (const Failure& failure : std::vector<Failure>{
-           {"no arguments", {}, 2, {"run, check, bake or list", "--help"}},
+           {"no arguments", {}, 2, {"run, check, compare, bake, truth, export or list", "--help"}},
            {"unknown command", {"rnu", "small.toml"}, 2, {"rnu", "not expected"}},
            {"unknown option", {"run", "small.toml", "--fast"}, 2, {"--fast"}},
            {"unknown option before", {"--fast", "run", "small.toml"}, 2, {"--fast"}},

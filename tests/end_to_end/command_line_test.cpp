@@ -35,7 +35,12 @@ TEST_F(CommandLine, HelpAndVersion) {
                                    HasSubstr("--quick"), HasSubstr("Examples:")));
   }
   EXPECT_THAT(gnomon({"check", "--help"}).out, HasSubstr("1 one failed"));
-  EXPECT_EQ(gnomon({"bake", "--help"}).status, 0);
+  for (const char* command : {"bake", "compare", "truth", "export"}) {
+    const Outcome outcome = gnomon({command, "--help"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Example"), HasSubstr(command)));
+    EXPECT_THAT(help.out, HasSubstr(command));
+  }
   const Outcome version = gnomon({"--version"});
   EXPECT_EQ(version.status, 0);
   EXPECT_THAT(version.out, MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));

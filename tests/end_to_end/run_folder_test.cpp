@@ -70,6 +70,64 @@ TEST_F(RunFolder, RegionsPartitionTheSamples) {
   }
 }
 
+/// Under two lights: the rates of "confidence" are the means of the results',
+/// and every axis counts each sample once.
+TEST_F(RunFolder, ConfidenceAndBinsAgreeWithTheResults) {
+  runStudy("small", replaced(smallStudy(), "name = \"evening\"", ""),
+           {"--set", "light.0.elevation=[30, 50]"});
+  const nlohmann::json json = summary("small");
+  ASSERT_EQ(json.at("confidence").size(), 2 * 3U) << "2 methods, all lights and each of 2";
+  for (const std::string method : {"unshadowed", "max-forsyth"}) {
+    double errors = 0;
+    nlohmann::json samples = 0;
+    double wrong = 0;
+    double all = 0;
+    for (const nlohmann::json& result : json.at("results")) {
+      if (result.at("method") != method || result.at("region") != "all") continue;
+      errors += result.at("error_rate").get<double>() / 2;
+      wrong += result.at("fp").get<double>() + result.at("fn").get<double>();
+      all += result.at("samples").get<double>();
+    }
+    for (const nlohmann::json& row : json.at("confidence")) {
+      if (row.at("method") != method || row.at("light") != "all") continue;
+      EXPECT_NEAR(row.at("error_rate").get<double>(), errors, 1e-12);
+      if (row.at("low").is_null()) {
+        EXPECT_TRUE(row.at("reason").is_string());
+      } else {
+        EXPECT_LE(row.at("low").get<double>(), errors);
+        EXPECT_GE(row.at("high").get<double>(), errors);
+      }
+    }
+    for (const char* axis : {"curvature_height", "elevation", "terminator"}) {
+      double binned = 0;
+      double wrongBinned = 0;
+      for (const nlohmann::json& bin : json.at("bins")) {
+        if (bin.at("method") != method || bin.at("axis") != axis) continue;
+        binned += bin.at("samples").get<double>();
+        wrongBinned += bin.at("fp").get<double>() + bin.at("fn").get<double>();
+      }
+      EXPECT_EQ(binned, all) << axis;
+      EXPECT_EQ(wrongBinned, wrong) << axis;
+    }
+  }
+  ASSERT_EQ(json.at("differences").size(), 1U);
+  const nlohmann::json& difference = json.at("differences").at(0);
+  EXPECT_EQ(difference.at("first"), "unshadowed");
+  EXPECT_EQ(difference.at("second"), "max-forsyth");
+  const double value = difference.at("difference");
+  ASSERT_TRUE(difference.at("low").is_number()) << difference.at("reason");
+  const double low = difference.at("low");
+  const double high = difference.at("high");
+  EXPECT_LT(low, value);
+  EXPECT_GT(high, value);
+  const bool sure =
+      (low > 0 || high < 0) && std::abs(value) > difference.at("uncertainty").get<double>();
+  EXPECT_EQ(difference.at("verdict"), !sure       ? "not distinguishable"
+                                      : value < 0 ? "better"
+                                                  : "worse");
+  EXPECT_THAT(read("out/small/bins.csv"), HasSubstr("small,unshadowed,camera,all,elevation,"));
+}
+
 TEST_F(RunFolder, ReportStandsAlone) {
   runStudy("small", smallStudy());
   const std::string report = read("out/small/report.html");

@@ -103,5 +103,27 @@ TEST(ShadePass, IsDarkWhereTheMaskIs) {
   EXPECT_GT(red(20, 4), 220);
 }
 
+TEST(CameraMatrices, PutThePixelsRaysWhereThePixelsAre) {
+  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  const BaseMesh mesh = makeBaseMesh(surface, Vec2(40, 30), 1);
+  const Camera camera{{10, -20, 200}, {1, 2, 30}, {0, 1, 0.2}, radians(40), 90, 60};
+  const CameraMatrices matrices = cameraMatrices(camera, mesh);
+  const CameraAxes axis = axes(camera);
+  for (const int column : {0, 44, 89}) {
+    for (const int row : {0, 31, 59}) {
+      const Vec3 seen = camera.eye + 150.0 * pixelDirection(camera, axis, column, row);
+      const glm::dvec4 inView = matrices.view * glm::dvec4(seen, 1);
+      EXPECT_LT(inView.z, 0);
+      const glm::dvec4 clip = matrices.projection * inView;
+      EXPECT_NEAR(clip.x / clip.w, 2 * (column + 0.5) / 90 - 1, 1e-12);
+      EXPECT_NEAR(clip.y / clip.w, 1 - 2 * (row + 0.5) / 60, 1e-12);
+    }
+  }
+  for (const BaseVertex& vertex : mesh.vertices) {
+    const glm::dvec4 clip = matrices.projection * matrices.view * glm::dvec4(vertex.position, 1);
+    EXPECT_LT(std::abs(clip.z), clip.w) << "near and far hold the mesh";
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -42,9 +42,9 @@ using Keys = std::vector<std::string>;
 
 TEST(SummaryJson, HasEveryKeyInOrder) {
   const ordered_json json = written(recordWithPanel());
-  EXPECT_EQ(keysOf(json),
-            (Keys{"schema", "status", "study", "environment", "truth", "methods", "results", "cost",
-                  "timings", "thresholds", "claims", "budget", "panels", "undefined_samples"}));
+  EXPECT_EQ(keysOf(json), (Keys{"schema", "status", "study", "environment", "truth", "methods",
+                                "results", "confidence", "differences", "bins", "cost", "timings",
+                                "thresholds", "claims", "budget", "panels", "undefined_samples"}));
   EXPECT_EQ(json["schema"], "gnomon-summary/1");
   EXPECT_EQ(keysOf(json["study"]), (Keys{"name", "title", "source", "file", "command"}));
   EXPECT_EQ(keysOf(json["environment"]),

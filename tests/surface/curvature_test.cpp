@@ -131,6 +131,29 @@ TEST(NormalCurvature, IsTheBendOfANormalSection) {
   EXPECT_GT(normalCurvature(p, direction), 0.1);  // convex is positive
 }
 
+/// S T by its eigenvectors, and by differences of the normal along a straight line of parameters:
+/// dn(a P_s + b P_t) = a n_s + b n_t.
+TEST(NormalTurn, IsTheShapeOperatorAndTheNormalsOwnChange) {
+  Random random(9);
+  for (int i = 0; i < 200; ++i) {
+    const LimitPoint point = torusPoint(5, 2, random(-3, 3), random(-3, 3), 0.3, 0.1, -0.1, 0.2);
+    const PrincipalCurvatures k = principalCurvatures(point);
+    const Vec3 n = outwardNormal(point);
+    const Vec3 direction = random.vector();
+    const Vec3 t = glm::normalize(direction - glm::dot(direction, n) * n);
+    const Vec3 turn = normalTurn(point, direction);
+    expectNear(turn, k.k1 * glm::dot(t, k.v1) * k.v1 + k.k2 * glm::dot(t, k.v2) * k.v2, 1e-12);
+    EXPECT_NEAR(glm::dot(t, turn), normalCurvature(point, direction), 1e-12);
+  }
+  const LimitPoint here = torusPoint(5, 2, 0.3, 0.8, 1, 0, 0, 1);
+  const double step = 1e-5;
+  const Vec3 ahead = outwardNormal(torusPoint(5, 2, 0.3 + 2 * step, 0.8 + step, 1, 0, 0, 1));
+  const Vec3 behind = outwardNormal(torusPoint(5, 2, 0.3 - 2 * step, 0.8 - step, 1, 0, 0, 1));
+  const Vec3 along = 2.0 * here.ds + here.dt;
+  expectNear(normalTurn(here, along), (ahead - behind) / (2 * step) / glm::length(along), 1e-8);
+  expectNear(normalTurn(here, outwardNormal(here)), Vec3(0), 0);
+}
+
 TEST(PrincipalCurvatures, ABowlIsNegative) {
   // z = (x² + 2 y²) / 2 seen from above bends toward its normal.
   LimitPoint point{};

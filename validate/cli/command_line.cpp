@@ -10,6 +10,8 @@
 #include <new>
 #include <optional>
 
+#include "cli/compare_command.h"
+#include "cli/export_command.h"
 #include "cli/run_command.h"
 #include "common/error.h"
 #include "render/method.h"
@@ -32,6 +34,15 @@ Exit status: 0 all thresholds hold, 1 one failed, 2 usage, 3 bad input, 4 intern
 Examples:
   gnomon check scenes/figure8.toml
   gnomon check scenes/*.toml --quick)";
+
+constexpr const char* exportExamples = R"(
+Writes OUT/NAME/export: export.json explains displaced.ply, base.obj, heights.exr, tables.exr and the
+sample maps, truths and regions of interest of every view.
+
+Examples:
+  gnomon export scenes/figure8.toml
+  gnomon export scenes/figure8.toml --subdivisions 9
+  gnomon compare mine.png out/figure8/export/masks/camera_elevation-24-azimuth-165_truth.png)";
 
 std::string joinedCommand(int argc, char** argv) {
   std::string text = "gnomon";
@@ -56,6 +67,11 @@ void addStudyOptions(CLI::App& command, RunRequest& request) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void addQuickOption(CLI::App& command, RunRequest& request) {
+  command.add_flag("--quick", request.options.quick,
+                   "A quarter of each view's side, a sixteenth of the micro-mesh: a preview");
+}
+
 void addRunOptions(CLI::App& command, RunRequest& request) {
   addStudyOptions(command, request);
   command
@@ -64,8 +80,7 @@ void addRunOptions(CLI::App& command, RunRequest& request) {
       ->type_name("NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_flag("--quick", request.options.quick,
-                   "A quarter of each view's side, a sixteenth of the micro-mesh: a preview");
+  addQuickOption(command, request);
 }
 
 ExitStatus listParts() {
@@ -123,6 +138,25 @@ int dispatch(int argc, char** argv) {
   CLI::App* bake = app.add_subcommand("bake", "Bake the horizon and distance tables into an EXR");
   addStudyOptions(*bake, request);
   bake->footer("\nExample:\n  gnomon bake scenes/figure8.toml --set bake.azimuths=64");
+  CLI::App* truth =
+      app.add_subcommand("truth", "Trace the truth alone: masks, regions and their uncertainty");
+  addStudyOptions(*truth, request);
+  addQuickOption(*truth, request);
+  truth->footer("\nExample:\n  gnomon truth scenes/figure8.toml --out truths");
+  std::optional<int> subdivisions;
+  CLI::App* exported = app.add_subcommand(
+      "export", "Write what another renderer needs: meshes, maps, samples, truths, camera, lights");
+  addStudyOptions(*exported, request);
+  addQuickOption(*exported, request);
+  exported
+      ->add_option("--subdivisions", subdivisions,
+                   "Pieces of every face's side in the displaced mesh; 4 a texel, if not given, or "
+                   "what keeps to 4 million triangles")
+      ->type_name("N");
+  exported->footer(exportExamples);
+  CompareRequest comparison;
+  comparison.command = request.command;
+  CLI::App* compare = addCompareCommand(app, comparison);
   CLI::App* list = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
 
   try {
@@ -133,15 +167,19 @@ int dispatch(int argc, char** argv) {
     throw UsageError(fmt::format("{}. See gnomon --help", error.what()));
   }
   if (app.get_subcommands().empty()) {
-    throw UsageError("a command expected: run, check, bake or list. See gnomon --help");
+    throw UsageError(
+        "a command expected: run, check, compare, bake, truth, export or list. See gnomon --help");
   }
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   request.check = check->parsed();
-  const ExitStatus status = list->parsed()   ? listParts()
-                            : bake->parsed() ? bakeStudies(request)
-                                             : runStudies(request);
+  const ExitStatus status = list->parsed()       ? listParts()
+                            : compare->parsed()  ? compareMasks(comparison)
+                            : bake->parsed()     ? bakeStudies(request)
+                            : truth->parsed()    ? traceStudies(request)
+                            : exported->parsed() ? exportStudies(request, subdivisions)
+                                                 : runStudies(request);
   return static_cast<int>(status);
 }
 

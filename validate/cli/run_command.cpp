@@ -4,60 +4,41 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <span>
 
+#include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
 #include "common/atomic_file.h"
 #include "common/memory.h"
 #include "relief/table_file.h"
 #include "render/gl_context.h"
-#include "report/budget_files.h"
 #include "report/folder_writer.h"
-#include "report/frontier.h"
 #include "report/gnuplot.h"
-#include "report/metrics_csv.h"
 #include "report/ranking_html.h"
 #include "report/ranking_json.h"
-#include "report/report_html.h"
-#include "report/summary_json.h"
-#include "report/sweep_files.h"
-#include "report/sweep_html.h"
-#include "report/sweep_plot.h"
+#include "report/run_files.h"
 #include "report/terminal_ranking.h"
 #include "report/terminal_sweep.h"
 #include "report/terminal_table.h"
 #include "study/claims.h"
 #include "study/run_study.h"
 #include "study/sweep.h"
+#include "study/truth_study.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-/// All studies are read before the first is run: a typing error in the last one shows at once.
-std::vector<StudyPlan> readPlans(const RunRequest& request) {
-  std::vector<StudyPlan> plans;
-  std::set<std::string> names;
-  for (const fs::path& file : request.studies) {
-    plans.push_back(readStudyPlan(file, request.options));
-    const StudyPlan& plan = plans.back();
-    if (!names.insert(plan.name).second) {
-      throw InputError(
-          fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
-                      file.string(), plan.name));
-    }
-    if (request.check && plan.steps.front().thresholds.empty()) {
-      throw InputError(
-          fmt::format("{}: no [[threshold]], so there is nothing to check", file.string()));
-    }
+/// @throws InputError where a check would have nothing to check
+void requireThresholds(const std::vector<StudyPlan>& plans) {
+  for (const StudyPlan& plan : plans) {
+    const StudySpec& study = plan.steps.front();
+    if (!study.thresholds.empty()) continue;
+    throw InputError(
+        fmt::format("{}: no [[threshold]], so there is nothing to check", study.file.string()));
   }
-  return plans;
 }
 
-/// What tells of a whole run in its folder, or in a sweep's.
-constexpr std::array reportFiles = {"summary.json", "metrics.csv",  "report.html",  "sweep.csv",
-                                    "sweep.svg",    "frontier.svg", "frontier.csv", "budget.csv"};
 constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
 
 void removeFiles(const fs::path& folder, std::span<const char* const> names) {
@@ -67,28 +48,18 @@ void removeFiles(const fs::path& folder, std::span<const char* const> names) {
   }
 }
 
-/// The study's file, and of a sweep's step which one it is.
-std::string placeOf(const StudySpec& study) {
-  const bool isStep = study.name.find('/') != std::string::npos;
-  return isStep ? fmt::format("{}: {}", study.file.string(), study.name) : study.file.string();
-}
-
 StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
   const fs::path folder = request.out / study.name;
   // Older figures must not stand beside newer pictures.
-  removeFiles(folder, reportFiles);
+  removeRunFiles(folder);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
-  try {
-    StudyRecord record = runStudy(study, gl, writer, [&](std::string_view stage, double share) {
-      progress.update(stage, share);
-    });
-    record.command = request.command;
-    return record;
-  } catch (const Error& error) {
-    // What fails inside a run speaks of keys or of the study's other files.
-    throw Error(error.status(), fmt::format("{}: {}", placeOf(study), error.what()));
-  }
+  StudyRecord record = inStudy(study, [&] {
+    return runStudy(study, gl, writer,
+                    [&](std::string_view stage, double share) { progress.update(stage, share); });
+  });
+  record.command = request.command;
+  return record;
 }
 
 /// Judges a study's claims by what the run holds so far, and writes its reports.
@@ -96,17 +67,7 @@ void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size
             const fs::path& out) {
   StudyRecord& record = records[own];
   record.claims = judgeClaims(study.claims, records, own);
-  const fs::path folder = out / record.name;
-  writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
-  const std::vector<FrontierPoint> points = frontier(record);
-  const std::string plot = points.empty() ? "" : frontierPlot(points);
-  if (!plot.empty()) {
-    writeTextAtomically(folder / "frontier.svg", plot);
-    writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
-  }
-  if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
-  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plot));
-  writeTextAtomically(folder / "summary.json", summaryJson(record));
+  writeRunFiles(record, out / record.name);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
@@ -130,26 +91,17 @@ SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRe
   return makeSweepRecord(*part.plan, Records(begin, begin + count), request.command);
 }
 
-void writeSweep(const SweepRecord& sweep, const fs::path& out) {
-  const fs::path folder = out / sweep.name;
-  const std::string plot = sweepPlot(sweep);
-  writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
-  writeTextAtomically(folder / "sweep.svg", plot);
-  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plot));
-  writeTextAtomically(folder / "summary.json", sweepJson(sweep));
-}
-
 /// Runs all steps of a plan and adds their records.
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
                     Records& records) {
   const PlanRecords part{&plan, records.size()};
-  if (plan.sweep) removeFiles(request.out / plan.name, reportFiles);
+  if (plan.sweep) removeRunFiles(request.out / plan.name);
   for (const StudySpec& step : plan.steps) {
     records.push_back(runOne(step, gl, request));
     // At once, so that a later failure leaves this one's report.
     report(step, records, records.size() - 1, request.out);
   }
-  if (plan.sweep) writeSweep(sweepOf(part, records, request), request.out);
+  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), request.out / plan.name);
   return part;
 }
 
@@ -169,7 +121,7 @@ StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Record
     return studyMeans(records[part.first]);
   }
   const SweepRecord sweep = sweepOf(part, records, request);
-  if (again) writeSweep(sweep, request.out);
+  if (again) writeSweepFiles(sweep, request.out / plan.name);
   print(sweepTable(sweep, coloursWanted()));
   return studyMeans(sweep);
 }
@@ -193,7 +145,8 @@ void requirePlots(const std::vector<StudyPlan>& plans) {
 }  // namespace
 
 ExitStatus runStudies(const RunRequest& request) {
-  const std::vector<StudyPlan> plans = readPlans(request);
+  const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
+  if (request.check) requireThresholds(plans);
   requirePlots(plans);
   const GlContext gl;
   const auto isRanked = [](const StudyPlan& plan) { return plan.steps.front().ranked; };
@@ -217,27 +170,19 @@ namespace {
 
 void bakeTables(const StudySpec& study, const fs::path& out) {
   TerminalProgress progress(study.name);
-  const HeightField& field = study.relief.field;
-  const HorizonTables tables = bakeHorizons(field, study.bake.settings,
-                                            [&](double share) { progress.update("bake", share); });
-  const StoredHorizons stored{tables.width,
-                              tables.height,
-                              tables.azimuths,
-                              tables.radiusTexels,
-                              tables.wrap,
-                              storeTable(tables.horizon, study.bake.bits),
-                              storeTable(tables.distance, study.bake.bits)};
+  const StoredHorizons stored =
+      bakeStudyTables(study, [&](double share) { progress.update("bake", share); });
   const fs::path path = out / study.name / "tables.exr";
   writeHorizons(path, stored);
-  fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), tables.width,
-             tables.height, tables.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
+  fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), stored.width,
+             stored.height, stored.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
              static_cast<int>(study.bake.bits));
 }
 
 }  // namespace
 
 ExitStatus bakeStudies(const RunRequest& request) {
-  for (const StudyPlan& plan : readPlans(request)) {
+  for (const StudyPlan& plan : readPlans(request.studies, request.options)) {
     for (const StudySpec& step : plan.steps) bakeTables(step, request.out);
   }
   return ExitStatus::pass;

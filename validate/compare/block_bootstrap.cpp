@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
-#include <random>
 
 #include "common/error.h"
 #include "compare/counts.h"
 #include "compare/mask_checks.h"
+#include "compare/resampling.h"
 
 namespace gnomon {
 namespace {
@@ -26,37 +25,6 @@ void requireSameBlocks(const BlockErrors& a, const BlockErrors& b) {
     throw InternalError(
         fmt::format("{} and {} blocks found, as many expected", a.wrong.size(), b.wrong.size()));
   }
-}
-
-/// Whole numbers below a bound, each as likely: the library's own distributions differ between
-/// systems.
-class Draws {
- public:
-  Draws(std::uint64_t seed, std::size_t bound)
-      : bound_(bound),
-        last_(std::numeric_limits<std::uint64_t>::max() -
-              std::numeric_limits<std::uint64_t>::max() % bound_ - 1),
-        generator_(seed) {}
-
-  std::size_t next() {
-    std::uint64_t number = generator_();
-    while (number > last_) number = generator_();
-    return static_cast<std::size_t>(number % bound_);
-  }
-
- private:
-  std::uint64_t bound_;
-  std::uint64_t last_;  ///< the last number of the last whole run of `bound_`
-  std::mt19937_64 generator_;
-};
-
-/// Linear between the two nearest of the sorted values.
-double percentile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  const double part = place - static_cast<double>(below);
-  return sorted[below] + part * (sorted[above] - sorted[below]);
 }
 
 double ratio(double wrong, double weight) {
@@ -103,16 +71,20 @@ BlockErrors blockErrors(const Mask& mask, const Mask& truth, int side,
   const int rows = (truth.height + side - 1) / side;
   const auto blocks = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   BlockErrors errors{std::vector<double>(blocks), std::vector<double>(blocks)};
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (mask.samples[i] == Shade::none || truth.samples[i] == Shade::none) continue;
-    const auto width = static_cast<std::size_t>(truth.width);
-    const auto step = static_cast<std::size_t>(side);
-    const std::size_t block =
-        i / width / step * static_cast<std::size_t>(columns) + i % width / step;
-    const double weight = weights.empty() ? 1 : weights[i];
-    errors.weight[block] += weight;
-    const bool counts = selected.empty() || selected[i] != 0;
-    if (counts && mask.samples[i] != truth.samples[i]) errors.wrong[block] += weight;
+  std::size_t i = 0;
+  for (int y = 0; y < truth.height; ++y) {
+    const auto firstOfRow = static_cast<std::size_t>(y / side) * static_cast<std::size_t>(columns);
+    for (int column = 0; column < columns; ++column) {
+      const std::size_t block = firstOfRow + static_cast<std::size_t>(column);
+      const int end = std::min(truth.width, (column + 1) * side);
+      for (int x = column * side; x < end; ++x, ++i) {
+        if (mask.samples[i] == Shade::none || truth.samples[i] == Shade::none) continue;
+        const double weight = weights.empty() ? 1 : weights[i];
+        errors.weight[block] += weight;
+        const bool counts = selected.empty() || selected[i] != 0;
+        if (counts && mask.samples[i] != truth.samples[i]) errors.wrong[block] += weight;
+      }
+    }
   }
   return errors;
 }

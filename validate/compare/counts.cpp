@@ -27,22 +27,23 @@ void requireWeights(std::span<const double> weights) {
       i % width, i / width, static_cast<int>(candidate), static_cast<int>(truth)));
 }
 
-double& cell(Counts& counts, Shade candidate, Shade truth) {
-  if (truth == Shade::shadowed) {
-    return candidate == Shade::shadowed ? counts.truePositive : counts.falseNegative;
-  }
-  return candidate == Shade::shadowed ? counts.falsePositive : counts.trueNegative;
-}
-
-void add(Counts& sum, const Counts& part) {
-  sum.truePositive += part.truePositive;
-  sum.falsePositive += part.falsePositive;
-  sum.falseNegative += part.falseNegative;
-  sum.trueNegative += part.trueNegative;
-  sum.samples += part.samples;
-}
-
 }  // namespace
+
+double& Counts::cell(Shade candidate, Shade truth) {
+  if (truth == Shade::shadowed) {
+    return candidate == Shade::shadowed ? truePositive : falseNegative;
+  }
+  return candidate == Shade::shadowed ? falsePositive : trueNegative;
+}
+
+Counts& Counts::operator+=(const Counts& other) {
+  truePositive += other.truePositive;
+  falsePositive += other.falsePositive;
+  falseNegative += other.falseNegative;
+  trueNegative += other.trueNegative;
+  samples += other.samples;
+  return *this;
+}
 
 Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights,
                     std::span<const std::uint8_t> selected) {
@@ -62,10 +63,10 @@ Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const do
       const Shade theirs = truth.samples[i];
       if (ours == Shade::none && theirs == Shade::none) continue;
       if (!isAnswer(ours) || !isAnswer(theirs)) refusePair(truth, i, ours, theirs);
-      cell(row, ours, theirs) += weights.empty() ? 1.0 : weights[i];
+      row.cell(ours, theirs) += weights.empty() ? 1.0 : weights[i];
       ++row.samples;
     }
-    add(sum, row);
+    sum += row;
   }
   if (!std::isfinite(sum.total())) {
     throw InputError("weights: their sum is larger than a double holds");

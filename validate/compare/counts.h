@@ -20,6 +20,9 @@ struct Counts {
   [[nodiscard]] double total() const {
     return truePositive + falsePositive + falseNegative + trueNegative;
   }
+  /// The cell of one pair of answers, neither of them `none`.
+  [[nodiscard]] double& cell(Shade candidate, Shade truth);
+  Counts& operator+=(const Counts& other);
 };
 
 /// Compares where `selected` holds (everywhere, if it is empty) and both masks have a sample.

@@ -21,7 +21,7 @@ Vec3 across(const Vec3& direction) {
 
 }  // namespace
 
-RenderView cameraView(const Camera& camera, const BaseMesh& mesh) {
+CameraMatrices cameraMatrices(const Camera& camera, const BaseMesh& mesh) {
   const Vec3 back = camera.eye - camera.target;
   if (glm::length(glm::cross(back, camera.up)) <=
       1e-9 * glm::length(back) * glm::length(camera.up)) {
@@ -32,8 +32,13 @@ RenderView cameraView(const Camera& camera, const BaseMesh& mesh) {
   const double farthest = 1.01 * (distance + bounds.radius);
   const double nearest = std::max(0.99 * (distance - bounds.radius), 1e-4 * farthest);
   const double aspect = static_cast<double>(camera.width) / camera.height;
-  const glm::dmat4 clip = glm::perspective(camera.verticalFov, aspect, nearest, farthest) *
-                          glm::lookAt(camera.eye, camera.target, camera.up);
+  return {glm::lookAt(camera.eye, camera.target, camera.up),
+          glm::perspective(camera.verticalFov, aspect, nearest, farthest)};
+}
+
+RenderView cameraView(const Camera& camera, const BaseMesh& mesh) {
+  const CameraMatrices matrices = cameraMatrices(camera, mesh);
+  const glm::dmat4 clip = matrices.projection * matrices.view;
   return {camera.width, camera.height, glm::mat4(clip), {0, 0}, {0, 0, 0, 0}};
 }
 

@@ -21,6 +21,17 @@ struct RenderView {
   glm::ivec4 texelWindow{0, 0, 0, 0};
 };
 
+/// The camera as OpenGL has it: clip = projection · view · (x, y, z, 1), all three right-handed but
+/// clip space; the camera looks along -z of view space with +y up, depth runs from -1 (near) to 1.
+struct CameraMatrices {
+  glm::dmat4 view;        ///< camera from world
+  glm::dmat4 projection;  ///< clip from camera
+};
+
+/// Near and far hold the mesh's bounding sphere.
+/// @throws InputError as `cameraView`
+CameraMatrices cameraMatrices(const Camera& camera, const BaseMesh& mesh);
+
 /// One sample a pixel, as Figure 8 shows the surface; faces turned from the camera are not drawn.
 /// @throws InputError if the eye is at the target or `up` points along the view
 RenderView cameraView(const Camera& camera, const BaseMesh& mesh);

@@ -31,27 +31,22 @@ constexpr double rowHeight = 30;
 constexpr double groupGap = 16;
 constexpr double axisHeight = 34;
 
-/// A piece of a bar: the part it belongs to and its share.
-struct Piece {
-  std::size_t part;
-  double share;
-};
-
 std::size_t partOf(const std::vector<BudgetPart>& parts, const std::string& name) {
   const auto found = std::find_if(parts.begin(), parts.end(),
                                   [&](const BudgetPart& part) { return part.name == name; });
   return static_cast<std::size_t>(found - parts.begin());
 }
 
-std::vector<Piece> piecesOf(const BudgetRecord& budget, const std::vector<BudgetPart>& parts,
-                            BudgetShare BudgetCause::*way) {
-  std::vector<Piece> pieces;
+/// The shares of a bar, one a part, not placed yet.
+std::vector<BudgetBox> sharesOf(const BudgetRecord& budget, const std::vector<BudgetPart>& parts,
+                                BudgetShare BudgetCause::*way) {
+  std::vector<BudgetBox> boxes;
   for (const BudgetCause& cause : budget.causes) {
-    pieces.push_back({partOf(parts, cause.name), (cause.*way).value});
+    boxes.push_back({partOf(parts, cause.name), (cause.*way).value});
   }
-  pieces.push_back({partOf(parts, distantName), budget.distant.value});
-  pieces.push_back({partOf(parts, otherName), budget.other.value});
-  return pieces;
+  boxes.push_back({partOf(parts, distantName), budget.distant.value});
+  boxes.push_back({partOf(parts, otherName), budget.other.value});
+  return boxes;
 }
 
 /// The ends of a bar: the sums of the shares below 0 and above it.
@@ -67,7 +62,7 @@ Span spanOf(std::span<const BudgetRecord> budgets, const std::vector<BudgetPart>
   for (const BudgetRecord& budget : budgets) {
     for (const auto way : {&BudgetCause::forward, &BudgetCause::backward}) {
       Span bar;
-      for (const Piece& piece : piecesOf(budget, parts, way)) bar.add(piece.share);
+      for (const BudgetBox& box : sharesOf(budget, parts, way)) bar.add(box.share);
       all = {std::min(all.low, bar.low), std::max(all.high, bar.high)};
     }
   }
@@ -138,31 +133,30 @@ class Chart {
     const double middle = top + barHeight / 2 + 5;
     if (way == &BudgetCause::forward) text(0, middle, "method", fitted(budget.method));
     text(labelWidth - 10, middle, "order", order);
-    Span drawn;
-    for (const Piece& piece : piecesOf(budget, parts_, way)) {
-      const double from = piece.share < 0 ? drawn.low : drawn.high;
-      drawn.add(piece.share);
-      rectangle(piece, std::min(from, from + piece.share), top);
+    double end = 0;
+    for (const BudgetBox& box : budgetBoxes(budget, parts_, way)) {
+      end = std::max(end, box.to);
+      rectangle(box, top);
     }
     line("total", place(budget.total.value), top - 2, top + barHeight + 2);
-    text(place(drawn.high) + 8, middle, "value", percentText(budget.total.value));
+    text(place(end) + 8, middle, "value", percentText(budget.total.value));
   }
 
-  void rectangle(const Piece& piece, double from, double top) {
-    const double width = std::abs(piece.share) * scale_;
+  void rectangle(const BudgetBox& box, double top) {
+    const double width = (box.to - box.from) * scale_;
     if (width < 0.05) return;
-    const BudgetPart& part = parts_.at(piece.part);
+    const BudgetPart& part = parts_.at(box.part);
     content_ += fmt::format(
         "<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.0f}\" fill=\"{}\">"
         "<title>{}: {:+.2f} %</title></rect>\n",
-        place(from), top, width, barHeight, part.colour, escapeHtml(part.name),
-        100 * requireFinite(piece.share, "budget.share"));
+        place(box.from), top, width, barHeight, part.colour, escapeHtml(part.name),
+        100 * requireFinite(box.share, "budget.share"));
     constexpr double roomForNumber = 16;
     if (width < roomForNumber) return;
     content_ +=
         fmt::format("<text class=\"part\" x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n",
-                    place(from) + width / 2, top + barHeight / 2 + 5,
-                    isDark(part.colour) ? "#fff" : "#000", piece.part + 1);
+                    place(box.from) + width / 2, top + barHeight / 2 + 5,
+                    isDark(part.colour) ? "#fff" : "#000", box.part + 1);
   }
 
   static bool isDark(const std::string& colour) {
@@ -197,6 +191,19 @@ std::vector<BudgetPart> budgetParts(std::span<const BudgetRecord> budgets) {
   parts.push_back({distantName, distantColour});
   parts.push_back({otherName, otherColour});
   return parts;
+}
+
+std::vector<BudgetBox> budgetBoxes(const BudgetRecord& budget, const std::vector<BudgetPart>& parts,
+                                   BudgetShare BudgetCause::*way) {
+  std::vector<BudgetBox> boxes = sharesOf(budget, parts, way);
+  Span drawn;
+  for (BudgetBox& box : boxes) {
+    const double end = box.share < 0 ? drawn.low : drawn.high;
+    drawn.add(box.share);
+    box.from = std::min(end, end + box.share);
+    box.to = std::max(end, end + box.share);
+  }
+  return boxes;
 }
 
 std::string budgetBars(std::span<const BudgetRecord> budgets,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,19 @@ struct BudgetPart {
 /// The parts of all budgets of a key: the causes in the order in which they first appear, then what
 /// is left.
 std::vector<BudgetPart> budgetParts(std::span<const BudgetRecord> budgets);
+
+/// A piece of a bar: a part's share, drawn from one value to another.
+struct BudgetBox {
+  std::size_t part = 0;  ///< index among the parts
+  double share = 0;
+  double from = 0, to = 0;  ///< from < to, unless there is no share
+};
+
+/// The bar of one order: shares above 0 stand to the right of zero one after the other, those below
+/// it to its left.
+/// @param way  forward or backward
+std::vector<BudgetBox> budgetBoxes(const BudgetRecord& budget, const std::vector<BudgetPart>& parts,
+                                   BudgetShare BudgetCause::*way);
 
 /// The bars, as SVG: two a budget, forward and backward. Shares above 0 stand to the right of the
 /// zero line one after the other, those below it to its left; a mark stands where both together

@@ -73,7 +73,7 @@ std::vector<FrontierPoint> frontier(const StudyRecord& record) {
   return hasChoice(points) ? points : std::vector<FrontierPoint>{};
 }
 
-std::string frontierPlot(const std::vector<FrontierPoint>& points) {
+PlotSheet frontierPlot(const std::vector<FrontierPoint>& points) {
   std::vector<std::string> names;
   for (const FrontierPoint& point : points) {
     if (std::find(names.begin(), names.end(), point.name) == names.end()) {
@@ -98,21 +98,23 @@ std::string frontierPlot(const std::vector<FrontierPoint>& points) {
                         plotPoints.at((m + m / plotColours.size()) % plotPoints.size()),
                         plotLegend(names[m]));
   }
-  const std::string script =
-      "set encoding utf8\n"
-      "set terminal svg size 1000,560 noenhanced font 'sans-serif,14' background '#ffffff'\n" +
-      data +
-      "set border 3 lc rgb '#5b626b'\n"
-      "set tics nomirror out textcolor rgb '#1a1d21'\n"
-      "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
-      "set logscale xy\n" +
-      ranges(points) +
-      "set format x '%g'\nset format y '%g'\n"
-      "set xlabel 'tables and height map, MB'\n"
-      "set ylabel 'error rate, percent of the samples'\n"
-      "set key outside right top Left reverse samplen 2 spacing 1.25\n" +
-      plot + "\n";
-  return cleanSvg(runGnuplot(script), "Error against memory");
+  const std::string commands = data +
+                               "set border 3 lc rgb '#5b626b'\n"
+                               "set tics nomirror out textcolor rgb '#1a1d21'\n"
+                               "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
+                               "set logscale xy\n" +
+                               ranges(points) +
+                               "set format x '%g'\nset format y '%g'\n"
+                               "set xlabel 'tables and height map, MB'\n"
+                               "set ylabel 'error rate, percent of the samples'\n"
+                               "set key outside right top Left reverse samplen 2 spacing 1.25\n" +
+                               plot + "\n";
+  return {"frontier",
+          "Error against memory",
+          "Error rate of each method against the memory of its tables and height map",
+          1000,
+          560,
+          commands};
 }
 
 std::string frontierCsv(const std::vector<FrontierPoint>& points) {

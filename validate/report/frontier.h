@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/plot_sheet.h"
 #include "study/record.h"
 
 namespace gnomon {
@@ -22,9 +23,9 @@ struct FrontierPoint {
 std::vector<FrontierPoint> frontier(const StudyRecord& record);
 
 /// The points as a plot, error against memory (both logarithmic), one series a method, the
-/// efficient ones joined by steps; an SVG document. Same record, same bytes.
-/// @throws InternalError as runGnuplot, or for a number that is not finite
-std::string frontierPlot(const std::vector<FrontierPoint>& points);
+/// efficient ones joined by steps.
+/// @throws InternalError for a number that is not finite
+PlotSheet frontierPlot(const std::vector<FrontierPoint>& points);
 
 /// The same as rows: label, method, bytes, error_rate, efficient.
 std::string frontierCsv(const std::vector<FrontierPoint>& points);

@@ -1,29 +1,38 @@
 #include "report/html_figures.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/parallel.h"
 #include "compare/rates.h"
 #include "report/cases.h"
 #include "report/html_text.h"
 #include "report/images.h"
 #include "report/names.h"
 #include "report/number_text.h"
+#include "report/picture_layers.h"
+#include "report/web_picture.h"
 
 namespace gnomon {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::string_view truthMethod = "truth";
+/// Of the small pictures: the page shows them at a quarter of its width, on paper at two inches.
+constexpr int smallSide = 600;
 
 /// The pictures that share one caption, the shading first.
 struct Figure {
   std::string method;
   std::vector<const PictureRecord*> pictures;
+  std::optional<std::size_t> mesh = std::nullopt;  ///< whose layers its shading is composed of
+  std::string html = {};                           ///< its pictures
 };
 
 bool has(const Figure& figure, PictureRecord::Kind kind) {
@@ -56,12 +65,13 @@ std::string letters(std::size_t index) {
   return index < 26 ? last : letters(index / 26 - 1) + last;
 }
 
-std::string pngAsBase64(const std::filesystem::path& path) {
+/// A picture as it is, byte for byte.
+std::string pngAddress(const fs::path& path) {
   const std::string bytes = readFile(path);
   if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) {
     throw InternalError(fmt::format("{}: the report can embed PNG only", path.string()));
   }
-  return OIIO::Strutil::base64_encode(bytes);
+  return dataAddress("image/png", bytes);
 }
 
 std::string alternativeText(const PictureRecord& picture) {
@@ -69,33 +79,48 @@ std::string alternativeText(const PictureRecord& picture) {
   return difference ? picture.method + ": signed difference from the truth" : picture.caption;
 }
 
+/// A shading that can be composed again is embedded small, a difference as it is, since the viewer
+/// reads masks from it, and any other picture in full.
 std::string pictureHtml(const PictureRecord& picture, const PanelRecord& panel,
-                        const std::filesystem::path& folder) {
-  return fmt::format(
-      "<img class=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
-      "src=\"data:image/png;base64,{}\">\n",
-      pictureKindName(picture.kind), escapeHtml(alternativeText(picture)), panel.width,
-      panel.height, pngAsBase64(folder / picture.path));
+                        const fs::path& folder) {
+  const fs::path path = folder / picture.path;
+  const bool isDifference = picture.kind == PictureRecord::Kind::difference;
+  const bool isSmall = !isDifference && !picture.mask.empty();
+  const std::string address = isDifference ? pngAddress(path)
+                              : isSmall
+                                  ? webPicture(shrunk(readImage(path), smallSide), smallQuality)
+                                  : webPicture(readImage(path), fineQuality);
+  return fmt::format("<img class=\"{}{}\" alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">\n",
+                     pictureKindName(picture.kind), isDifference || isSmall ? "" : " whole",
+                     escapeHtml(alternativeText(picture)), panel.width, panel.height, address);
 }
 
 /// "error 9.80 %", for the truth its uncertainty, or nothing where the case has no such result.
-std::string rateHtml(const StudyRecord& record, const Case& which, const std::string& method) {
+struct Rate {
+  std::string text;
+  std::string reason;  ///< where it is not defined
+};
+
+Rate rateOf(const StudyRecord& record, const Case& which, const std::string& method) {
   if (method == truthMethod) {
     const auto uncertainty = uncertaintyOf(record, which);
-    if (!uncertainty) return "";
-    return fmt::format("<span class=\"rate\">uncertain by {}&#8239;%</span>",
-                       escapeHtml(percentText(uncertainty)));
+    return uncertainty ? Rate{"uncertain by " + percentText(uncertainty) + "\u202f%", ""} : Rate{};
   }
   const ResultRecord* row = findResult(record, method, which);
-  if (row == nullptr) return "";
+  if (row == nullptr) return {};
   const Metric error = rate(row->counts, "error_rate");
-  return fmt::format("<span class=\"rate\" title=\"{}\">error {}&#8239;%</span>",
-                     escapeHtml(error.reason), escapeHtml(percentText(error.value)));
+  return {"error " + percentText(error.value) + "\u202f%", std::string(error.reason)};
 }
 
-std::string captionHtml(const Figure& figure, std::size_t index, const std::string& rate) {
+std::string rateHtml(const Rate& rate) {
+  if (rate.text.empty()) return "";
+  return fmt::format("<span class=\"rate\" title=\"{}\">{}</span>", escapeHtml(rate.reason),
+                     escapeHtml(rate.text));
+}
+
+std::string captionHtml(const Figure& figure, std::size_t index, const Rate& rate) {
   std::string html = fmt::format("<figcaption><b>({})</b> {} {}", letters(index),
-                                 escapeHtml(figure.pictures.front()->caption), rate);
+                                 escapeHtml(figure.pictures.front()->caption), rateHtml(rate));
   for (std::size_t i = 1; i < figure.pictures.size(); ++i) {
     // The legend explains all differences at once.
     if (figure.pictures[i]->kind == PictureRecord::Kind::difference) continue;
@@ -105,14 +130,51 @@ std::string captionHtml(const Figure& figure, std::size_t index, const std::stri
 }
 
 std::string figureHtml(const StudyRecord& record, const PanelRecord& panel, const Figure& figure,
-                       std::size_t index, const std::filesystem::path& folder) {
-  std::string pictures;
-  for (const PictureRecord* picture : figure.pictures) {
-    pictures += pictureHtml(*picture, panel, folder);
+                       std::size_t index) {
+  const Rate rate = rateOf(record, {panel.view, panel.light}, figure.method);
+  const std::string mesh = figure.mesh ? fmt::format(" data-mesh=\"{}\"", *figure.mesh) : "";
+  return fmt::format(
+      "<figure data-method=\"{}\" data-letter=\"{}\" data-name=\"{}\" data-rate=\"{}\"{}>\n{}{}"
+      "</figure>\n",
+      escapeHtml(figure.method), letters(index), escapeHtml(figure.pictures.front()->caption),
+      escapeHtml(rate.text), mesh, figure.html, captionHtml(figure, index, rate));
+}
+
+std::string layerHtml(std::string_view kind, std::size_t mesh, const std::string& address) {
+  return fmt::format("<img class=\"{}\" data-mesh=\"{}\" alt=\"\" src=\"{}\">\n", kind, mesh,
+                     address);
+}
+
+/// Splits the figures' shadings into layers, and embeds these and the truth's mask.
+std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder) {
+  LayerBuilder builder;
+  std::string html;
+  for (Figure& figure : figures) {
+    const PictureRecord& picture = *figure.pictures.front();
+    const bool answers =
+        figure.method == truthMethod || has(figure, PictureRecord::Kind::difference);
+    if (picture.mask.empty() || !answers) continue;
+    const Mask mask = maskFromImage(readImage(folder / picture.mask));
+    figure.mesh = builder.add(readImage(folder / picture.path), mask);
+    if (figure.method == truthMethod) {
+      html += layerHtml("truth", *figure.mesh, pngAddress(folder / picture.mask));
+    }
   }
-  const std::string rate = rateHtml(record, {panel.view, panel.light}, figure.method);
-  return fmt::format("<figure data-method=\"{}\">\n{}{}</figure>\n", escapeHtml(figure.method),
-                     pictures, captionHtml(figure, index, rate));
+  const std::vector<PictureLayers> layers = builder.layers();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    html += layerHtml("lit", i, webPicture(layers[i].lit, fineQuality)) +
+            layerHtml("dark", i, webPicture(layers[i].dark, fineQuality));
+  }
+  return html.empty() ? "" : "<div class=\"layers\" hidden>\n" + html + "</div>\n";
+}
+
+/// Pictures take long to compress, and none needs another.
+void embedPictures(std::vector<Figure>& figures, const PanelRecord& panel, const fs::path& folder) {
+  parallelFor(0, figures.size(), [&](std::size_t i) {
+    for (const PictureRecord* picture : figures[i].pictures) {
+      figures[i].html += pictureHtml(*picture, panel, folder);
+    }
+  });
 }
 
 std::string cssColour(const Rgb& colour) {
@@ -135,17 +197,20 @@ std::string differenceLegend() {
 }  // namespace
 
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
-                         const std::filesystem::path& folder) {
-  std::string html = fmt::format("<div class=\"panel\" data-view=\"{}\" data-light=\"{}\">\n",
-                                 escapeHtml(panel.view), escapeHtml(panel.light));
-  const std::vector<Figure> figures = figuresOf(panel);
+                         const fs::path& folder) {
+  std::vector<Figure> figures = figuresOf(panel);
+  const std::string layers = embeddedLayers(figures, folder);
+  embedPictures(figures, panel, folder);
+  std::string html = fmt::format(
+      "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n",
+      escapeHtml(panel.view), escapeHtml(panel.light), panel.width, panel.height);
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    html += figureHtml(record, panel, figures[i], i, folder);
+    html += figureHtml(record, panel, figures[i], i);
   }
   const bool signedOnes = std::any_of(figures.begin(), figures.end(), [](const Figure& figure) {
     return has(figure, PictureRecord::Kind::difference);
   });
-  return html + "</div>\n" + (signedOnes ? differenceLegend() : "");
+  return html + layers + "</div>\n" + (signedOnes ? differenceLegend() : "");
 }
 
 std::string differenceProperties() {

@@ -1,12 +1,12 @@
 #include "report/html_page.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/core.h>
 
 #include "report/html_figures.h"
 #include "report/html_text.h"
 #include "report/names.h"
-#include "report/report_style.h"
+#include "report/page.h"
+#include "report/web_picture.h"
 
 namespace gnomon {
 namespace {
@@ -17,15 +17,16 @@ std::string tagClass(Verdict verdict) {
 
 }  // namespace
 
-std::string htmlHead(std::string_view title) {
+std::string htmlHead(std::string_view title, std::string_view script) {
+  const std::string runs = script.empty() ? "" : fmt::format("; script-src {}", script);
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'\">\n"
+      "style-src 'unsafe-inline'{}\">\n"
       "<title>{} – Gnomon</title>\n<style>\n{}{}</style>\n</head>\n",
-      escapeHtml(title), differenceProperties(), reportStyle());
+      runs, escapeHtml(title), differenceProperties(), pageStyle());
 }
 
 std::string htmlSection(std::string_view id, std::string_view title, const std::string& content) {
@@ -34,9 +35,8 @@ std::string htmlSection(std::string_view id, std::string_view title, const std::
 }
 
 std::string htmlPlot(const std::string& svg, std::string_view alt) {
-  return fmt::format(
-      "<figure class=\"plot\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></figure>\n",
-      escapeHtml(alt), OIIO::Strutil::base64_encode(svg));
+  return fmt::format("<figure class=\"plot\"><img alt=\"{}\" src=\"{}\"></figure>\n",
+                     escapeHtml(alt), dataAddress("image/svg+xml", svg));
 }
 
 std::string htmlFact(std::string_view term, std::string_view text) {

@@ -14,7 +14,8 @@ namespace gnomon {
 /// All before the body: the style is inside, and the page's own content policy forbids it to load
 /// anything but pictures that it holds.
 /// @param title  as text
-std::string htmlHead(std::string_view title);
+/// @param script  the hash of a script that it may run; of none, if empty
+std::string htmlHead(std::string_view title, std::string_view script = "");
 
 /// A section with its heading; nothing, if it has no content.
 /// @param title  as HTML

@@ -7,7 +7,9 @@
 
 #include "common/memory.h"
 #include "compare/rates.h"
+#include "report/budget_text.h"
 #include "report/cost.h"
+#include "report/error_bars.h"
 #include "report/html_cells.h"
 #include "report/html_text.h"
 #include "report/number_text.h"
@@ -18,15 +20,6 @@ namespace {
 
 std::string metricCell(const Metric& metric) {
   return numberCell(rateText(metric.value), metric.reason);
-}
-
-/// A bar of the two kinds of error, `full` being the longest.
-std::string errorBar(double falseShadow, double falseLight, double full) {
-  if (!(full > 0)) return "";
-  return fmt::format(
-      "<span class=\"bar\" aria-hidden=\"true\"><i class=\"shadow\" style=\"width:{:.2f}%\"></i>"
-      "<i class=\"light\" style=\"width:{:.2f}%\"></i></span>",
-      100 * falseShadow / full, 100 * falseLight / full);
 }
 
 /// "≈ a, b and 2 more", or nothing.
@@ -49,17 +42,18 @@ std::string meanCell(const Mean& mean, std::size_t cases) {
 }
 
 std::string rankedRow(const RankedMethod& method, std::size_t rank, std::size_t allCases,
-                      double longest) {
+                      double scale) {
   const std::string partial = method.cases == allCases
                                   ? ""
                                   : fmt::format("<small class=\"same\">{} of {} cases only</small>",
                                                 method.cases, allCases);
   return fmt::format(
-      "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}{}{}</td>{}{}{}{}{}</tr>\n", rank,
-      escapeHtml(method.label),
-      errorBar(method.falseShadow.value.value_or(0), method.falseLight.value.value_or(0), longest),
+      "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}{}{}</td>{}{}{}{}{}{}</tr>\n", rank,
+      escapeHtml(method.label), errorBar(method, scale),
       indistinguishableText(method.indistinguishable), partial,
       numberCell("<b>" + withUncertainty(method.errorRate.value, method.uncertainty) + "</b>"),
+      numberCell(method.interval ? escapeHtml(intervalText(*method.interval)) : "–",
+                 method.interval ? "" : "no interval was measured"),
       meanCell(method.falseShadow, method.cases), meanCell(method.falseLight, method.cases),
       meanCell(method.iou, method.cases), meanCell(method.ber, method.cases));
 }
@@ -144,17 +138,15 @@ std::string boundText(const ThresholdRecord& threshold) {
 
 std::string rankingTable(const std::vector<RankedMethod>& ranked) {
   std::size_t allCases = 0;
-  double longest = 0;
-  for (const RankedMethod& method : ranked) {
-    allCases = std::max(allCases, method.cases);
-    longest = std::max(longest, method.errorRate.value.value_or(0));
-  }
+  for (const RankedMethod& method : ranked) allCases = std::max(allCases, method.cases);
+  const double scale = errorBarScale(ranked);
   std::string body;
   for (std::size_t i = 0; i < ranked.size(); ++i) {
-    body += rankedRow(ranked[i], i + 1, allCases, longest);
+    body += rankedRow(ranked[i], i + 1, allCases, scale);
   }
   return htmlTable(
-      "ranking", headCells({"", "Method"}, {"Error", "False shadow", "False light", "IoU", "BER"}),
+      "ranking",
+      headCells({"", "Method"}, {"Error", "95 %", "False shadow", "False light", "IoU", "BER"}),
       body);
 }
 

@@ -4,6 +4,19 @@
 #include "report/number_text.h"
 
 namespace gnomon {
+namespace {
+
+Json flipJson(const UncertaintyRecord& flip) {
+  Json boundaries = Json::object();
+  addMetrics(boundaries, flip.boundaries);
+  return {{"view", flip.view},
+          {"light", flip.light},
+          {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
+          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
+          {"boundaries", std::move(boundaries)}};
+}
+
+}  // namespace
 
 Json jsonNumber(double value, std::string_view key) {
   return requireFinite(value, key);
@@ -11,6 +24,16 @@ Json jsonNumber(double value, std::string_view key) {
 
 Json jsonNumber(std::optional<double> value, std::string_view key) {
   return value ? jsonNumber(*value, key) : Json(nullptr);
+}
+
+void addMetrics(Json& json, const std::vector<Metric>& metrics) {
+  Json undefined = Json::object();
+  for (const Metric& metric : metrics) {
+    const std::string name(metric.name);
+    json[name] = jsonNumber(metric.value, name);
+    if (!metric.value) undefined[name] = metric.reason;
+  }
+  json["undefined"] = std::move(undefined);
 }
 
 Json jsonEnvironment(const EnvironmentRecord& environment) {
@@ -23,6 +46,23 @@ Json jsonEnvironment(const EnvironmentRecord& environment) {
           {"gl_version", environment.glVersion},
           {"embree_version", environment.embreeVersion},
           {"opensubdiv_version", environment.openSubdivVersion}};
+}
+
+Json jsonStudy(const StudyRecord& record) {
+  return {{"name", record.name},
+          {"title", record.title},
+          {"source", record.source},
+          {"file", record.file},
+          {"command", record.command}};
+}
+
+Json jsonTruth(const TruthRecord& truth) {
+  return {{"micro_triangles", truth.microTriangles},
+          {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
+          {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
+          {"bvh_bytes", truth.bvhBytes},
+          {"mesh_bytes", truth.meshBytes},
+          {"flips", jsonList(truth.flips, flipJson)}};
 }
 
 Json jsonClaim(const ClaimRecord& claim) {

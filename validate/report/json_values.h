@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "compare/rates.h"
 #include "report/study_ranking.h"
 #include "study/record.h"
 
@@ -20,6 +22,9 @@ Json jsonNumber(double value, std::string_view key);
 /// A number, or null.
 Json jsonNumber(std::optional<double> value, std::string_view key);
 
+/// Adds each value by its name, and under `undefined` why there is none.
+void addMetrics(Json& json, const std::vector<Metric>& metrics);
+
 template <typename Records, typename Convert>
 Json jsonList(const Records& records, const Convert& convert) {
   Json array = Json::array();
@@ -28,6 +33,10 @@ Json jsonList(const Records& records, const Convert& convert) {
 }
 
 Json jsonEnvironment(const EnvironmentRecord& environment);
+/// name, title, source, file, command.
+Json jsonStudy(const StudyRecord& record);
+/// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light.
+Json jsonTruth(const TruthRecord& truth);
 /// text, source, verdict, detail.
 Json jsonClaim(const ClaimRecord& claim);
 /// method, error_rate, false_shadow, false_light, uncertainty.

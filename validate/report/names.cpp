@@ -18,6 +18,18 @@ std::string_view verdictName(Verdict verdict) {
   throw InternalError("verdict: not one of its four values");
 }
 
+std::string_view differenceVerdictName(DifferenceVerdict verdict) {
+  switch (verdict) {
+    case DifferenceVerdict::better:
+      return "better";
+    case DifferenceVerdict::worse:
+      return "worse";
+    case DifferenceVerdict::notDistinguishable:
+      return "not distinguishable";
+  }
+  throw InternalError("verdict of a difference: not one of its three values");
+}
+
 std::string_view pictureKindName(PictureRecord::Kind kind) {
   switch (kind) {
     case PictureRecord::Kind::shaded:

@@ -9,6 +9,9 @@ namespace gnomon {
 /// "held", "failed", "not distinguishable" or "not evaluated", the same in every kind of report.
 std::string_view verdictName(Verdict verdict);
 
+/// "better", "worse" or "not distinguishable": the first of two methods.
+std::string_view differenceVerdictName(DifferenceVerdict verdict);
+
 /// "shaded", "difference" or "displaced".
 std::string_view pictureKindName(PictureRecord::Kind kind);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "compare/rates.h"
 #include "report/cases.h"
@@ -34,6 +35,22 @@ std::optional<double> meanUncertainty(const StudyRecord& record, const Rows& row
   return rows.empty() ? std::nullopt : std::optional(sum / static_cast<double>(rows.size()));
 }
 
+std::optional<Interval> meanInterval(const StudyRecord& record, const std::string& label,
+                                     const Rows& rows) {
+  Interval sum;
+  double views = 0;
+  for (const ConfidenceRecord& row : record.confidence) {
+    if (row.method != label || row.light != allLights) continue;
+    if (!row.interval) return std::nullopt;
+    sum = {sum.low + row.interval->low, sum.high + row.interval->high};
+    ++views;
+  }
+  std::set<std::string> shown;
+  for (const ResultRecord* row : rows) shown.insert(row->view);
+  if (views == 0 || views != static_cast<double>(shown.size())) return std::nullopt;
+  return Interval{sum.low / views, sum.high / views};
+}
+
 RankedMethod summarise(const StudyRecord& record, const std::string& label,
                        const std::vector<Case>& cases) {
   Rows rows;
@@ -49,6 +66,7 @@ RankedMethod summarise(const StudyRecord& record, const std::string& label,
   method.iou = meanOf(rows, "iou");
   method.ber = meanOf(rows, "ber");
   method.uncertainty = meanUncertainty(record, rows);
+  method.interval = meanInterval(record, label, rows);
   return method;
 }
 

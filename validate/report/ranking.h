@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/block_bootstrap.h"
 #include "study/record.h"
 
 namespace gnomon {
@@ -20,7 +21,11 @@ struct RankedMethod {
   std::string label;
   std::size_t cases = 0;  ///< view × light pairs with results
   Mean errorRate, falseShadow, falseLight, iou, ber;
-  std::optional<double> uncertainty;           ///< the truth's, mean over the same cases
+  std::optional<double> uncertainty;  ///< the truth's, mean over the same cases
+  /// 95 % for the mean error rate: the mean of the ends of its views' intervals, all lights
+  /// together. Exact for one view; for several as if they erred together, so never too narrow.
+  /// None where a view has none.
+  std::optional<Interval> interval;
   std::vector<std::string> indistinguishable;  ///< labels whose mean error is as close as that
 };
 

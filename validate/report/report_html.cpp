@@ -7,12 +7,15 @@
 #include "common/memory.h"
 #include "report/budget_html.h"
 #include "report/cases.h"
+#include "report/confidence_html.h"
+#include "report/confidence_text.h"
 #include "report/cost.h"
 #include "report/html_figures.h"
 #include "report/html_page.h"
 #include "report/html_tables.h"
 #include "report/html_text.h"
 #include "report/number_text.h"
+#include "report/page.h"
 #include "report/ranking.h"
 
 namespace gnomon {
@@ -47,17 +50,30 @@ std::string leadHtml(const std::vector<RankedMethod>& ranked) {
                       notDistinguishable(best.errorRate.value, 0.0, best.uncertainty)
                           ? ": so small an error cannot be told from none"
                           : "");
-  if (best.indistinguishable.empty()) return text;
-  return text + fmt::format(" {} cannot be told from the best.",
-                            plural(best.indistinguishable.size(), "other method"));
+  return text;
+}
+
+/// What the best method of each view is better than, and by how much.
+std::string comparedHtml(const StudyRecord& record) {
+  const std::vector<std::string> views = confidenceViews(record);
+  std::string html;
+  for (const std::string& view : views) {
+    const std::string verdict = verdictText(record, view);
+    if (verdict.empty()) continue;
+    html +=
+        fmt::format("<p class=\"lead\">{}{}</p>\n",
+                    views.size() > 1 ? "In " + escapeHtml(view) + ": " : "", escapeHtml(verdict));
+  }
+  return html;
 }
 
 std::string header(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
   return fmt::format(
       "<header>\n<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n<h1>{}</h1>\n"
       "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n"
-      "</header>\n",
-      headingOf(record), escapeHtml(record.source), verdictHtml(record), leadHtml(ranked));
+      "{}</header>\n",
+      headingOf(record), escapeHtml(record.source), verdictHtml(record), leadHtml(ranked),
+      comparedHtml(record));
 }
 
 std::string rankingSection(const std::vector<RankedMethod>& ranked) {
@@ -66,8 +82,10 @@ std::string rankingSection(const std::vector<RankedMethod>& ranked) {
       "ranking", "Methods, best first",
       "<p class=\"note\">Percent of the samples, mean over all lights and views. <b>±</b> is the "
       "truth’s own uncertainty: the share of its samples that change at half its resolution. "
-      "The bar shows the error’s two parts: <i class=\"chip shadow\"></i> false shadow, "
-      "<i class=\"chip light\"></i> false light.</p>\n" +
+      "<b>95&#8239;%</b> is the interval of the mean error by a bootstrap over blocks of the "
+      "view. The bar shows the error’s two parts, <i class=\"chip shadow\"></i> false shadow and "
+      "<i class=\"chip light\"></i> false light, round its end the truth’s uncertainty "
+      "<i class=\"chip truth\"></i> and the interval <i class=\"chip whisker\"></i>.</p>\n" +
           rankingTable(ranked));
 }
 
@@ -183,6 +201,21 @@ std::string reproduceSection(const StudyRecord& record) {
           htmlFact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
 }
 
+std::string plotSection(std::span<const DrawnPlot> plots) {
+  std::string content;
+  for (const DrawnPlot& plot : plots) {
+    // The page has the budget's own bars, with their table.
+    if (plot.sheet.name == "budget") continue;
+    content += fmt::format("<h3>{}</h3>\n", escapeHtml(plot.sheet.title)) +
+               htmlPlot(plot.svg, plot.sheet.about);
+  }
+  if (content.empty()) return "";
+  return htmlSection("plots", "Where the error grows",
+                     "<p class=\"note\">Each plot lies beside this page as SVG and PDF, in "
+                     "<code>plots/</code>.</p>\n" +
+                         content);
+}
+
 /// Links to the cases: with many lights a reader needs them.
 std::string navigation(const std::vector<Case>& cases) {
   if (cases.size() < 2) return "";
@@ -197,22 +230,23 @@ std::string navigation(const std::vector<Case>& cases) {
 }  // namespace
 
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       const std::string& frontier) {
+                       std::span<const DrawnPlot> plots) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
-  std::string html = htmlHead(record.title.empty() ? record.name : record.title) + "<body>\n" +
-                     header(record, ranked) + "<main>\n" + rankingSection(ranked) +
-                     htmlClaims(record.claims) + budgetSection(record) + thresholdSection(record) +
-                     navigation(cases);
+  const bool hasPictures = !record.panels.empty();
+  std::string html = htmlHead(record.title.empty() ? record.name : record.title,
+                              hasPictures ? viewerScriptHash() : "") +
+                     "<body>\n" + header(record, ranked) + "<main>\n" + rankingSection(ranked) +
+                     htmlClaims(record.claims) + thresholdSection(record) +
+                     (hasPictures ? std::string(viewerMarkup()) : "") + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);
   }
-  if (!frontier.empty()) {
-    html += htmlSection("frontier", "Error against memory",
-                        htmlPlot(frontier, "Error rate of each method against its memory"));
-  }
-  return html + costSection(record) + truthSection(record) + citations(record.methods) +
-         timingSection(record.timings) + reproduceSection(record) + "</main>\n</body>\n</html>\n";
+  html += confidenceSection(record) + plotSection(plots) + budgetSection(record) +
+          costSection(record) + truthSection(record) + citations(record.methods) +
+          timingSection(record.timings) + reproduceSection(record) + "</main>\n";
+  if (hasPictures) html += "<script>" + std::string(viewerScript()) + "</script>\n";
+  return html + "</body>\n</html>\n";
 }
 
 }  // namespace gnomon

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
+#include "report/study_plots.h"
 #include "study/record.h"
 
 namespace gnomon {
@@ -12,9 +14,9 @@ namespace gnomon {
 /// (verdict, ranking, claims, thresholds), where is it wrong (pictures and regions a case), what
 /// does it cost, how far can the truth be trusted, how is it run again.
 /// @param folder  the run's folder: where the paths of the pictures start
-/// @param frontier  the plot of error against memory, an SVG; empty for none
+/// @param plots   embedded, in this order
 /// @throws InputError if a picture cannot be read, InternalError for a number that is not finite
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       const std::string& frontier = "");
+                       std::span<const DrawnPlot> plots = {});
 
 }  // namespace gnomon

@@ -1,6 +1,8 @@
 #include "report/summary_json.h"
 
+#include "report/bin_files.h"
 #include "report/budget_files.h"
+#include "report/confidence_files.h"
 #include "report/cost.h"
 #include "report/json_values.h"
 #include "report/names.h"
@@ -8,44 +10,6 @@
 
 namespace gnomon {
 namespace {
-
-Json studyJson(const StudyRecord& record) {
-  return {{"name", record.name},
-          {"title", record.title},
-          {"source", record.source},
-          {"file", record.file},
-          {"command", record.command}};
-}
-
-/// Adds each value by its name, and under `undefined` why there is none.
-void addMetrics(Json& json, const std::vector<Metric>& metrics) {
-  Json undefined = Json::object();
-  for (const Metric& metric : metrics) {
-    const std::string name(metric.name);
-    json[name] = jsonNumber(metric.value, name);
-    if (!metric.value) undefined[name] = metric.reason;
-  }
-  json["undefined"] = std::move(undefined);
-}
-
-Json flipJson(const UncertaintyRecord& flip) {
-  Json boundaries = Json::object();
-  addMetrics(boundaries, flip.boundaries);
-  return {{"view", flip.view},
-          {"light", flip.light},
-          {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
-          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
-          {"boundaries", std::move(boundaries)}};
-}
-
-Json truthJson(const TruthRecord& truth) {
-  return {{"micro_triangles", truth.microTriangles},
-          {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
-          {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
-          {"bvh_bytes", truth.bvhBytes},
-          {"mesh_bytes", truth.meshBytes},
-          {"flips", jsonList(truth.flips, flipJson)}};
-}
 
 Json methodJson(const MethodRecord& method) {
   return {{"label", method.label},
@@ -99,7 +63,8 @@ Json pictureJson(const PictureRecord& picture) {
   return {{"kind", pictureKindName(picture.kind)},
           {"method", picture.method},
           {"caption", picture.caption},
-          {"path", picture.path}};
+          {"path", picture.path},
+          {"mask", picture.mask.empty() ? Json(nullptr) : Json(picture.mask)}};
 }
 
 Json panelJson(const PanelRecord& panel) {
@@ -116,11 +81,14 @@ std::string summaryJson(const StudyRecord& record) {
   const Json json = {
       {"schema", summarySchema},
       {"status", jsonStatus(record.passed())},
-      {"study", studyJson(record)},
+      {"study", jsonStudy(record)},
       {"environment", jsonEnvironment(record.environment)},
-      {"truth", truthJson(record.truth)},
+      {"truth", jsonTruth(record.truth)},
       {"methods", jsonList(record.methods, methodJson)},
       {"results", jsonList(record.results, resultJson)},
+      {"confidence", jsonList(record.confidence, jsonConfidence)},
+      {"differences", jsonList(record.differences, jsonDifference)},
+      {"bins", jsonList(record.bins, jsonBin)},
       {"cost",
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},

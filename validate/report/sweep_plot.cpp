@@ -133,14 +133,9 @@ int pageHeight(const Series& series) {
 
 }  // namespace
 
-std::string sweepPlotScript(const SweepRecord& sweep) {
+PlotSheet sweepPlot(const SweepRecord& sweep) {
   const Series series = seriesOf(sweep);
-  std::string text = "set encoding utf8\n" +
-                     fmt::format(
-                         "set terminal svg size 1000,{} noenhanced font 'sans-serif,14' "
-                         "background '#ffffff'\n",
-                         pageHeight(series)) +
-                     dataBlocks(series) +
+  std::string text = dataBlocks(series) +
                      "set multiplot\n"
                      "set border 3 lc rgb '#5b626b'\n"
                      "set tics nomirror out textcolor rgb '#1a1d21'\n"
@@ -157,12 +152,12 @@ std::string sweepPlotScript(const SweepRecord& sweep) {
     text += panelCommands(series, panel);
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on
   }
-  return text + "unset multiplot\n";
-}
-
-std::string sweepPlot(const SweepRecord& sweep) {
-  const std::string title = sweep.title.empty() ? sweep.name : sweep.title;
-  return cleanSvg(runGnuplot(sweepPlotScript(sweep)), title);
+  return {"sweep",
+          sweep.title.empty() ? sweep.name : sweep.title,
+          "Error rate, false shadow and false light of each method against " + sweep.axis,
+          1000,
+          pageHeight(series),
+          text + "unset multiplot\n"};
 }
 
 }  // namespace gnomon

@@ -11,6 +11,7 @@
 #include "report/cost.h"
 #include "report/number_text.h"
 #include "report/terminal_budget.h"
+#include "report/terminal_confidence.h"
 #include "report/terminal_page.h"
 #include "report/text_width.h"
 #include "study/result_metrics.h"
@@ -247,6 +248,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   TerminalPage page(colours);
   page.heading(record.title.empty() ? record.name : record.title);
   page.paragraph(record.source);
+  appendConfidence(page, record);
   appendResults(page, record);
   page.claims(record.claims);
   appendBudgets(page, record);

@@ -6,7 +6,8 @@
 
 namespace gnomon {
 
-/// A run for the terminal, at most 100 columns wide: for each view and light one row a method with
+/// A run for the terminal, at most 100 columns wide: the verdict of each view (appendConfidence),
+/// then for each view and light one row a method with
 /// its error rate, both parts of it, IoU and BER in percent, beside the truth's own uncertainty.
 /// A view with more than three lights becomes one block, its rows named by light and method. Then
 /// the claims with their verdicts, the thresholds that failed, what each method costs, and the time

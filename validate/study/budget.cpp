@@ -47,11 +47,7 @@ std::vector<BudgetState> statesOf(const std::vector<StateErrors>& errors) {
 StateErrors& StateErrors::operator+=(const StateErrors& other) {
   wrong += other.wrong;
   distant += other.distant;
-  counts.truePositive += other.counts.truePositive;
-  counts.falsePositive += other.counts.falsePositive;
-  counts.falseNegative += other.counts.falseNegative;
-  counts.trueNegative += other.counts.trueNegative;
-  counts.samples += other.counts.samples;
+  counts += other.counts;
   return *this;
 }
 

@@ -40,4 +40,14 @@ EnvironmentRecord describeEnvironment(const GlContext& gl) {
   return environment;
 }
 
+StudyRecord startRecord(const StudySpec& study, const GlContext& gl) {
+  StudyRecord record;
+  record.environment = describeEnvironment(gl);
+  record.name = study.name;
+  record.title = study.title;
+  record.source = study.source;
+  record.file = study.file.string();
+  return record;
+}
+
 }  // namespace gnomon

@@ -2,10 +2,14 @@
 
 #include "render/gl_context.h"
 #include "study/record.h"
+#include "study/study_file.h"
 
 namespace gnomon {
 
 /// Versions and hardware of this process: what someone needs who gets other figures.
 EnvironmentRecord describeEnvironment(const GlContext& gl);
+
+/// A record that says which study was measured where, and nothing that was found.
+StudyRecord startRecord(const StudySpec& study, const GlContext& gl);
 
 }  // namespace gnomon

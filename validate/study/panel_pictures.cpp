@@ -88,15 +88,17 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light, const BaseC
     if (masks[m].mask == nullptr) continue;
     const std::string& label = study_.methods[m].label;
     shadeMask(view, light, *masks[m].base, *masks[m].mask, methodFiles_[m]);
-    panel.pictures.push_back(
-        {Kind::shaded, label, label, path("images", view, light, methodFiles_[m])});
+    panel.pictures.push_back({Kind::shaded, label, label,
+                              path("images", view, light, methodFiles_[m]),
+                              path("masks", view, light, methodFiles_[m])});
   }
   if (std::holds_alternative<Camera>(study_.views[view].kind)) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
                               path("images", view, light, "displaced")});
   }
   shadeMask(view, light, standard, standard.views[view].truths[light].mask, "truth");
-  panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth")});
+  panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
+                            path("masks", view, light, "truth")});
   for (std::size_t m = 0; m < masks.size(); ++m) {
     if (masks[m].mask == nullptr) continue;
     const std::string file = path("images", view, light, methodFiles_[m] + "_difference");

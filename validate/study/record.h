@@ -9,7 +9,9 @@
 #include "compare/counts.h"
 #include "compare/rates.h"
 #include "compare/shadow_length.h"
+#include "study/bin_record.h"
 #include "study/budget_record.h"
+#include "study/confidence_record.h"
 
 namespace gnomon {
 
@@ -108,6 +110,7 @@ struct PictureRecord {
   std::string method;  ///< a label, or "truth"
   std::string caption;
   std::string path;
+  std::string mask = {};  ///< of the answer that a shaded picture shows
 };
 
 /// The pictures of one view under one light, in the order of Figure 8.
@@ -129,6 +132,9 @@ struct StudyRecord {
   TruthRecord truth;
   std::vector<MethodRecord> methods;
   std::vector<ResultRecord> results;
+  std::vector<ConfidenceRecord> confidence;   ///< of every method in every view
+  std::vector<DifferenceRecord> differences;  ///< of every two methods in every view
+  std::vector<BinRecord> bins;
   std::vector<CostRecord> cost;
   std::vector<TimingRecord> timings;
   std::vector<ThresholdRecord> thresholds;

@@ -13,6 +13,7 @@
 #include "study/method_case.h"
 #include "study/panel_pictures.h"
 #include "study/run_scene.h"
+#include "study/spread_stage.h"
 #include "study/thresholds.h"
 #include "study/truth_stage.h"
 #include "truth/seam_crossing.h"
@@ -31,11 +32,7 @@ class StudyRun {
         scene_(study, clock_),
         writer_(writer),
         pictures_(study, scene_.heights, scene_.shaders, writer, clock_) {
-    record_.environment = describeEnvironment(gl);
-    record_.name = study.name;
-    record_.title = study.title;
-    record_.source = study.source;
-    record_.file = study.file.string();
+    record_ = startRecord(study, gl);
   }
 
   StudyRecord run() {
@@ -79,8 +76,10 @@ class StudyRun {
   /// Masks live for one view and light: that is all that a panel needs.
   void compareMethods(LadderStage& ladders) {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
+      SpreadStage spread(scene_, methods_, v);
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
         const std::vector<std::optional<Mask>> masks = compareMethods(v, l);
+        spread.measure(l, masks);
         if (v == ladders.view()) ladders.measure(l, masks);
         std::vector<PanelMask> shown;
         for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -88,6 +87,7 @@ class StudyRun {
         }
         record_.panels.push_back(pictures_.draw(v, l, scene_.standardBase(), shown));
       }
+      spread.report(record_);
     }
   }
 

@@ -30,7 +30,15 @@ ShapeOperator shapeOperator(const LimitPoint& point) {
   const double l12 = (f - a * e) / (length * b);
   const double l22 = (g - 2 * a * f + a * a * e) / (b * b);
   const bool finite = std::isfinite(l11) && std::isfinite(l12) && std::isfinite(l22);
-  return {e1, e2, l11, l12, l22, finite};
+  if (!finite) return {Vec3(0), Vec3(0), 0, 0, 0, false};
+  return {e1, e2, l11, l12, l22, true};
+}
+
+/// The unit tangential part of a vector, along e1 and e2; zero where that vanishes.
+Vec2 tangentOf(const ShapeOperator& shape, const Vec3& direction) {
+  const Vec2 parts(glm::dot(direction, shape.e1), glm::dot(direction, shape.e2));
+  const double tangential = std::hypot(parts.x, parts.y);
+  return tangential > 1e-12 * glm::length(direction) ? parts / tangential : Vec2(0);
 }
 
 }  // namespace
@@ -52,14 +60,15 @@ PrincipalCurvatures principalCurvatures(const LimitPoint& point) {
 
 double normalCurvature(const LimitPoint& point, const Vec3& direction) {
   const ShapeOperator shape = shapeOperator(point);
-  if (!shape.defined) return 0;
-  const double x = glm::dot(direction, shape.e1);
-  const double y = glm::dot(direction, shape.e2);
-  const double tangential = std::hypot(x, y);
-  if (!(tangential > 1e-12 * glm::length(direction))) return 0;
-  const double c = x / tangential;
-  const double s = y / tangential;
-  return shape.l11 * c * c + 2 * shape.l12 * c * s + shape.l22 * s * s;
+  const Vec2 t = tangentOf(shape, direction);
+  return shape.l11 * t.x * t.x + 2 * shape.l12 * t.x * t.y + shape.l22 * t.y * t.y;
+}
+
+Vec3 normalTurn(const LimitPoint& point, const Vec3& direction) {
+  const ShapeOperator shape = shapeOperator(point);
+  const Vec2 t = tangentOf(shape, direction);
+  return (shape.l11 * t.x + shape.l12 * t.y) * shape.e1 +
+         (shape.l12 * t.x + shape.l22 * t.y) * shape.e2;
 }
 
 }  // namespace gnomon

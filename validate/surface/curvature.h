@@ -25,4 +25,9 @@ PrincipalCurvatures principalCurvatures(const LimitPoint& point);
 /// Satisfies Euler's formula κ = k1 cos² + k2 sin² of the angle from v1.
 double normalCurvature(const LimitPoint& point, const Vec3& direction);
 
+/// S T, how the outward normal changes a world unit along T, the unit tangential part of a world
+/// vector: a tangent of length |κ1 (T·v1) v1 + κ2 (T·v2) v2|, with T · S T = κ(T). On a sphere it
+/// is T / R. Zero where that part vanishes.
+Vec3 normalTurn(const LimitPoint& point, const Vec3& direction);
+
 }  // namespace gnomon

@@ -1,0 +1,193 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "end_to_end/program.h"
+#include "support/image_files.h"
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class Compare : public EndToEnd {
+ protected:
+  /// Two pictures of 8 × 4 pixels: the truth's left half in shadow, the candidate's a column more.
+  void writeTwo() const {
+    std::vector<float> truth, candidate;
+    for (int i = 0; i < 32; ++i) {
+      truth.push_back(i % 8 < 4 ? 0.0F : 1.0F);
+      candidate.push_back(i % 8 < 5 ? 0.0F : 1.0F);
+    }
+    writePicture(file("truth.png"), {8, 4, {"Y"}, truth, OIIO::TypeDesc::UINT8});
+    writePicture(file("mine.exr"), {8, 4, {"Y"}, candidate});
+  }
+  [[nodiscard]] nlohmann::json figures(std::vector<std::string> arguments, int status = 0) const {
+    arguments.insert(arguments.begin(), "compare");
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return nlohmann::json::parse(outcome.out);
+  }
+  void expectRefusal(std::vector<std::string> arguments, int status,
+                     const std::vector<std::string>& mentions) const {
+    arguments.insert(arguments.begin(), "compare");
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, StartsWith("gnomon: "));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const std::string& text : mentions) EXPECT_THAT(outcome.err, HasSubstr(text));
+  }
+};
+
+TEST_F(Compare, AStudysOwnMasksGiveItsOwnFigures) {
+  runStudy("small", smallStudy());
+  const nlohmann::json own = resultOf(summary("small"), "max-forsyth", "evening", "camera");
+  const nlohmann::json found = figures({"out/small/masks/camera_evening_max-forsyth.png",
+                                        "out/small/masks/camera_evening_truth.png"});
+  ASSERT_GT(own.at("error_rate"), 0);
+  for (const char* key : {"samples",
+                          "tp",
+                          "fp",
+                          "fn",
+                          "tn",
+                          "error_rate",
+                          "false_shadow",
+                          "false_light",
+                          "fpr",
+                          "fnr",
+                          "ber",
+                          "iou",
+                          "f1",
+                          "mcc",
+                          "prevalence",
+                          "assd",
+                          "hd95",
+                          "boundary_iou_1",
+                          "boundary_iou_4",
+                          "surface_dice_1"}) {
+    EXPECT_EQ(found.at(key), own.at(key)) << key;
+  }
+  EXPECT_EQ(found.at("without_sample").get<int>() + found.at("samples").get<int>(), 64 * 64);
+}
+
+TEST_F(Compare, FiguresOfTwoFormatsByHand) {
+  writeTwo();
+  const nlohmann::json found = figures({"mine.exr", "truth.png"});
+  EXPECT_EQ(found.at("error_rate"), 4.0 / 32);
+  EXPECT_EQ(found.at("false_shadow"), 4.0 / 32);
+  EXPECT_EQ(found.at("false_light"), 0);
+  EXPECT_EQ(found.at("iou"), 16.0 / 20);
+  EXPECT_EQ(found.at("assd"), 1);
+  EXPECT_EQ(found.at("surface_dice_1"), 1);
+  EXPECT_EQ(found.at("status"), "pass");
+  EXPECT_THAT(found.at("command").get<std::string>(), StartsWith("gnomon compare mine.exr"));
+  // What shadows everything that is lit and the other way round is always wrong.
+  EXPECT_EQ(figures({"mine.exr", "truth.png", "--invert"}).at("error_rate"), 28.0 / 32);
+}
+
+TEST_F(Compare, OnlyTheRegionOfInterestCounts) {
+  writeTwo();
+  std::vector<float> right;
+  for (int i = 0; i < 32; ++i) right.push_back(i % 8 < 4 ? 0.0F : 1.0F);
+  writePicture(file("roi.png"), {8, 4, {"Y"}, right, OIIO::TypeDesc::UINT8});
+  const nlohmann::json found = figures({"mine.exr", "truth.png", "--roi", "roi.png"});
+  EXPECT_EQ(found.at("samples"), 16);
+  EXPECT_EQ(found.at("outside_roi"), 16);
+  EXPECT_EQ(found.at("error_rate"), 4.0 / 16);
+  EXPECT_TRUE(found.at("fnr").is_null());
+  EXPECT_EQ(found.at("undefined").at("fnr"), "the truth has no shadow");
+}
+
+TEST_F(Compare, GatesDecideTheExitStatus) {
+  writeTwo();
+  const auto status = [&](const std::vector<std::string>& gates) {
+    std::vector<std::string> arguments = {"compare", "mine.exr", "truth.png"};
+    arguments.insert(arguments.end(), gates.begin(), gates.end());
+    return gnomon(arguments).status;
+  };
+  EXPECT_EQ(status({"--max", "error_rate=0.125"}), 0);
+  EXPECT_EQ(status({"--max", "error_rate=0.1249"}), 1);
+  EXPECT_EQ(status({"--min", "iou=0.8", "--max", "assd=1"}), 0);
+  EXPECT_EQ(status({"--min", "iou=0.81", "--max", "assd=1"}), 1);
+  EXPECT_EQ(status({"--max", "assd=1", "--max", "hd95=0.9"}), 1);
+  // A gate on what is not defined fails: the region holds no shadow of the truth's.
+  std::vector<float> right(32, 1);
+  for (std::size_t i = 0; i < 32; i += 8) std::fill_n(right.begin() + std::ptrdiff_t(i), 4, 0.0F);
+  writePicture(file("roi.png"), {8, 4, {"Y"}, right});
+  EXPECT_EQ(status({"--roi", "roi.png", "--max", "fnr=1"}), 1);
+}
+
+TEST_F(Compare, WritesTheTableTheFiguresAndTheDifference) {
+  writeTwo();
+  const Outcome outcome = gnomon({"compare", "mine.exr", "truth.png", "--json", "f/figures.json",
+                                  "--difference", "f/difference.png", "--max", "iou=0.5"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("mine.exr against truth.png"), HasSubstr("0.125"),
+                                 HasSubstr("iou is 0.8, at most 0.5 allowed")));
+  EXPECT_EQ(nlohmann::json::parse(read("f/figures.json")).at("status"), "fail");
+  const GreyImage red = readGrey(file("f/difference.png"));
+  EXPECT_EQ(red.pixels[4], 230) << "false shadow is orange";
+  EXPECT_EQ(red.pixels[3], 92);
+  EXPECT_EQ(red.pixels[5], 226);
+  EXPECT_EQ(filesBelow("f"), (std::vector<std::string>{"difference.png", "figures.json"}));
+}
+
+TEST_F(Compare, SoftMasksNeedAThresholdAndItsWorkIsCounted) {
+  writeTwo();
+  std::vector<float> soft;
+  for (int i = 0; i < 32; ++i) soft.push_back(static_cast<float>(i % 8) / 7);
+  writePicture(file("soft.exr"), {8, 4, {"Y"}, soft});
+  expectRefusal({"soft.exr", "truth.png"}, 3,
+                {"soft.exr", "24 of 32 pixels", "column 1, row 0", "--binarise"});
+  const nlohmann::json found = figures({"soft.exr", "truth.png", "--binarise", "0.5"});
+  EXPECT_EQ(found.at("error_rate"), 0);
+  EXPECT_EQ(found.at("candidate").at("binarised"), 24);
+  EXPECT_EQ(found.at("truth").at("binarised"), 0);
+}
+
+TEST_F(Compare, PicturesThatCannotBeComparedAreBadInput) {
+  writeTwo();
+  write("text.png", "not a picture");
+  writePicture(file("small.png"), {4, 4, {"Y"}, std::vector<float>(16), OIIO::TypeDesc::UINT8});
+  writePicture(file("dark.png"), {8, 4, {"Y"}, std::vector<float>(32), OIIO::TypeDesc::UINT8});
+  std::vector<float> holes(32);
+  holes[11] = std::nanf("");
+  writePicture(file("nan.exr"), {8, 4, {"Y"}, holes});
+  std::vector<float> rgba(4 * 32);
+  writePicture(file("clear.exr"), {8, 4, {"R", "G", "B", "A"}, rgba});
+  expectRefusal({"none.exr", "truth.png"}, 3, {"none.exr", "no such file"});
+  expectRefusal({"mine.exr", "text.png"}, 3, {"text.png", "not an image"});
+  expectRefusal({"small.png", "truth.png"}, 3, {"small.png against truth.png", "4 × 4", "8 × 4"});
+  expectRefusal({"mine.exr", "truth.png", "--roi", "small.png"}, 3,
+                {"region of interest: 4 × 4", "small.png"});
+  expectRefusal({"mine.exr", "truth.png", "--roi", "dark.png"}, 3,
+                {"region of interest: no pixel is white"});
+  expectRefusal({"nan.exr", "truth.png"}, 3, {"nan.exr", "column 3, row 1", "not finite"});
+  expectRefusal({"clear.exr", "truth.png"}, 3, {"no sample at 32 of the 32 pixels"});
+  expectRefusal({"mine.exr", "clear.exr"}, 3, {"truth: no pixel has a sample"});
+  expectRefusal({"mine.exr", "truth.png", "--channel", "Z"}, 3, {"no channel \"Z\", it has Y"});
+}
+
+TEST_F(Compare, WhatIsAskedForWronglyIsAUsageError) {
+  writeTwo();
+  expectRefusal({"mine.exr"}, 2, {"TRUTH"});
+  expectRefusal({"mine.exr", "truth.png", "--max", "eror_rate=1"}, 2,
+                {"\"eror_rate\"", "error_rate, false_shadow", "surface_dice_4"});
+  expectRefusal({"mine.exr", "truth.png", "--max", "iou"}, 2, {"METRIC=VALUE"});
+  for (const char* value : {"iou=", "iou=x", "iou=nan", "iou=1.0.0", "iou=1 "}) {
+    expectRefusal({"mine.exr", "truth.png", "--min", value}, 2, {"a number expected"});
+  }
+  for (const char* value : {"0", "1", "-1", "nan"}) {
+    expectRefusal({"mine.exr", "truth.png", std::string("--binarise=") + value}, 2, {"--binarise"});
+  }
+  expectRefusal({"mine.exr", "truth.png", "--difference", "d.jpg"}, 2, {".png"});
+  EXPECT_EQ(gnomon({"compare", "--help"}).status, 0);
+}
+
+}  // namespace
+}  // namespace gnomon::test

@@ -1,0 +1,333 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "end_to_end/other_renderer.h"
+#include "end_to_end/program.h"
+#include "support/image_files.h"
+
+namespace gnomon::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// A closed surface with a relief in the texture's own height units, seen by a camera and asked
+/// everywhere, under two lights.
+std::string torusStudy() {
+  return R"([study]
+name = "ring"
+title = "Bumps on a torus"
+source = "a test"
+
+[surface]
+shape = "torus"
+major = 40
+minor = 15
+quads = [64, 60]
+
+[relief]
+pattern = "cosine"
+texels = [256, 120]
+period = 16
+height = 3
+height_space = "texture"
+
+[bake]
+azimuths = 8
+
+[truth]
+step = 0.5
+
+[[view]]
+name = "above"
+type = "camera"
+width = 120
+height = 90
+eye = [20, 60, 130]
+fov = 50
+
+[[view]]
+name = "atlas"
+type = "atlas"
+samples = 3
+
+[[light]]
+name = "high"
+azimuth = 40
+elevation = 60
+
+[[light]]
+name = "low"
+azimuth = 250
+elevation = 20
+
+[[method]]
+name = "unshadowed"
+)";
+}
+
+Point pointOf(const json& list) {
+  return {list.at(0), list.at(1), list.at(2)};
+}
+
+/// What another renderer finds: 1 lit, 0 shadowed, alpha 0 where there is nothing.
+TestPicture rendered(const Channels& samples, const Triangles& mesh, const Point& light,
+                     double lift) {
+  const SunRays rays(mesh, light);
+  TestPicture picture{samples.width, samples.height, {"Y", "A"}, {}};
+  for (std::size_t i = 0; i < samples.of.at("face").size(); ++i) {
+    const bool sample = samples.of.at("face")[i] >= 0;
+    const Point facet = samples.point("facet", i);
+    Point origin = samples.point("point", i);
+    for (std::size_t k = 0; k < 3; ++k) origin.at(k) += lift * facet.at(k);
+    const bool lit = sample && dot(facet, light) > 0 && !rays.blocked(origin);
+    picture.values.insert(picture.values.end(), {lit ? 1.0F : 0.0F, sample ? 1.0F : 0.0F});
+  }
+  return picture;
+}
+
+class Export : public EndToEnd {
+ protected:
+  json exported(const std::string& name, const std::string& text,
+                const std::vector<std::string>& options = {}) const {
+    write(name + ".toml", text);
+    std::vector<std::string> arguments = {"export", name + ".toml"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return json::parse(read("out/" + name + "/export/export.json"));
+  }
+
+  /// Renders every view under every light from the export alone and has the masks compared.
+  void expectReproduced(const std::string& name, const json& about, double lift) const {
+    const auto part = [&](const std::string& path) { return "out/" + name + "/export/" + path; };
+    const Triangles mesh = readPly(file(part(about.at("displaced_mesh").at("file"))));
+    for (const json& view : about.at("views")) {
+      const Channels samples = readChannels(file(part(view.at("samples"))));
+      for (std::size_t l = 0; l < about.at("lights").size(); ++l) {
+        const Point light = pointOf(about.at("lights").at(l).at("direction"));
+        writePicture(file("mine.exr"), rendered(samples, mesh, light, lift));
+        const json& mask = view.at("masks").at(l);
+        EXPECT_EQ(mask.at("light"), about.at("lights").at(l).at("name"));
+        const Outcome outcome =
+            gnomon({"compare", "mine.exr", part(mask.at("truth")), "--roi", part(view.at("roi")),
+                    "--max", "error_rate=0.01", "--json", "-"});
+        EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+        const json found = json::parse(outcome.out);
+        EXPECT_GT(found.at("samples"), 1000) << view.at("name");
+        // There is light and shadow to agree on.
+        EXPECT_GT(found.at("prevalence"), 0.05);
+        EXPECT_LT(found.at("prevalence"), 0.8);
+        RecordProperty(view.at("name").get<std::string>() + mask.at("light").get<std::string>(),
+                       found.at("error_rate").dump());
+      }
+    }
+  }
+};
+
+TEST_F(Export, AnotherRendererReproducesTheTruthOnAPlane) {
+  const json about = exported("small", smallStudy());
+  EXPECT_EQ(about.at("displaced_mesh").at("subdivisions"), 32) << "4 a texel";
+  EXPECT_EQ(about.at("displaced_mesh").at("closed"), false);
+  expectReproduced("small", about, about.at("ray_lift"));
+}
+
+TEST_F(Export, AnotherRendererReproducesTheTruthOnAClosedSurface) {
+  const json about = exported("ring", torusStudy(), {"--subdivisions", "8"});
+  EXPECT_EQ(about.at("displaced_mesh").at("triangles"), 64 * 60 * 8 * 8 * 2);
+  const Triangles mesh = readPly(file("out/ring/export/displaced.ply"));
+  EXPECT_EQ(mesh.faces.size(), 64U * 60U * 8U * 8U * 2U);
+  EXPECT_EQ(mesh.vertices.size(), 64U * 60U * 8U * 8U) << "each vertex once: Euler's 0 of a torus";
+  EXPECT_EQ(openSides(mesh), 0U);
+  EXPECT_EQ(about.at("displaced_mesh").at("closed"), true);
+  // Its mesh is finer than the truth's, whose points lie this near to it.
+  expectReproduced("ring", about, 0.02);
+}
+
+TEST_F(Export, TheCameraPutsEverySampleOnItsPixel) {
+  const json about = exported("small", smallStudy());
+  const json& view = about.at("views").at(0);
+  const Channels samples = readChannels(file("out/small/export/samples/camera.exr"));
+  const auto transformed = [](const json& matrix, const std::array<double, 4>& v) {
+    std::array<double, 4> result{};
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        result.at(r) += matrix.at(r).at(c).get<double>() * v.at(c);
+      }
+    }
+    return result;
+  };
+  int seen = 0;
+  for (int i = 0; i < 64 * 64; ++i) {
+    const auto pixel = static_cast<std::size_t>(i);
+    if (samples.of.at("face")[pixel] < 0) continue;
+    ++seen;
+    // The base mesh of a plane is the plane, so that its pixel shows the point itself.
+    const Point p = samples.point("base", pixel);
+    const auto clip = transformed(view.at("camera").at("projection"),
+                                  transformed(view.at("camera").at("view"), {p[0], p[1], p[2], 1}));
+    EXPECT_NEAR(clip[0] / clip[3], 2 * (i % 64 + 0.5) / 64 - 1, 1e-4);
+    EXPECT_NEAR(clip[1] / clip[3], 1 - 2 * (i / 64 + 0.5) / 64, 1e-4);
+    EXPECT_LT(std::abs(clip[2] / clip[3]), 1);
+  }
+  EXPECT_GT(seen, 2000);
+}
+
+TEST_F(Export, TheHeightMapIsTheStudysOwn) {
+  runStudy("small", smallStudy());
+  const json about = exported("small", smallStudy());
+  EXPECT_EQ(about.at("height_map").at("maximum"), 4);
+  const std::string own = smallStudy();
+  const std::size_t begin = own.find("pattern");
+  const std::size_t end = own.find("height_space");
+  const std::string taken = own.substr(0, begin) +
+                            "image = \"out/small/export/heights.exr\"\nheight = 1\n" +
+                            own.substr(end);
+  runStudy("taken", replaced(taken, "\"small\"", "\"taken\""));
+  EXPECT_EQ(mask("taken", "camera_evening_truth").pixels,
+            mask("small", "camera_evening_truth").pixels);
+}
+
+TEST_F(Export, TruthsAndTablesAreThoseOfTheOtherCommands) {
+  runStudy("small", smallStudy());
+  exported("small", smallStudy());
+  EXPECT_EQ(gnomon({"bake", "small.toml"}).status, 0);
+  EXPECT_EQ(gnomon({"truth", "small.toml"}).status, 0);
+  const std::string mask = "masks/camera_evening_truth.png";
+  EXPECT_EQ(read("out/small/export/" + mask), read("out/small/" + mask));
+  EXPECT_EQ(read("out/small/truth/" + mask), read("out/small/" + mask));
+  EXPECT_EQ(read("out/small/export/tables.exr"), read("out/small/tables.exr"));
+  const json run = summary("small");
+  const json truth = json::parse(read("out/small/truth/truth.json"));
+  EXPECT_EQ(truth.at("truth").at("uncertainty"), run.at("truth").at("uncertainty"));
+  const json& found = truth.at("cases").at(0);
+  for (const char* region : {"lit", "attached", "cast", "distant", "beyond-terminator"}) {
+    EXPECT_EQ(found.at("region_samples").at(region),
+              resultOf(run, "unshadowed", "evening", "camera", region).at("samples"))
+        << region;
+  }
+  // The picture of the regions holds as many pixels of each colour.
+  const GreyImage red = readGrey(file("out/small/truth/regions/camera_evening.png"));
+  for (const char* region : {"lit", "attached", "cast"}) {
+    const int colour = truth.at("region_colours").at(region).at(0);
+    EXPECT_EQ(std::count(red.pixels.begin(), red.pixels.end(), colour),
+              found.at("region_samples").at(region))
+        << region;
+  }
+}
+
+TEST_F(Export, TheSameStudyGivesTheSameBytes) {
+  exported("small", smallStudy());
+  const std::vector<std::string> files = filesBelow("out/small/export");
+  EXPECT_EQ(files,
+            (std::vector<std::string>{"base.obj", "displaced.ply", "export.json", "heights.exr",
+                                      "masks/camera_evening_truth.png", "roi/camera.png",
+                                      "samples/camera.exr", "tables.exr"}));
+  exported("small", smallStudy(), {"--out", "again", "--threads", "1"});
+  for (const std::string& name : files) {
+    if (name == "export.json") continue;  // it names the command and the threads
+    EXPECT_EQ(read("out/small/export/" + name), read("again/small/export/" + name)) << name;
+  }
+}
+
+TEST_F(Export, TheBaseMeshIsWhatTheRasteriserDraws) {
+  const json about = exported("small", smallStudy());
+  EXPECT_EQ(about.at("base_mesh").at("triangles"), 4 * 4 * 2);
+  std::istringstream lines(read("out/small/export/base.obj"));
+  std::vector<Point> points, normals;
+  std::vector<std::array<double, 2>> uvs;
+  double area = 0;
+  int faces = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string key;
+    words >> key;
+    if (key == "v" || key == "vn") {
+      Point p{};
+      words >> p[0] >> p[1] >> p[2];
+      (key == "v" ? points : normals).push_back(p);
+    } else if (key == "vt") {
+      words >> uvs.emplace_back()[0] >> uvs.back()[1];
+    } else if (key == "f") {
+      ++faces;
+      std::array<std::size_t, 3> corner{};
+      for (std::size_t& c : corner) {
+        std::string text;
+        words >> text;
+        c = std::stoul(text) - 1;
+        EXPECT_EQ(text, std::to_string(c + 1) + "/" + std::to_string(c + 1) + "/" +
+                            std::to_string(c + 1));
+      }
+      const Point n = cross(minus(points.at(corner[1]), points.at(corner[0])),
+                            minus(points.at(corner[2]), points.at(corner[0])));
+      EXPECT_GT(n[2], 0) << "counter-clockwise from above";
+      area += n[2] / 2;
+    }
+  }
+  EXPECT_EQ(faces, 32);
+  EXPECT_NEAR(area, 32 * 32, 1e-3);
+  ASSERT_EQ(uvs.size(), points.size());
+  ASSERT_EQ(normals.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    // The plane's uv runs over its 32 × 32 units.
+    EXPECT_NEAR(uvs[i][0], points[i][0] / 32 + 0.5, 1e-6);
+    EXPECT_NEAR(uvs[i][1], points[i][1] / 32 + 0.5, 1e-6);
+    EXPECT_NEAR(normals[i][2], 1, 1e-6);
+  }
+}
+
+TEST_F(Export, AnAtlasWeighsItsSamplesByArea) {
+  const json about = exported("ring", torusStudy(), {"--subdivisions", "1"});
+  const json& atlas = about.at("views").at(1);
+  EXPECT_EQ(atlas.at("type"), "atlas");
+  EXPECT_EQ(atlas.at("atlas").at("columns"), 64);
+  EXPECT_EQ(atlas.at("width"), 64 * 3);
+  const Channels samples = readChannels(file("out/ring/export/samples/atlas.exr"));
+  double area = 0;
+  for (const float weight : samples.of.at("weight")) area += weight;
+  const double exact = 4 * M_PI * M_PI * 40 * 15;
+  EXPECT_NEAR(area, exact, 1e-3 * exact);
+  // The bottom left tile is face 0, its first sample at (1, 1) / 6.
+  const std::size_t corner = std::size_t(60 * 3 - 1) * 64 * 3;
+  EXPECT_EQ(samples.of.at("face")[corner], 0);
+  EXPECT_NEAR(samples.of.at("s")[corner], 1.0 / 6, 1e-6);
+  EXPECT_NEAR(samples.of.at("t")[corner], 1.0 / 6, 1e-6);
+}
+
+TEST_F(Export, WhatCannotBeExportedIsRefusedBeforeItIsMade) {
+  write("small.toml", smallStudy());
+  for (const char* pieces : {"0", "-3", "8193"}) {
+    const Outcome outcome =
+        gnomon({"export", "small.toml", std::string("--subdivisions=") + pieces});
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_THAT(outcome.err,
+                AllOf(HasSubstr("small.toml: subdivisions: "), HasSubstr("1 to 8192 expected")));
+  }
+  EXPECT_EQ(gnomon({"export", "small.toml", "--subdivisions", "two"}).status, 2);
+  const Outcome many =
+      gnomon({"export", "small.toml", "--subdivisions", "8000", "--set", "surface.quads=[64, 64]"});
+  EXPECT_NE(many.status, 0);
+  EXPECT_THAT(many.err, HasSubstr("subdivisions: 8000"));
+  EXPECT_TRUE(filesBelow("out").empty());
+  EXPECT_EQ(gnomon({"export", "none.toml"}).status, 3);
+  EXPECT_EQ(gnomon({"truth"}).status, 2);
+  EXPECT_EQ(gnomon({"truth", "small.toml", "--set", "view.0.eye=[0,0,-80]"}).status, 3);
+  // What an earlier export left does not pass for a whole one.
+  exported("small", smallStudy());
+  EXPECT_NE(gnomon({"export", "small.toml", "--set", "view.0.eye=[0,0,-80]"}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(file("out/small/export/export.json")));
+}
+
+TEST_F(Export, ASweepHasAnExportForEveryValue) {
+  write("small.toml",
+        smallStudy() + "\n[sweep]\nkey = \"relief.height\"\nvalues = [2, 4]\naxis = \"height\"\n");
+  EXPECT_EQ(gnomon({"export", "small.toml"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(file("out/small/2/export/export.json")));
+  EXPECT_TRUE(std::filesystem::exists(file("out/small/4/export/export.json")));
+}
+
+}  // namespace
+}  // namespace gnomon::test

@@ -1,0 +1,155 @@
+// Confidence, differences and bins in every kind of report.
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "common/error.h"
+#include "report/bin_files.h"
+#include "report/confidence_files.h"
+#include "report/confidence_html.h"
+#include "report/confidence_text.h"
+#include "report/report_html.h"
+#include "report/sample_record.h"
+#include "report/summary_json.h"
+#include "report/terminal_table.h"
+#include "report/text_width.h"
+
+namespace gnomon {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+DifferenceRecord difference(const std::string& first, const std::string& second, double value,
+                            std::optional<Interval> interval, DifferenceVerdict verdict) {
+  return {"camera", "all",  first, second, value, interval, interval ? "" : "too few differ",
+          0.003,    verdict};
+}
+
+/// "rough" 10 %, "close" 1.2 %, "best" 1 %.
+StudyRecord record() {
+  StudyRecord made = test::sampleRecord();
+  made.confidence = {
+      {"rough, \"old\"", "camera", "all", 0.1, Interval{0.08, 0.13}, "", 25, 40},
+      {"rough, \"old\"", "camera", "elevation 15°", 0.1, Interval{0.07, 0.14}, "", 25, 40},
+      {"close", "camera", "all", 0.012, Interval{0.009, 0.016}, "", 25, 40},
+      {"best", "camera", "all", 0.01, std::nullopt, "too few blocks", 25, 40}};
+  made.differences = {
+      difference("rough, \"old\"", "close", 0.088, Interval{0.07, 0.11}, DifferenceVerdict::worse),
+      difference("rough, \"old\"", "best", 0.09, Interval{0.072, 0.115}, DifferenceVerdict::worse),
+      difference("close", "best", 0.002, std::nullopt, DifferenceVerdict::notDistinguishable)};
+  made.bins = {{"best", "camera", "all", "elevation", {}, 10.0, {1, 2, 3, 4, 10}},
+               {"best", "camera", "all", "elevation", 10.0, {}, {5, 0, 0, 5, 10}}};
+  return made;
+}
+
+TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
+  const std::vector<ConfidenceRecord> ranked = rankedIn(record(), "camera");
+  ASSERT_EQ(ranked.size(), 3U);
+  EXPECT_EQ(ranked[0].method, "best");
+  EXPECT_EQ(ranked[2].light, "all");
+  EXPECT_EQ(confidenceViews(record()), std::vector<std::string>{"camera"});
+  EXPECT_TRUE(rankedIn(record(), "atlas").empty());
+}
+
+TEST(ConfidenceText, TurnsADifferenceAsAsked) {
+  const auto turned = differenceOf(record(), "camera", "best", "rough, \"old\"");
+  ASSERT_TRUE(turned);
+  EXPECT_EQ(turned->first, "best");
+  EXPECT_EQ(turned->difference, -0.09);
+  EXPECT_EQ(turned->interval->low, -0.115);
+  EXPECT_EQ(turned->interval->high, -0.072);
+  EXPECT_EQ(turned->verdict, DifferenceVerdict::better);
+  EXPECT_EQ(differenceOf(record(), "camera", "rough, \"old\"", "best")->verdict,
+            DifferenceVerdict::worse);
+  EXPECT_FALSE(differenceOf(record(), "camera", "best", "none"));
+  EXPECT_FALSE(differenceOf(record(), "atlas", "best", "close"));
+}
+
+TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
+  EXPECT_EQ(verdictText(record(), "camera"),
+            "best is better than rough, \"old\" by 9.00 % of the samples (7.20 to 11.50). best is "
+            "not distinguishable from close.");
+  EXPECT_EQ(confidenceText(Interval{-0.001, 0.02}), "−0.10 to 2.00");
+  EXPECT_EQ(confidenceText(std::nullopt), "–");
+  EXPECT_EQ(verdictText(test::sampleRecord(), "camera"), "");
+  StudyRecord many = record();
+  for (const char* name : {"a", "b", "c"}) {
+    many.confidence.push_back({name, "camera", "all", 0.011, Interval{0, 0.1}, "", 25, 40});
+    many.differences.push_back(difference("best", name, -0.001, Interval{-0.002, 0.001},
+                                          DifferenceVerdict::notDistinguishable));
+  }
+  EXPECT_THAT(verdictText(many, "camera"),
+              HasSubstr("best is not distinguishable from a; b; c and 1 more."));
+  EXPECT_THAT(confidenceNote(record(), "camera"),
+              HasSubstr("25 blocks of 40 × 40 samples. ≈ not distinguishable from the best: the "
+                        "interval of the difference holds 0, or it is within the truth’s "
+                        "uncertainty of 0.30 %."));
+}
+
+TEST(ConfidenceJson, HoldsEveryFigure) {
+  const auto json = nlohmann::ordered_json::parse(summaryJson(record()));
+  EXPECT_EQ(json["confidence"][0].dump(),
+            R"({"method":"rough, \"old\"","view":"camera","light":"all","error_rate":0.1,)"
+            R"("low":0.08,"high":0.13,"reason":null,"blocks":25,"block_side":40})");
+  EXPECT_EQ(json["confidence"][3]["low"], nullptr);
+  EXPECT_EQ(json["confidence"][3]["reason"], "too few blocks");
+  EXPECT_EQ(json["differences"][0].dump(),
+            R"({"view":"camera","light":"all","first":"rough, \"old\"","second":"close",)"
+            R"("difference":0.088,"low":0.07,"high":0.11,"reason":null,"uncertainty":0.003,)"
+            R"("verdict":"worse"})");
+  EXPECT_EQ(json["differences"][2]["high"], nullptr);
+  EXPECT_EQ(json["differences"][2]["reason"], "too few differ");
+  EXPECT_EQ(json["differences"][2]["verdict"], "not distinguishable");
+  EXPECT_EQ(json["bins"][0].dump(),
+            R"({"method":"best","view":"camera","light":"all","axis":"elevation","low":null,)"
+            R"("high":10.0,"samples":10,"tp":1.0,"fp":2.0,"fn":3.0,"tn":4.0,"error_rate":0.5,)"
+            R"("false_shadow":0.2,"false_light":0.3})");
+  EXPECT_EQ(json["bins"][1]["high"], nullptr);
+  StudyRecord broken = record();
+  broken.confidence[0].interval->high = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(summaryJson(broken), InternalError);
+}
+
+TEST(BinsCsv, HasARowABin) {
+  EXPECT_EQ(binsCsv(record()),
+            "study,method,view,light,axis,low,high,samples,tp,fp,fn,tn,error_rate,false_shadow,"
+            "false_light\n"
+            "sample,best,camera,all,elevation,,10,10,1,2,3,4,0.5,0.2,0.3\n"
+            "sample,best,camera,all,elevation,10,,10,5,0,0,5,0,0,0\n");
+}
+
+TEST(TerminalConfidence, RanksMethodsWithTheirIntervals) {
+  const std::string text = resultTable(record(), false);
+  EXPECT_THAT(text, HasSubstr("Verdict · camera\n"));
+  EXPECT_LT(text.find("Verdict"), text.find("camera · elevation 15°")) << "the verdict first";
+  std::istringstream lines(text);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(displayWidth(line), 100U) << line;
+    if (line.find(" to ") != std::string::npos && line.rfind("  ", 0) == 0) rows.push_back(line);
+  }
+  EXPECT_THAT(text, HasSubstr("1.20     0.90 to 1.60      +0.20                – ≈\n"));
+  EXPECT_THAT(text, HasSubstr("10.00    8.00 to 13.00      +9.00    7.20 to 11.50\n"));
+  EXPECT_THAT(resultTable(test::sampleRecord(), false), Not(HasSubstr("Verdict")));
+  StudyRecord wide = record();
+  wide.confidence[3].method = std::string(300, 'x');
+  std::istringstream wideLines(resultTable(wide, false));
+  for (std::string line; std::getline(wideLines, line);) EXPECT_LE(displayWidth(line), 100U);
+}
+
+TEST(ConfidenceHtml, HasATableAView) {
+  const std::string html = confidenceSection(record());
+  EXPECT_THAT(html, HasSubstr("rough, &quot;old&quot;"));
+  EXPECT_THAT(html, HasSubstr("0.90 to 1.60"));
+  EXPECT_THAT(html, HasSubstr("too few blocks"));
+  EXPECT_THAT(html, HasSubstr("close ≈"));
+  EXPECT_THAT(reportHtml(record(), "/none"), HasSubstr(html));
+  EXPECT_EQ(confidenceSection(test::sampleRecord()), "");
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,59 @@
+#include "truth/sample_place.h"
+
+#include <gtest/gtest.h>
+
+#include "surface/texel_frame.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::randomRelief;
+using test::sampleAt;
+
+TEST(SamplePlace, OnARampIsThePlanesPointAndTheRampsFacet) {
+  const LimitSurface surface(makePlane(16, 8, 4, 2));
+  // Heights rise by 1/2 a texel from x = 4.5 to 11.5.
+  std::vector<float> texels;
+  for (int j = 0; j < 8; ++j) {
+    for (int i = 0; i < 16; ++i) texels.push_back(0.5F * static_cast<float>(i));
+  }
+  const Relief relief{HeightField(16, 8, texels, Wrap::clamp), HeightSpace::world, Vec2(1)};
+  const MicroMesh mesh(surface, relief, {0.25, 0});
+  const SamplePlace place =
+      samplePlace(surface, relief.texelsPerUv(), mesh, sampleAt(surface, relief, {7.3, 2.2}));
+  ASSERT_TRUE(place.defined);
+  EXPECT_NEAR(glm::distance(place.base, Vec3(7.3 - 8, 2.2 - 4, 0)), 0, 1e-6);
+  EXPECT_NEAR(glm::distance(place.normal, Vec3(0, 0, 1)), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(place.texel, Vec2(7.3, 2.2)), 0, 1e-6);
+  EXPECT_NEAR(glm::distance(place.point, Vec3(7.3 - 8, 2.2 - 4, 0.5 * (7.3 - 0.5))), 0, 1e-5);
+  EXPECT_NEAR(glm::distance(place.facetNormal, glm::normalize(Vec3(-0.5, 0, 1))), 0, 1e-5);
+}
+
+TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
+  const LimitSurface surface(makeSphere(40, 1, 1, 12, 12));
+  const Relief relief = randomRelief(24, 24, 1, 5);
+  const SurfaceSample sample{77, 0.31F, 0.64F};
+  const Vec3 exact = displaced(
+      relief, texelFrame(surface.evaluate(sample.face, sample.s, sample.t), relief.texelsPerUv()));
+  double before = 1;
+  for (const double step : {0.25, 0.0625}) {
+    const MicroMesh mesh(surface, relief, {step, 0});
+    const double off =
+        glm::distance(samplePlace(surface, relief.texelsPerUv(), mesh, sample).point, exact);
+    EXPECT_LT(off, before / 4);
+    before = off;
+  }
+}
+
+TEST(SamplePlace, IsUndefinedWithoutASample) {
+  const LimitSurface surface(makePlane(16, 8, 4, 2));
+  const Relief relief = test::flatRelief(4, 4);
+  const MicroMesh mesh(surface, relief, {0.5, 0});
+  const SamplePlace place = samplePlace(surface, relief.texelsPerUv(), mesh, {-1, 0, 0});
+  EXPECT_FALSE(place.defined);
+  EXPECT_EQ(place.point, Vec3(0));
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,169 @@
+#include "cli/compare_command.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "cli/terminal_progress.h"
+#include "common/atomic_file.h"
+#include "compare/mask_metrics.h"
+#include "report/images.h"
+#include "report/mask_comparison.h"
+#include "report/mask_picture.h"
+
+namespace gnomon {
+namespace {
+
+constexpr const char* examples = R"(
+White is lit, black shadowed; Gnomon's grey (128) and alpha 0 mean no sample. Pixels count alike.
+Gates take any metric of the table; one that is not defined fails.
+
+Exit status: 0 all gates hold, 1 one failed, 2 usage, 3 pictures that cannot be compared.
+
+Examples:
+  gnomon compare mine.exr out/figure8/masks/camera_elevation-24-azimuth-165_truth.png
+  gnomon compare mine.png truth.png --binarise 0.5 --roi roi.png --max error_rate=0.02 --min iou=0.9
+  gnomon compare layers.exr truth.png --channel shadow.R --invert --json - )";
+
+double numberIn(const char* option, const std::string& gate, const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value)) {
+    throw UsageError(fmt::format("{} {}: a number expected after =", option, gate));
+  }
+  return value;
+}
+
+MaskGate gateOf(const char* option, const std::string& text, bool isMaximum) {
+  const std::size_t equals = text.find('=');
+  const std::string metric = text.substr(0, equals);
+  const auto& names = maskMetricNames();
+  if (equals == std::string::npos) {
+    throw UsageError(fmt::format("{} {}: METRIC=VALUE expected", option, text));
+  }
+  if (std::find(names.begin(), names.end(), metric) == names.end()) {
+    throw UsageError(fmt::format("{} {}: no metric \"{}\", one of {} expected", option, text,
+                                 metric, fmt::join(names, ", ")));
+  }
+  const double value = numberIn(option, text, text.substr(equals + 1));
+  MaskGate gate{metric, std::nullopt, std::nullopt};
+  (isMaximum ? gate.maximum : gate.minimum) = value;
+  return gate;
+}
+
+std::vector<MaskGate> gatesOf(const CompareRequest& request) {
+  std::vector<MaskGate> gates;
+  for (const std::string& text : request.maxima) gates.push_back(gateOf("--max", text, true));
+  for (const std::string& text : request.minima) gates.push_back(gateOf("--min", text, false));
+  return gates;
+}
+
+MaskFileRecord recordOf(const std::filesystem::path& file, const MaskPicture& picture) {
+  return {file.string(), picture.mask, picture.binarised};
+}
+
+ComparedMasks common(const CompareRequest& request, const Mask& candidate, const Mask& truth,
+                     const std::optional<MaskPicture>& roi) {
+  try {
+    return commonPixels(candidate, truth, roi ? &roi->mask : nullptr);
+  } catch (const InputError& error) {
+    const std::string with = request.roi ? fmt::format(" with {}", request.roi->string()) : "";
+    throw InputError(fmt::format("{} against {}{}: {}", request.candidate.string(),
+                                 request.truth.string(), with, error.what()));
+  }
+}
+
+void write(const CompareRequest& request, const MaskComparison& comparison,
+           const ComparedMasks& masks) {
+  if (request.difference) {
+    writePng(*request.difference, differenceImage(masks.candidate, masks.truth));
+  }
+  if (!request.json.empty() && request.json != "-") {
+    writeTextAtomically(request.json, maskComparisonJson(comparison));
+  }
+  const std::string text = request.json == "-" ? maskComparisonJson(comparison)
+                                               : maskComparisonTable(comparison, coloursWanted());
+  fmt::print("{}", text);
+}
+
+}  // namespace
+
+CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
+  CLI::App* command =
+      app.add_subcommand("compare", "Compare two pictures of masks, from any renderer");
+  command->add_option("CANDIDATE", request.candidate, "The mask to judge: EXR, PNG, TIFF, …")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("TRUTH", request.truth, "The mask that is right")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--roi", request.roi, "Only where this picture is white")->type_name("FILE");
+  const auto addGates = [&](const char* name, std::vector<std::string>& gates, const char* about) {
+    command->add_option(name, gates, about)
+        ->type_name("METRIC=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  addGates("--max", request.maxima, "Fail where a metric is larger; may be repeated");
+  addGates("--min", request.minima, "Fail where a metric is smaller; may be repeated");
+  command
+      ->add_option("--binarise", request.threshold,
+                   "In soft masks values of at least this are lit, all others shadowed")
+      ->type_name("VALUE");
+  command->add_option("--channel", request.candidateChannel, "The candidate's channel, by name")
+      ->type_name("NAME");
+  command->add_option("--truth-channel", request.truthChannel, "The truth's channel, by name")
+      ->type_name("NAME");
+  command->add_flag("--invert", request.inverted, "The candidate's white is shadow");
+  command->add_flag("--flip", request.upward, "The candidate's first row is the picture's lowest");
+  command
+      ->add_option("--json", request.json,
+                   "Write the figures; - for standard output, no table then")
+      ->type_name("FILE");
+  command
+      ->add_option("--difference", request.difference,
+                   "Write the signed difference: orange false shadow, blue false light")
+      ->type_name("FILE.png");
+  command->footer(examples);
+  return command;
+}
+
+ExitStatus compareMasks(const CompareRequest& request) {
+  const std::vector<MaskGate> gates = gatesOf(request);
+  if (request.threshold && !(*request.threshold > 0 && *request.threshold < 1)) {
+    throw UsageError(
+        fmt::format("--binarise {}: a value between 0 and 1 expected", *request.threshold));
+  }
+  if (request.difference && request.difference->extension() != ".png") {
+    throw UsageError(fmt::format("--difference {}: a name that ends in .png expected",
+                                 request.difference->string()));
+  }
+  const MaskPicture candidate = readMaskPicture(
+      request.candidate,
+      {request.candidateChannel, request.threshold, request.inverted, request.upward});
+  const MaskPicture truth = readMaskPicture(
+      request.truth, {.channel = request.truthChannel, .threshold = request.threshold});
+  std::optional<MaskPicture> roi;
+  if (request.roi)
+    roi = readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
+  const ComparedMasks masks = common(request, candidate.mask, truth.mask, roi);
+  MaskComparison comparison{recordOf(request.candidate, candidate), recordOf(request.truth, truth)};
+  if (roi) comparison.roi = recordOf(*request.roi, *roi);
+  comparison.command = request.command;
+  comparison.width = truth.mask.width;
+  comparison.height = truth.mask.height;
+  comparison.withoutSample = masks.withoutSample;
+  comparison.outsideRoi = masks.outsideRoi;
+  comparison.counts = countSamples(masks.candidate, masks.truth);
+  comparison.metrics = maskMetrics(masks.candidate, masks.truth);
+  comparison.gates = judged(gates, comparison.metrics);
+  write(request, comparison, masks);
+  return comparison.passed() ? ExitStatus::pass : ExitStatus::thresholdFailed;
+}
+
+}  // namespace gnomon

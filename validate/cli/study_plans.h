@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "study/sweep.h"
+
+namespace gnomon {
+
+/// Reads the studies of one command, all before the first is run: a typing error in the last one
+/// shows at once.
+/// @throws InputError as `readStudyPlan`, and for two studies of one name
+std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
+                                 const StudyOptions& options);
+
+/// The study's file, and of a sweep's step which one it is.
+std::string placeOf(const StudySpec& study);
+
+/// Does the work of one study. What fails inside it speaks of keys or of the study's other files:
+/// its message gets the study's place before it.
+template <typename Work>
+decltype(auto) inStudy(const StudySpec& study, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(error.status(), placeOf(study) + ": " + error.what());
+  }
+}
+
+}  // namespace gnomon

@@ -1,0 +1,61 @@
+#include "compare/bins.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "common/error.h"
+#include "compare/mask_checks.h"
+
+namespace gnomon {
+namespace {
+
+void requireBin(std::uint8_t bin, std::size_t binCount) {
+  if (bin < binCount) return;
+  throw InternalError(fmt::format("bin {} found, below {} expected", bin, binCount));
+}
+
+}  // namespace
+
+void requireEdges(std::span<const double> edges) {
+  const bool rise =
+      std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>()) == edges.end();
+  if (edges.size() < noBin && rise) return;
+  throw InternalError(
+      fmt::format("{} edges found, fewer than {} that rise expected", edges.size(), noBin));
+}
+
+std::uint8_t binOf(double value, std::span<const double> edges) {
+  if (std::isnan(value)) return noBin;
+  const auto above = std::upper_bound(edges.begin(), edges.end(), value);
+  return static_cast<std::uint8_t>(above - edges.begin());
+}
+
+std::vector<Counts> countBins(const Mask& candidate, const Mask& truth,
+                              std::span<const std::uint8_t> bins, std::size_t binCount,
+                              std::span<const double> weights) {
+  requireSameView(candidate, truth);
+  requireOnePerSample(weights.size(), truth.size(), "weight");
+  if (bins.size() != truth.size()) {
+    throw InputError(
+        fmt::format("bins: {} found for {} samples, one each expected", bins.size(), truth.size()));
+  }
+  std::vector<Counts> counts(binCount);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (bins[i] == noBin) continue;
+    requireBin(bins[i], binCount);
+    const bool hasCandidate = isAnswer(candidate.samples[i]);
+    if (hasCandidate != isAnswer(truth.samples[i])) {
+      throw InputError(fmt::format("sample {}: in one of the masks only", i));
+    }
+    if (!hasCandidate) continue;
+    Counts& bin = counts[bins[i]];
+    bin.cell(candidate.samples[i], truth.samples[i]) += weights.empty() ? 1 : weights[i];
+    ++bin.samples;
+  }
+  return counts;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,85 @@
+#include "compare/mask_metrics.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/error.h"
+#include "compare/boundaries.h"
+#include "compare/mask_checks.h"
+
+namespace gnomon {
+namespace {
+
+void requireSize(const char* what, const Mask& mask, const Mask& truth) {
+  if (mask.width == truth.width && mask.height == truth.height) return;
+  throw InputError(fmt::format("{}: {} × {} pixels found, but the truth has {} × {}", what,
+                               mask.width, mask.height, truth.width, truth.height));
+}
+
+/// Pixels without an answer of the candidate's, among those that count.
+struct Missing {
+  std::size_t count = 0;
+  std::size_t first = 0;
+};
+
+void requireAll(const Missing& missing, const ComparedMasks& masks) {
+  if (missing.count == 0) return;
+  const auto width = static_cast<std::size_t>(masks.truth.width);
+  throw InputError(fmt::format(
+      "candidate: no sample at {} of the {} pixels to compare, first at column {}, row {}: give a "
+      "region of interest without them",
+      missing.count, missing.count + masks.compared, missing.first % width, missing.first / width));
+}
+
+void requireSome(const ComparedMasks& masks, const Mask* roi) {
+  if (masks.compared > 0) return;
+  if (masks.outsideRoi == 0) throw InputError("truth: no pixel has a sample");
+  const bool dark = std::none_of(roi->samples.begin(), roi->samples.end(),
+                                 [](Shade shade) { return shade == Shade::lit; });
+  throw InputError(dark ? "region of interest: no pixel is white"
+                        : "region of interest: the truth has no sample in it");
+}
+
+}  // namespace
+
+ComparedMasks commonPixels(Mask candidate, Mask truth, const Mask* roi) {
+  requireSize("candidate", candidate, truth);
+  if (roi != nullptr) requireSize("region of interest", *roi, truth);
+  ComparedMasks masks{std::move(candidate), std::move(truth)};
+  Missing missing;
+  for (std::size_t i = 0; i < masks.truth.size(); ++i) {
+    const bool isSample = isAnswer(masks.truth.samples[i]);
+    const bool counts = isSample && (roi == nullptr || roi->samples[i] == Shade::lit);
+    if (!counts) {
+      ++(isSample ? masks.outsideRoi : masks.withoutSample);
+      masks.candidate.samples[i] = masks.truth.samples[i] = Shade::none;
+    } else if (isAnswer(masks.candidate.samples[i])) {
+      ++masks.compared;
+    } else if (missing.count++ == 0) {
+      missing.first = i;
+    }
+  }
+  requireAll(missing, masks);
+  requireSome(masks, roi);
+  return masks;
+}
+
+std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth) {
+  std::vector<Metric> metrics = rates(countSamples(candidate, truth));
+  const std::vector<Metric> boundaries = compareBoundaries(candidate, truth);
+  metrics.insert(metrics.end(), boundaries.begin(), boundaries.end());
+  return metrics;
+}
+
+const std::vector<std::string_view>& maskMetricNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list = rateNames();
+    list.insert(list.end(), boundaryMetricNames().begin(), boundaryMetricNames().end());
+    return list;
+  }();
+  return names;
+}
+
+}  // namespace gnomon

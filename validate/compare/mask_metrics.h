@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "common/mask.h"
+#include "compare/rates.h"
+
+namespace gnomon {
+
+/// Two masks of one picture, with an answer in both or in neither.
+struct ComparedMasks {
+  Mask candidate, truth;
+  std::size_t compared = 0;       ///< pixels with an answer in both
+  std::size_t withoutSample = 0;  ///< left out: the truth has no sample there
+  std::size_t outsideRoi = 0;     ///< left out: the truth has one, but outside the region
+};
+
+/// Keeps what is to be compared: the pixels where the truth has a sample and, if there is one, the
+/// region of interest is lit. All others become Shade::none in both.
+/// @param roi  lit where pixels count; null for everywhere
+/// @throws InputError where sizes differ, nothing is left, or the candidate has no sample at a
+/// pixel
+///   that counts (naming how many and the first): it must not choose what it is judged by
+ComparedMasks commonPixels(Mask candidate, Mask truth, const Mask* roi);
+
+/// All metrics that two masks alone give: their rates, every pixel counted alike, then their
+/// boundaries, in pixels.
+/// @throws as `countSamples` and `compareBoundaries`
+std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth);
+
+/// The names of those, in order.
+const std::vector<std::string_view>& maskMetricNames();
+
+}  // namespace gnomon

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "relief/relief.h"
+#include "surface/limit_surface.h"
+
+namespace gnomon {
+
+/// The displaced surface as other programs take it: triangles that share their vertices.
+struct WeldedMesh {
+  std::vector<glm::vec3> vertices;       ///< world coordinates
+  std::vector<std::uint32_t> triangles;  ///< three vertices each, counter-clockwise outside
+  bool closed = false;                   ///< every side of a triangle has one on its other side
+
+  [[nodiscard]] std::size_t triangleCount() const { return triangles.size() / 3; }
+};
+
+/// Every face cut into `subdivisions` × `subdivisions` quadrilaterals of displaced limit points,
+/// D = P + a h n, and each of these into two triangles along its (1,0)-(0,1) diagonal, as the
+/// truth's micro-mesh is. The 2 N² triangles of face f begin at triangle 2 N² f. Faces that meet
+/// share the vertices of their edge, so that a closed cage gives a closed mesh; across a texture
+/// seam the first face's height rules, as in the micro-mesh.
+/// @param subdivisions  1 to 8192
+/// @throws InputError for other subdivisions or 2³¹ vertices and more, MemoryError if they cannot
+///   fit
+WeldedMesh makeWeldedMesh(const LimitSurface& surface, const Relief& relief, int subdivisions);
+
+/// The subdivisions that give 4 pieces a texel on the longest side of a face, in the middle of
+/// each, or 2, or 1, where more would be over `mostTriangles`; where that is too many, as many as
+/// are not.
+int subdivisionsForTexels(const LimitSurface& surface, Vec2 texelsPerUv,
+                          double mostTriangles = 4e6);
+
+}  // namespace gnomon

@@ -1,0 +1,167 @@
+#include "report/bin_plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "compare/rates.h"
+#include "report/cases.h"
+#include "report/number_text.h"
+#include "report/plot_style.h"
+#include "study/confidence_record.h"
+#include "study/sample_axes.h"
+
+namespace gnomon {
+namespace {
+
+using Ends = std::pair<std::optional<double>, std::optional<double>>;
+
+/// "elevation of the light, degrees", or the name of an axis that is not known here.
+std::string axisTitle(std::string_view axis) {
+  for (const SampleAxis& known : sampleAxes()) {
+    if (known.name != axis) continue;
+    return known.unit.empty() ? std::string(known.title)
+                              : fmt::format("{}, {}", known.title, known.unit);
+  }
+  return std::string(axis);
+}
+
+void addOnce(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// The bins of one axis and view, all lights together.
+std::vector<const BinRecord*> binsOf(const StudyRecord& record, std::string_view axis,
+                                     std::string_view view) {
+  std::vector<const BinRecord*> bins;
+  for (const BinRecord& bin : record.bins) {
+    if (bin.axis == axis && bin.view == view && bin.light == allLights) bins.push_back(&bin);
+  }
+  return bins;
+}
+
+/// All bins that any method has, rising; the one without a lower end first.
+std::vector<Ends> endsOf(const std::vector<const BinRecord*>& bins) {
+  std::vector<Ends> ends;
+  for (const BinRecord* bin : bins) ends.emplace_back(bin->low, bin->high);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+const BinRecord* findBin(const std::vector<const BinRecord*>& bins, const std::string& method,
+                         const Ends& ends) {
+  const auto found = std::find_if(bins.begin(), bins.end(), [&](const BinRecord* bin) {
+    return bin->method == method && Ends{bin->low, bin->high} == ends;
+  });
+  return found == bins.end() ? nullptr : *found;
+}
+
+std::string endsText(const Ends& ends) {
+  if (!ends.first && !ends.second) return "all";
+  if (!ends.first) return "< " + exactText(*ends.second);
+  if (!ends.second) return "≥ " + exactText(*ends.first);
+  return exactText(*ends.first) + " … " + exactText(*ends.second);
+}
+
+/// The names of the bins: their ends, and below them their share of the samples.
+std::string ticks(const std::vector<const BinRecord*>& bins, const std::vector<Ends>& ends,
+                  const std::string& method) {
+  double all = 0;
+  for (const Ends& bin : ends) {
+    const BinRecord* found = findBin(bins, method, bin);
+    all += found == nullptr ? 0 : static_cast<double>(found->counts.samples);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const BinRecord* found = findBin(bins, method, ends[i]);
+    const double share =
+        found == nullptr || !(all > 0) ? 0 : static_cast<double>(found->counts.samples) / all;
+    text +=
+        fmt::format("{}\"{}\\n{:.1f} %\" {}", i > 0 ? ", " : "", endsText(ends[i]), 100 * share, i);
+  }
+  return "set xtics (" + text + ")\n";
+}
+
+std::string lineData(const std::vector<const BinRecord*>& bins, const std::vector<Ends>& ends,
+                     const std::string& method) {
+  std::string rows;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const BinRecord* bin = findBin(bins, method, ends[i]);
+    const auto error = bin == nullptr ? std::nullopt : rate(bin->counts, "error_rate").value;
+    rows += fmt::format("{} {}\n", i, error ? exactText(100 * *error) : "NaN");
+  }
+  return rows;
+}
+
+/// The truth's uncertainty in a view, mean over its lights; 0 where it was not measured.
+double uncertaintyIn(const StudyRecord& record, std::string_view view) {
+  double sum = 0;
+  double lights = 0;
+  for (const UncertaintyRecord& flip : record.truth.flips) {
+    if (flip.view != view) continue;
+    sum += flip.flipRate;
+    ++lights;
+  }
+  return lights > 0 ? sum / lights : 0;
+}
+
+}  // namespace
+
+std::vector<std::string> binAxes(const StudyRecord& record) {
+  std::vector<std::string> axes;
+  for (const BinRecord& bin : record.bins) addOnce(axes, bin.axis);
+  return axes;
+}
+
+std::vector<std::string> binViews(const StudyRecord& record, std::string_view axis) {
+  std::vector<std::string> views;
+  for (const BinRecord& bin : record.bins) {
+    if (bin.axis == axis && bin.light == allLights) addOnce(views, bin.view);
+  }
+  return views;
+}
+
+PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_view view) {
+  const std::vector<const BinRecord*> bins = binsOf(record, axis, view);
+  const std::vector<Ends> ends = endsOf(bins);
+  std::vector<std::string> methods;
+  for (const BinRecord* bin : bins) addOnce(methods, bin->method);
+  const std::string uncertainty = exactText(100 * uncertaintyIn(record, view));
+  std::string data = fmt::format("$truth << EOD\n-0.5 {0}\n{1} {0}\nEOD\n", uncertainty,
+                                 exactText(static_cast<double>(ends.size()) - 0.5));
+  std::string plot =
+      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title 'uncertainty of the "
+      "truth'";
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    data += fmt::format("$m{} << EOD\n{}EOD\n", m, lineData(bins, ends, methods[m]));
+    plot += fmt::format(
+        ", \\\n  $m{} using 1:2 with linespoints lc rgb '{}' pt {} ps 0.7 lw 2 dt {} title {}", m,
+        plotColours.at(m % plotColours.size()), plotPoints.at(m % plotPoints.size()),
+        1 + m / plotColours.size(), plotLegend(methods[m]));
+  }
+  const std::string title = axisTitle(axis);
+  return {fmt::format("error-by-{}", axis),
+          fmt::format("Error by {} ({})", title, view),
+          fmt::format("Error rate of each method by {}, view {}", title, view),
+          1000,
+          std::max(520, 24 * (static_cast<int>(methods.size()) + 5)),
+          data +
+              "set border 3 lc rgb '#5b626b'\n"
+              "set tics nomirror out textcolor rgb '#1a1d21'\n"
+              "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n" +
+              ticks(bins, ends, methods.empty() ? "" : methods.front()) +
+              fmt::format("set xrange [-0.5:{}]\nset yrange [0:*]\n",
+                          exactText(static_cast<double>(ends.size()) - 0.5)) +
+              "set xtics font ',9'\n"
+              "set xlabel " +
+              gnuplotText(title + "; below, the share of the samples") +
+              "\n"
+              "set ylabel 'error rate, percent of the bin’s samples'\n"
+              "set key outside right top Left reverse samplen 2 spacing 1.1\n" +
+              plot + "\n"};
+}
+
+}  // namespace gnomon

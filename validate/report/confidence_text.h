@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/record.h"
+
+namespace gnomon {
+
+/// What a record says of how sure its error rates are, the same in every kind of report.
+
+/// The views that have intervals, in the record's order.
+std::vector<std::string> confidenceViews(const StudyRecord& record);
+
+/// The methods of a view from the lowest error rate to the highest, all lights together; equal ones
+/// keep the record's order.
+std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::string& view);
+
+/// The first method less the second, whichever of them the record names first; none where it has no
+/// such pair.
+std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, const std::string& view,
+                                             const std::string& first, const std::string& second);
+
+/// "0.22 to 0.97", percent; "–" for none.
+std::string confidenceText(const std::optional<Interval>& interval);
+
+/// What can be said of the best method of a view, as sentences: "A is better than B by 1.06 % of
+/// the samples (0.75 to 1.32)", B being the next that it can be told from, and which it cannot.
+/// Empty where there is nothing to compare.
+std::string verdictText(const StudyRecord& record, const std::string& view);
+
+/// What the intervals of a view are, how many blocks they rest on, and how sure the truth is.
+std::string confidenceNote(const StudyRecord& record, const std::string& view);
+
+}  // namespace gnomon

@@ -1,0 +1,109 @@
+#include "report/export_files.h"
+
+#include <fmt/core.h>
+
+#include <array>
+
+#include "common/memory.h"
+#include "common/parallel.h"
+#include "report/channel_image.h"
+#include "report/images.h"
+#include "truth/sample_place.h"
+
+namespace gnomon {
+namespace {
+
+const std::vector<std::string>& sampleChannels() {
+  static const std::vector<std::string> names = {
+      "face",    "s",       "t",        "texel.X",  "texel.Y",  "base.X",
+      "base.Y",  "base.Z",  "normal.X", "normal.Y", "normal.Z", "point.X",
+      "point.Y", "point.Z", "facet.X",  "facet.Y",  "facet.Z",  "weight"};
+  return names;
+}
+
+using Pixel = std::array<float, 18>;
+
+Pixel pixelOf(const SurfaceSample& sample, const SamplePlace& place, double weight) {
+  if (!place.defined) return {-1};
+  const auto f = [](double value) { return static_cast<float>(value); };
+  return {f(sample.face),
+          sample.s,
+          sample.t,
+          f(place.texel.x),
+          f(place.texel.y),
+          f(place.base.x),
+          f(place.base.y),
+          f(place.base.z),
+          f(place.normal.x),
+          f(place.normal.y),
+          f(place.normal.z),
+          f(place.point.x),
+          f(place.point.y),
+          f(place.point.z),
+          f(place.facetNormal.x),
+          f(place.facetNormal.y),
+          f(place.facetNormal.z),
+          f(weight)};
+}
+
+ChannelImage sampleMap(const RunScene& scene, const ViewCase& view, const MicroMesh& mesh) {
+  const SampleGrid& grid = view.samples;
+  ChannelImage map{grid.width, grid.height, sampleChannels(), {}};
+  requireMemory(sizeof(Pixel) * static_cast<double>(grid.samples.size()),
+                fmt::format("a sample map of {} × {} pixels", grid.width, grid.height));
+  map.values.resize(grid.samples.size() * std::tuple_size_v<Pixel>);
+  const Vec2 texelsPerUv = scene.study.relief.texelsPerUv();
+  const auto width = static_cast<std::size_t>(grid.width);
+  parallelFor(0, static_cast<std::size_t>(grid.height), [&](std::size_t row) {
+    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+      const SamplePlace place = samplePlace(scene.surface, texelsPerUv, mesh, grid.samples[i]);
+      const Pixel pixel =
+          pixelOf(grid.samples[i], place, view.weights.empty() ? 1 : view.weights[i]);
+      std::copy(pixel.begin(), pixel.end(),
+                map.values.begin() + static_cast<std::ptrdiff_t>(i * pixel.size()));
+    }
+  });
+  return map;
+}
+
+}  // namespace
+
+std::string sampleMapFile(const CaseNames& names, std::size_t view) {
+  return fmt::format("samples/{}.exr", names.views[view]);
+}
+
+std::string roiFile(const CaseNames& names, std::size_t view) {
+  return fmt::format("roi/{}.png", names.views[view]);
+}
+
+void writeHeights(const std::filesystem::path& folder, const HeightField& field) {
+  ChannelImage image{field.width(), field.height(), {"height"}, {}};
+  image.values.reserve(field.texels().size());
+  for (int row = field.height() - 1; row >= 0; --row) {
+    for (int column = 0; column < field.width(); ++column) {
+      image.values.push_back(field.texel(column, row));
+    }
+  }
+  writeExr(folder / "heights.exr", image);
+}
+
+void writeSampleMaps(const std::filesystem::path& folder, RunScene& scene, const MicroMesh& mesh) {
+  const CaseNames names = caseNames(scene.study);
+  for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
+    writeExr(folder / sampleMapFile(names, v),
+             sampleMap(scene, scene.standardBase().views[v], mesh));
+  }
+}
+
+void writeRegionsOfInterest(const std::filesystem::path& folder, RunScene& scene) {
+  const CaseNames names = caseNames(scene.study);
+  for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
+    Mask roi = scene.standardBase().views[v].truths.front().mask;
+    for (Shade& shade : roi.samples) {
+      shade = shade == Shade::none ? Shade::shadowed : Shade::lit;
+    }
+    writePng(folder / roiFile(names, v), maskImage(roi));
+  }
+}
+
+}  // namespace gnomon

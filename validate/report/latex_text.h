@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gnomon {
+
+/// Text that stands for itself in LaTeX: its special characters are escaped, the signs that reports
+/// use beyond ASCII become commands, control characters spaces. Other UTF-8 stays as it is, as
+/// LaTeX has read it since 2018.
+std::string escapeLatex(std::string_view text);
+
+}  // namespace gnomon

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/mask.h"
+#include "compare/counts.h"
+#include "compare/rates.h"
+
+namespace gnomon {
+
+/// A picture of a mask, as it was read.
+struct MaskFileRecord {
+  std::string file;
+  std::size_t lit = 0, shadowed = 0, none = 0;
+  std::size_t binarised = 0;  ///< only a threshold could decide these
+
+  MaskFileRecord(std::string name, const Mask& mask, std::size_t soft);
+};
+
+/// A gate on one metric: `!(value <= maximum)` or `!(value >= minimum)` fails, and so does an
+/// undefined value.
+struct MaskGate {
+  std::string metric;
+  std::optional<double> minimum, maximum;
+  std::optional<double> value = std::nullopt;  ///< what was found
+  std::string reason = {};                     ///< why nothing was
+  bool passed = false;
+};
+
+/// What the comparison of two pictures of masks found: plain data.
+struct MaskComparison {
+  MaskFileRecord candidate, truth;
+  std::optional<MaskFileRecord> roi = std::nullopt;  ///< of the region of interest
+  std::string command = {};                          ///< reproduces it
+  int width = 0;
+  int height = 0;
+  std::size_t withoutSample = 0;  ///< pixels left out: the truth has no sample
+  std::size_t outsideRoi = 0;     ///< pixels left out: outside the region of interest
+  Counts counts = {};
+  std::vector<Metric> metrics = {};
+  std::vector<MaskGate> gates = {};
+
+  /// True unless a gate failed.
+  [[nodiscard]] bool passed() const;
+};
+
+/// The gates with what was found.
+/// @throws InternalError for a metric that is not among those found
+std::vector<MaskGate> judged(std::vector<MaskGate> gates, const std::vector<Metric>& metrics);
+
+/// For programs: schema "gnomon-comparison/1". The confusion matrix and the metrics have the names
+/// that a run's summary gives them; a metric without a value is null, its reason in `undefined`.
+std::string maskComparisonJson(const MaskComparison& comparison);
+
+/// For the terminal, at most 100 columns wide; figures as gates take them, six digits.
+/// @param colours  ANSI colours and bold face; without them the text is plain
+std::string maskComparisonTable(const MaskComparison& comparison, bool colours);
+
+}  // namespace gnomon

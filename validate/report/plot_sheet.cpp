@@ -1,0 +1,39 @@
+#include "report/plot_sheet.h"
+
+#include <fmt/core.h>
+
+#include "report/gnuplot.h"
+
+namespace gnomon {
+namespace {
+
+constexpr const char* encoding = "set encoding utf8\n";
+
+/// A PDF says when it was made: it shall not. Nothing else in it moves.
+std::string withoutDate(std::string pdf) {
+  const std::string key = "/CreationDate (D:";
+  const std::size_t at = pdf.rfind(key);
+  if (at == std::string::npos) return pdf;
+  const std::string never = "19700101000000";
+  return pdf.replace(at + key.size(), never.size(), never);
+}
+
+}  // namespace
+
+std::string svgOf(const PlotSheet& sheet) {
+  const std::string terminal = fmt::format(
+      "set terminal svg size {},{} noenhanced font 'sans-serif,14' background '#ffffff'\n",
+      sheet.width, sheet.height);
+  return cleanSvg(runGnuplot(encoding + terminal + sheet.commands), sheet.title);
+}
+
+std::string pdfOf(const PlotSheet& sheet) {
+  constexpr double pixelsPerInch = 144;
+  const std::string terminal = fmt::format(
+      "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
+      "fontscale 0.5 linewidth 0.5\n",
+      sheet.width / pixelsPerInch, sheet.height / pixelsPerInch);
+  return withoutDate(runGnuplot(encoding + terminal + sheet.commands));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include "study/record.h"
+#include "study/sweep_record.h"
+
+namespace gnomon {
+
+/// The files of a run beside its pictures. Each is written whole or not at all.
+
+/// Removes what tells of an earlier run of a study or sweep, so that no older figure stands beside
+/// newer pictures: all files below, and the plots.
+void removeRunFiles(const std::filesystem::path& folder);
+
+/// Writes a study's: metrics.csv, bins.csv, frontier.csv, budget.csv (where there are any),
+/// table.csv, table.tex, plots/NAME.svg and .pdf, report.html, and last summary.json, so that its
+/// presence says that the run is whole.
+/// @throws InputError for a file that cannot be written or a picture that cannot be read;
+///   InternalError as the writers
+void writeRunFiles(const StudyRecord& record, const std::filesystem::path& folder);
+
+/// Writes a sweep's: sweep.csv, plots/sweep.svg and .pdf, report.html, summary.json.
+/// @throws likewise
+void writeSweepFiles(const SweepRecord& sweep, const std::filesystem::path& folder);
+
+}  // namespace gnomon

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "report/image.h"
+
+namespace gnomon {
+
+/// Pictures as a page embeds them.
+
+/// WebP of a quality at which a shading shows no loss, even enlarged.
+constexpr int fineQuality = 95;
+/// WebP for a picture that is shown small.
+constexpr int smallQuality = 88;
+
+/// Bytes as the address of a picture: "data:TYPE;base64,…".
+std::string dataAddress(std::string_view type, const std::string& bytes);
+
+/// A picture as WebP, with losses: as its address in a page. Same image, same bytes.
+/// @param quality  0 to 100
+/// @throws InternalError for a picture without pixels, or with more of them on a side than WebP
+///   takes (16,383)
+std::string webPicture(const Image& image, int quality);
+
+/// The picture with its longer side at most so long.
+Image shrunk(const Image& image, int side);
+
+}  // namespace gnomon

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/block_bootstrap.h"
+#include "compare/confidence_interval.h"
+#include "study/confidence_record.h"
+
+namespace gnomon {
+
+/// One method's errors in one view, in the cells of the view's tiling.
+struct MethodErrors {
+  std::string method;               ///< a MethodRecord's label
+  std::vector<BlockErrors> lights;  ///< one a light of the study
+};
+
+/// All methods' errors in one view, and how the view is cut.
+struct ViewErrors {
+  std::string view;
+  Tiling tiling;
+  std::vector<std::string> lights;
+  std::vector<MethodErrors> methods;  ///< those that answer in this view
+};
+
+/// Every method's interval for all lights together and, where there are several, under each.
+/// @throws InternalError as rateConfidence
+std::vector<ConfidenceRecord> confidenceOf(const ViewErrors& errors);
+
+/// Every two methods, all lights together: each method with every later one.
+/// @param uncertainty  of the truth in this view, mean over the lights
+/// @throws InternalError as differenceConfidence
+std::vector<DifferenceRecord> differencesOf(const ViewErrors& errors, double uncertainty);
+
+/// What a difference of error rates says of the first method: nothing, without an interval, where
+/// the interval holds 0, or where the difference is within the truth's uncertainty.
+DifferenceVerdict verdictOn(double difference, const std::optional<Interval>& interval,
+                            double uncertainty);
+
+}  // namespace gnomon

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "compare/block_bootstrap.h"
+
+namespace gnomon {
+
+/// The light of a record that speaks of all lights of its study together.
+constexpr std::string_view allLights = "all";
+
+/// How sure a method's error rate is: over all samples of a view, under one light, or the mean over
+/// all lights ("all"). Every view has the row "all"; a study with several lights has one for each
+/// of them as well.
+struct ConfidenceRecord {
+  std::string method;  ///< a MethodRecord's label
+  std::string view;
+  std::string light;                 ///< its name, or "all"
+  double rate = 0;                   ///< error rate, 0 to 1
+  std::optional<Interval> interval;  ///< 95 %; none where the view is too small to tell
+  std::string reason;                ///< why there is none; empty if there is one
+  std::size_t blocks = 0;            ///< that hold a sample
+  int blockSide = 0;                 ///< samples
+};
+
+/// What can be said of the first of two methods.
+enum class DifferenceVerdict { better, worse, notDistinguishable };
+
+/// Two methods of one view, all lights together, paired block by block. Each interval is one of
+/// 95 % by itself: of twenty pairs that do not differ, one may seem to.
+struct DifferenceRecord {
+  std::string view;
+  std::string light;      ///< "all": the mean over the lights
+  std::string first;      ///< a MethodRecord's label
+  std::string second;     ///< likewise, later in the study
+  double difference = 0;  ///< error rate of the first less that of the second: below 0 it is better
+  std::optional<Interval> interval;  ///< 95 %, of the difference
+  std::string reason;                ///< why there is none; empty if there is one
+  double uncertainty = 0;            ///< of the truth in this view, mean over these lights
+  /// Better or worse only where the interval does not hold 0 and the difference is beyond the
+  /// truth's uncertainty.
+  DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "common/vec.h"
+#include "relief/relief.h"
+#include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
+#include "surface/texel_frame.h"
+
+namespace gnomon {
+
+/// Quantities by which a view's samples are sorted into bins, so that a study says not only how
+/// often a method errs but where.
+
+/// What an axis may look at: one sample of the exact limit surface under one light, whose direction
+/// in the tangent plane is T.
+struct AxisSample {
+  const TexelFrame& frame;  ///< defined
+  double elevation;         ///< asin(n·L): of the light over the tangent plane, radians
+  double curvature;         ///< κ(T), 1 / world length, convex positive; 0 for a light along n
+  double turn;    ///< |S T|: by how much n turns along T, radians a world length, 0 or more
+  double height;  ///< a h: of the relief above the sample, world length
+  double texel;   ///< |P_x × P_y|^½: world length of a texel
+};
+
+/// @param frame  of the same point, defined
+/// @param light  unit vector toward the light
+AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
+                      const Vec3& light);
+
+/// One axis. A further one is a function and a line in sample_axes.cpp.
+struct SampleAxis {
+  std::string_view name;      ///< as files spell it
+  std::string_view title;     ///< for readers
+  std::string_view unit;      ///< of its values; empty for none
+  std::vector<double> edges;  ///< of the bins, rising; as binOf takes them
+  double (*value)(const AxisSample&);
+};
+
+/// All axes:
+///   curvature_height  curvatureHeight   how far the surface bends within a bump's height; methods
+///                                       for flat surfaces neglect it
+///   elevation         lightElevation    degrees
+///   terminator        terminatorDistance  texels
+const std::vector<SampleAxis>& sampleAxes();
+
+/// κ(T) · a h: the surface's normal curvature along the light, times the relief's height at the
+/// sample. No unit; convex positive, 0 where the relief or the surface is flat.
+double curvatureHeight(const AxisSample& sample);
+
+/// The light's elevation over the sample's own tangent plane of the undisplaced surface, degrees,
+/// -90 to 90; below 0 beyond the terminator.
+double lightElevation(const AxisSample& sample);
+
+/// How far from the sample the undisplaced surface turns from the light, texels; below 0 where it
+/// has done so already. Along the surface the elevation changes by at most |S T| a world length, so
+/// that to first order the terminator is elevation / |S T| away (the distance to a curve f = 0 of
+/// Taubin 1991), here over the world length of a texel. Exact on a sphere, and on a cylinder that
+/// is lit across its axis; ±∞ where the surface is flat along T, as in a plane, and where the light
+/// stands along n.
+double terminatorDistance(const AxisSample& sample);
+
+/// The bins of all samples of a view, one list an axis, in the order of sampleAxes.
+using SampleBins = std::vector<std::vector<std::uint8_t>>;
+
+/// Values are rounded to a millionth first, so that one that is an edge in all but rounding, such
+/// as the elevation of a light over a plane, falls into one bin everywhere. `noBin` where there is
+/// no sample or no frame.
+/// @param light  unit vector toward the light
+SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples,
+                      const Vec3& light);
+
+}  // namespace gnomon

@@ -1,0 +1,42 @@
+#include "study/truth_study.h"
+
+#include "relief/horizon_bake.h"
+#include "study/environment.h"
+#include "study/file_names.h"
+
+namespace gnomon {
+
+StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
+                       const std::function<void(const TracedSurface&)>& whileTraced) {
+  StudyRecord record = startRecord(scene.study, gl);
+  scene.standardBase();
+  {
+    const TracedSurface surface(scene, scene.study.truth, "micro-mesh", "hierarchy");
+    record.truth = sizesOf(surface);
+    record.undefinedSamples = traceTruths(scene, surface);
+    if (whileTraced) whileTraced(surface);
+  }  // the fine mesh goes before the coarse one comes
+  traceUncertainty(scene, record.truth);
+  record.timings = scene.clock.timings();
+  return record;
+}
+
+StoredHorizons bakeStudyTables(const StudySpec& study, const Progress& progress) {
+  const HorizonTables tables = bakeHorizons(study.relief.field, study.bake.settings, progress);
+  return {tables.width,
+          tables.height,
+          tables.azimuths,
+          tables.radiusTexels,
+          tables.wrap,
+          storeTable(tables.horizon, study.bake.bits),
+          storeTable(tables.distance, study.bake.bits)};
+}
+
+CaseNames caseNames(const StudySpec& study) {
+  std::vector<std::string> views, lights;
+  for (const ViewSpec& view : study.views) views.push_back(view.name);
+  for (const LightSpec& light : study.lights) lights.push_back(light.name);
+  return {fileNames(views), fileNames(lights)};
+}
+
+}  // namespace gnomon
