@@ -282,6 +282,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
                   {},
                   {},
                   {},
+                  {},
                   {}};
   study.ranked = header.flag("ranked", true);
   requirePlainName(header, study.name);
@@ -290,7 +291,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   study.bake = standardBake(study.relief);
   if (const auto bake = root.optionalTable("bake")) study.bake = readBake(*bake, study.bake);
   if (const auto base = root.optionalTable("base")) {
-    study.baseSubdivisions = readSubdivisions(*base, 1);
+    readBase(*base, study.baseSubdivisions, study.baseCurvature);
   }
   if (const auto truth = root.optionalTable("truth")) {
     study.truth.stepTexels = truth->optionalNumber("step", positive);
@@ -305,7 +306,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   }
   for (const TomlReader& light : root.tables("light")) readLights(light, study.lights);
   const MethodDefaults defaults{file.parent_path(), shaderFolder(), study.bake,
-                                study.baseSubdivisions};
+                                study.baseSubdivisions, study.baseCurvature};
   for (const TomlReader& method : root.tables("method")) {
     study.methods.push_back(readMethodSection(method, defaults));
   }

@@ -14,6 +14,7 @@
 #include "relief/stored_table.h"
 #include "render/method_pass.h"
 #include "study/record.h"
+#include "surface/base_mesh.h"
 #include "surface/cage.h"
 #include "truth/micro_mesh.h"
 
@@ -51,6 +52,7 @@ struct MethodSpec {
   std::string label;           ///< unique in the study
   BakeSpec bake;               ///< the study's, with the method's overrides
   int baseSubdivisions = 1;    ///< of the mesh that it draws
+  CurvatureSource baseCurvature = CurvatureSource::limit;  ///< of its vertices
   TableFilter filter = TableFilter::exact;
   std::map<std::string, double> parameters;
 };
@@ -117,6 +119,7 @@ struct StudySpec {
   Relief relief;
   BakeSpec bake;
   int baseSubdivisions = 1;
+  CurvatureSource baseCurvature = CurvatureSource::limit;
   MicroMeshSettings truth;
   std::vector<ViewSpec> views;
   std::vector<LightSpec> lights;
