@@ -72,6 +72,7 @@ class Viewer {
   /// Composes what the state asks for, then draws it; of several calls the last one wins.
   async update() {
     const turn = ++this.turn;
+    this.root.dataset.asked = turn;
     this.showState();
     const {mode, masks} = this.state;
     const kind = masks ? 'shadows' : 'shading';
