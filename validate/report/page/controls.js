@@ -126,6 +126,7 @@ function addButtons(viewer, scene, index) {
   for (const [place, picture] of scene.pictures.entries()) {
     const buttons = document.createElement('span');
     buttons.className = 'pick';
+    buttons.append(picture.letter.endsWith('′') ? 'Compare lower as' : 'Compare as');
     for (const side of ['a', 'b']) {
       const button = document.createElement('button');
       button.type = 'button';
