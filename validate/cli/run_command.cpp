@@ -135,11 +135,9 @@ void reportRanking(std::span<const StudyMeans> studies, const RunRequest& reques
              (request.out / "ranking.html").string());
 }
 
-/// That sweeps can be drawn shows before anything is run.
-void requirePlots(const std::vector<StudyPlan>& plans) {
-  const bool any = std::any_of(plans.begin(), plans.end(),
-                               [](const StudyPlan& plan) { return plan.sweep.has_value(); });
-  if (any) (void)runGnuplot("");
+/// That plots can be drawn shows before anything is run.
+void requirePlots() {
+  (void)runGnuplot("");
 }
 
 }  // namespace
@@ -147,7 +145,7 @@ void requirePlots(const std::vector<StudyPlan>& plans) {
 ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
   if (request.check) requireThresholds(plans);
-  requirePlots(plans);
+  requirePlots();
   const GlContext gl;
   const auto isRanked = [](const StudyPlan& plan) { return plan.steps.front().ranked; };
   const bool ranked = std::count_if(plans.begin(), plans.end(), isRanked) > 1;
