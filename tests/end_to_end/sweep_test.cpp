@@ -63,14 +63,15 @@ TEST_F(SweepRun, LeavesItsPlotTableAndSummary) {
   EXPECT_EQ(json.at("claims").at(0).at("verdict"), "held");
   EXPECT_EQ(summary("small/6").at("claims").at(0).at("verdict"), "not evaluated");
   EXPECT_THAT(read("out/small/sweep.csv"), HasSubstr("\n6,max-forsyth,"));
-  EXPECT_THAT(read("out/small/sweep.svg"), HasSubstr("height, world units"));
+  EXPECT_THAT(read("out/small/plots/sweep.svg"), HasSubstr("height, world units"));
   EXPECT_THAT(read("out/small/report.html"), HasSubstr("data:image/svg+xml;base64,"));
 }
 
 TEST_F(SweepRun, TwiceGivesTheSameBytes) {
   runStudy("small", sweepStudy());
   runStudy("small", sweepStudy(), {"--out", "again"});
-  for (const char* name : {"/small/sweep.csv", "/small/sweep.svg"}) {
+  for (const char* name :
+       {"/small/sweep.csv", "/small/plots/sweep.svg", "/small/plots/sweep.pdf"}) {
     EXPECT_EQ(read(std::string("out") + name), read(std::string("again") + name));
     EXPECT_FALSE(read(std::string("out") + name).empty());
   }

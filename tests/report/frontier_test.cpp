@@ -74,9 +74,9 @@ TEST(Frontier, IsEmptyWhereThereIsNothingToTrade) {
 
 TEST(Frontier, PlotAndRowsHoldEveryEntry) {
   const auto points = frontier(recordOf({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}}));
-  const std::string svg = frontierPlot(points);
+  const std::string svg = svgOf(frontierPlot(points));
   EXPECT_NE(svg.find("<svg"), std::string::npos);
-  EXPECT_EQ(svg, frontierPlot(points));
+  EXPECT_EQ(svg, svgOf(frontierPlot(points)));
   EXPECT_EQ(frontierCsv(points),
             "label,method,bytes,error_rate,efficient\n\"a, 8\",a,800,0.05,1\na 16,a,1600,0,1\n");
 }

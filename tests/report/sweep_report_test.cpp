@@ -128,7 +128,7 @@ TEST(SweepJson, HoldsTheSweep) {
 // ---- plot
 
 TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
-  const std::string script = sweepPlotScript(sample());
+  const std::string script = sweepPlot(sample()).commands;
   EXPECT_THAT(script, HasSubstr("$truth << EOD\n0.25 0.1\n0.5 0.2\n1 0.3\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$e0 << EOD\n0.25 4\n0.5 2\n1 8\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$s1 << EOD\n0.25 0.5\n0.5 0.5\n1 1.5\nEOD\n"));
@@ -138,8 +138,8 @@ TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
 TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
   SweepRecord sweep = sample();
   for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
-  EXPECT_THAT(sweepPlotScript(sweep), HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
-  EXPECT_THAT(sweepPlot(sweep), HasSubstr("</svg>"));
+  EXPECT_THAT(sweepPlot(sweep).commands, HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
+  EXPECT_THAT(svgOf(sweepPlot(sweep)), HasSubstr("</svg>"));
 }
 
 /// The y coordinates of a line's points in the first panel, by its colour.
@@ -165,7 +165,7 @@ std::vector<double> pointHeights(const std::string& svg, const std::string& colo
 }
 
 TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
-  const std::string svg = sweepPlot(sample());
+  const std::string svg = svgOf(sweepPlot(sample()));
   // The axis goes from 0 at the bottom; flat is 4, 2, 8 percent, curved 1, 1, 3.
   const auto flat = pointHeights(svg, "  0, 114, 178");
   const auto curved = pointHeights(svg, "213,  94,   0");
@@ -180,7 +180,7 @@ TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
 }
 
 TEST(SweepPlot, SameSweepSameBytes) {
-  EXPECT_EQ(sweepPlot(sample()), sweepPlot(sample()));
+  EXPECT_EQ(svgOf(sweepPlot(sample())), svgOf(sweepPlot(sample())));
 }
 
 TEST(SweepPlot, DrawsWhateverTheLabels) {
@@ -195,7 +195,7 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
       if (row.method == "flat") row.counts = countsOf(1000, 0, 0);
     }
   }
-  const std::string svg = sweepPlot(sweep);
+  const std::string svg = svgOf(sweepPlot(sweep));
   EXPECT_THAT(svg, HasSubstr("it’s `date` {/x}_2 \\"));
   EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; nu…"));
   // No error at all: the axis has no length of its own.
@@ -203,7 +203,7 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
     for (ResultRecord& row : record.results) row.counts = countsOf(1000, 0, 0);
     record.truth.uncertainty = 0;
   }
-  EXPECT_THAT(sweepPlot(sweep), HasSubstr("</svg>"));
+  EXPECT_THAT(svgOf(sweepPlot(sweep)), HasSubstr("</svg>"));
 }
 
 // ---- page

@@ -139,7 +139,7 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Records& r
   for (Study& study : studies) {
     if (!study.plan) continue;
     try {
-      requirePlots({&*study.plan, 1});
+      requirePlots();
       if (!gl) gl = std::make_unique<GlContext>();
       study.part = runPlan(*study.plan, *gl, request.run, records);
     } catch (...) {

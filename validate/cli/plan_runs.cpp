@@ -118,10 +118,8 @@ void reportRanking(std::span<const StudyMeans> studies, const RunRequest& reques
   writeTextAtomically(request.out / "ranking.json", rankingJson(studies, request.command));
 }
 
-void requirePlots(std::span<const StudyPlan> plans) {
-  const bool any = std::any_of(plans.begin(), plans.end(),
-                               [](const StudyPlan& plan) { return plan.sweep.has_value(); });
-  if (any) (void)runGnuplot("");
+void requirePlots() {
+  (void)runGnuplot("");
 }
 
 }  // namespace gnomon

@@ -21,9 +21,9 @@ struct PlanRecords {
   std::size_t first;
 };
 
-/// That sweeps can be drawn, before anything is run.
+/// That plots can be drawn, before anything is run.
 /// @throws as runGnuplot
-void requirePlots(std::span<const StudyPlan> plans);
+void requirePlots();
 
 /// Runs all steps of a plan, adds their records and writes its folder with its reports.
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,

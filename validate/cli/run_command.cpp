@@ -29,7 +29,7 @@ void bakeTables(const StudySpec& study, const fs::path& out) {
 
 ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
-  requirePlots(plans);
+  requirePlots();
   const GlContext gl;
   if (isRanking(plans)) removeRanking(request);
   Records records;
