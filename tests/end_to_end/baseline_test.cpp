@@ -67,9 +67,9 @@ TEST_F(BaselineCheck, FailsWhatHasBecomeWorse) {
 TEST_F(BaselineCheck, TellsWhatHasBecomeBetter) {
   writeStudy();
   ASSERT_EQ(update().status, 0);
-  const Outcome better = check({"--replace", "unshadowed=onoue-2004"});
+  const Outcome better = check({"--replace", "max-forsyth=resampled-horizon"});
   EXPECT_EQ(better.status, 0) << better.out;
-  EXPECT_THAT(better.out, HasSubstr("the reference of error_rate for unshadowed, evening, camera, "
+  EXPECT_THAT(better.out, HasSubstr("the reference of error_rate for max-forsyth, evening, camera, "
                                     "small could"));
 }
 
@@ -107,7 +107,7 @@ TEST_F(BaselineCheck, ReferencesOfAnotherStudyAreRefused) {
   EXPECT_EQ(otherLight.status, 3);
   EXPECT_THAT(otherLight.err,
               HasSubstr("the run has no row for error_rate of unshadowed, evening"));
-  const Outcome otherForm = check({"--quick"});
+  const Outcome otherForm = check({"--quick", "--set", "truth.step=0.125"});
   EXPECT_EQ(otherForm.status, 3);
   EXPECT_THAT(otherForm.err, HasSubstr("form: references of the full form found"));
   write("ref/small.json",
