@@ -42,9 +42,11 @@ invariant gl_Position;
 vec4 lightAtVertex() {
   vec3 normal = vertexNormal;
   float volume = dot(vertexPx, cross(vertexPy, normal));
+  float cosine = dot(lightDirection, normal);
+  // A degenerate vertex has no frame, but pixels between it and others have one: it must not be NaN.
+  if (volume == 0.0) return vec4(0.0, 0.0, cosine, cosine);
   vec2 local = vec2(dot(lightDirection, cross(vertexPy, normal)),
                     dot(lightDirection, cross(normal, vertexPx))) / volume;
-  float cosine = dot(lightDirection, normal);
   float texel = sqrt(length(cross(vertexPx, vertexPy)));
   float rise = cosine / (heightInTexels ? texel : 1.0);
   return vec4(texel * local, cosine, rise / length(vec3(local, rise)));

@@ -98,7 +98,7 @@ TEST_F(RunFolder, ConfidenceAndBinsAgreeWithTheResults) {
         EXPECT_GE(row.at("high").get<double>(), errors);
       }
     }
-    for (const char* axis : {"curvature_height", "elevation", "terminator"}) {
+    for (const char* axis : {"curvature_height", "elevation", "terminator", "uv_stretch"}) {
       double binned = 0;
       double wrongBinned = 0;
       for (const nlohmann::json& bin : json.at("bins")) {

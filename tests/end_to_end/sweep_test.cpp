@@ -93,7 +93,7 @@ TEST_F(SweepRun, OneGateThatFailsAtOneValueFailsTheCheck) {
   EXPECT_EQ(checkWith(1.01 * errorAt("6")).status, 0);
   const Outcome failed = checkWith(1.01 * errorAt("1"));
   EXPECT_EQ(failed.status, 1) << failed.err;
-  EXPECT_THAT(failed.out, HasSubstr("relief.height = 6: unshadowed"));
+  EXPECT_THAT(failed.out, HasSubstr(", camera, evening, at 6: 0."));
   EXPECT_EQ(summary("small").at("status"), "fail");
   EXPECT_EQ(summary("small/1").at("status"), "pass");
   EXPECT_EQ(summary("small/6").at("status"), "fail");

@@ -420,5 +420,26 @@ TEST(EllipseMethod, IsTheFlatHorizonMapWhereTheLitPartIsAnEllipse) {
   }
 }
 
+/// Two corners of the middle face have one texture coordinate: its triangle has no frame there, but
+/// the pixels between them and the others do.
+TEST(HorizonAngleMethods, AVertexWithoutAFrameSpreadsNothingOverItsTriangles) {
+  const GlContext gl;
+  Cage cage = makePlane(24, 24, 3, 3);
+  cage.grid.reset();
+  constexpr std::size_t middle = 12;  // of the cage's 5 × 5 faces, of which the outer ones support
+  ASSERT_EQ(cage.faceCount(), 25);
+  cage.faceUvs[4 * middle + 3] = cage.faceUvs[4 * middle + 2];
+  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
+    Relief relief = flatRelief(24, 24);
+    relief.space = space;
+    const RenderScene scene(cage, relief, {8, 16}, TableBits::eight);
+    const RenderView view = atlasView(scene.surface, 8);
+    for (const char* method : {"sloan-cohen", "max-forsyth", "ellipse"}) {
+      EXPECT_EQ(shareShadowed(scene.answer(method, view, lightToward(20, 60))), 0) << method;
+      EXPECT_EQ(shareShadowed(scene.answer(method, view, lightToward(20, -30))), 1) << method;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

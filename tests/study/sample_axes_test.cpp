@@ -113,13 +113,17 @@ TEST(SampleAxes, TheTerminatorIsAsFarAsBruteForceFindsIt) {
   const LimitSurface surface(makeTorus(60, 25, 60, 60));
   const Relief relief = plateau(1);
   const Vec3 light = lightToward(30, 25);
+  const auto sineAt = [&](const LimitPoint& point) {
+    return glm::dot(outwardNormal(point), light);
+  };
   std::vector<Vec3> terminator;
   for (int face = 0; face < surface.faceCount(); ++face) {
+    if (std::abs(sineAt(surface.evaluate(face, 0.5, 0.5))) > 0.2) continue;
     double before = 0;
-    for (int i = 0; i <= 8; ++i) {
-      for (int j = 0; j <= 12; ++j) {
-        const LimitPoint point = surface.evaluate(face, i / 8.0, j / 12.0);
-        const double sine = glm::dot(outwardNormal(point), light);
+    for (int i = 0; i <= 60; ++i) {
+      for (int j = 0; j <= 20; ++j) {
+        const LimitPoint point = surface.evaluate(face, i / 60.0, j / 20.0);
+        const double sine = sineAt(point);
         if (j > 0 && before * sine <= 0) terminator.push_back(point.position);
         before = sine;
       }
@@ -140,6 +144,34 @@ TEST(SampleAxes, TheTerminatorIsAsFarAsBruteForceFindsIt) {
   EXPECT_GE(compared, 5);
 }
 
+/// The longest over the shortest image of a unit vector of the texture plane, by brute force.
+TEST(SampleAxes, StretchIsTheRatioOfTheLongestTexelToTheShortest) {
+  for (const test::ShearedPlane& plane : test::shearedPlanes()) {
+    const LimitSurface surface(plane.cage());
+    const Relief relief = stepRelief(plane.width, plane.height, 1, [](int, int) { return true; });
+    double longest = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 20000; ++k) {
+      const double length = plane.worldPerTexel(k * pi / 20000);
+      longest = std::max(longest, length);
+      shortest = std::min(shortest, length);
+    }
+    ASSERT_GT(longest / shortest, 1.4);
+    forPoints(surface, relief, lightToward(10, 35),
+              [&](const LimitPoint&, const AxisSample& sample) {
+                EXPECT_NEAR(uvStretch(sample), longest / shortest, 1e-5);
+              });
+  }
+  // Of square texels none, whatever their size.
+  for (const double size : {0.25, 4.0}) {
+    const LimitSurface surface(makePlane(64 * size, 48 * size, 8, 6));
+    forPoints(surface, plateau(1), lightToward(10, 35),
+              [](const LimitPoint&, const AxisSample& sample) {
+                EXPECT_NEAR(uvStretch(sample), 1, 1e-7);
+              });
+  }
+}
+
 TEST(SampleAxes, HaveEdgesThatRiseAndNamesOfTheirOwn) {
   std::vector<std::string_view> names;
   for (const SampleAxis& axis : sampleAxes()) {
@@ -148,7 +180,8 @@ TEST(SampleAxes, HaveEdgesThatRiseAndNamesOfTheirOwn) {
     EXPECT_EQ(std::find(names.begin(), names.end(), axis.name), names.end());
     names.push_back(axis.name);
   }
-  EXPECT_EQ(names, (std::vector<std::string_view>{"curvature_height", "elevation", "terminator"}));
+  EXPECT_EQ(names, (std::vector<std::string_view>{"curvature_height", "elevation", "terminator",
+                                                  "uv_stretch"}));
 }
 
 /// A light at the very edge of two bins over a plane: rounding must not part its samples.
@@ -163,12 +196,13 @@ TEST(BinSamples, PutsEverySampleIntoTheBinOfItsValue) {
   samples.samples[7].face = -1;
   for (const double azimuth : {0.0, 10.0, 77.0}) {
     const SampleBins bins = binSamples(surface, relief, samples, lightToward(azimuth, 30));
-    ASSERT_EQ(bins.size(), 3U);
+    ASSERT_EQ(bins.size(), 4U);
     for (std::size_t i = 0; i < 200; ++i) {
       const bool none = i == 7;
       EXPECT_EQ(bins[0][i], none ? noBin : 5) << i;  // -0.005 to 0.005
       EXPECT_EQ(bins[1][i], none ? noBin : 7) << i;  // 30° to 40°
       EXPECT_EQ(bins[2][i], none ? noBin : 9) << i;  // 256 texels or more
+      EXPECT_EQ(bins[3][i], none ? noBin : 0) << i;  // square texels
     }
   }
 }

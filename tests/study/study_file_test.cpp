@@ -192,11 +192,13 @@ TEST_F(StudyFile, OneLightMayHaveAName) {
 TEST_F(StudyFile, MethodsOverrideTheStudysBakeAndBase) {
   const StudySpec study = readWith({"bake={azimuths=16, bits=16, radius=20}", "base.subdivisions=3",
                                     "method.1.bake.azimuths=4", "method.1.base.subdivisions=2",
-                                    "method.1.filter=hardware", "method.1.parameters.steps=7"});
+                                    "method.1.filter=hardware", "method.1.parameters.steps=7",
+                                    "base.curvature=vertices", "method.1.base.curvature=limit"});
   const MethodSpec& first = study.methods[0];
   EXPECT_EQ(first.bake.settings.azimuths, 16);
   EXPECT_EQ(first.bake.bits, TableBits::sixteen);
   EXPECT_EQ(first.baseSubdivisions, 3);
+  EXPECT_EQ(first.baseCurvature, CurvatureSource::vertices);
   EXPECT_EQ(first.filter, TableFilter::exact);
   EXPECT_TRUE(first.parameters.empty());
   const MethodSpec& second = study.methods[1];
@@ -204,6 +206,7 @@ TEST_F(StudyFile, MethodsOverrideTheStudysBakeAndBase) {
   EXPECT_EQ(second.bake.settings.radiusTexels, 20);
   EXPECT_EQ(second.bake.bits, TableBits::sixteen);
   EXPECT_EQ(second.baseSubdivisions, 2);
+  EXPECT_EQ(second.baseCurvature, CurvatureSource::limit);
   EXPECT_EQ(second.filter, TableFilter::hardware);
   EXPECT_EQ(second.parameters, (std::map<std::string, double>{{"steps", 7}}));
 }
@@ -259,7 +262,7 @@ TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
   const StudySpec quick = read(plainStudy, {{"truth.step=0.125", "view.0.height=3"}, {}, true});
   EXPECT_EQ(std::get<Camera>(quick.views[0].kind).width, 50);
   EXPECT_EQ(std::get<Camera>(quick.views[0].kind).height, 1) << "never none";
-  EXPECT_EQ(std::get<AtlasSpec>(quick.views[1].kind).samplesPerSide, 2);
+  EXPECT_EQ(std::get<AtlasSpec>(quick.views[1].kind).samplesPerSide, 3) << "odd, near a quarter of 8";
   EXPECT_EQ(quick.truth.stepTexels, 0.5);
   EXPECT_EQ(16 * quick.truth.leastTriangles, full.truth.leastTriangles);
   EXPECT_FALSE(full.truth.stepTexels);
@@ -300,8 +303,9 @@ TEST_F(StudyFile, AFilterThatMatchesNothingIsAFault) {
   EXPECT_THAT(refused("light = \"noon\"\n"),
               HasSubstr("threshold.0.light: \"noon\" found, one of elevation 30° azimuth 20°"));
   EXPECT_THAT(refused("view = \"front\"\n"), HasSubstr("one of camera, atlas expected"));
-  EXPECT_THAT(refused("region = \"seam\"\n"),
-              HasSubstr("one of all, lit, attached, cast, distant, beyond-terminator expected"));
+  EXPECT_THAT(
+      refused("region = \"dark\"\n"),
+      HasSubstr("one of all, lit, attached, cast, distant, beyond-terminator, seam expected"));
   EXPECT_THAT(refused("metric = \"accuracy\"\n"),
               AllOf(HasSubstr("\"accuracy\" found, one of error_rate"), HasSubstr("mcc")));
   EXPECT_THAT(refused("method = \"\"\n"), HasSubstr("a string that is not empty expected"));
@@ -380,7 +384,7 @@ TEST_F(StudyFile, RefusesWhatItCannotUse) {
       {"relief.amplitude=1", "relief.amplitude: unknown key"},
       {"relief.jitter=1", "relief.jitter: unknown key, expected height, height_space"},
       {"bake.azimuth=1", "bake.azimuth: unknown key, expected azimuths, bits, limit, radius"},
-      {"base.subdivision=1", "base.subdivision: unknown key, expected subdivisions"},
+      {"base.subdivision=1", "base.subdivision: unknown key, expected curvature, subdivisions"},
       {"truth.steps=1", "truth.steps: unknown key, expected step"},
       {"view.0.samples=3", "view.0.samples: unknown key"},
       {"view.1.width=3", "view.1.width: unknown key"},
@@ -415,6 +419,8 @@ TEST_F(StudyFile, RefusesWhatItCannotUse) {
       {"bake.radius=0", "bake.radius: 0 found, a number above 0"},
       {"bake.bits=9", "bake.bits: 9 found, 8, 16 or 32 expected"},
       {"base.subdivisions=0", "base.subdivisions: 0 found"},
+      {"base.curvature=mesh", "base.curvature: the string \"mesh\" found, one of limit, vertices expected"},
+      {"surface.scheme=loop", "surface.scheme: unknown key"},
       {"truth.step=0", "truth.step: 0 found, a number above 0 expected"},
       {"view.0.fov=180", "view.0.fov: 180 found, a number of at least 0.1 and at most 170"},
       {"view.0.width=0", "view.0.width: 0 found, a whole number from 1 to 16384"},

@@ -123,6 +123,18 @@ TEST(ReadObj, GroupsAreJoinedInOrder) {
   EXPECT_EQ(cage.faceVertices, (std::vector{0, 1, 2, 3, 1, 4, 5, 2}));
 }
 
+TEST(ReadObj, TrianglesForLoop) {
+  const TemporaryObj file(square + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  const Cage cage = readObj(file.path(), SubdivisionScheme::loop);
+  EXPECT_EQ(cage.scheme, SubdivisionScheme::loop);
+  EXPECT_EQ(cage.faceCount(), 2);
+  EXPECT_EQ(cage.faceVertices, (std::vector{0, 1, 2, 0, 2, 3}));
+  // For Catmull-Clark they are refined to three quadrilaterals each.
+  EXPECT_EQ(readObj(file.path()).faceCount(), 6);
+  expectInputError([] { readObj(spotPath, SubdivisionScheme::loop); },
+                   {"spot_control_mesh.obj:", "has 4 corners", "triangles only"});
+}
+
 TEST(ReadObj, Tags) {
   const Cage cage = readText(square + "v 2 0 0\nv 2 1 0\n" + squareFace +
                              "f 2/2 5/1 6/4 3/3\nusemtl x\n"

@@ -7,13 +7,17 @@
 
 #include "common/error.h"
 #include "surface/texel_frame.h"
+#include "truth/closed_mesh.h"
 #include "truth/micro_scene.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon {
 namespace {
 
+using test::countEdges;
 using test::cubeCage;
+using test::EdgeCount;
+using test::escapes;
 using test::flatRelief;
 using test::randomRelief;
 
@@ -79,19 +83,6 @@ TEST(MicroMesh, ReachesTheAskedNumberOfTrianglesByDefault) {
   EXPECT_LT(mesh.triangleCount(), 600000U);
 }
 
-/// Counts rays from inside a closed surface that meet nothing.
-int escapes(const MicroMesh& mesh, const Vec3& inside, int rays) {
-  const MicroScene scene(mesh);
-  std::mt19937 random(3);
-  std::normal_distribution<double> normal;
-  int escaped = 0;
-  for (int k = 0; k < rays; ++k) {
-    const Vec3 direction = glm::normalize(Vec3(normal(random), normal(random), normal(random)));
-    escaped += scene.nearest(inside - mesh.centre(), direction) ? 0 : 1;
-  }
-  return escaped;
-}
-
 TEST(MicroMesh, ClosedCageGivesClosedMeshAcrossSeams) {
   const LimitSurface surface(cubeCage());
   const MicroMesh mesh(surface, randomRelief(16, 16, 1.5, 5), step(0.21));
@@ -108,33 +99,9 @@ TEST(MicroMesh, EveryEdgeOfAClosedMeshIsSharedByTwoTriangles) {
   // By position, bit for bit: what rays can only sample, an edge count proves.
   const LimitSurface surface(cubeCage());
   const MicroMesh mesh(surface, randomRelief(16, 16, 1.5, 5), step(0.9));
-  using Point = std::array<float, 3>;
-  std::map<std::pair<Point, Point>, int> edges;
-  const auto point = [&](std::size_t v) {
-    return Point{mesh.coordinates()[3 * v], mesh.coordinates()[3 * v + 1],
-                 mesh.coordinates()[3 * v + 2]};
-  };
-  const auto addEdge = [&](std::size_t a, std::size_t b) {
-    const auto low = std::min(point(a), point(b));
-    const auto high = std::max(point(a), point(b));
-    if (low != high) ++edges[{low, high}];
-  };
-  for (const MicroMesh::Grid& grid : mesh.grids()) {
-    const auto stride = static_cast<std::size_t>(grid.columns);
-    for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(grid.rows); ++j) {
-      for (std::size_t i = 0; i + 1 < stride; ++i) {
-        const std::size_t v = grid.firstVertex + j * stride + i;
-        for (const auto& [a, b, c] :
-             {std::array{v, v + 1, v + stride}, std::array{v + stride + 1, v + stride, v + 1}}) {
-          addEdge(a, b);
-          addEdge(b, c);
-          addEdge(c, a);
-        }
-      }
-    }
-  }
-  EXPECT_GT(edges.size(), 1000U);
-  for (const auto& [edge, count] : edges) EXPECT_EQ(count, 2);
+  const EdgeCount edges = countEdges(mesh);
+  EXPECT_GT(edges.all, 1000U);
+  EXPECT_EQ(edges.open, 0U);
 }
 
 TEST(MicroMesh, FacetIsTheOneThatARayMeets) {

@@ -79,6 +79,62 @@ inline SampleGrid samplesOfAllFaces(const LimitSurface& surface, int side) {
   return grid;
 }
 
+/// A plane z = 0 whose texture coordinates are neither orthogonal nor of equal length: the point of
+/// texel (x, y) is (x - width/2) px + (y - height/2) py. A mirrored map (px × py < 0) keeps the
+/// outward normal at +z.
+struct ShearedPlane {
+  Vec2 px, py;  ///< world per texel
+  int width = 96;
+  int height = 32;
+  int columns = 12;
+  int rows = 4;
+
+  [[nodiscard]] double determinant() const { return px.x * py.y - py.x * px.y; }
+  [[nodiscard]] bool mirrored() const { return determinant() < 0; }
+  /// World length of one height unit.
+  [[nodiscard]] double worldPerHeight(HeightSpace space) const {
+    return space == HeightSpace::world ? 1 : std::sqrt(std::abs(determinant()));
+  }
+  [[nodiscard]] Cage cage() const {
+    Cage cage = makePlane(width, height, columns, rows);
+    for (Vec3& position : cage.positions) {
+      const double x = mirrored() ? -position.x : position.x;
+      position = Vec3(x * px + position.y * py, 0);
+    }
+    if (mirrored()) {
+      for (Vec2& uv : cage.uvs) uv.x = 1 - uv.x;
+      cage.grid.reset();
+    }
+    return cage;
+  }
+  /// The sample at a place of the map, texels.
+  [[nodiscard]] SurfaceSample sampleAt(Vec2 texel) const {
+    const Vec2 uv = texel / Vec2(width, height);
+    const Vec2 place = Vec2(mirrored() ? 1 - uv.x : uv.x, uv.y) * Vec2(columns, rows);
+    const Vec2 cell = glm::min(glm::floor(place), Vec2(columns - 1, rows - 1));
+    return {static_cast<int>(cell.y) * columns + static_cast<int>(cell.x),
+            static_cast<float>(place.x - cell.x), static_cast<float>(place.y - cell.y)};
+  }
+  /// World length of one texel along a direction of the texture plane, radians.
+  [[nodiscard]] double worldPerTexel(double azimuth) const {
+    return glm::length(std::cos(azimuth) * px + std::sin(azimuth) * py);
+  }
+  /// The light over that direction at an elevation; radians.
+  [[nodiscard]] Vec3 lightOver(double azimuth, double elevation) const {
+    const Vec2 along = glm::normalize(std::cos(azimuth) * px + std::sin(azimuth) * py);
+    return {std::cos(elevation) * along, std::sin(elevation)};
+  }
+};
+
+/// The frames that a test of the metric goes through: stretched, sheared, both, and mirrored.
+inline std::vector<ShearedPlane> shearedPlanes() {
+  return {{{2, 0}, {0, 0.5}},
+          {{0.4, 0}, {0, 1.5}},
+          {{1, 0}, {0.8, 1.1}},
+          {{1.6, -0.3}, {0.9, 0.7}},
+          {{-1.2, 0.2}, {0.5, 0.9}}};
+}
+
 /// A cube's cage: a closed surface of six faces, each with the whole texture, so that every edge is
 /// a seam whose two sides have different heights.
 inline Cage cubeCage() {

@@ -92,8 +92,8 @@ void orderByColumn(Contour& contour, std::size_t width) {
 }
 
 void requireSides(std::size_t sides) {
-  // Row and column of each, and its distance and length while percentiles are found.
-  constexpr double bytesPerSide = 2 * sizeof(int) + 2 * sizeof(double);
+  // Row and column of each; its distance and length, twice while a percentile is found.
+  constexpr double bytesPerSide = 2 * sizeof(int) + 4 * sizeof(double);
   requireMemory(bytesPerSide * static_cast<double>(sides),
                 fmt::format("boundaries: a contour of {} sides of samples", sides));
 }

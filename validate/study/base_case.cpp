@@ -26,7 +26,7 @@ void requireRoom(const StudySpec& study, const RenderView& view, const std::stri
   constexpr double bytesWhileRendering = 64;
   constexpr double bytesOfWeightsAndPlaces =
       sizeof(double) + sizeof(SurfaceSample) + sizeof(std::uint8_t);
-  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region);
+  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region) + 1;  // and whether at a seam
   requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
                            bytesOfTruth * static_cast<double>(study.lights.size()) +
                            sizeof(Shade) * static_cast<double>(study.methods.size())),
@@ -58,8 +58,10 @@ ViewCase makeViewCase(const StudySpec& study, const LimitSurface& surface, const
   return view;
 }
 
-BaseCase undisplacedCase(const StudySpec& study, const LimitSurface& surface, int subdivisions) {
-  BaseMesh mesh = makeBaseMesh(surface, study.relief.texelsPerUv(), subdivisions);
+BaseCase undisplacedCase(const StudySpec& study, const LimitSurface& surface,
+                         const MeshChoice& choice) {
+  BaseMesh mesh =
+      makeBaseMesh(surface, study.relief.texelsPerUv(), choice.subdivisions, choice.curvature);
   GpuMesh gpu(mesh);
   const RenderView texture = textureView(mesh);
   return {std::move(mesh), std::move(gpu), std::nullopt, texture, {}};
@@ -79,7 +81,7 @@ BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshC
                       const std::filesystem::path& shaders) {
   BaseCase base = choice.kind == DrawnMesh::displaced
                       ? displacedCase(study, surface, choice.subdivisions)
-                      : undisplacedCase(study, surface, choice.subdivisions);
+                      : undisplacedCase(study, surface, choice);
   const SamplesPass pass(shaders);
   for (const ViewSpec& view : study.views) {
     base.views.push_back(makeViewCase(study, surface, base, pass, view));

@@ -42,6 +42,7 @@ struct BaseCase {
 struct MeshChoice {
   DrawnMesh kind = DrawnMesh::base;
   int subdivisions = 1;
+  CurvatureSource curvature = CurvatureSource::limit;
 
   friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
 };

@@ -30,7 +30,7 @@ MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec) {
   MethodPass pass(scene.shaders, method, scene.study.relief.field.wrap(), spec.filter,
                   spec.parameters);
   const GpuTables tables = reliefTables(scene, method, spec.bake);
-  BaseCase& base = scene.base({method.mesh, spec.baseSubdivisions});
+  BaseCase& base = scene.base({method.mesh, spec.baseSubdivisions, spec.baseCurvature});
   if (method.passes.texture || method.tables.surfaceAngles) requireTextureView(base.texture);
   return {&spec, std::move(method), std::move(pass), tables, &base};
 }

@@ -58,10 +58,12 @@ BakeSpec readBake(const TomlReader& section, BakeSpec bake) {
   return bake;
 }
 
-int readSubdivisions(const TomlReader& section, int fallback) {
-  const int subdivisions = section.integer("subdivisions", 1, 1024, fallback);
+void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& curvature) {
+  constexpr std::array sources = {CurvatureSource::limit, CurvatureSource::vertices};
+  subdivisions = section.integer("subdivisions", 1, 1024, subdivisions);
+  curvature = sources.at(
+      section.choice("curvature", {"limit", "vertices"}, static_cast<std::size_t>(curvature)));
   section.finish();
-  return subdivisions;
 }
 
 MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
@@ -76,8 +78,9 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
   if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
   if (const auto bake = section.optionalTable("bake")) method.bake = readBake(*bake, method.bake);
   method.baseSubdivisions = declared.subdivisions.value_or(defaults.baseSubdivisions);
+  method.baseCurvature = defaults.baseCurvature;
   if (const auto base = section.optionalTable("base")) {
-    method.baseSubdivisions = readSubdivisions(*base, method.baseSubdivisions);
+    readBase(*base, method.baseSubdivisions, method.baseCurvature);
   }
   if (const auto parameters = section.optionalTable("parameters")) {
     for (const auto& [name, value] : parameters->allNumbers()) method.parameters[name] = value;
@@ -98,7 +101,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
   }
   if (const auto bake = section.optionalTable("bake")) method.bake = readBake(*bake, method.bake);
   if (const auto base = section.optionalTable("base")) {
-    method.baseSubdivisions = readSubdivisions(*base, method.baseSubdivisions);
+    readBase(*base, method.baseSubdivisions, method.baseCurvature);
   }
   if (const auto parameters = section.optionalTable("parameters")) {
     const Method declared = readMethod(method.file);
@@ -112,7 +115,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
   const auto parts = [](const MethodSpec& m) {
     return std::tie(m.file, m.bake.settings.azimuths, m.bake.settings.radiusTexels, m.bake.bits,
-                    m.bake.angleLimit, m.baseSubdivisions, m.filter, m.parameters);
+                    m.bake.angleLimit, m.baseSubdivisions, m.baseCurvature, m.filter, m.parameters);
   };
   return parts(a) == parts(b);
 }

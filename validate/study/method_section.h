@@ -13,13 +13,14 @@ struct MethodDefaults {
   std::filesystem::path shaders;
   BakeSpec bake;
   int baseSubdivisions;
+  CurvatureSource baseCurvature;
 };
 
 /// A `[bake]` over what holds without it.
 BakeSpec readBake(const TomlReader& section, BakeSpec bake);
 
 /// A `[base]` over what holds without it.
-int readSubdivisions(const TomlReader& section, int fallback);
+void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& curvature);
 
 /// One `[[method]]`.
 /// @throws InputError for a file that declares no method, and as TomlReader

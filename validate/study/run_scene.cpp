@@ -22,7 +22,7 @@ BaseCase& RunScene::base(MeshChoice choice) {
 }
 
 BaseCase& RunScene::standardBase() {
-  return base({DrawnMesh::base, study.baseSubdivisions});
+  return base({DrawnMesh::base, study.baseSubdivisions, study.baseCurvature});
 }
 
 Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {

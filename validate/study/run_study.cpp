@@ -16,6 +16,7 @@
 #include "study/spread_stage.h"
 #include "study/thresholds.h"
 #include "study/truth_stage.h"
+#include "truth/seam_crossing.h"
 
 namespace gnomon {
 namespace {
@@ -127,6 +128,7 @@ class StudyRun {
                      [region](Region r) { return static_cast<std::uint8_t>(r == region); });
       add(regionName(region), selected);
     }
+    add(seamRegion, truth.crossesSeam);
   }
 
   /// On the first camera view under the first light; without a camera view there is no frame time.

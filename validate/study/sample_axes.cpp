@@ -43,6 +43,15 @@ double terminatorDistance(const AxisSample& sample) {
   return sample.elevation / sample.turn / sample.texel;
 }
 
+double uvStretch(const AxisSample& sample) {
+  const Vec3& px = sample.frame.px;
+  const Vec3& py = sample.frame.py;
+  const double xx = glm::dot(px, px);
+  const double yy = glm::dot(py, py);
+  const double larger = (xx + yy + std::hypot(xx - yy, 2 * glm::dot(px, py))) / 2;
+  return larger / (sample.texel * sample.texel);
+}
+
 const std::vector<SampleAxis>& sampleAxes() {
   static const std::vector<SampleAxis> axes = {
       {"curvature_height",
@@ -60,6 +69,7 @@ const std::vector<SampleAxis>& sampleAxes() {
        "texels",
        {-32, -8, 0, 8, 16, 32, 64, 128, 256},
        terminatorDistance},
+      {"uv_stretch", "stretch of the texture", "", {1.1, 1.25, 1.5, 2, 3, 5}, uvStretch},
   };
   return axes;
 }

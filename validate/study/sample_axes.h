@@ -45,6 +45,7 @@ struct SampleAxis {
 ///                                       for flat surfaces neglect it
 ///   elevation         lightElevation    degrees
 ///   terminator        terminatorDistance  texels
+///   uv_stretch        uvStretch         what of an error is the parametrisation's
 const std::vector<SampleAxis>& sampleAxes();
 
 /// κ(T) · a h: the surface's normal curvature along the light, times the relief's height at the
@@ -62,6 +63,11 @@ double lightElevation(const AxisSample& sample);
 /// is lit across its axis; ±∞ where the surface is flat along T, as in a plane, and where the light
 /// stands along n.
 double terminatorDistance(const AxisSample& sample);
+
+/// How much longer a texel is in the world along its longest direction than along its shortest: the
+/// ratio of the singular values of [P_x P_y], 1 or more. With the larger eigenvalue λ of their
+/// metric it is λ / |P_x × P_y|. 1 where texels are squares, whatever their size.
+double uvStretch(const AxisSample& sample);
 
 /// The bins of all samples of a view, one list an axis, in the order of sampleAxes.
 using SampleBins = std::vector<std::vector<std::uint8_t>>;

@@ -14,6 +14,7 @@
 #include "relief/stored_table.h"
 #include "render/method_pass.h"
 #include "study/record.h"
+#include "surface/base_mesh.h"
 #include "surface/cage.h"
 #include "truth/micro_mesh.h"
 
@@ -51,6 +52,7 @@ struct MethodSpec {
   std::string label;           ///< unique in the study
   BakeSpec bake;               ///< the study's, with the method's overrides
   int baseSubdivisions = 1;    ///< of the mesh that it draws
+  CurvatureSource baseCurvature = CurvatureSource::limit;  ///< of its vertices
   TableFilter filter = TableFilter::exact;
   std::map<std::string, double> parameters;
 };
@@ -59,6 +61,14 @@ struct MethodSpec {
 struct ThresholdSpec {
   std::string method, light, view, region, metric;
   std::optional<double> minimum, maximum;
+  int line = 0;        ///< of its table in the study's file; 0 for one that an override made
+  bool quick = true;   ///< holds for the quick form too; otherwise for the full one only
+};
+
+/// A gate that the command line takes no part of: a check reports it as skipped, never as passed.
+struct LeftOutThreshold {
+  ThresholdSpec gate;
+  std::string reason;
 };
 
 /// A claim of one of two forms: that one method's metric is smaller than another's in every light
@@ -109,6 +119,7 @@ struct StudySpec {
   Relief relief;
   BakeSpec bake;
   int baseSubdivisions = 1;
+  CurvatureSource baseCurvature = CurvatureSource::limit;
   MicroMeshSettings truth;
   std::vector<ViewSpec> views;
   std::vector<LightSpec> lights;
@@ -117,14 +128,20 @@ struct StudySpec {
   std::vector<ClaimSpec> claims;
   BudgetSpec budget;
   bool ranked = true;  ///< counts in a ranking over the studies of a run
+  std::vector<LeftOutThreshold> leftOut = {};
+  std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
 };
 
 /// What the command line changes in a study.
 struct StudyOptions {
   std::vector<std::string> overrides;  ///< `key.path=value`
   std::vector<std::string> methods;    ///< labels or names to keep; all, if empty
-  /// A quarter of each view's side and a sixteenth of the micro-mesh: a preview, not a measurement.
+  /// A quarter of each view's side (in an atlas the odd number at or above it) and a sixteenth of the
+  /// micro-mesh: a preview, not a measurement.
   bool quick = false;
+  /// `LABEL=NAME` or `LABEL=FILE.glsl`: another shader in a method's place, see replaceMethods.
+  std::vector<std::string> replacements = {};
+  bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate leaves them free
 };
 
 /// Reads and checks a study: paths in it are relative to its own folder. A `[sweep]` is left to

@@ -96,7 +96,11 @@ Cage readBSpline(const TomlReader& section) {
 
 Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& folder) {
   section.requireOneOf("shape", "obj");
-  if (section.has("obj")) return readObj(folder / section.text("obj"));
+  if (section.has("obj")) {
+    constexpr std::array schemes = {SubdivisionScheme::catmullClark, SubdivisionScheme::loop};
+    const auto scheme = schemes.at(section.choice("scheme", {"catmull-clark", "loop"}, 0));
+    return readObj(folder / section.text("obj"), scheme);
+  }
   constexpr std::array readers = {readPlane, readCylinder, readSphere,
                                   readTorus, readBezier,   readBSpline};
   return readers.at(section.choice(

@@ -10,17 +10,27 @@
 #include "common/error.h"
 #include "compare/boundaries.h"
 #include "study/cast_lengths.h"
+#include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon {
 namespace {
 
+TraceSettings settingsOf(const RunScene& scene, const LightSpec& light, double liftShare) {
+  return {light.direction(), scene.study.bake.settings.radiusTexels, liftShare};
+}
+
 Truth trace(const RunScene& scene, const TracedSurface& surface, const SampleGrid& samples,
             const LightSpec& light, double liftShare, const Progress& progress) {
-  const TraceSettings settings{light.direction(), scene.study.bake.settings.radiusTexels,
-                               liftShare};
   return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene, samples,
-                      settings, progress);
+                      settingsOf(scene, light, liftShare), progress);
+}
+
+std::vector<std::uint8_t> seams(const RunScene& scene, const TracedSurface& surface,
+                                const TextureCharts& charts, const SampleGrid& samples,
+                                const Truth& truth, const LightSpec& light) {
+  return seamCrossings(scene.surface, scene.study.relief, surface.mesh, surface.scene, charts,
+                       samples, truth, settingsOf(scene, light, standardLift));
 }
 
 void requireFrames(const SampleGrid& samples, const Truth& truth) {
@@ -66,11 +76,14 @@ TruthRecord sizesOf(const TracedSurface& surface) {
 
 std::uint64_t traceTruths(RunScene& scene, const TracedSurface& surface) {
   std::uint64_t undefined = 0;
+  const TextureCharts charts(scene.surface, scene.study.relief);
   for (auto& [choice, base] : scene.bases) {
     for (ViewCase& view : base.views) {
       for (const LightSpec& light : scene.study.lights) {
         view.truths.push_back(scene.clock.measure("truth", [&](const Progress& progress) {
-          return trace(scene, surface, view.samples, light, standardLift, progress);
+          Truth truth = trace(scene, surface, view.samples, light, standardLift, progress);
+          truth.crossesSeam = seams(scene, surface, charts, view.samples, truth, light);
+          return truth;
         }));
       }
       requireFrames(view.samples, view.truths.front());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -12,7 +13,9 @@
 #include "common/memory.h"
 #include "common/parallel.h"
 #include "surface/curvature.h"
+#include "surface/shared_vertices.h"
 #include "surface/texel_frame.h"
+#include "surface/vertex_curvature.h"
 
 namespace gnomon {
 namespace {
@@ -73,6 +76,34 @@ void writeTriangles(std::span<std::uint32_t> triangles, std::size_t firstVertex,
   }
 }
 
+/// Puts estimates in the place of the limit surface's curvatures.
+void estimateCurvatures(const LimitSurface& surface, int subdivisions, BaseMesh& mesh) {
+  constexpr double bytesPerVertex = 320;  // the fit, its result and the shared vertex
+  requireMemory(bytesPerVertex * static_cast<double>(mesh.vertices.size()),
+                fmt::format("curvature estimates of {} vertices", mesh.vertices.size()));
+  std::vector<std::uint32_t> shared(mesh.vertices.size());
+  std::iota(shared.begin(), shared.end(), 0U);
+  const int lines = subdivisions + 1;
+  forEachSharedVertex(
+      surface,
+      [lines](std::size_t face) {
+        return FaceGrid{static_cast<std::uint32_t>(face) * static_cast<std::uint32_t>(lines) *
+                            static_cast<std::uint32_t>(lines),
+                        lines, lines};
+      },
+      [&](std::size_t first, std::size_t vertex) {
+        shared[vertex] = static_cast<std::uint32_t>(first);
+      });
+  const std::vector<PrincipalCurvatures> estimates = estimatedCurvatures(mesh, shared);
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    BaseVertex& vertex = mesh.vertices[i];
+    vertex.k1 = estimates[i].k1;
+    vertex.k2 = estimates[i].k2;
+    vertex.v1 = estimates[i].v1;
+    vertex.v2 = estimates[i].v2;
+  }
+}
+
 void requireSize(const LimitSurface& surface, int subdivisions) {
   if (subdivisions < 1 || subdivisions > mostSubdivisions) {
     throw InputError(
@@ -91,7 +122,8 @@ void requireSize(const LimitSurface& surface, int subdivisions) {
 
 }  // namespace
 
-BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivisions) {
+BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivisions,
+                      CurvatureSource curvature) {
   requireSize(surface, subdivisions);
   const auto faces = static_cast<std::size_t>(surface.faceCount());
   const auto cuts = static_cast<std::size_t>(subdivisions);
@@ -108,9 +140,12 @@ BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivi
       const Vec2 st = Vec2(column, row) / static_cast<double>(subdivisions);
       vertices[i] = makeVertex(surface, texelsPerUv, static_cast<int>(face), st);
     }
-    alignDirections(vertices);
     writeTriangles({mesh.triangles.data() + face * indicesPerFace, indicesPerFace}, face * perFace,
                    cuts);
+  });
+  if (curvature == CurvatureSource::vertices) estimateCurvatures(surface, subdivisions, mesh);
+  parallelFor(0, faces, [&](std::size_t face) {
+    alignDirections({mesh.vertices.data() + face * perFace, perFace});
   });
   return mesh;
 }

@@ -30,6 +30,12 @@ struct BaseMesh {
   [[nodiscard]] std::size_t triangleCount() const { return triangles.size() / 3; }
 };
 
+/// Where a base mesh has its principal curvatures from.
+enum class CurvatureSource {
+  limit,     ///< the limit surface at the vertex
+  vertices,  ///< the mesh's own edges and normals: see estimatedCurvatures
+};
+
 /// Cuts every face into `subdivisions` × `subdivisions` quadrilaterals and each of these into two
 /// triangles along its (0,0)-(1,1) diagonal. Principal directions are lines without a sign or order
 /// of their own; those of a face's vertices are turned and swapped to agree with its first vertex,
@@ -39,6 +45,7 @@ struct BaseMesh {
 /// @param subdivisions  1 to 1024
 /// @throws InputError for other subdivisions or 2³² vertices and more, MemoryError if they cannot
 /// fit
-BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivisions);
+BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivisions,
+                      CurvatureSource curvature = CurvatureSource::limit);
 
 }  // namespace gnomon

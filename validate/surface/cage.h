@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,12 @@ enum class CageBorder {
   support,          ///< the outermost faces only support the inner ones and have no limit surface
 };
 
+/// Which limit surface a cage stands for.
+enum class SubdivisionScheme {
+  catmullClark,  ///< of quadrilaterals (Catmull & Clark 1978): bicubic B-splines where regular
+  loop,          ///< of triangles (Loop 1987): quartic box splines where regular
+};
+
 /// The faces with a limit surface form a regular grid: face `row * columns + column`, s along the
 /// columns, t along the rows. uv is affine over the whole grid: uv = (column + s, row + t) /
 /// (columns, rows).
@@ -34,10 +41,11 @@ struct GridChart {
   int rows;
 };
 
-/// A Catmull-Clark control cage of quadrilaterals with face-varying texture coordinates.
-/// Corner k of face f is `faceVertices[4 f + k]` with uv `uvs[faceUvs[4 f + k]]`. Corners run
-/// counter-clockwise seen from outside; (s, t) is (0,0), (1,0), (1,1), (0,1) at corners 0 to 3.
-/// uv is interpolated bilinearly inside a face, as a GPU does on a mesh of the same faces.
+/// A control cage with face-varying texture coordinates: n = 4 corners a face for Catmull-Clark, 3
+/// for Loop. Corner k of face f is `faceVertices[n f + k]` with uv `uvs[faceUvs[n f + k]]`. Corners
+/// run counter-clockwise seen from outside; (s, t) of a quadrilateral is (0,0), (1,0), (1,1), (0,1)
+/// at corners 0 to 3. uv is interpolated bilinearly inside a quadrilateral and linearly inside a
+/// triangle, as a GPU does on a mesh of the same faces.
 struct Cage {
   std::vector<Vec3> positions;
   std::vector<int> faceVertices;
@@ -46,9 +54,12 @@ struct Cage {
   std::vector<Crease> creases;
   std::vector<SharpVertex> sharpVertices;
   CageBorder border = CageBorder::edgesAndCorners;
+  SubdivisionScheme scheme = SubdivisionScheme::catmullClark;
   std::optional<GridChart> grid;
 
-  [[nodiscard]] int faceCount() const { return static_cast<int>(faceVertices.size() / 4); }
+  /// n: corners of a face.
+  [[nodiscard]] std::size_t faceSize() const { return scheme == SubdivisionScheme::loop ? 3 : 4; }
+  [[nodiscard]] int faceCount() const { return static_cast<int>(faceVertices.size() / faceSize()); }
 };
 
 }  // namespace gnomon

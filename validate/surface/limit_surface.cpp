@@ -4,8 +4,10 @@
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/version.h>
 
+#include <algorithm>
 #include <mutex>
 #include <shared_mutex>
+#include <utility>
 #include <vector>
 
 #include "common/error.h"
@@ -39,17 +41,71 @@ Factory::Options factoryOptions() {
   return options;
 }
 
+/// One of the three squares of a triangle: the triangle's point and derivatives by its own
+/// parameters (u, v), (0,0), (1,0), (0,1) at its corners, turned into those by the square's (s, t).
+/// (u, v) is bilinear in (s, t), so that P_ss = D²P(q_s, q_s) and P_st = D²P(q_s, q_t) + DP q_st.
+template <typename Evaluate>
+LimitPoint atCorner(std::size_t corner, Vec2 st, const Evaluate& evaluate) {
+  constexpr std::array corners = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
+  const Vec2 own = corners.at(corner);
+  const Vec2 alongS = (corners.at((corner + 1) % 3) - own) / 2.0;
+  const Vec2 alongT = (corners.at((corner + 2) % 3) - own) / 2.0;
+  const Vec2 twist = Vec2(1.0 / 3) - own - alongS - alongT;  // q_st
+  const Vec2 qs = alongS + st.y * twist;
+  const Vec2 qt = alongT + st.x * twist;
+  const LimitPoint of = evaluate(own + st.x * alongS + st.y * alongT + st.x * st.y * twist);
+  const auto first = [&of](Vec2 a) { return a.x * of.ds + a.y * of.dt; };
+  const auto second = [&of](Vec2 a, Vec2 b) {
+    return a.x * b.x * of.dss + (a.x * b.y + a.y * b.x) * of.dst + a.y * b.y * of.dtt;
+  };
+  LimitPoint point;
+  point.position = of.position;
+  point.ds = first(qs);
+  point.dt = first(qt);
+  point.dss = second(qs, qs);
+  point.dst = second(qs, qt) + first(twist);
+  point.dtt = second(qt, qt);
+  return point;
+}
+
+/// OpenSubdiv 3.5 turns the sign of second derivatives on those triangles of a Loop face's tree
+/// that stand upside down, as it must that of the first. Which they are it does not tell: the first
+/// derivatives a small step away do.
+/// @param point  with second derivatives right up to one sign
+double secondDerivativeSign(const Surface& surface, const double* points, const LimitPoint& point,
+                            Vec2 at) {
+  constexpr double step = 1e-4;
+  const double way = at.x + at.y > 0.5 ? -step : step;  // stays inside the triangle
+  const auto change = [&](Vec2 by) {
+    LimitPoint there;
+    const std::array st = {at.x + by.x, at.y + by.y};
+    surface.Evaluate(st.data(), points, 3, &there.position.x, &there.ds.x, &there.dt.x);
+    return std::pair{(there.ds - point.ds) / way, (there.dt - point.dt) / way};
+  };
+  double agreement = 0;
+  if (way > 0 || at.x >= step) {
+    const auto [ss, st] = change({way, 0});
+    agreement += glm::dot(ss, point.dss) + glm::dot(st, point.dst);
+  }
+  if (way > 0 || at.y >= step) {
+    const auto [st, tt] = change({0, way});
+    agreement += glm::dot(st, point.dst) + glm::dot(tt, point.dtt);
+  }
+  return agreement < 0 ? -1.0 : 1.0;
+}
+
 }  // namespace
 
 struct LimitSurface::Implementation {
-  /// A face with a limit surface: which cage face it is, and its first patch point.
-  struct Face {
+  /// A cage face with a limit surface: which it is, and its first patch point.
+  struct Patch {
     std::size_t cageFace;
     std::size_t firstPoint;
     Surface surface;
   };
 
-  std::vector<Face> faces;
+  std::vector<Patch> patches;
+  std::size_t facesPerPatch = 1;  ///< 3 where patches are triangles
   std::vector<Vec3> patchPoints;
   std::vector<std::array<int, 4>> corners;
   std::vector<std::array<Vec2, 4>> uvs;
@@ -58,8 +114,10 @@ struct LimitSurface::Implementation {
 
   void initialise(const Factory& factory, const Cage& cage);
   void preparePatchPoints(const Cage& cage);
-  void takeCorners(const Cage& cage);
+  void takeQuadrilaterals(const Cage& cage);
+  void takeTriangles(const Cage& cage, const OpenSubdiv::Far::TopologyLevel& level);
   [[nodiscard]] std::size_t requireFace(int face) const;
+  [[nodiscard]] LimitPoint position(const Patch& patch, Vec2 at) const;
 };
 
 void LimitSurface::Implementation::initialise(const Factory& factory, const Cage& cage) {
@@ -70,13 +128,13 @@ void LimitSurface::Implementation::initialise(const Factory& factory, const Cage
   if (limitFaces.empty()) {
     throw InputError("cage: no face has a limit surface, expected one inside the outermost ring");
   }
-  faces.resize(limitFaces.size());
+  patches.resize(limitFaces.size());
   parallelFor(
-      0, faces.size(),
+      0, patches.size(),
       [&](std::size_t i) {
-        faces[i].cageFace = limitFaces[i];
+        patches[i].cageFace = limitFaces[i];
         const auto cageFace = static_cast<int>(limitFaces[i]);
-        if (!factory.InitVertexSurface(cageFace, &faces[i].surface)) {
+        if (!factory.InitVertexSurface(cageFace, &patches[i].surface)) {
           throw InputError(fmt::format("cage: face {} has no limit surface", cageFace));
         }
       },
@@ -85,45 +143,88 @@ void LimitSurface::Implementation::initialise(const Factory& factory, const Cage
 
 void LimitSurface::Implementation::preparePatchPoints(const Cage& cage) {
   std::size_t count = 0;
-  for (Face& face : faces) {
-    face.firstPoint = count;
-    count += static_cast<std::size_t>(face.surface.GetNumPatchPoints());
+  for (Patch& patch : patches) {
+    patch.firstPoint = count;
+    count += static_cast<std::size_t>(patch.surface.GetNumPatchPoints());
   }
   patchPoints.resize(count);
   parallelFor(
-      0, faces.size(),
+      0, patches.size(),
       [&](std::size_t i) {
-        faces[i].surface.PreparePatchPoints(&cage.positions[0].x, 3,
-                                            &patchPoints[faces[i].firstPoint].x, 3);
+        patches[i].surface.PreparePatchPoints(&cage.positions[0].x, 3,
+                                              &patchPoints[patches[i].firstPoint].x, 3);
       },
       grain);
 }
 
-void LimitSurface::Implementation::takeCorners(const Cage& cage) {
-  corners.resize(faces.size());
-  uvs.resize(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+void LimitSurface::Implementation::takeQuadrilaterals(const Cage& cage) {
+  corners.resize(patches.size());
+  uvs.resize(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t corner = 4 * faces[i].cageFace + k;
+      const std::size_t corner = 4 * patches[i].cageFace + k;
       corners[i][k] = cage.faceVertices[corner];
       uvs[i][k] = cage.uvs[static_cast<std::size_t>(cage.faceUvs[corner])];
+    }
+  }
+  vertexCount = static_cast<int>(cage.positions.size());
+}
+
+void LimitSurface::Implementation::takeTriangles(const Cage& cage,
+                                                 const OpenSubdiv::Far::TopologyLevel& level) {
+  facesPerPatch = 3;
+  const int firstMiddle = level.GetNumVertices();
+  const int firstCentroid = firstMiddle + level.GetNumEdges();
+  vertexCount = firstCentroid + cage.faceCount();
+  for (const Patch& patch : patches) {
+    const int* vertices = &cage.faceVertices[3 * patch.cageFace];
+    const int* faceUvs = &cage.faceUvs[3 * patch.cageFace];
+    const auto uv = [&](std::size_t k) {
+      return cage.uvs[static_cast<std::size_t>(faceUvs[k % 3])];
+    };
+    const Vec2 centroid = (uv(0) + uv(1) + uv(2)) / 3.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int own = vertices[k];
+      const int next = vertices[(k + 1) % 3];
+      const int previous = vertices[(k + 2) % 3];
+      corners.push_back({own, firstMiddle + level.FindEdge(own, next),
+                         firstCentroid + static_cast<int>(patch.cageFace),
+                         firstMiddle + level.FindEdge(previous, own)});
+      uvs.push_back({uv(k), (uv(k) + uv(k + 1)) / 2.0, centroid, (uv(k) + uv(k + 2)) / 2.0});
     }
   }
 }
 
 std::size_t LimitSurface::Implementation::requireFace(int face) const {
   const auto index = static_cast<std::size_t>(face);
-  if (face < 0 || index >= faces.size()) {
+  if (face < 0 || index >= corners.size()) {
     throw InternalError(
-        fmt::format("limit surface: face {}, expected 0 to {}", face, faces.size() - 1));
+        fmt::format("limit surface: face {}, expected 0 to {}", face, corners.size() - 1));
   }
   return index;
 }
 
+/// Without the texture.
+LimitPoint LimitSurface::Implementation::position(const Patch& patch, Vec2 at) const {
+  LimitPoint point;
+  const std::array st = {at.x, at.y};
+  const double* points = &patchPoints[patch.firstPoint].x;
+  patch.surface.Evaluate(st.data(), points, 3, &point.position.x, &point.ds.x, &point.dt.x,
+                         &point.dss.x, &point.dst.x, &point.dtt.x);
+  if (facesPerPatch == 3 && !patch.surface.IsRegular()) {
+    const double sign = secondDerivativeSign(patch.surface, points, point, at);
+    point.dss *= sign;
+    point.dst *= sign;
+    point.dtt *= sign;
+  }
+  return point;
+}
+
 LimitSurface::LimitSurface(const Cage& cage) : implementation_(std::make_unique<Implementation>()) {
-  requireMemory(bytesPerFace * static_cast<double>(cage.faceVertices.size()) / 4,
-                fmt::format("limit surface of {} faces", cage.faceVertices.size() / 4));
-  const std::vector<int> faceSizes(cage.faceVertices.size() / 4, 4);
+  const std::size_t count = cage.faceVertices.size() / cage.faceSize();
+  requireMemory(bytesPerFace * static_cast<double>(count),
+                fmt::format("limit surface of {} faces", count));
+  const std::vector<int> faceSizes(count, static_cast<int>(cage.faceSize()));
   const auto refiner = connect({.positions = cage.positions,
                                 .faceSizes = faceSizes,
                                 .faceVertices = cage.faceVertices,
@@ -131,21 +232,25 @@ LimitSurface::LimitSurface(const Cage& cage) : implementation_(std::make_unique<
                                 .faceUvs = cage.faceUvs,
                                 .creases = cage.creases,
                                 .sharpVertices = cage.sharpVertices,
-                                .border = cage.border},
+                                .border = cage.border,
+                                .scheme = cage.scheme},
                                PartNames{}, false);
   Implementation& self = *implementation_;
   self.initialise(Factory(*refiner, factoryOptions()), cage);
   self.preparePatchPoints(cage);
-  self.takeCorners(cage);
-  self.vertexCount = static_cast<int>(cage.positions.size());
+  if (cage.scheme == SubdivisionScheme::loop) {
+    self.takeTriangles(cage, refiner->GetLevel(0));
+  } else {
+    self.takeQuadrilaterals(cage);
+  }
   self.grid = cage.grid;
   if (self.grid &&
       static_cast<std::size_t>(self.grid->columns) * static_cast<std::size_t>(self.grid->rows) !=
-          self.faces.size()) {
+          self.corners.size()) {
     throw InputError(
         fmt::format("cage: {} faces have a limit surface, expected the {} × {} of its "
                     "grid",
-                    self.faces.size(), self.grid->columns, self.grid->rows));
+                    self.corners.size(), self.grid->columns, self.grid->rows));
   }
 }
 
@@ -154,7 +259,7 @@ LimitSurface::LimitSurface(LimitSurface&&) noexcept = default;
 LimitSurface& LimitSurface::operator=(LimitSurface&&) noexcept = default;
 
 int LimitSurface::faceCount() const {
-  return static_cast<int>(implementation_->faces.size());
+  return static_cast<int>(implementation_->corners.size());
 }
 
 std::optional<GridChart> LimitSurface::grid() const {
@@ -171,12 +276,12 @@ int LimitSurface::vertexCount() const {
 
 LimitPoint LimitSurface::evaluate(int face, double s, double t) const {
   const std::size_t index = implementation_->requireFace(face);
-  const Implementation::Face& patch = implementation_->faces[index];
-  LimitPoint point;
-  const std::array st = {s, t};
-  patch.surface.Evaluate(st.data(), &implementation_->patchPoints[patch.firstPoint].x, 3,
-                         &point.position.x, &point.ds.x, &point.dt.x, &point.dss.x, &point.dst.x,
-                         &point.dtt.x);
+  const std::size_t perPatch = implementation_->facesPerPatch;
+  const Implementation::Patch& patch = implementation_->patches[index / perPatch];
+  LimitPoint point = perPatch == 1 ? implementation_->position(patch, {s, t})
+                                   : atCorner(index % perPatch, {s, t}, [&](Vec2 at) {
+                                       return implementation_->position(patch, at);
+                                     });
   const auto& [uv0, uv1, uv2, uv3] = implementation_->uvs[index];
   point.uv = (1 - t) * ((1 - s) * uv0 + s * uv1) + t * ((1 - s) * uv3 + s * uv2);
   point.uvDs = (1 - t) * (uv1 - uv0) + t * (uv2 - uv3);
@@ -187,8 +292,10 @@ LimitPoint LimitSurface::evaluate(int face, double s, double t) const {
 Vec3 outwardNormal(const LimitPoint& point) {
   const Vec3 normal = glm::cross(point.ds, point.dt);
   const double area = glm::length(normal);
-  // A sine below 1e-12 is rounding. Written so that NaN counts as degenerate too.
-  if (!(area > 1e-12 * glm::length(point.ds) * glm::length(point.dt))) return Vec3(0);
+  // Beside the longer derivative a shorter one, or a height over it, of 1e-12 is rounding. Written
+  // so that NaN counts as degenerate too.
+  const double longer = std::max(glm::length(point.ds), glm::length(point.dt));
+  if (!(area > 1e-12 * longer * longer)) return Vec3(0);
   return normal / area;
 }
 

@@ -20,16 +20,20 @@ struct LimitPoint {
 };
 
 /// P_s × P_t normalised: the surface's outward side, since faces run counter-clockwise seen from
-/// outside. Zero where P_s and P_t span no area.
+/// outside. Zero where P_s and P_t span no area: less than 1e-12 of the square of the
+/// longer.
 Vec3 outwardNormal(const LimitPoint& point);
 
-/// The Catmull-Clark limit surface of a cage (Catmull & Clark 1978), evaluated at any parameter by
-/// OpenSubdiv's Bfr at approximation level 10: exact to rounding, except within 2⁻¹⁰ of a face from
-/// an extraordinary vertex. There a point slides along the surface by up to 1e-5 (valence 3) or
-/// 4e-4 (valence 6) of a face's size and leaves it by less than 2e-7; second derivatives mean
-/// nothing. At the end of an infinitely sharp crease a point errs by up to 2e-5 of a face's size.
+/// The limit surface of a cage by its scheme, evaluated at any parameter by OpenSubdiv's Bfr at
+/// approximation level 10: exact to rounding, except within 2⁻¹⁰ of a face from an extraordinary
+/// vertex. There a point slides along the surface by up to 1e-5 (valence 3) or 4e-4 (valence 6) of
+/// a face's size and leaves it by less than 2e-7; second derivatives mean nothing. At the end of an
+/// infinitely sharp crease a point errs by up to 2e-5 of a face's size.
 ///
-/// Faces are numbered from 0 among those that have a limit surface. All const members may be
+/// Faces are numbered from 0 among those that have a limit surface. A triangle of a Loop cage
+/// counts as three faces, one a corner, so that every face is a square in (s, t): (0, 0) is the
+/// corner, (1, 0) the middle of the side that leaves it, (1, 1) the triangle's centroid and (0, 1)
+/// the middle of the side that comes to it, bilinearly between them. All const members may be
 /// called from several threads at once.
 class LimitSurface {
  public:
@@ -49,10 +53,11 @@ class LimitSurface {
   [[nodiscard]] int faceCount() const;
   /// The grid that the faces form, if they do.
   [[nodiscard]] std::optional<GridChart> grid() const;
-  /// The cage vertices at (s, t) = (0,0), (1,0), (1,1), (0,1): faces that share two of them in
-  /// opposite order share that edge.
+  /// The vertices at (s, t) = (0,0), (1,0), (1,1), (0,1): faces that share two of them in opposite
+  /// order share that edge. Those of the cage, and on a Loop cage also middles of sides and
+  /// centroids, numbered after them.
   [[nodiscard]] std::array<int, 4> corners(int face) const;
-  /// Cage vertices in all.
+  /// All that `corners` may name.
   [[nodiscard]] int vertexCount() const;
   /// Position and derivatives at (s, t) of a face. 0 ≤ s, t ≤ 1.
   [[nodiscard]] LimitPoint evaluate(int face, double s, double t) const;

@@ -274,7 +274,8 @@ PolygonMesh load(LineReader& lines) {
   return mesh;
 }
 
-std::unique_ptr<Far::TopologyRefiner> connectMesh(const PolygonMesh& mesh, const PartNames& names) {
+std::unique_ptr<Far::TopologyRefiner> connectMesh(const PolygonMesh& mesh, const PartNames& names,
+                                                  SubdivisionScheme scheme) {
   return connect({.positions = mesh.positions,
                   .faceSizes = mesh.faceSizes,
                   .faceVertices = mesh.faceVertices,
@@ -282,7 +283,8 @@ std::unique_ptr<Far::TopologyRefiner> connectMesh(const PolygonMesh& mesh, const
                   .faceUvs = mesh.faceUvs,
                   .creases = mesh.creases,
                   .sharpVertices = mesh.sharpVertices,
-                  .border = CageBorder::edgesAndCorners},
+                  .border = CageBorder::edgesAndCorners,
+                  .scheme = scheme},
                  names, true);
 }
 
@@ -352,8 +354,9 @@ Cage refine(const PolygonMesh& mesh, Far::TopologyRefiner& refiner) {
   return cage;
 }
 
-Cage toCage(PolygonMesh mesh) {
+Cage toCage(PolygonMesh mesh, SubdivisionScheme scheme) {
   Cage cage;
+  cage.scheme = scheme;
   cage.positions = std::move(mesh.positions);
   cage.faceVertices = std::move(mesh.faceVertices);
   cage.uvs = std::move(mesh.uvs);
@@ -365,7 +368,7 @@ Cage toCage(PolygonMesh mesh) {
 
 }  // namespace
 
-Cage readObj(const std::filesystem::path& path) {
+Cage readObj(const std::filesystem::path& path, SubdivisionScheme scheme) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(path, error);
   // Text, its checked copy, tinyobjloader's arrays and ours, OpenSubdiv's two levels.
@@ -373,10 +376,17 @@ Cage readObj(const std::filesystem::path& path) {
   LineReader lines(path.string());
   lines.read(readFile(path));
   PolygonMesh mesh = load(lines);
-  const auto refiner = connectMesh(mesh, lines.names());
-  const bool quadrilaterals =
-      std::all_of(mesh.faceSizes.begin(), mesh.faceSizes.end(), [](int size) { return size == 4; });
-  return quadrilaterals ? toCage(std::move(mesh)) : refine(mesh, *refiner);
+  const bool loop = scheme == SubdivisionScheme::loop;
+  const auto odd = std::find_if(mesh.faceSizes.begin(), mesh.faceSizes.end(),
+                                [loop](int size) { return size != (loop ? 3 : 4); });
+  const bool even = odd == mesh.faceSizes.end();
+  if (loop && !even) {
+    const auto face = static_cast<std::size_t>(odd - mesh.faceSizes.begin());
+    throw InputError(fmt::format("{} has {} corners, but Loop's scheme takes triangles only",
+                                 lines.names().face(face), *odd));
+  }
+  const auto refiner = connectMesh(mesh, lines.names(), scheme);
+  return even ? toCage(std::move(mesh), scheme) : refine(mesh, *refiner);
 }
 
 }  // namespace gnomon

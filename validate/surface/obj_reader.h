@@ -6,16 +6,18 @@
 
 namespace gnomon {
 
-/// Reads a Wavefront OBJ as a Catmull-Clark cage: all groups and objects joined, n-gons kept,
+/// Reads a Wavefront OBJ as a control cage: all groups and objects joined, n-gons kept,
 /// face-varying texture coordinates, and the tags `t crease` and `t corner` that OpenSubdiv's own
 /// files use (vertices counted from 0). Borders are edgesAndCorners, whatever the file's
 /// `t interpolateboundary` says; any other tag is an error, since it would change the surface. A
-/// cage with any face that is not a quadrilateral is refined once, so that every face of the result
-/// is one; the limit surface is the same, and texture coordinates are halved linearly.
+/// Catmull-Clark cage with any face that is not a quadrilateral is refined once, so that every face
+/// of the result is one; the limit surface is the same, and texture coordinates are halved
+/// linearly.
 /// @throws InputError naming file and line or face: unreadable, no faces, index out of range, a
 /// number
 ///   that is malformed or not finite, missing texture coordinates, a face of more than 255 corners,
-///   and all that LimitSurface refuses
-Cage readObj(const std::filesystem::path& path);
+///   for Loop's scheme a face that is no triangle, and all that LimitSurface refuses
+Cage readObj(const std::filesystem::path& path,
+             SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
 
 }  // namespace gnomon

@@ -1,5 +1,6 @@
 #include "surface/texel_frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +12,8 @@ TexelFrame texelFrame(const LimitPoint& point, Vec2 texelsPerUv) {
   const Vec2 xyT = point.uvDt * texelsPerUv;
   const double determinant = xyS.x * xyT.y - xyS.y * xyT.x;
   const Vec3 normal = outwardNormal(point);
-  const bool flat = !(std::abs(determinant) > 1e-12 * glm::length(xyS) * glm::length(xyT));
+  const double longer = std::max(glm::length(xyS), glm::length(xyT));
+  const bool flat = !(std::abs(determinant) > 1e-12 * longer * longer);
   if (flat || normal == Vec3(0)) return {point.position, Vec3(0), Vec3(0), Vec3(0), texel, false};
   // The inverse of P_s = P_x x_s + P_y y_s, P_t = P_x x_t + P_y y_t.
   const Vec3 px = (xyT.y * point.ds - xyS.y * point.dt) / determinant;

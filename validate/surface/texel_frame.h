@@ -13,7 +13,7 @@ struct TexelFrame {
   Vec3 px, py;    ///< P_x, P_y: world length per texel
   Vec2 texel;     ///< (x, y) in texels: uv × texelsPerUv
   /// False where the surface or the texture map is degenerate (directions within 1e-12 of parallel,
-  /// or of no length): normal, P_x and P_y are then zero.
+  /// or one 1e12 times as long as the other): normal, P_x and P_y are then zero.
   bool defined;
 };
 

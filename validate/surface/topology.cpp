@@ -244,7 +244,9 @@ std::unique_ptr<Far::TopologyRefiner> connect(const Polygons& polygons, const Pa
   descriptor.numFVarChannels = withUvs ? 1 : 0;
   descriptor.fvarChannels = &uvChannel;
 
-  const Factory::Options options(Sdc::SCHEME_CATMARK, schemeOptions(polygons.border));
+  const auto scheme =
+      polygons.scheme == SubdivisionScheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
+  const Factory::Options options(scheme, schemeOptions(polygons.border));
   std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(descriptor, options));
   if (!refiner) {
     throw InputError(

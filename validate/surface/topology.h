@@ -25,6 +25,7 @@ struct Polygons {
   std::span<const Crease> creases;
   std::span<const SharpVertex> sharpVertices;
   CageBorder border = CageBorder::edgesAndCorners;
+  SubdivisionScheme scheme = SubdivisionScheme::catmullClark;
 };
 
 /// What an error message calls the parts of a mesh.
@@ -40,7 +41,7 @@ struct PartNames {
   [[nodiscard]] std::string sharpVertex(std::size_t index) const;
 };
 
-/// Checks the polygons and connects them for Catmull-Clark subdivision.
+/// Checks the polygons and connects them for their scheme of subdivision.
 /// @param withUvs  adds the texture coordinates as face-varying channel 0, linear everywhere
 /// @throws InputError naming the part: an index out of range, a coordinate that is not finite or
 ///   beyond 1e12, a vertex of more than 256 faces, a face with fewer than three corners or with a

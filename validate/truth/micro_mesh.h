@@ -27,7 +27,12 @@ struct Facet {
 /// The displaced limit surface as one grid of vertices a face. Vertices that faces share (corners,
 /// and edges of equal cage vertices) are computed once, by the first of the faces, so that
 /// neighbours agree to the bit and a closed cage gives a closed mesh. Across a texture seam, where
-/// the heights of the two sides differ, the first face's height rules the common edge.
+/// the heights of the two sides differ, the first face's height rules the common edge, and the
+/// second face rises or falls to it within its outermost micro-step: a wall between the two
+/// heights, upright in the limit. A wall, because neither side's relief is bent by it beyond that
+/// step, as it would be by a blend; and on the mesh's own vertices, because walls of their own
+/// would need slivers where they meet. The same holds at a crease, where the two sides' normals
+/// differ.
 ///
 /// On a cage that is a regular grid with affine texture coordinates the lines of texel centres are
 /// among the grid lines: the kinks of the bilinear relief then lie on micro-edges. Elsewhere

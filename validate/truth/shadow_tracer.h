@@ -14,7 +14,8 @@
 
 namespace gnomon {
 
-/// Why a sample is as it is. Every sample of a view is in exactly one region.
+/// Why a sample is as it is. Every sample of a view is in exactly one of these regions; the region
+/// `seam` overlaps them (see seam_crossing.h).
 enum class Region : std::uint8_t {
   none,              ///< no sample, or no frame there
   lit,               ///< the light reaches it
@@ -36,6 +37,9 @@ struct Truth {
   Mask mask;
   std::vector<Region> regions;       ///< one a sample
   std::size_t undefinedSamples = 0;  ///< samples without a frame: Shade::none in the mask
+  /// One a sample, 1 where its path to the light crosses a texture seam; empty unless
+  /// `seamCrossings` has been asked.
+  std::vector<std::uint8_t> crossesSeam = {};
 };
 
 /// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.

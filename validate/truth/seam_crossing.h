@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "common/progress.h"
+#include "relief/relief.h"
+#include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
+#include "truth/micro_scene.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+
+/// As reports and thresholds spell the region of samples whose path crosses a seam. It overlaps
+/// those of `Region`: such a sample is lit or shadowed as well.
+constexpr std::string_view seamRegion = "seam";
+
+/// Which faces continue each other's texture coordinates. Two faces that share an edge do where
+/// they agree on its two ends within a thousandth of a texel, or, for a map that repeats, differ by
+/// whole maps; and where neither is mirrored beside the other (there the map folds back) nor
+/// without area. Every other shared edge is a *seam*. The border of an open surface is none.
+class TextureCharts {
+ public:
+  TextureCharts(const LimitSurface& surface, const Relief& relief);
+
+  /// Shared edges that are seams.
+  [[nodiscard]] std::size_t seamCount() const { return seams_; }
+  /// Whether the straight line of the map from a sample meets a seam before its end: the line that
+  /// tables and marches take the relief from.
+  /// @param direction  unit vector in the texture plane
+  /// @param reach      length of the line, texels
+  [[nodiscard]] bool crossesSeam(const SurfaceSample& sample, Vec2 direction, double reach) const;
+
+ private:
+  enum class Side : std::uint8_t { border, seam, continued };
+  /// What lies across one side of a face.
+  struct Neighbour {
+    Side kind = Side::border;
+    int face = -1;
+    int side = -1;     ///< the common side as the neighbour counts it
+    Vec2 shift{0, 0};  ///< the neighbour's texture coordinates less this face's, texels
+  };
+  struct Face {
+    std::array<Vec2, 4> corners;  ///< texels
+    std::array<Neighbour, 4> neighbours;
+    double turn = 0;  ///< 1 counter-clockwise in the texture plane, -1 mirrored, 0 without area
+  };
+
+  void connect(const Relief& relief, int face, int side, int otherFace, int otherSide);
+
+  std::vector<Face> faces_;
+  std::size_t seams_ = 0;
+};
+
+/// One byte a sample: 1 where the path that decides whether it is lit crosses a seam, so that part
+/// of a method's error there is the parametrisation's. The path starts at the sample and runs
+/// straight over the map toward the light, `TraceSettings::radiusTexels` at most, and no farther
+/// - than to the truth's occluder, where there is one: texels along the light's azimuth at the
+///   sample's own metric;
+/// - than to where the ray stands higher over the sample's tangent plane than the relief's highest
+///   point, where the light arrives.
+/// A sample whose own facet is turned from the light has no path, nor has one without a frame.
+/// @param truth  of the same samples and settings
+std::vector<std::uint8_t> seamCrossings(const LimitSurface& surface, const Relief& relief,
+                                        const MicroMesh& mesh, const MicroScene& scene,
+                                        const TextureCharts& charts, const SampleGrid& samples,
+                                        const Truth& truth, const TraceSettings& settings);
+
+}  // namespace gnomon
