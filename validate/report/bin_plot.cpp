@@ -79,8 +79,8 @@ std::string ticks(const std::vector<const BinRecord*>& bins, const std::vector<E
     const BinRecord* found = findBin(bins, method, ends[i]);
     const double share =
         found == nullptr || !(all > 0) ? 0 : static_cast<double>(found->counts.samples) / all;
-    text +=
-        fmt::format("{}\"{}\\n{:.1f} %\" {}", i > 0 ? ", " : "", endsText(ends[i]), 100 * share, i);
+    text += fmt::format("{}\"{}\\n{:.1f} %%\" {}", i > 0 ? ", " : "", endsText(ends[i]),
+                        100 * share, i);
   }
   return "set xtics (" + text + ")\n";
 }
