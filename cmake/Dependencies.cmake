@@ -8,6 +8,7 @@ find_package(TBB REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(pugixml REQUIRED)
 find_package(tinyobjloader REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
 

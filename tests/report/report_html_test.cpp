@@ -13,6 +13,7 @@
 #include "common/error.h"
 #include "report/html_text.h"
 #include "report/images.h"
+#include "report/page.h"
 #include "report/sample_record.h"
 
 namespace gnomon {
@@ -89,27 +90,64 @@ TEST_F(ReportHtml, LoadsNothing) {
   EXPECT_FALSE(holds(html, "http://"));
   EXPECT_FALSE(holds(html, "https://"));
   EXPECT_FALSE(holds(html, "<link"));
-  EXPECT_FALSE(holds(html, "<script"));
+  EXPECT_EQ(count(html, "<script"), 1U);
+  EXPECT_EQ(count(html, "<script>" + std::string(viewerScript()) + "</script>"), 1U);
+  EXPECT_TRUE(holds(html, "script-src " + std::string(viewerScriptHash())));
+  EXPECT_FALSE(holds(reportHtml(sampleRecord(), folder_), "script"))
+      << "without pictures there is nothing to compare";
   EXPECT_FALSE(holds(html, "@import"));
   EXPECT_FALSE(holds(html, "url("));
   EXPECT_TRUE(holds(html, "default-src 'none'"));
-  EXPECT_EQ(count(html, " src=\""), count(html, " src=\"data:image/png;base64,"));
+  EXPECT_EQ(count(html, " src=\""), count(html, " src=\"data:image/png;base64,") +
+                                        count(html, " src=\"data:image/webp;base64,"));
 }
 
-TEST_F(ReportHtml, EmbedsEveryPictureByteForByte) {
-  const StudyRecord record = recordWithPanel();
-  const std::string html = reportHtml(record, folder_);
-  std::vector<std::string> embedded;
-  const std::string opening = "src=\"data:image/png;base64,";
+/// The bytes of all embedded pictures of a type.
+std::vector<std::string> embedded(const std::string& html, const std::string& type) {
+  std::vector<std::string> pictures;
+  const std::string opening = "src=\"data:image/" + type + ";base64,";
   for (std::size_t at = html.find(opening); at != std::string::npos; at = html.find(opening, at)) {
     at += opening.size();
-    embedded.push_back(fromBase64(html.substr(at, html.find('"', at) - at)));
+    pictures.push_back(fromBase64(html.substr(at, html.find('"', at) - at)));
   }
-  EXPECT_EQ(embedded.size(), 6U);
+  return pictures;
+}
+
+TEST_F(ReportHtml, EmbedsEveryDifferenceByteForByteAndAnyOtherPictureOnce) {
+  const StudyRecord record = recordWithPanel();
+  const std::string html = reportHtml(record, folder_);
+  const auto exact = embedded(html, "png");
+  EXPECT_EQ(exact.size(), 2U);
   for (const PictureRecord& picture : record.panels[0].pictures) {
-    EXPECT_EQ(std::count(embedded.begin(), embedded.end(), readFile(folder_ / picture.path)), 1)
+    const bool isDifference = picture.kind == PictureRecord::Kind::difference;
+    EXPECT_EQ(std::count(exact.begin(), exact.end(), readFile(folder_ / picture.path)),
+              isDifference ? 1 : 0)
         << picture.path;
   }
+  EXPECT_EQ(embedded(html, "webp").size(), 4U);
+}
+
+TEST_F(ReportHtml, PicturesWithMasksBecomeLayersOfTheirMesh) {
+  StudyRecord record = recordWithPanel();
+  const Mask shadowed{1, 1, {Shade::shadowed}};
+  const Mask lit{1, 1, {Shade::lit}};
+  writePng(folder_ / "lit.png", maskImage(lit));
+  writePng(folder_ / "shadowed.png", maskImage(shadowed));
+  // Two shadings that differ where both are lit are of two meshes; the third, in shadow, agrees
+  // with the first.
+  record.panels[0].pictures[0].mask = "lit.png";
+  record.panels[0].pictures[1].mask = "lit.png";
+  record.panels[0].pictures[3].mask = "shadowed.png";
+  const std::string html = reportHtml(record, folder_);
+  EXPECT_EQ(count(html, "<img class=\"lit\""), 2U);
+  EXPECT_EQ(count(html, "<img class=\"dark\""), 2U);
+  EXPECT_EQ(count(html, "<img class=\"truth\" data-mesh=\"0\""), 1U);
+  EXPECT_TRUE(holds(html,
+                    "data-name=\"Caption &lt;best&gt;\" data-rate=\"error 1.00\u202f%\" "
+                    "data-mesh=\"1\">"));
+  EXPECT_EQ(count(html, " whole\""), 1U) << "the displaced surface";
+  const auto exact = embedded(html, "png");
+  EXPECT_EQ(std::count(exact.begin(), exact.end(), readFile(folder_ / "shadowed.png")), 1);
 }
 
 TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
@@ -130,7 +168,7 @@ TEST_F(ReportHtml, OneLetteredFigureAMethod) {
   EXPECT_EQ(count(html, "class=\"legend\""), 1U);
   // The shading stands above whatever goes with it, in whichever order they were recorded.
   const std::string truth = html.substr(html.find("<figure data-method=\"truth\""));
-  EXPECT_LT(truth.find("class=\"shaded\""), truth.find("class=\"displaced\""));
+  EXPECT_LT(truth.find("class=\"shaded whole\""), truth.find("class=\"displaced whole\""));
 }
 
 TEST_F(ReportHtml, LetteringGoesOnAfterZ) {
@@ -174,7 +212,7 @@ TEST_F(ReportHtml, EscapesAllText) {
     spoil(*text);
   }
   const std::string html = reportHtml(record, folder_);
-  EXPECT_FALSE(holds(html, "<script"));
+  EXPECT_EQ(count(html, "<script"), 1U) << "the page's own";
   EXPECT_FALSE(holds(html, "'\"&"));
   EXPECT_GT(count(html, "&lt;script&gt;&#39;&quot;&amp;"), 40U);
 }
@@ -201,9 +239,10 @@ TEST_F(ReportHtml, UndefinedCellsCarryTheirReason) {
 TEST_F(ReportHtml, TagsAreBalanced) {
   const std::string html = reportHtml(recordWithPanel(), folder_);
   for (const std::string tag :
-       {"table",      "thead", "tbody", "tr",     "td",    "section", "figure", "div",
-        "figcaption", "ul",    "li",    "dl",     "dt",    "dd",      "span",   "small",
-        "b",          "p",     "main",  "header", "style", "pre",     "code",   "i"}) {
+       {"table",      "thead",  "tbody",    "tr",     "td",     "section", "figure", "div",
+        "figcaption", "ul",     "li",       "dl",     "dt",     "dd",      "span",   "small",
+        "b",          "p",      "main",     "header", "style",  "pre",     "code",   "i",
+        "svg",        "select", "fieldset", "label",  "button", "kbd",     "script"}) {
     EXPECT_EQ(count(html, "<" + tag + ">") + count(html, "<" + tag + " "),
               count(html, "</" + tag + ">"))
         << tag;

@@ -123,7 +123,7 @@ TEST_F(Sweep, KeepsWhatTheCommandLineChanges) {
   for (const StudySpec& step : plan.steps) {
     EXPECT_EQ(step.bake.settings.azimuths, 4);
     EXPECT_EQ(step.methods.size(), 1U);
-    EXPECT_EQ(std::get<AtlasSpec>(step.views[0].kind).samplesPerSide, 2);
+    EXPECT_EQ(std::get<AtlasSpec>(step.views[0].kind).samplesPerSide, 3) << "odd, near a quarter of 8";
   }
   const StudyPlan others = read(std::string(study) + sweep, {{"sweep.values=[1, 3]"}, {}, false});
   EXPECT_EQ(others.sweep->values, (std::vector<double>{1, 3}));

@@ -5,15 +5,16 @@
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdlib>
-#include <new>
 #include <optional>
 
+#include "cli/check_command.h"
 #include "cli/compare_command.h"
 #include "cli/export_command.h"
+#include "cli/failure.h"
 #include "cli/run_command.h"
 #include "common/error.h"
+#include "common/shell_quote.h"
 #include "render/method.h"
 #include "study/result_metrics.h"
 
@@ -28,12 +29,16 @@ Examples:
   gnomon run scenes/figure8.toml --method onoue-2004 --quick)";
 
 constexpr const char* checkExamples = R"(
-Exit status: 0 all thresholds hold, 1 one failed, 2 usage, 3 bad input, 4 internal or out of memory,
-77 no usable OpenGL.
+Exit status: 0 all thresholds and references hold, 1 one failed or is undefined, 2 usage, 3 bad
+input, 4 internal or out of memory, 77 no usable OpenGL. All studies are checked, whatever becomes of
+one; of several statuses it is the largest.
 
 Examples:
   gnomon check scenes/figure8.toml
-  gnomon check scenes/*.toml --quick)";
+  gnomon check scenes/*.toml --quick --gated --junit check.xml --github
+  gnomon check scenes/*.toml --baseline results/reference
+  gnomon check scenes/figure8.toml --replace onoue-2004=mine.glsl
+  gnomon check scenes/*.toml --baseline results/reference --update-baseline --reason "why")";
 
 constexpr const char* exportExamples = R"(
 Writes OUT/NAME/export: export.json explains displaced.ply, base.obj, heights.exr, tables.exr and the
@@ -46,12 +51,17 @@ Examples:
 
 std::string joinedCommand(int argc, char** argv) {
   std::string text = "gnomon";
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool plain = word.find_first_of(" '\"\\$`&|;<>()*?[]#~") == std::string::npos;
-    text += plain && !word.empty() ? " " + word : " '" + word + "'";
-  }
+  for (int i = 1; i < argc; ++i) text += " " + shellQuoted(argv[i]);
   return text;
+}
+
+/// An option that may be repeated.
+CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                     const std::string& about, const char* type) {
+  return command.add_option(name, values, about)
+      ->type_name(type)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void addStudyOptions(CLI::App& command, RunRequest& request) {
@@ -59,12 +69,8 @@ void addStudyOptions(CLI::App& command, RunRequest& request) {
   command.add_option("--out", request.out, "Folder for the results, one folder a study in it")
       ->capture_default_str()
       ->type_name("DIR");
-  command
-      .add_option("--set", request.options.overrides,
-                  "Override a key of the study, as relief.height=4 or light.0.elevation=30")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addList(command, "--set", request.options.overrides,
+          "Override a key of the study, as relief.height=4 or light.0.elevation=30", "KEY=VALUE");
 }
 
 void addQuickOption(CLI::App& command, RunRequest& request) {
@@ -74,13 +80,30 @@ void addQuickOption(CLI::App& command, RunRequest& request) {
 
 void addRunOptions(CLI::App& command, RunRequest& request) {
   addStudyOptions(command, request);
-  command
-      .add_option("--method", request.options.methods,
-                  "Only this method, by label or name; may be repeated")
-      ->type_name("NAME")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addList(command, "--method", request.options.methods,
+          "Only this method, by label or name; may be repeated", "NAME");
+  addList(command, "--replace", request.options.replacements,
+          "Another shader in a method's place, which keeps its label and with it its thresholds: a "
+          "method's name or a GLSL file",
+          "METHOD=SHADER");
   addQuickOption(command, request);
+}
+
+void addCheckOptions(CLI::App& command, CheckRequest& request) {
+  addRunOptions(command, request.run);
+  command.add_flag("--gated", request.run.options.gatedOnly,
+                   "Only the methods that thresholds speak of");
+  command.add_option("--junit", request.junit, "Write the check as JUnit XML")->type_name("FILE");
+  command.add_flag("--github", request.github,
+                   "Print annotations for a pull request on GitHub, on standard output");
+  command
+      .add_option("--baseline", request.baseline,
+                  "Judge by the references DIR/NAME.json too: nothing may have become worse")
+      ->type_name("DIR");
+  command.add_flag("--update-baseline", request.updateBaseline,
+                   "Write the references anew, of studies whose thresholds hold");
+  command.add_option("--reason", request.reason, "Why they change; kept in the references")
+      ->type_name("TEXT");
 }
 
 ExitStatus listParts() {
@@ -126,14 +149,15 @@ int dispatch(int argc, char** argv) {
   app.fallthrough();
   app.footer("\nSee `gnomon COMMAND --help` for options and examples.");
 
-  RunRequest request;
+  CheckRequest checkRequest;
+  RunRequest& request = checkRequest.run;
   request.command = joinedCommand(argc, argv);
   CLI::App* run = app.add_subcommand("run", "Measure studies and write their reports");
   addRunOptions(*run, request);
   run->footer(runExamples);
   CLI::App* check =
       app.add_subcommand("check", "As run, then the studies' thresholds decide the exit status");
-  addRunOptions(*check, request);
+  addCheckOptions(*check, checkRequest);
   check->footer(checkExamples);
   CLI::App* bake = app.add_subcommand("bake", "Bake the horizon and distance tables into an EXR");
   addStudyOptions(*bake, request);
@@ -173,23 +197,14 @@ int dispatch(int argc, char** argv) {
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
-  request.check = check->parsed();
   const ExitStatus status = list->parsed()       ? listParts()
                             : compare->parsed()  ? compareMasks(comparison)
                             : bake->parsed()     ? bakeStudies(request)
                             : truth->parsed()    ? traceStudies(request)
                             : exported->parsed() ? exportStudies(request, subdivisions)
+                            : check->parsed()    ? checkStudies(checkRequest)
                                                  : runStudies(request);
   return static_cast<int>(status);
-}
-
-/// Messages quote files, drivers and keys: whatever they hold, an error is one line.
-void printError(std::string message) {
-  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
-  message.erase(std::find_if_not(message.rbegin(), message.rend(), isControl).base(),
-                message.end());
-  std::replace_if(message.begin(), message.end(), isControl, ' ');
-  fmt::print(stderr, "gnomon: {}\n", message);
 }
 
 }  // namespace
@@ -197,15 +212,11 @@ void printError(std::string message) {
 int runCommandLine(int argc, char** argv) {
   try {
     return dispatch(argc, argv);
-  } catch (const Error& error) {
-    printError(error.what());
-    return static_cast<int>(error.status());
-  } catch (const std::bad_alloc&) {
-    printError("out of memory");
-  } catch (const std::exception& error) {
-    printError(fmt::format("internal error: {}", error.what()));
+  } catch (...) {
+    const Failure failure = currentFailure();
+    printFailure(failure);
+    return static_cast<int>(failure.status);
   }
-  return static_cast<int>(ExitStatus::internal);
 }
 
 }  // namespace gnomon

@@ -9,12 +9,11 @@
 
 namespace gnomon {
 
-/// What `gnomon run` and `gnomon check` were asked for.
+/// What `gnomon run` was asked for.
 struct RunRequest {
   std::vector<std::filesystem::path> studies;
   std::filesystem::path out = "out";
   StudyOptions options;
-  bool check = false;   ///< thresholds decide the exit status, and a study must have some
   std::string command;  ///< the command line, for the report
 };
 
@@ -25,7 +24,7 @@ struct RunRequest {
 /// sweep.svg, report.html and last summary.json.
 /// Two studies or more are followed by a ranking of the methods over all of them: printed, and
 /// written as `out/ranking.csv`, `ranking.html` and last `ranking.json`.
-/// @return pass, or thresholdFailed where `check` is set and a gate failed
+/// Thresholds are judged and recorded, but decide nothing: see checkStudies.
 ExitStatus runStudies(const RunRequest& request);
 
 /// Bakes the tables of the studies and writes them as `out/NAME/tables.exr`.

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <set>
-
 namespace gnomon {
 
 std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
@@ -12,14 +10,16 @@ std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studi
   std::set<std::string> names;
   for (const std::filesystem::path& file : studies) {
     plans.push_back(readStudyPlan(file, options));
-    const StudyPlan& plan = plans.back();
-    if (!names.insert(plan.name).second) {
-      throw InputError(
-          fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
-                      file.string(), plan.name));
-    }
+    requireNewName(names, file, plans.back().name);
   }
   return plans;
+}
+
+void requireNewName(std::set<std::string>& names, const std::filesystem::path& file,
+                    const std::string& name) {
+  if (names.insert(name).second) return;
+  throw InputError(fmt::format("{}: study.name: \"{}\" is the name of another study of this run",
+                               file.string(), name));
 }
 
 std::string placeOf(const StudySpec& study) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,11 @@ namespace gnomon {
 /// @throws InputError as `readStudyPlan`, and for two studies of one name
 std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
                                  const StudyOptions& options);
+
+/// Adds a study's name to those of a command.
+/// @throws InputError for one that is among them
+void requireNewName(std::set<std::string>& names, const std::filesystem::path& file,
+                    const std::string& name);
 
 /// The study's file, and of a sweep's step which one it is.
 std::string placeOf(const StudySpec& study);

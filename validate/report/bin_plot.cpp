@@ -59,30 +59,35 @@ const BinRecord* findBin(const std::vector<const BinRecord*>& bins, const std::s
   return found == bins.end() ? nullptr : *found;
 }
 
-std::string endsText(const Ends& ends) {
-  if (!ends.first && !ends.second) return "all";
-  if (!ends.first) return "< " + exactText(*ends.second);
-  if (!ends.second) return "≥ " + exactText(*ends.first);
-  return exactText(*ends.first) + " … " + exactText(*ends.second);
+/// What stands between two bins: the edge that they share, or where a bin without samples was left
+/// out both of its edges.
+std::string edgeText(const Ends& left, const Ends& right) {
+  const std::string edge = left.second ? exactText(*left.second) : "";
+  if (left.second == right.first) return edge;
+  return edge + "…" + (right.first ? exactText(*right.first) : "");
 }
 
-/// The names of the bins: their ends, and below them their share of the samples.
+/// Ticks at the edges between the bins, and over each bin its share of the samples.
 std::string ticks(const std::vector<const BinRecord*>& bins, const std::vector<Ends>& ends,
                   const std::string& method) {
-  double all = 0;
-  for (const Ends& bin : ends) {
+  const auto samplesIn = [&](const Ends& bin) {
     const BinRecord* found = findBin(bins, method, bin);
-    all += found == nullptr ? 0 : static_cast<double>(found->counts.samples);
-  }
-  std::string text;
+    return found == nullptr ? 0 : static_cast<double>(found->counts.samples);
+  };
+  double all = 0;
+  for (const Ends& bin : ends) all += samplesIn(bin);
+  std::string edges;
+  std::string shares;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const BinRecord* found = findBin(bins, method, ends[i]);
-    const double share =
-        found == nullptr || !(all > 0) ? 0 : static_cast<double>(found->counts.samples) / all;
-    text += fmt::format("{}\"{}\\n{:.1f} %%\" {}", i > 0 ? ", " : "", endsText(ends[i]),
-                        100 * share, i);
+    if (i > 0) {
+      edges +=
+          fmt::format("{}{} {}", i > 1 ? ", " : "", gnuplotText(edgeText(ends[i - 1], ends[i])),
+                      exactText(static_cast<double>(i) - 0.5));
+    }
+    shares += fmt::format("{}'{:.1f} %%' {}", i > 0 ? ", " : "",
+                          all > 0 ? 100 * samplesIn(ends[i]) / all : 0, i);
   }
-  return "set xtics (" + text + ")\n";
+  return fmt::format("set xtics ({})\nset x2tics ({})\n", edges, shares);
 }
 
 std::string lineData(const std::vector<const BinRecord*>& bins, const std::vector<Ends>& ends,
@@ -147,20 +152,25 @@ PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_
           fmt::format("Error by {} ({})", title, view),
           fmt::format("Error rate of each method by {}, view {}", title, view),
           1000,
-          std::max(520, 24 * (static_cast<int>(methods.size()) + 5)),
+          std::max(560, 25 * (static_cast<int>(methods.size()) + 4)),
           data +
               "set border 3 lc rgb '#5b626b'\n"
+              "set lmargin at screen 0.075\nset rmargin at screen 0.69\n"
+              "set tmargin at screen 0.88\n"
               "set tics nomirror out textcolor rgb '#1a1d21'\n"
               "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n" +
               ticks(bins, ends, methods.empty() ? "" : methods.front()) +
-              fmt::format("set xrange [-0.5:{}]\nset yrange [0:*]\n",
+              fmt::format("set xrange [-0.5:{0}]\nset x2range [-0.5:{0}]\nset yrange [0:*]\n",
                           exactText(static_cast<double>(ends.size()) - 0.5)) +
-              "set xtics font ',9'\n"
+              "set xtics font ',11'\n"
+              "set x2tics font ',9' scale 0 offset 0,-0.4\n"
               "set xlabel " +
-              gnuplotText(title + "; below, the share of the samples") +
+              gnuplotText(title) +
               "\n"
-              "set ylabel 'error rate, percent of the bin’s samples'\n"
-              "set key outside right top Left reverse samplen 2 spacing 1.1\n" +
+              "set x2label 'share of the samples' font ',10' offset 0,-0.5\n"
+              "set ylabel 'error rate, percent of the bin’s samples' offset 1,0\n"
+              "set key at screen 0.7, screen 0.96 left top Left reverse samplen 2 spacing 1.1 "
+              "maxcols 1\n" +
               plot + "\n"};
 }
 

@@ -14,9 +14,9 @@ std::vector<std::string> binAxes(const StudyRecord& record);
 std::vector<std::string> binViews(const StudyRecord& record, std::string_view axis);
 
 /// The methods' error rates in the bins of one axis and view, all lights together: one line a
-/// method, its points at equal distances, each bin named by its ends and by its share of the
-/// samples (of the first method's); the truth's uncertainty as a grey band. A bin without samples
-/// leaves a gap.
+/// method, its bins at equal distances between ticks at their edges, over each its share of the
+/// samples (of the first method's); the truth's uncertainty as a grey band. A method without
+/// samples in a bin has a gap there.
 /// @throws InternalError for a number that is not finite
 PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_view view);
 

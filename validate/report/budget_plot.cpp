@@ -35,15 +35,14 @@ std::string partData(std::span<const BudgetRecord> budgets, const std::vector<Bu
 }
 
 std::string barNames(std::span<const BudgetRecord> budgets) {
-  std::string commands = "unset ytics\n";
+  std::string names;
   double y = 0;
   for (const BudgetRecord& budget : budgets) {
-    commands +=
-        fmt::format("set ytics add ({} {})\nset ytics add ('backward' {})\n",
-                    plotLegend(budget.method + ", forward"), exactText(y), exactText(y + 1));
+    names += fmt::format("{}{} {}, 'backward' {}", names.empty() ? "" : ", ",
+                         plotLegend(budget.method + ", forward"), exactText(y), exactText(y + 1));
     y += 2.5;
   }
-  return commands;
+  return "set ytics scale 0 (" + names + ")\n";
 }
 
 /// A mark at the method's error over both of its bars.
@@ -83,10 +82,10 @@ PlotSheet budgetPlot(std::span<const BudgetRecord> budgets) {
               "set border 1 lc rgb '#5b626b'\n"
               "set tics nomirror out textcolor rgb '#1a1d21'\n"
               "set grid xtics lc rgb '#dde1e6' lw 1 dt 1\n"
-              "set xzeroaxis\nset yzeroaxis lt 1 lc rgb '#5b626b'\n" +
+              "set yzeroaxis lt 1 lc rgb '#5b626b'\n" +
               fmt::format("set yrange [{}:-0.75]\n", exactText(2.5 * bars - 0.75)) +
               barNames(budgets) + totals(budgets) +
-              "set xlabel 'percent of the samples; a black line is all of the method’s error'\n"
+              "set xlabel 'percent of the samples; black line: all of the error'\n"
               "set key outside right top Left reverse samplen 1 spacing 1.1\n" +
               plot + "\n"};
 }

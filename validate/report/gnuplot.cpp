@@ -62,7 +62,7 @@ pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
       posix_spawnp(&process, program.c_str(), &streams, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&streams);
   if (failure != 0) {
-    fail(fmt::format("cannot be started: {}; sweeps need it for their plots (gnuplot-nox)",
+    fail(fmt::format("cannot be started: {}; reports need it for their plots (gnuplot-nox)",
                      std::strerror(failure)));
   }
   return process;

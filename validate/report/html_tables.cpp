@@ -159,7 +159,7 @@ std::string caseTable(const StudyRecord& record, const Case& which) {
   }
   return htmlTable("metrics",
                    headCells({"Method"}, {"Error", "False shadow", "False light", "IoU", "F1",
-                                          "BER", "MCC (−1 to 1)", "Shadow length"}),
+                                          "BER", "MCC<small>−1 to 1</small>", "Shadow length"}),
                    body);
 }
 
@@ -194,11 +194,13 @@ std::string regionTable(const StudyRecord& record, const Case& which) {
 std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds) {
   std::string body;
   for (const ThresholdRecord& t : thresholds) {
-    body += fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}</tr>\n",
-                        t.passed ? "held" : "failed", t.passed ? "met" : "failed",
-                        textCell(t.method), textCell(t.view), textCell(t.light), textCell(t.region),
-                        textCell(t.metric), numberCell(t.value ? exactText(*t.value) : "undefined"),
-                        numberCell(boundText(t)));
+    body +=
+        fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}</tr>\n",
+                    t.passed ? "held" : "failed", t.passed ? "met" : "failed", textCell(t.method),
+                    textCell(t.view), textCell(t.light), textCell(t.region), textCell(t.metric),
+                    t.value ? numberCell(fmt::format("{:.4g}", *t.value), exactText(*t.value))
+                            : numberCell("undefined"),
+                    numberCell(boundText(t)));
   }
   return htmlTable(
       "thresholds",

@@ -31,7 +31,7 @@ std::string pdfOf(const PlotSheet& sheet) {
   constexpr double pixelsPerInch = 144;
   const std::string terminal = fmt::format(
       "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
-      "fontscale 0.5 linewidth 0.5\n",
+      "fontscale 0.4 linewidth 0.5\n",
       sheet.width / pixelsPerInch, sheet.height / pixelsPerInch);
   return withoutDate(runGnuplot(encoding + terminal + sheet.commands));
 }

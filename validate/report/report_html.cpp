@@ -198,7 +198,10 @@ std::string reproduceSection(const StudyRecord& record) {
                               : e.cpu) +
           htmlFact("OpenGL", e.glRenderer) + htmlFact("Frame times by", e.frameClock) +
           htmlFact("OpenGL version", e.glVersion) + htmlFact("Embree", e.embreeVersion) +
-          htmlFact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
+          htmlFact("OpenSubdiv", e.openSubdivVersion) +
+          htmlFact("Seeds", fmt::format("{} of the bootstrap; those of patterns stand in the study",
+                                        BootstrapSettings{}.seed)) +
+          "</dl>\n");
 }
 
 std::string plotSection(std::span<const DrawnPlot> plots) {

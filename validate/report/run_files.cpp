@@ -21,8 +21,10 @@ namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array files = {"summary.json", "report.html", "metrics.csv", "bins.csv", "sweep.csv",
-                              "frontier.csv", "budget.csv",  "table.csv",   "table.tex"};
+/// The last two are where plots lay before they had a folder.
+constexpr std::array files = {"summary.json", "report.html",  "metrics.csv", "bins.csv",
+                              "sweep.csv",    "frontier.csv", "budget.csv",  "table.csv",
+                              "table.tex",    "sweep.svg",    "frontier.svg"};
 constexpr const char* plotFolder = "plots";
 
 DrawnPlot writePlot(PlotSheet sheet, const fs::path& folder) {

@@ -147,7 +147,7 @@ PlotSheet sweepPlot(const SweepRecord& sweep) {
                      "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
                      "set yrange [0:*]\n"
                      "set key at screen 0.745, screen 0.94 left top Left reverse samplen 2 "
-                     "spacing 1.1\n";
+                     "spacing 1.1 maxcols 1\n";
   for (const Panel& panel : panels) {
     text += panelCommands(series, panel);
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on

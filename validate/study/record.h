@@ -91,6 +91,8 @@ struct ThresholdRecord {
   std::optional<double> value;
   std::optional<double> minimum, maximum;
   bool passed = false;
+  std::string reason = {};  ///< why there is no value
+  int line = 0;             ///< of the gate in the study's file
 };
 
 enum class Verdict { held, failed, notDistinguishable, notEvaluated };

@@ -11,6 +11,7 @@
 #include "common/error.h"
 #include "render/method.h"
 #include "study/ladder_section.h"
+#include "study/method_replacement.h"
 #include "study/method_section.h"
 #include "study/relief_section.h"
 #include "study/result_metrics.h"
@@ -54,7 +55,9 @@ ViewSpec readView(const TomlReader& section, bool quick) {
     camera.height = reduced(camera.height);
     view.kind = camera;
   } else {
-    view.kind = AtlasSpec{reduced(section.integer("samples", 1, 4096))};
+    // An odd number keeps the samples off the micro-edges, as it does in the full form.
+    const int samples = section.integer("samples", 1, 4096);
+    view.kind = AtlasSpec{quick ? reduced(samples) | 1 : samples};
   }
   section.finish();
   return view;
@@ -120,6 +123,8 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   threshold.minimum = section.optionalNumber("min", anyNumber);
   threshold.maximum = section.optionalNumber("max", anyNumber);
   if (!threshold.minimum && !threshold.maximum) section.fail("max", "`max` or `min` expected");
+  threshold.quick = section.flag("quick", true);
+  threshold.line = section.line();
   section.finish();
   return threshold;
 }
@@ -167,10 +172,38 @@ void requireDistinct(const Entries& entries, const NameOf& nameOf, const std::st
   }
 }
 
-/// Keeps the methods that the command line names, by label or by name; and drops the gates and
-/// claims that speak of others.
-void keepMethods(StudySpec& study, const std::vector<std::string>& wanted) {
-  if (wanted.empty()) return;
+/// Takes gates out of a study, and keeps in mind which and why.
+template <typename Condition>
+void leaveOut(StudySpec& study, const char* reason, const Condition& condition) {
+  for (const ThresholdSpec& gate : study.thresholds) {
+    if (condition(gate)) study.leftOut.push_back({gate, reason});
+  }
+  std::erase_if(study.thresholds, condition);
+}
+
+/// Keeps some of the methods, and drops the gates, claims and ladders that speak of others.
+template <typename Condition>
+void keepMethods(StudySpec& study, const Condition& isWanted) {
+  for (const MethodSpec& method : study.methods) {
+    if (!isWanted(method)) study.leftOutMethods.push_back(method.label);
+  }
+  std::erase_if(study.methods, [&](const MethodSpec& method) { return !isWanted(method); });
+  const auto isGone = [&](const std::string& label) {
+    return !label.empty() &&
+           std::none_of(study.methods.begin(), study.methods.end(),
+                        [&](const MethodSpec& method) { return method.label == label; });
+  };
+  leaveOut(study, "its method is left out",
+           [&](const ThresholdSpec& gate) { return isGone(gate.method); });
+  std::erase_if(study.claims, [&](const ClaimSpec& claim) {
+    return isGone(claim.less) || isGone(claim.than) || isGone(claim.method);
+  });
+  std::erase_if(study.budget.ladders,
+                [&](const LadderSpec& ladder) { return isGone(ladder.method); });
+}
+
+/// Keeps the methods that the command line names, by label or by name.
+void keepNamed(StudySpec& study, const std::vector<std::string>& wanted) {
   const auto isNamed = [](const MethodSpec& method, const std::string& name) {
     return method.label == name || method.file.stem() == name;
   };
@@ -183,21 +216,32 @@ void keepMethods(StudySpec& study, const std::vector<std::string>& wanted) {
                                    fmt::join(labels, ", ")));
     }
   }
-  std::erase_if(study.methods, [&](const MethodSpec& method) {
-    return std::none_of(wanted.begin(), wanted.end(),
-                        [&](const std::string& name) { return isNamed(method, name); });
+  keepMethods(study, [&](const MethodSpec& method) {
+    return std::any_of(wanted.begin(), wanted.end(),
+                       [&](const std::string& name) { return isNamed(method, name); });
   });
-  const auto isGone = [&](const std::string& label) {
-    return !label.empty() &&
-           std::none_of(study.methods.begin(), study.methods.end(),
-                        [&](const MethodSpec& method) { return method.label == label; });
-  };
-  std::erase_if(study.thresholds, [&](const ThresholdSpec& gate) { return isGone(gate.method); });
-  std::erase_if(study.claims, [&](const ClaimSpec& claim) {
-    return isGone(claim.less) || isGone(claim.than) || isGone(claim.method);
+}
+
+/// Keeps the methods that gates name; all, where there is no gate or one leaves them free.
+void keepGated(StudySpec& study) {
+  const auto isFree = [](const ThresholdSpec& gate) { return gate.method.empty(); };
+  const std::vector<ThresholdSpec> gates = study.thresholds;
+  if (gates.empty() || std::any_of(gates.begin(), gates.end(), isFree)) return;
+  keepMethods(study, [&](const MethodSpec& method) {
+    return std::any_of(gates.begin(), gates.end(), [&](const ThresholdSpec& gate) {
+      return gate.method == method.label;
+    });
   });
-  std::erase_if(study.budget.ladders,
-                [&](const LadderSpec& ladder) { return isGone(ladder.method); });
+}
+
+/// Takes from a study what the command line does not want.
+void reduce(StudySpec& study, const StudyOptions& options) {
+  if (!options.methods.empty()) keepNamed(study, options.methods);
+  if (options.quick) {
+    leaveOut(study, "it holds for the full form only",
+             [](const ThresholdSpec& gate) { return !gate.quick; });
+  }
+  if (options.gatedOnly) keepGated(study);
 }
 
 /// Names become file names.
@@ -218,7 +262,8 @@ Vec3 LightSpec::direction() const {
 }
 
 StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
-  const toml::table table = parseToml(file, options.overrides);
+  toml::table table = parseToml(file, options.overrides);
+  replaceMethods(table, file, options.replacements);
   const TomlReader root(table, file.string(), "");
   const TomlReader header = root.table("study");
   const TomlReader surface = root.table("surface");
@@ -282,7 +327,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   study.budget = readBudget(root, study, defaults, options.quick);
   (void)root.optionalTable("sweep");
   root.finish();
-  keepMethods(study, options.methods);
+  reduce(study, options);
   return study;
 }
 

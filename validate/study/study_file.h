@@ -61,6 +61,14 @@ struct MethodSpec {
 struct ThresholdSpec {
   std::string method, light, view, region, metric;
   std::optional<double> minimum, maximum;
+  int line = 0;        ///< of its table in the study's file; 0 for one that an override made
+  bool quick = true;   ///< holds for the quick form too; otherwise for the full one only
+};
+
+/// A gate that the command line takes no part of: a check reports it as skipped, never as passed.
+struct LeftOutThreshold {
+  ThresholdSpec gate;
+  std::string reason;
 };
 
 /// A claim of one of two forms: that one method's metric is smaller than another's in every light
@@ -120,14 +128,20 @@ struct StudySpec {
   std::vector<ClaimSpec> claims;
   BudgetSpec budget;
   bool ranked = true;  ///< counts in a ranking over the studies of a run
+  std::vector<LeftOutThreshold> leftOut = {};
+  std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
 };
 
 /// What the command line changes in a study.
 struct StudyOptions {
   std::vector<std::string> overrides;  ///< `key.path=value`
   std::vector<std::string> methods;    ///< labels or names to keep; all, if empty
-  /// A quarter of each view's side and a sixteenth of the micro-mesh: a preview, not a measurement.
+  /// A quarter of each view's side (in an atlas the odd number at or above it) and a sixteenth of the
+  /// micro-mesh: a preview, not a measurement.
   bool quick = false;
+  /// `LABEL=NAME` or `LABEL=FILE.glsl`: another shader in a method's place, see replaceMethods.
+  std::vector<std::string> replacements = {};
+  bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate leaves them free
 };
 
 /// Reads and checks a study: paths in it are relative to its own folder. A `[sweep]` is left to

@@ -15,7 +15,10 @@ bool matches(const std::string& filter, const std::string& name) {
 ThresholdRecord judge(const ThresholdSpec& gate, const ResultRecord& result) {
   ThresholdRecord record{result.method, result.light, result.view,  result.region, gate.metric,
                          std::nullopt,  gate.minimum, gate.maximum, false};
-  record.value = metricOf(result, gate.metric).value;
+  const Metric metric = metricOf(result, gate.metric);
+  record.value = metric.value;
+  record.reason = metric.reason;
+  record.line = gate.line;
   record.passed = record.value && (!gate.maximum || *record.value <= *gate.maximum) &&
                   (!gate.minimum || *record.value >= *gate.minimum);
   return record;
@@ -36,7 +39,8 @@ std::vector<ThresholdRecord> judgeThresholds(const std::vector<ThresholdSpec>& t
     }
     if (records.size() == before) {
       throw InputError(
-          fmt::format("threshold on {} of \"{}\": no result matches it", gate.metric, gate.method));
+          fmt::format("threshold on {} of \"{}\": no result matches it{}", gate.metric, gate.method,
+                      gate.line > 0 ? fmt::format(" (line {})", gate.line) : ""));
     }
   }
   return records;

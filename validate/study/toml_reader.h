@@ -88,6 +88,8 @@ class TomlReader {
   }
 
   [[nodiscard]] const std::string& file() const { return file_; }
+  /// The line of the file that this table begins in, from 1; 0 for one that an override made.
+  [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
 
  private:
   [[nodiscard]] const toml::node* find(std::string_view key) const;

@@ -115,16 +115,18 @@ function listenToPointers(viewer, stage) {
 function blinkByItself(viewer) {
   const box = viewer.control('auto');
   box.disabled = still.matches;
-  setInterval(() => {
-    const {mode, flipped} = viewer.state;
-    if (box.checked && !box.disabled && mode === 'blink') viewer.change({flipped: !flipped});
-  }, 500);
+  let timer;
+  box.addEventListener('change', () => {
+    clearInterval(timer);
+    if (box.checked) timer = setInterval(() => viewer.change({flipped: !viewer.state.flipped}), 500);
+  });
 }
 
 function addButtons(viewer, scene, index) {
   for (const [place, picture] of scene.pictures.entries()) {
     const buttons = document.createElement('span');
     buttons.className = 'pick';
+    buttons.append(picture.letter.endsWith('′') ? 'Compare lower as' : 'Compare as');
     for (const side of ['a', 'b']) {
       const button = document.createElement('button');
       button.type = 'button';

@@ -72,6 +72,7 @@ class Viewer {
   /// Composes what the state asks for, then draws it; of several calls the last one wins.
   async update() {
     const turn = ++this.turn;
+    this.root.dataset.asked = turn;
     this.showState();
     const {mode, masks} = this.state;
     const kind = masks ? 'shadows' : 'shading';
@@ -100,6 +101,7 @@ class Viewer {
     const ratio = (state.mode === 'side' ? 2 : 1) * this.scene.width / this.scene.height;
     this.stage.style.aspectRatio = ratio;
     this.stage.style.maxWidth = `calc(80vh * ${ratio})`;
+    this.root.querySelector('.wipe').style.maxWidth = this.stage.style.maxWidth;
     this.root.querySelector('.wipe').hidden = state.mode !== 'wipe';
     this.root.querySelector('.auto').hidden = state.mode !== 'blink';
     this.root.querySelector('.legend').hidden = state.mode !== 'difference';

@@ -1,0 +1,174 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "end_to_end/program.h"
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class BaselineCheck : public EndToEnd {
+ protected:
+  void writeStudy(const std::string& more = {}) const {
+    write("small.toml", smallStudy() + "\n[[threshold]]\nmax = 0.9\n" + more);
+  }
+  [[nodiscard]] Outcome check(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"check", "small.toml", "--baseline", "ref"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return gnomon(arguments);
+  }
+  [[nodiscard]] Outcome update(const std::string& reason = "a test",
+                               const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"--update-baseline", "--reason", reason};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return check(arguments);
+  }
+  [[nodiscard]] nlohmann::json reference() const {
+    return nlohmann::json::parse(read("ref/small.json"));
+  }
+};
+
+TEST_F(BaselineCheck, PassesWhatItWasWrittenOf) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome outcome = check();
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("ref/small.json: "));
+  EXPECT_THAT(outcome.out, HasSubstr(" references hold"));
+  const nlohmann::json values = reference().at("values");
+  EXPECT_GE(values.size(), 8U);
+  EXPECT_EQ(values.at(0).at("value"),
+            resultOf(summary("small"), "unshadowed", "evening", "camera").at("error_rate"));
+  EXPECT_EQ(values.at(0).at("spread"), summary("small").at("truth").at("flips").at(0).at("flip_rate"));
+}
+
+TEST_F(BaselineCheck, FailsWhatHasBecomeWorse) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome worse =
+      check({"--set", "method.1.bake.azimuths=1", "--junit", "junit.xml", "--github"});
+  EXPECT_EQ(worse.status, 1) << worse.out;
+  EXPECT_THAT(worse.out, HasSubstr("max-forsyth, error_rate ≤ "));
+  EXPECT_THAT(worse.out, HasSubstr(" committed"));
+  EXPECT_THAT(worse.out, HasSubstr("gnomon check small.toml --set method.1.bake.azimuths=1 --method "
+                                   "max-forsyth --baseline ref\n"));
+  EXPECT_THAT(worse.out, HasSubstr("::error file=ref/small.json,title=small%3A reference failed::"));
+  EXPECT_THAT(read("junit.xml"), HasSubstr("<testcase classname=\"small.reference\""));
+  EXPECT_THAT(read("junit.xml"), HasSubstr("<failure type=\"reference\""));
+  EXPECT_THAT(worse.out, Not(HasSubstr("unshadowed, error_rate ≤"))) << "that one is as it was";
+}
+
+TEST_F(BaselineCheck, TellsWhatHasBecomeBetter) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome better = check({"--replace", "unshadowed=onoue-2004"});
+  EXPECT_EQ(better.status, 0) << better.out;
+  EXPECT_THAT(better.out, HasSubstr("the reference of error_rate for unshadowed, evening, camera, "
+                                    "small could"));
+}
+
+TEST_F(BaselineCheck, KeepsTheReasonsAndGivesTheSameBytes) {
+  writeStudy();
+  ASSERT_EQ(update("first: \"why\"").status, 0);
+  const std::string first = read("ref/small.json");
+  std::filesystem::remove(file("ref/small.json"));
+  ASSERT_EQ(update("first: \"why\"", {"--threads", "1"}).status, 0);
+  EXPECT_EQ(read("ref/small.json"), first);
+  ASSERT_EQ(update("second").status, 0);
+  const nlohmann::json history = reference().at("history");
+  ASSERT_EQ(history.size(), 2U);
+  EXPECT_EQ(history.at(0).at("reason"), "first: \"why\"");
+  EXPECT_EQ(history.at(1).at("reason"), "second");
+}
+
+TEST_F(BaselineCheck, AMissingReferenceIsAnError) {
+  writeStudy();
+  const Outcome missing = check({"--junit", "junit.xml"});
+  EXPECT_EQ(missing.status, 3);
+  EXPECT_THAT(missing.err, HasSubstr("gnomon: ref/small.json: missing, the references of small"));
+  EXPECT_THAT(read("junit.xml"), HasSubstr("<testcase classname=\"small\" name=\"baseline\">"));
+  ASSERT_EQ(update().status, 0);
+  writeStudy("\n[[method]]\nname = \"onoue-2004\"\n");
+  const Outcome added = check();
+  EXPECT_EQ(added.status, 3);
+  EXPECT_THAT(added.err, HasSubstr("ref/small.json: no reference for error_rate of onoue-2004"));
+}
+
+TEST_F(BaselineCheck, ReferencesOfAnotherStudyAreRefused) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome otherLight = check({"--set", "light.0.name=noon"});
+  EXPECT_EQ(otherLight.status, 3);
+  EXPECT_THAT(otherLight.err, HasSubstr("the run has no row for error_rate of unshadowed, evening"));
+  const Outcome otherForm = check({"--quick"});
+  EXPECT_EQ(otherForm.status, 3);
+  EXPECT_THAT(otherForm.err, HasSubstr("form: references of the full form found"));
+  write("ref/small.json", replaced(read("ref/small.json"), "\"study\": \"small\"",
+                                   "\"study\": \"other\""));
+  EXPECT_THAT(check().err, HasSubstr("study: \"other\" found, \"small\" expected"));
+}
+
+TEST_F(BaselineCheck, AnotherTruthIsNoticed) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome outcome = check({"--set", "relief.height=5"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("prevalence"));
+}
+
+TEST_F(BaselineCheck, ACorruptFileIsRefusedWithItsLineAndNotWrittenOver) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const std::string corrupt = replaced(read("ref/small.json"), "\"history\"", "history");
+  write("ref/small.json", corrupt);
+  for (const Outcome& outcome : {check(), update()}) {
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("gnomon: ref/small.json:6: no JSON: "));
+  }
+  EXPECT_EQ(read("ref/small.json"), corrupt);
+}
+
+TEST_F(BaselineCheck, IsNotWrittenWhereAThresholdFails) {
+  writeStudy("\n[[threshold]]\nmax = 0.0001\n");
+  const Outcome outcome = update();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(filesBelow("ref").empty());
+  EXPECT_THAT(outcome.out, HasSubstr("left as it is"));
+}
+
+TEST_F(BaselineCheck, OfSomeMethodsSkipsTheOthers) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome outcome = check({"--method", "max-forsyth"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(" skipped"));
+}
+
+TEST_F(BaselineCheck, OptionsThatContradictEachOtherAreRefused) {
+  writeStudy();
+  const auto refused = [&](const std::vector<std::string>& options, const char* message) {
+    std::vector<std::string> arguments = {"check", "small.toml"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.status, 2) << message;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_TRUE(filesBelow("out").empty() && filesBelow("ref").empty());
+  };
+  refused({"--update-baseline", "--reason", "x"}, "--baseline DIR expected");
+  refused({"--baseline", "ref", "--update-baseline"}, "--reason TEXT expected");
+  refused({"--baseline", "ref", "--update-baseline", "--reason", " "}, "--reason TEXT expected");
+  refused({"--baseline", "ref", "--reason", "x"}, "--update-baseline expected");
+  for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
+           {"--set", "relief.height=5"}, {"--method", "unshadowed"}, {"--gated"},
+           {"--replace", "unshadowed=max-forsyth"}}) {
+    std::vector<std::string> options = {"--baseline", "ref", "--update-baseline", "--reason", "x"};
+    options.insert(options.end(), change.begin(), change.end());
+    refused(options, "the studies as they are expected");
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::test

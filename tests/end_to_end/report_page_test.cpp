@@ -1,0 +1,271 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "end_to_end/browser.h"
+#include "end_to_end/program.h"
+
+namespace gnomon::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::vector<std::string> nothing;
+
+/// Two lights; two methods of the base mesh and one of the displaced one.
+std::string studyText() {
+  std::string text = replaced(smallStudy(), "width = 64\nheight = 64", "width = 256\nheight = 256");
+  text = replaced(text, "[[method]]\nname = \"unshadowed\"",
+                  "[[light]]\nname = \"noon\"\nazimuth = 20\nelevation = 60\n\n"
+                  "[[method]]\nname = \"unshadowed\"");
+  return text + "\n[[method]]\nname = \"shadow-map\"\nbase = { subdivisions = 8 }\n";
+}
+
+class ReportPage : public EndToEnd {
+ protected:
+  void SetUp() override { runStudy("small", studyText()); }
+
+  [[nodiscard]] std::filesystem::path page() const { return file("out/small/report.html"); }
+
+  /// Waits until the viewer has drawn what it was last asked for.
+  static void settle(Browser& browser) {
+    browser.evaluate(R"((async () => {
+      const {dataset} = document.querySelector('.viewer');
+      for (let i = 0; dataset.asked !== dataset.drawn; ++i) {
+        if (i > 2000) throw new Error('the viewer never drew');
+        await new Promise((resolve) => setTimeout(resolve, 10));
+      }
+    })())");
+  }
+
+  static json change(Browser& browser, const std::string& name, const std::string& value) {
+    browser.evaluate("(() => { const c = document.querySelector('.viewer [name=\"" + name +
+                     "\"]'); if (c.type === 'checkbox') c.checked = " + value +
+                     "; else c.value = " + value +
+                     "; c.dispatchEvent(new Event('input', {bubbles: true})); })()");
+    settle(browser);
+    return {};
+  }
+
+  static void openAndFocus(Browser& browser, const std::filesystem::path& path, int width = 1200) {
+    browser.open(path, width, 1000);
+    settle(browser);
+    browser.evaluate(
+        "document.querySelector('.stage').scrollIntoView({block: 'start', behavior: 'instant'});"
+        "document.querySelector('.stage').focus()");
+  }
+
+  static void press(Browser& browser, const std::string& key) {
+    browser.key(key);
+    settle(browser);
+  }
+
+  static std::string text(Browser& browser, const std::string& selector) {
+    return browser.evaluate("document.querySelector('" + selector + "').textContent");
+  }
+
+  /// The stage's canvas at the middles of the picture's pixels: what share of those pixels, whose
+  /// neighbours are all alike in the expected mask, differ from it, in columns [from, to).
+  static double shareUnlike(Browser& browser, const GreyImage& expected, int from, int to) {
+    const std::string values = browser.evaluate(
+        "(() => { const c = document.querySelector('.stage canvas').cloneNode();"
+        "const to = c.getContext('2d', {willReadFrequently: true});"
+        "to.drawImage(document.querySelector('.stage canvas'), 0, 0);"
+        "const d = to.getImageData(0, 0, c.width, c.height).data; let s = '';"
+        "for (let y = 0; y < 256; ++y) for (let x = 0; x < 256; ++x) {"
+        "  const i = Math.floor((y + 0.5) * c.height / 256) * c.width"
+        "      + Math.floor((x + 0.5) * c.width / 256);"
+        "  s += d[4 * i] > 192 ? 'w' : d[4 * i] < 64 ? 'b' : 'g'; } return s; })()");
+    double unlike = 0;
+    double seen = 0;
+    for (int y = 1; y < 255; ++y) {
+      for (int x = std::max(1, from); x < std::min(255, to); ++x) {
+        const auto at = [&](int column, int row) {
+          return expected.pixels[static_cast<std::size_t>(256 * row + column)];
+        };
+        bool plain = true;
+        for (int dy = -1; dy <= 1; ++dy) {
+          for (int dx = -1; dx <= 1; ++dx) plain = plain && at(x + dx, y + dy) == at(x, y);
+        }
+        if (!plain) continue;
+        const char letter = at(x, y) == 255 ? 'w' : at(x, y) == 0 ? 'b' : 'g';
+        ++seen;
+        unlike += values[static_cast<std::size_t>(256 * y + x)] != letter;
+      }
+    }
+    EXPECT_GT(seen, 1000);
+    return unlike / seen;
+  }
+};
+
+TEST_F(ReportPage, LoadsFromDiskWithoutErrorOrRequest) {
+  Browser browser(folder());
+  browser.open(page());
+  settle(browser);
+  EXPECT_EQ(browser.complaints(), nothing);
+  EXPECT_EQ(browser.requests(), std::vector<std::string>{"file://" + page().string()});
+  EXPECT_FALSE(browser.evaluate("document.querySelector('#compare').hidden"));
+  EXPECT_EQ(browser.evaluate("[...document.images].filter((i) => !i.hasAttribute('alt')).length"),
+            0);
+  EXPECT_EQ(browser.evaluate("[...document.querySelectorAll('figure img')]"
+                             ".filter((i) => i.alt === '').length"),
+            0);
+  EXPECT_EQ(browser.evaluate("[...document.images].filter((i) => !i.naturalWidth).length"), 0);
+
+  // That the browser would have told: a page that does ask and does complain.
+  write("bad.html",
+        "<img src='http://127.0.0.1:9/x.png'><script>console.error('no'); nosuch()</script>");
+  browser.open(file("bad.html"));
+  EXPECT_GE(browser.complaints().size(), 2U);
+  EXPECT_THAT(browser.requests().back(), StartsWith("http://127.0.0.1:9/"));
+}
+
+TEST_F(ReportPage, RunsNoScriptButItsOwn) {
+  write("out/small/report.html", replaced(read("out/small/report.html"), "</main>",
+                                          "</main><script>window.evil=1</script>"));
+  Browser browser(folder());
+  browser.open(page());
+  settle(browser);
+  EXPECT_EQ(browser.evaluate("typeof window.evil"), "undefined");
+  EXPECT_FALSE(browser.complaints().empty());
+}
+
+TEST_F(ReportPage, WipesBlinksAndComposesTheRunsOwnMasks) {
+  Browser browser(folder());
+  openAndFocus(browser, page());
+  const GreyImage flat = mask("small", "camera_evening_max-forsyth");
+  const GreyImage truth = mask("small", "camera_evening_truth");
+  // Figures: (a) unshadowed, (b) max-forsyth, (c) shadow-map, (d) truth.
+  press(browser, "b");  // from the truth on to the picture after it
+  change(browser, "a", "1");
+  change(browser, "b",
+         "[...document.querySelector('.viewer [name=b]').options]"
+         ".findIndex((o) => o.text === '(d) truth')");
+  change(browser, "masks", "true");
+  EXPECT_THAT(text(browser, ".tip.a"), HasSubstr("A (b) max-forsyth, error "));
+
+  EXPECT_LT(shareUnlike(browser, flat, 0, 126), 0.001);
+  EXPECT_LT(shareUnlike(browser, truth, 130, 256), 0.001);
+  EXPECT_GT(shareUnlike(browser, flat, 0, 256), 0.01) << "the two masks differ on the right";
+  change(browser, "wipe", "100");
+  EXPECT_LT(shareUnlike(browser, flat, 0, 253), 0.001);
+  change(browser, "wipe", "0");
+  EXPECT_LT(shareUnlike(browser, truth, 3, 256), 0.001);
+  press(browser, "]");
+  EXPECT_EQ(browser.evaluate("document.querySelector('.viewer [name=wipe]').value"), "5");
+
+  browser.moveMouse(2, 2);
+  press(browser, "k");
+  EXPECT_LT(shareUnlike(browser, flat, 0, 256), 0.001);
+  press(browser, " ");
+  EXPECT_LT(shareUnlike(browser, truth, 0, 256), 0.001);
+  EXPECT_THAT(text(browser, "#viewer-status"), HasSubstr("B is shown"));
+  press(browser, " ");
+  EXPECT_LT(shareUnlike(browser, flat, 0, 256), 0.001);
+  browser.moveMouse(600, 400);
+  settle(browser);
+  EXPECT_LT(shareUnlike(browser, truth, 0, 256), 0.001) << "hovering shows B";
+  browser.moveMouse(2, 2);
+  settle(browser);
+  EXPECT_LT(shareUnlike(browser, flat, 0, 256), 0.001);
+
+  press(browser, "x");
+  EXPECT_THAT(text(browser, ".tip.a"), HasSubstr("A (d) truth"));
+  EXPECT_EQ(browser.complaints(), nothing);
+}
+
+TEST_F(ReportPage, DifferenceIsTheErrorThatTheSummaryHas) {
+  Browser browser(folder());
+  openAndFocus(browser, page());
+  const json record = summary("small");
+  const auto expectShares = [&](const std::string& light, const std::string& method) {
+    const json row = resultOf(record, method, light, "camera");
+    const auto percent = [](const json& share) {
+      std::array<char, 32> digits{};
+      std::snprintf(digits.data(), digits.size(), "%.2f %%", 100 * share.get<double>());
+      return std::string(digits.data());
+    };
+    const std::string status = text(browser, "#viewer-status");
+    EXPECT_THAT(status, HasSubstr("A is dark where B is lit at " + percent(row.at("false_shadow"))))
+        << method;
+    EXPECT_THAT(status, HasSubstr("and lit where B is dark at " + percent(row.at("false_light"))))
+        << method;
+    EXPECT_GT(row.at("error_rate"), 0.001) << "there is something to see";
+  };
+  press(browser, "d");
+  expectShares("evening", "unshadowed");
+  press(browser, "a");
+  expectShares("evening", "max-forsyth");
+  // Of another mesh: held against the truth at its own points.
+  press(browser, "a");
+  expectShares("evening", "shadow-map");
+  press(browser, "n");
+  EXPECT_THAT(text(browser, ".tip.b") + text(browser, "#viewer-status"),
+              HasSubstr("(c) shadow-map"));
+  expectShares("noon", "shadow-map");
+  // But not against another method.
+  change(browser, "b", "0");
+  EXPECT_THAT(text(browser, "#viewer-status"), HasSubstr("No difference"));
+  EXPECT_EQ(browser.complaints(), nothing);
+}
+
+TEST_F(ReportPage, ZoomsAndPansBothPictures) {
+  Browser browser(folder());
+  openAndFocus(browser, page());
+  const auto zoom = [&] { return text(browser, ".viewer output"); };
+  const auto picture = [&] {
+    return browser.evaluate("document.querySelector('.stage canvas').toDataURL()")
+        .get<std::string>();
+  };
+  EXPECT_EQ(zoom(), "1×");
+  const std::string whole = picture();
+  press(browser, "+");
+  EXPECT_EQ(zoom(), "1.5×");
+  const std::string nearer = picture();
+  EXPECT_NE(nearer, whole);
+  press(browser, "ArrowRight");
+  const std::string right = picture();
+  EXPECT_NE(right, nearer);
+  press(browser, "ArrowLeft");
+  EXPECT_EQ(picture(), nearer);
+  browser.pressMouse(500, 600);
+  browser.moveMouse(440, 600);
+  browser.releaseMouse(440, 600);
+  settle(browser);
+  EXPECT_NE(picture(), nearer);
+  browser.wheel(500, 500, -400);
+  settle(browser);
+  EXPECT_EQ(zoom(), "4.1×");
+  press(browser, "0");
+  EXPECT_EQ(zoom(), "1×");
+  EXPECT_EQ(picture(), whole);
+  browser.evaluate("document.querySelector('.viewer [name=in]').click()");
+  EXPECT_EQ(zoom(), "1.5×");
+}
+
+TEST_F(ReportPage, FitsAPhoneAndPaper) {
+  Browser browser(folder());
+  openAndFocus(browser, page(), 375);
+  EXPECT_EQ(browser.evaluate("document.scrollingElement.scrollWidth"), 375);
+  const json wide = browser.evaluate(
+      "[...document.querySelectorAll('body *')].filter((e) => !e.closest('.scroll, .stage, "
+      ".unseen') "
+      "&& e.getBoundingClientRect().right > 376).map((e) => e.tagName + '.' + e.className)");
+  EXPECT_EQ(wide, json::array());
+  EXPECT_GE(browser.evaluate("Math.min(...[...document.querySelectorAll('.viewer button')].map("
+                             "(b) => b.getBoundingClientRect().height))"),
+            24);
+  const json printed = browser.call("Page.printToPDF", {{"printBackground", true}});
+  EXPECT_THAT(printed.at("data").get<std::string>(), StartsWith("JVBERi0"));  // %PDF-
+  browser.call("Emulation.setEmulatedMedia", {{"media", "print"}});
+  EXPECT_EQ(browser.evaluate("getComputedStyle(document.querySelector('#compare')).display"),
+            "none");
+  EXPECT_NE(browser.evaluate("getComputedStyle(document.querySelector('figure')).display"), "none");
+}
+
+}  // namespace
+}  // namespace gnomon::test

@@ -1,0 +1,80 @@
+#include "report/study_plots.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "common/error.h"
+#include "report/bin_plot.h"
+#include "report/sample_record.h"
+
+namespace gnomon {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+BinRecord bin(const std::string& method, const std::string& view, std::optional<double> low,
+              std::optional<double> high, double wrong, std::size_t samples) {
+  return {method, view, "all", "elevation", low, high, test::countsOf(samples, wrong, 0)};
+}
+
+/// "best" has all four bins, "close" not the first; in the third none has a sample.
+StudyRecord record() {
+  StudyRecord made = test::sampleRecord();
+  made.bins = {bin("best", "camera", {}, 0, 5, 100),    bin("best", "camera", 0, 10, 20, 200),
+               bin("best", "camera", 20, {}, 7, 700),   bin("close", "camera", 0, 10, 50, 200),
+               bin("close", "camera", 20, {}, 70, 700), bin("best", "atlas", 0, 10, 1, 10)};
+  return made;
+}
+
+TEST(BinPlot, DrawsEachBinsErrorAtItsPlace) {
+  const std::string script = binPlot(record(), "elevation", "camera").commands;
+  EXPECT_THAT(script, HasSubstr("$m0 << EOD\n0 5\n1 10\n2 1\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$m1 << EOD\n0 NaN\n1 25\n2 10\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("set xtics ('0' 0.5, '10…20' 1.5)\n"));
+  EXPECT_THAT(script, HasSubstr("set x2tics ('10.0 %%' 0, '20.0 %%' 1, '70.0 %%' 2)\n"));
+  // Flips of 0.2 and 0.4 percent under the two lights.
+  EXPECT_THAT(script, HasSubstr("$truth << EOD\n-0.5 0.3\n2.5 0.3\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("degrees'"));
+}
+
+TEST(BinPlot, NamesTheViewsOfAnAxis) {
+  EXPECT_THAT(binAxes(record()), ElementsAre("elevation"));
+  EXPECT_THAT(binViews(record(), "elevation"), ElementsAre("camera", "atlas"));
+  EXPECT_TRUE(binViews(record(), "nosuch").empty());
+}
+
+TEST(StudyPlots, AreNamedApartAndDrawn) {
+  std::vector<std::string> names;
+  for (const PlotSheet& sheet : studyPlots(record())) {
+    names.push_back(sheet.name);
+    EXPECT_FALSE(sheet.about.empty());
+    EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
+  }
+  EXPECT_THAT(names, ElementsAre("error-by-elevation_camera", "error-by-elevation_atlas"));
+  EXPECT_TRUE(studyPlots(StudyRecord{}).empty());
+}
+
+TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
+  const PlotSheet sheet = binPlot(record(), "elevation", "camera");
+  const std::string pdf = pdfOf(sheet);
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  EXPECT_THAT(pdf, HasSubstr("%%EOF"));
+  EXPECT_THAT(pdf, HasSubstr("/Count 1"));
+  EXPECT_THAT(pdf, HasSubstr("/CreationDate (D:19700101000000"));
+  // 1000 pixels at 144 an inch are 500 points; 560 are 280.
+  EXPECT_THAT(pdf, HasSubstr("/MediaBox [ 0 0 500 280 ]"));
+  ::sleep(1);  // what a date would tell apart
+  EXPECT_EQ(pdf, pdfOf(sheet));
+  EXPECT_EQ(svgOf(sheet), svgOf(sheet));
+  EXPECT_THAT(svgOf(sheet), HasSubstr("<title>Error by light over the tangent plane"));
+}
+
+TEST(PlotSheet, ErrorsAreGnuplots) {
+  EXPECT_THROW((void)pdfOf({"x", "x", "x", 100, 100, "plot nosuch$(\n"}), InternalError);
+}
+
+}  // namespace
+}  // namespace gnomon

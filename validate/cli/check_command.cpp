@@ -1,0 +1,242 @@
+#include "cli/check_command.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "cli/baseline_check.h"
+#include "cli/failure.h"
+#include "cli/plan_runs.h"
+#include "cli/study_plans.h"
+#include "cli/terminal_progress.h"
+#include "common/atomic_file.h"
+#include "common/shell_quote.h"
+#include "report/github_annotations.h"
+#include "report/junit.h"
+#include "report/terminal_check.h"
+#include "study/gate_record.h"
+#include "study/sweep.h"
+#include "study/tightening.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+/// One study file on its way through a check.
+struct Study {
+  CheckRecord check;
+  std::optional<StudyPlan> plan;    ///< none, if the file cannot be read
+  std::optional<PlanRecords> part;  ///< none, until it has been run
+};
+
+void requireSense(const CheckRequest& request) {
+  const StudyOptions& options = request.run.options;
+  if (!request.updateBaseline) {
+    if (!request.reason.empty()) throw UsageError("--reason: --update-baseline expected with it");
+    return;
+  }
+  if (!request.baseline) throw UsageError("--update-baseline: --baseline DIR expected with it");
+  if (request.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw UsageError("--update-baseline: --reason TEXT expected with it");
+  }
+  const bool changed = !options.overrides.empty() || !options.methods.empty() ||
+                       !options.replacements.empty() || options.gatedOnly;
+  if (changed) {
+    throw UsageError(
+        "--update-baseline: the studies as they are expected, without --set, --method, --replace "
+        "and --gated");
+  }
+}
+
+/// The command that checks one study again; of its methods only those, if there are any.
+std::string commandFor(const CheckRequest& request, const std::string& file,
+                       const std::vector<std::string>& methods) {
+  std::string text = "gnomon check " + shellQuoted(file);
+  const StudyOptions& options = request.run.options;
+  const auto add = [&](const char* option, const std::vector<std::string>& values) {
+    for (const std::string& value : values) {
+      text += fmt::format(" {} {}", option, shellQuoted(value));
+    }
+  };
+  if (options.quick) text += " --quick";
+  add("--set", options.overrides);
+  add("--replace", options.replacements);
+  add("--method", methods.empty() ? options.methods : methods);
+  if (options.gatedOnly && methods.empty()) text += " --gated";
+  if (request.baseline && !request.updateBaseline) {
+    text += " --baseline " + shellQuoted(request.baseline->string());
+  }
+  return text;
+}
+
+/// The methods of the gates that do not hold; none where all are needed to tell.
+std::vector<std::string> faultyMethods(const CheckRecord& check) {
+  std::vector<std::string> methods;
+  if (!check.problems.empty()) return methods;
+  for (const GateRecord& gate : check.gates) {
+    if (gate.verdict != GateVerdict::failed && gate.verdict != GateVerdict::undefined) continue;
+    if (std::find(methods.begin(), methods.end(), gate.method) == methods.end()) {
+      methods.push_back(gate.method);
+    }
+  }
+  return methods;
+}
+
+void addProblem(CheckRecord& check, const char* part) {
+  const Failure failure = currentFailure();
+  check.problems.push_back({part, failure.status, failure.message});
+}
+
+void requireGates(const StudyPlan& plan, const CheckRequest& request) {
+  const StudySpec& study = plan.steps.front();
+  if (!study.thresholds.empty() || request.baseline) return;
+  throw InputError(fmt::format("{}: {}, so there is nothing to check", study.file.string(),
+                               study.leftOut.empty() ? "no [[threshold]]"
+                                                     : "every [[threshold]] is left out"));
+}
+
+Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::string>& names) {
+  Study study;
+  study.check.name = file.stem().string();
+  study.check.file = file.string();
+  study.check.command = commandFor(request, study.check.file, {});
+  try {
+    StudyPlan plan = readStudyPlan(file, request.run.options);
+    study.check.name = plan.name;
+    for (const StudySpec& step : plan.steps) {
+      for (const LeftOutThreshold& gate : step.leftOut) {
+        study.check.gates.push_back(gateOf(gate, step.name));
+      }
+    }
+    requireNewName(names, file, plan.name);
+    requireGates(plan, request);
+    study.plan = std::move(plan);
+  } catch (...) {
+    addProblem(study.check, "study");
+  }
+  return study;
+}
+
+/// Studies that have not been judged have an error in it.
+void writeJunit(const CheckRequest& request, const std::vector<Study>& studies, bool judged) {
+  if (!request.junit) return;
+  std::vector<CheckRecord> checks;
+  for (const Study& study : studies) {
+    checks.push_back(study.check);
+    if (judged || !study.plan) continue;
+    checks.back().problems.push_back(
+        {"study", ExitStatus::internal, study.check.file + ": the check did not come to its end"});
+  }
+  writeTextAtomically(*request.junit, junitXml(checks));
+}
+
+/// Runs what can be run.
+void runAll(std::vector<Study>& studies, const CheckRequest& request, Records& records) {
+  std::unique_ptr<GlContext> gl;
+  for (Study& study : studies) {
+    if (!study.plan) continue;
+    try {
+      requirePlots();
+      if (!gl) gl = std::make_unique<GlContext>();
+      study.part = runPlan(*study.plan, *gl, request.run, records);
+    } catch (...) {
+      addProblem(study.check, "study");
+    }
+  }
+}
+
+std::span<const StudyRecord> recordsOf(const Study& study, const Records& records) {
+  return std::span(records).subspan(study.part->first, study.plan->steps.size());
+}
+
+void judge(Study& study, const CheckRequest& request, const Records& records) {
+  CheckRecord& check = study.check;
+  const StudySpec& first = study.plan->steps.front();
+  const std::span<const StudyRecord> steps = recordsOf(study, records);
+  std::vector<GateRecord> gates;
+  for (const StudyRecord& step : steps) {
+    for (const TimingRecord& timing : step.timings) check.seconds += timing.seconds;
+    for (const ThresholdRecord& row : step.thresholds) gates.push_back(gateOf(row, step.name));
+  }
+  check.gates.insert(check.gates.begin(), gates.begin(), gates.end());
+  // The quick form's values scatter: they say nothing of how tight a limit could be.
+  if (!request.run.options.quick) check.notices = looseThresholds(first.thresholds, steps);
+  if (!request.baseline) return;
+  const fs::path file = baselineFile(*request.baseline, check.name);
+  check.baseline = file.string();
+  try {
+    if (request.updateBaseline) {
+      updateBaseline(file, {check.name, request.run.options.quick, request.reason}, steps, check);
+    } else {
+      checkBaseline(file, {check.name, request.run.options.quick, ""}, steps,
+                    first.leftOutMethods, check);
+    }
+  } catch (...) {
+    addProblem(check, "baseline");
+  }
+}
+
+void finish(std::vector<Study>& studies, const CheckRequest& request, Records& records) {
+  std::vector<StudyMeans> ranked;
+  for (Study& study : studies) {
+    if (!study.part) continue;
+    try {
+      StudyMeans means = finishPlan(*study.part, request.run, records);
+      if (isRanked(*study.plan)) ranked.push_back(std::move(means));
+      judge(study, request, records);
+    } catch (...) {
+      addProblem(study.check, "study");
+    }
+    study.check.command = commandFor(request, study.check.file, faultyMethods(study.check));
+  }
+  if (ranked.size() > 1) reportRanking(ranked, request.run);
+}
+
+void print(const std::vector<CheckRecord>& checks, const CheckRequest& request,
+           ExitStatus status) {
+  std::set<std::string> told;
+  for (const CheckRecord& check : checks) {
+    for (const ProblemRecord& problem : check.problems) {
+      if (told.insert(problem.message).second) printFailure({problem.status, problem.message});
+    }
+  }
+  for (const CheckRecord& check : checks) {
+    fmt::print("{}\n", checkTable(check, coloursWanted()));
+  }
+  if (request.github) fmt::print("{}", githubAnnotations(checks));
+  fmt::print("{}Reports: {}\n", checkSummary(checks, status, coloursWanted()),
+             request.run.out.string());
+}
+
+}  // namespace
+
+ExitStatus checkStudies(const CheckRequest& request) {
+  requireSense(request);
+  std::vector<Study> studies;
+  std::set<std::string> names;
+  for (const fs::path& file : request.run.studies) {
+    studies.push_back(readOne(file, request, names));
+  }
+  writeJunit(request, studies, false);
+  const auto ranked = std::count_if(studies.begin(), studies.end(), [](const Study& study) {
+    return study.plan && isRanked(*study.plan);
+  });
+  if (ranked > 1) removeRanking(request.run);
+  Records records;
+  runAll(studies, request, records);
+  finish(studies, request, records);
+  writeJunit(request, studies, true);
+  std::vector<CheckRecord> checks;
+  ExitStatus status = ExitStatus::pass;
+  for (const Study& study : studies) {
+    checks.push_back(study.check);
+    status = std::max(status, study.check.status());
+  }
+  print(checks, request, status);
+  return status;
+}
+
+}  // namespace gnomon

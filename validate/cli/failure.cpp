@@ -1,0 +1,40 @@
+#include "cli/failure.h"
+
+#include <fmt/core.h>
+
+#include <exception>
+#include <new>
+
+#include "common/one_line.h"
+
+namespace gnomon {
+namespace {
+
+/// One line, with no control character at its end.
+std::string cleaned(std::string_view message) {
+  std::string line = oneLine(message);
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+}  // namespace
+
+Failure currentFailure() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return {error.status(), cleaned(error.what())};
+  } catch (const std::bad_alloc&) {
+    return {ExitStatus::internal, "out of memory"};
+  } catch (const std::exception& error) {
+    return {ExitStatus::internal, cleaned(fmt::format("internal error: {}", error.what()))};
+  } catch (...) {
+    return {ExitStatus::internal, "internal error: of a kind that is not known"};
+  }
+}
+
+void printFailure(const Failure& failure) {
+  fmt::print(stderr, "gnomon: {}\n", failure.message);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,125 @@
+#include "cli/plan_runs.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli/study_plans.h"
+#include "cli/terminal_progress.h"
+#include "common/atomic_file.h"
+#include "report/folder_writer.h"
+#include "report/gnuplot.h"
+#include "report/ranking_html.h"
+#include "report/ranking_json.h"
+#include "report/run_files.h"
+#include "report/terminal_sweep.h"
+#include "report/terminal_table.h"
+#include "study/claims.h"
+#include "study/run_study.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
+
+void removeFiles(const fs::path& folder, std::span<const char* const> names) {
+  for (const char* name : names) {
+    std::error_code ignored;
+    fs::remove(folder / name, ignored);
+  }
+}
+
+StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
+  const fs::path folder = request.out / study.name;
+  // Older figures must not stand beside newer pictures.
+  removeRunFiles(folder);
+  FolderWriter writer(folder);
+  TerminalProgress progress(study.name);
+  StudyRecord record = inStudy(study, [&] {
+    return runStudy(study, gl, writer,
+                    [&](std::string_view stage, double share) { progress.update(stage, share); });
+  });
+  record.command = request.command;
+  return record;
+}
+
+/// Judges a study's claims by what the run holds so far, and writes its reports.
+void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size_t own,
+            const fs::path& out) {
+  StudyRecord& record = records[own];
+  record.claims = judgeClaims(study.claims, records, own);
+  writeRunFiles(record, out / record.name);
+}
+
+/// Whether a claim of the study needs the record of another one, which may be run later.
+bool speaksOfOthers(const StudySpec& study) {
+  return std::any_of(study.claims.begin(), study.claims.end(),
+                     [](const ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
+}
+
+SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRequest& request) {
+  const auto begin = records.begin() + static_cast<std::ptrdiff_t>(part.first);
+  const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
+  return makeSweepRecord(*part.plan, Records(begin, begin + count), request.command);
+}
+
+}  // namespace
+
+PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+                    Records& records) {
+  const PlanRecords part{&plan, records.size()};
+  if (plan.sweep) removeRunFiles(request.out / plan.name);
+  for (const StudySpec& step : plan.steps) {
+    records.push_back(runOne(step, gl, request));
+    // At once, so that a later failure leaves this one's report.
+    report(step, records, records.size() - 1, request.out);
+  }
+  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), request.out / plan.name);
+  return part;
+}
+
+StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Records& records) {
+  const StudyPlan& plan = *part.plan;
+  const bool again = speaksOfOthers(plan.steps.front());
+  for (std::size_t i = 0; again && i < plan.steps.size(); ++i) {
+    report(plan.steps[i], records, part.first + i, request.out);
+  }
+  if (!plan.sweep) return studyMeans(records[part.first]);
+  const SweepRecord sweep = sweepOf(part, records, request);
+  if (again) writeSweepFiles(sweep, request.out / plan.name);
+  return studyMeans(sweep);
+}
+
+void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records) {
+  const StudyPlan& plan = *part.plan;
+  const std::string table = plan.sweep
+                                ? sweepTable(sweepOf(part, records, request), coloursWanted())
+                                : resultTable(records[part.first], coloursWanted());
+  fmt::print("{}\nReport: {}\n\n", table, (request.out / plan.name / "report.html").string());
+}
+
+bool isRanking(std::span<const StudyPlan> plans) {
+  return std::count_if(plans.begin(), plans.end(), isRanked) > 1;
+}
+
+bool isRanked(const StudyPlan& plan) {
+  return plan.steps.front().ranked;
+}
+
+void removeRanking(const RunRequest& request) {
+  removeFiles(request.out, rankingFiles);
+}
+
+void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request) {
+  writeTextAtomically(request.out / "ranking.csv", rankingCsv(studies));
+  writeTextAtomically(request.out / "ranking.html", rankingHtml(studies, request.command));
+  writeTextAtomically(request.out / "ranking.json", rankingJson(studies, request.command));
+}
+
+void requirePlots() {
+  (void)runGnuplot("");
+}
+
+}  // namespace gnomon

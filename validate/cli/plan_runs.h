@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "cli/run_command.h"
+#include "render/gl_context.h"
+#include "report/study_ranking.h"
+#include "study/record.h"
+#include "study/sweep.h"
+
+namespace gnomon {
+
+/// The records of all steps of all plans of a command, one after the other.
+using Records = std::vector<StudyRecord>;
+
+/// The part of the records that belongs to a plan.
+struct PlanRecords {
+  const StudyPlan* plan;
+  std::size_t first;
+};
+
+/// That plots can be drawn, before anything is run.
+/// @throws as runGnuplot
+void requirePlots();
+
+/// Runs all steps of a plan, adds their records and writes its folder with its reports.
+PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+                    Records& records);
+
+/// Judges again what speaks of other studies, now that all have run, and writes that anew.
+/// @return what the plan gives to the ranking
+StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Records& records);
+
+/// Prints a plan's table and where its report is.
+void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records);
+
+/// Whether a plan counts in a ranking, and whether there is one: with two such plans or more.
+bool isRanked(const StudyPlan& plan);
+bool isRanking(std::span<const StudyPlan> plans);
+
+/// Removes a ranking that stands in the folder of results.
+void removeRanking(const RunRequest& request);
+
+/// Ranks the methods over all studies, and writes that.
+void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request);
+
+}  // namespace gnomon

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gnomon {
+
+/// Text that XML 1.0 can hold, as UTF-8: whatever is no UTF-8 or no XML character (controls other
+/// than tab and line breaks, U+FFFE, U+FFFF) becomes U+FFFD. What XML escapes is left as it is.
+std::string xmlText(std::string_view text);
+
+}  // namespace gnomon
