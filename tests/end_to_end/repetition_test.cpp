@@ -24,8 +24,8 @@ class Repetition : public EndToEnd {
     const auto files = lastingFiles(a);
     ASSERT_EQ(files, lastingFiles(b));
     // Two lights: 4 masks each in 2 views; as many pictures, 3 differences, 1 displaced in one
-    // view. Two tables; plots of three axes in both views, as SVG and PDF.
-    EXPECT_EQ(files.size(), 2U + 2 * 3 * 2 + 2 * (2 * (4 + 4 + 3) + 1));
+    // view. Two tables; plots of four axes in both views, as SVG and PDF.
+    EXPECT_EQ(files.size(), 2U + 2 * 4 * 2 + 2 * (2 * (4 + 4 + 3) + 1));
     for (const std::string& name : files) {
       const bool same = read(a + "/" + name) == read(b + "/" + name);
       EXPECT_TRUE(same) << name;
