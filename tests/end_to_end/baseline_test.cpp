@@ -42,7 +42,8 @@ TEST_F(BaselineCheck, PassesWhatItWasWrittenOf) {
   EXPECT_GE(values.size(), 8U);
   EXPECT_EQ(values.at(0).at("value"),
             resultOf(summary("small"), "unshadowed", "evening", "camera").at("error_rate"));
-  EXPECT_EQ(values.at(0).at("spread"), summary("small").at("truth").at("flips").at(0).at("flip_rate"));
+  EXPECT_EQ(values.at(0).at("spread"),
+            summary("small").at("truth").at("flips").at(0).at("flip_rate"));
 }
 
 TEST_F(BaselineCheck, FailsWhatHasBecomeWorse) {
@@ -53,9 +54,11 @@ TEST_F(BaselineCheck, FailsWhatHasBecomeWorse) {
   EXPECT_EQ(worse.status, 1) << worse.out;
   EXPECT_THAT(worse.out, HasSubstr("max-forsyth, error_rate ≤ "));
   EXPECT_THAT(worse.out, HasSubstr(" committed"));
-  EXPECT_THAT(worse.out, HasSubstr("gnomon check small.toml --set method.1.bake.azimuths=1 --method "
-                                   "max-forsyth --baseline ref\n"));
-  EXPECT_THAT(worse.out, HasSubstr("::error file=ref/small.json,title=small%3A reference failed::"));
+  EXPECT_THAT(worse.out,
+              HasSubstr("gnomon check small.toml --set method.1.bake.azimuths=1 --method "
+                        "max-forsyth --baseline ref\n"));
+  EXPECT_THAT(worse.out,
+              HasSubstr("::error file=ref/small.json,title=small%3A reference failed::"));
   EXPECT_THAT(read("junit.xml"), HasSubstr("<testcase classname=\"small.reference\""));
   EXPECT_THAT(read("junit.xml"), HasSubstr("<failure type=\"reference\""));
   EXPECT_THAT(worse.out, Not(HasSubstr("unshadowed, error_rate ≤"))) << "that one is as it was";
@@ -102,12 +105,13 @@ TEST_F(BaselineCheck, ReferencesOfAnotherStudyAreRefused) {
   ASSERT_EQ(update().status, 0);
   const Outcome otherLight = check({"--set", "light.0.name=noon"});
   EXPECT_EQ(otherLight.status, 3);
-  EXPECT_THAT(otherLight.err, HasSubstr("the run has no row for error_rate of unshadowed, evening"));
+  EXPECT_THAT(otherLight.err,
+              HasSubstr("the run has no row for error_rate of unshadowed, evening"));
   const Outcome otherForm = check({"--quick"});
   EXPECT_EQ(otherForm.status, 3);
   EXPECT_THAT(otherForm.err, HasSubstr("form: references of the full form found"));
-  write("ref/small.json", replaced(read("ref/small.json"), "\"study\": \"small\"",
-                                   "\"study\": \"other\""));
+  write("ref/small.json",
+        replaced(read("ref/small.json"), "\"study\": \"small\"", "\"study\": \"other\""));
   EXPECT_THAT(check().err, HasSubstr("study: \"other\" found, \"small\" expected"));
 }
 
@@ -161,9 +165,11 @@ TEST_F(BaselineCheck, OptionsThatContradictEachOtherAreRefused) {
   refused({"--baseline", "ref", "--update-baseline"}, "--reason TEXT expected");
   refused({"--baseline", "ref", "--update-baseline", "--reason", " "}, "--reason TEXT expected");
   refused({"--baseline", "ref", "--reason", "x"}, "--update-baseline expected");
-  for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
-           {"--set", "relief.height=5"}, {"--method", "unshadowed"}, {"--gated"},
-           {"--replace", "unshadowed=max-forsyth"}}) {
+  for (const std::vector<std::string>& change :
+       std::vector<std::vector<std::string>>{{"--set", "relief.height=5"},
+                                             {"--method", "unshadowed"},
+                                             {"--gated"},
+                                             {"--replace", "unshadowed=max-forsyth"}}) {
     std::vector<std::string> options = {"--baseline", "ref", "--update-baseline", "--reason", "x"};
     options.insert(options.end(), change.begin(), change.end());
     refused(options, "the studies as they are expected");

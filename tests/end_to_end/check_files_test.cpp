@@ -63,8 +63,8 @@ TEST_F(CheckFiles, TheCommandThatItPrintsReproducesTheFailure) {
   const std::string line =
       "gnomon check 'it'\\''s.toml' --quick --set truth.step=0.125 --method max-forsyth";
   ASSERT_THAT(first.out, HasSubstr("    " + line + "\n"));
-  const Outcome again = gnomon({"check", "it's.toml", "--quick", "--set", "truth.step=0.125",
-                                "--method", "max-forsyth"});
+  const Outcome again = gnomon(
+      {"check", "it's.toml", "--quick", "--set", "truth.step=0.125", "--method", "max-forsyth"});
   EXPECT_EQ(again.status, 1);
   EXPECT_EQ(again.out, first.out);
 }
@@ -102,8 +102,8 @@ TEST_F(CheckFiles, WhatIsUndefinedIsAnError) {
 TEST_F(CheckFiles, AThresholdThatMatchesNothingIsAnError) {
   // In an atlas there is no answer by counted shadow volumes.
   writeStudy("a",
-             "[[method]]\nname = \"shadow-volume\"\n[[view]]\ntype = \"atlas\"\nsamples = 5\n" + easy +
-                 "[[threshold]]\nmethod = \"shadow-volume\"\nview = \"atlas\"\nmax = 1\n");
+             "[[method]]\nname = \"shadow-volume\"\n[[view]]\ntype = \"atlas\"\nsamples = 5\n" +
+                 easy + "[[threshold]]\nmethod = \"shadow-volume\"\nview = \"atlas\"\nmax = 1\n");
   const Outcome outcome = gnomon({"check", "a.toml", "--junit", "junit.xml"});
   EXPECT_EQ(outcome.status, 3);
   EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
@@ -112,8 +112,8 @@ TEST_F(CheckFiles, AThresholdThatMatchesNothingIsAnError) {
 
 TEST_F(CheckFiles, WhatIsLeftOutIsSkippedAndPassesNothing) {
   writeStudy("a", easy + "[[threshold]]\nmethod = \"unshadowed\"\nmin = 0\nquick = false\n");
-  const std::vector<std::string> check = {
-      "check", "a.toml", "--junit", "junit.xml", "--quick", "--set", "truth.step=0.125"};
+  const std::vector<std::string> check = {"check",   "a.toml", "--junit",         "junit.xml",
+                                          "--quick", "--set",  "truth.step=0.125"};
   EXPECT_EQ(gnomon(check).status, 0);
   EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 0, 1}));
   std::vector<std::string> nothing = check;
@@ -146,8 +146,8 @@ TEST_F(CheckFiles, ACheckThatIsKilledLeavesNoPass) {
   writeStudy("a", easy);
   EXPECT_EQ(gnomon({"check", "a.toml", "--junit", "junit.xml"}).status, 0);
   ASSERT_EQ(countsOf("a"), (std::vector<int>{0, 0, 0}));
-  // Of this size no run ends within the time that it is given. How soon the file is there depends on
-  // the machine's load.
+  // Of this size no run ends within the time that it is given. How soon the file is there depends
+  // on the machine's load.
   writeStudy("a", easy, "width = 64", "width = 8192");
   std::filesystem::remove(file("junit.xml"));
   for (int wait = 250; wait <= 16000 && !std::filesystem::exists(file("junit.xml")); wait *= 2) {
@@ -167,8 +167,9 @@ TEST_F(CheckFiles, ANoticeTellsOfALimitThatCouldBeTightened) {
   writeStudy("a", easy);
   const Outcome outcome = gnomon({"check", "a.toml", "--github"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, HasSubstr("::notice file=a.toml,line=44,title=a%3A tighten::the limit on "
-                                     "error_rate of max-forsyth could be tightened: at most 0.9"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("::notice file=a.toml,line=44,title=a%3A tighten::the limit on "
+                        "error_rate of max-forsyth could be tightened: at most 0.9"));
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ using ::testing::HasSubstr;
 class CommittedGates : public EndToEnd, public ::testing::WithParamInterface<const char*> {
  protected:
   [[nodiscard]] Outcome check(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments = {
-        "check", std::string(GNOMON_SCENES "/") + GetParam() + ".toml", "--quick",
-        "--method", "onoue-2004"};
+    std::vector<std::string> arguments = {"check",
+                                          std::string(GNOMON_SCENES "/") + GetParam() + ".toml",
+                                          "--quick", "--method", "onoue-2004"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return gnomon(arguments);
   }

@@ -14,12 +14,13 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 Baseline sample() {
-  return {"sample",
-          false,
-          {"0.1.0", "0123abc", "a cpu", 8, "a \"renderer\"", "4.5", "3.13.5", "3.5.0"},
-          {{"first \"values\"\nof all", "0.0.9", "000"}, {"a better bake", "0.1.0", "0123abc"}},
-          {{"sample/1", "a, b", "elevation 30°", "camera", "error_rate", 0.1, 0.0125, 0.025},
-           {"sample/1", "a, b", "elevation 30°", "camera", "prevalence", 1.0 / 3, 0, 0.001}}};
+  return {
+      "sample",
+      false,
+      {"0.1.0", "0123abc", "a cpu", 8, "a \"renderer\"", "4.5", "3.13.5", "3.5.0", "wall clock"},
+      {{"first \"values\"\nof all", "0.0.9", "000"}, {"a better bake", "0.1.0", "0123abc"}},
+      {{"sample/1", "a, b", "elevation 30°", "camera", "error_rate", 0.1, 0.0125, 0.025},
+       {"sample/1", "a, b", "elevation 30°", "camera", "prevalence", 1.0 / 3, 0, 0.001}}};
 }
 
 class BaselineFile : public TemporaryFolder {
@@ -60,13 +61,15 @@ TEST_F(BaselineFile, IsReadBackAsItWas) {
 
 TEST_F(BaselineFile, HasALineForEachValueAndNothingOfTheMachine) {
   const std::string text = baselineJson(sample());
-  EXPECT_THAT(text, HasSubstr("\n    {\"study\":\"sample/1\",\"method\":\"a, b\",\"view\":\"camera\","
-                              "\"light\":\"elevation 30°\",\"metric\":\"error_rate\",\"value\":0.1,"
-                              "\"spread\":0.0125,\"tolerance\":0.025},\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\n    {\"study\":\"sample/1\",\"method\":\"a, b\",\"view\":\"camera\","
+                        "\"light\":\"elevation 30°\",\"metric\":\"error_rate\",\"value\":0.1,"
+                        "\"spread\":0.0125,\"tolerance\":0.025},\n"));
   EXPECT_THAT(text, EndsWith("]\n}\n"));
   Baseline elsewhere = sample();
   elsewhere.environment.threads = 1;
   elsewhere.environment.cpu = "another";
+  elsewhere.environment.frameClock = "GL timer queries";
   EXPECT_EQ(baselineJson(elsewhere), text);
 }
 
@@ -86,7 +89,8 @@ TEST_F(BaselineFile, WithAKeyThatIsMissingOrWrongIsRefused) {
   EXPECT_EQ(failure("{}"), "sample.json: schema: missing, a string expected");
   EXPECT_EQ(failureWith("/schema", "gnomon-baseline/2"),
             "sample.json: schema: \"gnomon-baseline/2\" found, \"gnomon-baseline/1\" expected");
-  EXPECT_EQ(failureWith("/form", "half"), "sample.json: form: \"half\" found, full or quick expected");
+  EXPECT_EQ(failureWith("/form", "half"),
+            "sample.json: form: \"half\" found, full or quick expected");
   EXPECT_EQ(failureWith("/values", 3), "sample.json: values: number found, a list expected");
   EXPECT_EQ(failureWith("/values/1", nullptr),
             "sample.json: values.1.study: missing, a string expected");

@@ -45,9 +45,10 @@ TEST(GithubAnnotations, AreALineForEachFaultThenTheNotices) {
                                       "threshold undefined::"));
   EXPECT_THAT(lines.at(3), StartsWith("::error file=reference/sample.json,title=sample%3A "
                                       "reference failed::"));
-  EXPECT_EQ(lines.at(4),
-            "::notice file=scenes/sample.toml,line=30,title=sample%3A tighten::the limit on x could "
-            "be tightened");
+  EXPECT_EQ(
+      lines.at(4),
+      "::notice file=scenes/sample.toml,line=30,title=sample%3A tighten::the limit on x could "
+      "be tightened");
 }
 
 TEST(GithubAnnotations, EscapeWhatWouldEndAPropertyOrALine) {

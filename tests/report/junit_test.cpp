@@ -119,11 +119,15 @@ TEST(JunitXml, ACasesNameOutlivesItsLimit) {
 
 TEST(JunitXml, HoldsWhateverBytesNamesHave) {
   CheckRecord check = sampleCheck();
-  check.name = "a\x01" "b\x1b[31m\xff\xc3\x28" "]]>&\"'<\t\xef\xbf\xbf\xed\xa0\x80é漢😀";
+  check.name =
+      "a\x01"
+      "b\x1b[31m\xff\xc3\x28"
+      "]]>&\"'<\t\xef\xbf\xbf\xed\xa0\x80é漢😀";
   check.problems.front().message = check.name;
   const pugi::xml_document document = parsed({check});
   const std::string clean =
-      "a\uFFFD" "b\uFFFD[31m\uFFFD\uFFFD(]]>&\"'<\t\uFFFD\uFFFD\uFFFD\uFFFDé漢😀";
+      "a\uFFFD"
+      "b\uFFFD[31m\uFFFD\uFFFD(]]>&\"'<\t\uFFFD\uFFFD\uFFFD\uFFFDé漢😀";
   EXPECT_EQ(document.select_node("//testsuite/@name").attribute().value(), clean);
   EXPECT_THAT(document.select_node("//error").node().child_value(), HasSubstr(clean));
   expectSchema(document.document_element());

@@ -48,8 +48,8 @@ TEST(GateRecord, NothingPassesForWantOfANumber) {
 }
 
 TEST(GateRecord, OfAThresholdKeepsItsLineAndReason) {
-  const ThresholdRecord threshold{"a", "dusk", "camera", "all", "iou", {}, 0.5, {},
-                                  false, "no shadow", 17};
+  const ThresholdRecord threshold{"a", "dusk", "camera", "all",       "iou", {},
+                                  0.5, {},     false,    "no shadow", 17};
   const GateRecord record = gateOf(threshold, "study");
   EXPECT_EQ(record.kind, GateKind::threshold);
   EXPECT_EQ(record.step, "study");
@@ -91,8 +91,7 @@ TEST(CheckRecord, HasTheLargestStatus) {
   EXPECT_EQ(check({passed}, {ExitStatus::badInput}).status(), ExitStatus::badInput);
   EXPECT_EQ(check({failed}, {ExitStatus::badInput, ExitStatus::usage}).status(),
             ExitStatus::badInput);
-  EXPECT_EQ(check({}, {ExitStatus::badInput, ExitStatus::internal}).status(),
-            ExitStatus::internal);
+  EXPECT_EQ(check({}, {ExitStatus::badInput, ExitStatus::internal}).status(), ExitStatus::internal);
   EXPECT_EQ(check({failed}, {ExitStatus::noGl}).status(), ExitStatus::noGl);
 }
 

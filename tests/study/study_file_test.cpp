@@ -262,7 +262,8 @@ TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
   const StudySpec quick = read(plainStudy, {{"truth.step=0.125", "view.0.height=3"}, {}, true});
   EXPECT_EQ(std::get<Camera>(quick.views[0].kind).width, 50);
   EXPECT_EQ(std::get<Camera>(quick.views[0].kind).height, 1) << "never none";
-  EXPECT_EQ(std::get<AtlasSpec>(quick.views[1].kind).samplesPerSide, 3) << "odd, near a quarter of 8";
+  EXPECT_EQ(std::get<AtlasSpec>(quick.views[1].kind).samplesPerSide, 3)
+      << "odd, near a quarter of 8";
   EXPECT_EQ(quick.truth.stepTexels, 0.5);
   EXPECT_EQ(16 * quick.truth.leastTriangles, full.truth.leastTriangles);
   EXPECT_FALSE(full.truth.stepTexels);
@@ -419,7 +420,8 @@ TEST_F(StudyFile, RefusesWhatItCannotUse) {
       {"bake.radius=0", "bake.radius: 0 found, a number above 0"},
       {"bake.bits=9", "bake.bits: 9 found, 8, 16 or 32 expected"},
       {"base.subdivisions=0", "base.subdivisions: 0 found"},
-      {"base.curvature=mesh", "base.curvature: the string \"mesh\" found, one of limit, vertices expected"},
+      {"base.curvature=mesh",
+       "base.curvature: the string \"mesh\" found, one of limit, vertices expected"},
       {"surface.scheme=loop", "surface.scheme: unknown key"},
       {"truth.step=0", "truth.step: 0 found, a number above 0 expected"},
       {"view.0.fov=180", "view.0.fov: 180 found, a number of at least 0.1 and at most 170"},

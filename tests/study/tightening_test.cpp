@@ -29,8 +29,9 @@ TEST(Tightening, TellsOfALimitFarFromItsNearestValue) {
   const std::vector<NoticeRecord> notices = noticesFor({}, 0.09);
   ASSERT_EQ(notices.size(), 1U);
   EXPECT_EQ(notices.at(0).line, 9);
-  EXPECT_THAT(notices.at(0).text,
-              HasSubstr("error_rate of a could be tightened: at most 0.09 allowed, 0.05 the nearest"));
+  EXPECT_THAT(
+      notices.at(0).text,
+      HasSubstr("error_rate of a could be tightened: at most 0.09 allowed, 0.05 the nearest"));
 }
 
 TEST(Tightening, NearMeansAQuarterOfTheLimit) {

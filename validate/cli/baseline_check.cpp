@@ -20,8 +20,9 @@ void requireSameRun(const Baseline& baseline, const BaselineRun& run) {
         fmt::format("study: \"{}\" found, \"{}\" expected", baseline.study, run.study));
   }
   if (baseline.quick != run.quick) {
-    throw InputError(fmt::format("form: references of the {} form found, the check is of the {} one",
-                                 formName(baseline.quick), formName(run.quick)));
+    throw InputError(
+        fmt::format("form: references of the {} form found, the check is of the {} one",
+                    formName(baseline.quick), formName(run.quick)));
   }
 }
 
@@ -31,9 +32,8 @@ fs::path baselineFile(const fs::path& folder, const std::string& study) {
   return folder / (study + ".json");
 }
 
-void checkBaseline(const fs::path& file, const BaselineRun& run,
-                   std::span<const StudyRecord> steps, const std::vector<std::string>& leftOut,
-                   CheckRecord& check) {
+void checkBaseline(const fs::path& file, const BaselineRun& run, std::span<const StudyRecord> steps,
+                   const std::vector<std::string>& leftOut, CheckRecord& check) {
   if (!fs::exists(file)) {
     throw InputError(fmt::format(
         "{}: missing, the references of {} expected; --update-baseline --reason TEXT writes them",
@@ -56,13 +56,13 @@ void updateBaseline(const fs::path& file, const BaselineRun& run,
   Baseline baseline{run.study, run.quick, steps.front().environment, {}, referenceValues(steps)};
   if (fs::exists(file)) baseline.history = readBaseline(file).history;
   if (check.status() != ExitStatus::pass) {
-    check.notices.push_back({fmt::format("{} left as it is: the check has not passed",
-                                         file.string())});
+    check.notices.push_back(
+        {fmt::format("{} left as it is: the check has not passed", file.string())});
     return;
   }
   if (baseline.entries.empty()) {
-    throw InputError(fmt::format("{}: no value is defined that could be a reference",
-                                 file.string()));
+    throw InputError(
+        fmt::format("{}: no value is defined that could be a reference", file.string()));
   }
   baseline.history.push_back(
       {run.reason, baseline.environment.gnomonVersion, baseline.environment.commit});

@@ -21,7 +21,8 @@ struct BaselineRun {
 };
 
 /// Judges a run by its references and adds the gates and notices to the check.
-/// @throws InputError naming the file: it is missing or no baseline, or is of another study, form or
+/// @throws InputError naming the file: it is missing or no baseline, or is of another study, form
+/// or
 ///   set of rows
 void checkBaseline(const std::filesystem::path& file, const BaselineRun& run,
                    std::span<const StudyRecord> steps, const std::vector<std::string>& leftOut,

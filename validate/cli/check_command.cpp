@@ -93,9 +93,9 @@ void addProblem(CheckRecord& check, const char* part) {
 void requireGates(const StudyPlan& plan, const CheckRequest& request) {
   const StudySpec& study = plan.steps.front();
   if (!study.thresholds.empty() || request.baseline) return;
-  throw InputError(fmt::format("{}: {}, so there is nothing to check", study.file.string(),
-                               study.leftOut.empty() ? "no [[threshold]]"
-                                                     : "every [[threshold]] is left out"));
+  throw InputError(
+      fmt::format("{}: {}, so there is nothing to check", study.file.string(),
+                  study.leftOut.empty() ? "no [[threshold]]" : "every [[threshold]] is left out"));
 }
 
 Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::string>& names) {
@@ -171,8 +171,8 @@ void judge(Study& study, const CheckRequest& request, const Records& records) {
     if (request.updateBaseline) {
       updateBaseline(file, {check.name, request.run.options.quick, request.reason}, steps, check);
     } else {
-      checkBaseline(file, {check.name, request.run.options.quick, ""}, steps,
-                    first.leftOutMethods, check);
+      checkBaseline(file, {check.name, request.run.options.quick, ""}, steps, first.leftOutMethods,
+                    check);
     }
   } catch (...) {
     addProblem(check, "baseline");
@@ -195,8 +195,7 @@ void finish(std::vector<Study>& studies, const CheckRequest& request, Records& r
   if (ranked.size() > 1) reportRanking(ranked, request.run);
 }
 
-void print(const std::vector<CheckRecord>& checks, const CheckRequest& request,
-           ExitStatus status) {
+void print(const std::vector<CheckRecord>& checks, const CheckRequest& request, ExitStatus status) {
   std::set<std::string> told;
   for (const CheckRecord& check : checks) {
     for (const ProblemRecord& problem : check.problems) {

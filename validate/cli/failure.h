@@ -16,8 +16,8 @@ struct Failure {
 /// internal, running out of memory included.
 Failure currentFailure();
 
-/// Writes `gnomon: MESSAGE` to standard error. Messages quote files, drivers and keys: whatever they
-/// hold, an error is one line.
+/// Writes `gnomon: MESSAGE` to standard error. Messages quote files, drivers and keys: whatever
+/// they hold, an error is one line.
 void printFailure(const Failure& failure);
 
 }  // namespace gnomon

@@ -25,9 +25,8 @@ Json environmentJson(const EnvironmentRecord& environment) {
 }
 
 Json reasonJson(const BaselineReason& reason) {
-  return {{"reason", reason.text},
-          {"gnomon_version", reason.gnomonVersion},
-          {"commit", reason.commit}};
+  return {
+      {"reason", reason.text}, {"gnomon_version", reason.gnomonVersion}, {"commit", reason.commit}};
 }
 
 Json entryJson(const BaselineEntry& entry) {
@@ -121,12 +120,13 @@ EnvironmentRecord readEnvironment(const Reader& reader) {
 }
 
 BaselineEntry readEntry(const Reader& reader) {
-  BaselineEntry entry{reader.text("study"), reader.text("method"), reader.text("light"),
-                      reader.text("view"),  reader.text("metric"), reader.number("value"),
+  BaselineEntry entry{reader.text("study"),    reader.text("method"),     reader.text("light"),
+                      reader.text("view"),     reader.text("metric"),     reader.number("value"),
                       reader.number("spread"), reader.number("tolerance")};
   const auto known = baselineMetrics();
   if (std::find(known.begin(), known.end(), entry.metric) == known.end()) {
-    reader.fail("metric", fmt::format("\"{}\" found, a metric of baselines expected", entry.metric));
+    reader.fail("metric",
+                fmt::format("\"{}\" found, a metric of baselines expected", entry.metric));
   }
   if (!(entry.spread >= 0)) {
     reader.fail("spread", fmt::format("{} found, at least 0 expected", entry.spread));

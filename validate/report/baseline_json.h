@@ -13,8 +13,8 @@ constexpr std::string_view baselineSchema = "gnomon-baseline/1";
 
 /// A baseline as JSON, keys in a fixed order, a line for each value:
 ///   schema, study, form ("full" or "quick"), environment, history, values
-/// A row of `history` has reason, gnomon_version, commit; the oldest is first. A row of `values` has
-/// study (of a sweep: NAME/VALUE), method, view, light, metric, value, spread, tolerance. The
+/// A row of `history` has reason, gnomon_version, commit; the oldest is first. A row of `values`
+/// has study (of a sweep: NAME/VALUE), method, view, light, metric, value, spread, tolerance. The
 /// environment has neither threads nor cpu: values do not depend on them. No date: the same run
 /// gives the same bytes.
 /// @throws InternalError naming the key for a number that is not finite
@@ -22,8 +22,8 @@ std::string baselineJson(const Baseline& baseline);
 
 /// Reads it back.
 /// @throws InputError naming the file and, for what is no JSON, the line, else the key: another
-///   schema, a key that is missing or of another type, a value twice, a metric that baselines do not
-///   hold, or a tolerance that is not larger than the spread
+///   schema, a key that is missing or of another type, a value twice, a metric that baselines do
+///   not hold, or a tolerance that is not larger than the spread
 Baseline readBaseline(const std::filesystem::path& path);
 
 }  // namespace gnomon

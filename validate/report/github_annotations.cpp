@@ -12,8 +12,7 @@ namespace {
 std::string escaped(std::string_view text, bool property) {
   std::string result;
   for (const char c : text) {
-    const bool special =
-        c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
+    const bool special = c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
     result += special ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
   }
   return result;
@@ -32,8 +31,10 @@ int lineOf(std::string_view message, const std::string& file) {
   if (!message.starts_with(file + ":")) return 0;
   message.remove_prefix(file.size() + 1);
   int line = 0;
-  const auto [end, failure] = std::from_chars(message.data(), message.data() + message.size(), line);
-  const bool whole = failure == std::errc() && end != message.data() + message.size() && *end == ':';
+  const auto [end, failure] =
+      std::from_chars(message.data(), message.data() + message.size(), line);
+  const bool whole =
+      failure == std::errc() && end != message.data() + message.size() && *end == ':';
   return whole ? line : 0;
 }
 

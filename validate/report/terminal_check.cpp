@@ -137,8 +137,8 @@ void appendFaults(TerminalPage& page, const CheckRecord& check) {
 
 void appendNotices(TerminalPage& page, const CheckRecord& check) {
   for (const NoticeRecord& notice : check.notices) {
-    const std::string place = notice.line > 0 ? fmt::format("{}:{}", check.file, notice.line)
-                                              : check.file;
+    const std::string place =
+        notice.line > 0 ? fmt::format("{}:{}", check.file, notice.line) : check.file;
     page.paragraph(fmt::format("Notice: {}: {}", place, notice.text), terminalIndent);
   }
 }

@@ -31,7 +31,8 @@ Decoded decode(std::string_view text) {
     code = (code << 6U) | (byte(i) & 0x3FU);
   }
   constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool valid = code >= least[length] && code <= 0x10FFFF && !(code >= 0xD800 && code < 0xE000);
+  const bool valid =
+      code >= least[length] && code <= 0x10FFFF && !(code >= 0xD800 && code < 0xE000);
   return valid ? Decoded{code, length, true} : Decoded{};
 }
 

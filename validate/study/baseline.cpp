@@ -40,8 +40,18 @@ std::string textOf(const BaselineEntry& entry) {
 }
 
 GateRecord gateFor(const BaselineEntry& entry) {
-  GateRecord gate{GateKind::reference, entry.step, entry.method, entry.light, entry.view,
-                  std::string(allRegion), entry.metric, {}, {}, {}, {}, {}};
+  GateRecord gate{GateKind::reference,
+                  entry.step,
+                  entry.method,
+                  entry.light,
+                  entry.view,
+                  std::string(allRegion),
+                  entry.metric,
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
   gate.expected = entry.value;
   if (entry.metric == "prevalence") {
     gate.minimum = entry.value - entry.tolerance;
@@ -71,10 +81,9 @@ const ResultRecord* rowOf(std::span<const StudyRecord> steps, const BaselineEntr
 }
 
 [[noreturn]] void mismatch(const std::string& what, const std::vector<BaselineEntry>& entries) {
-  throw InputError(fmt::format("{} for {}{}", what, textOf(entries.front()),
-                               entries.size() == 1
-                                   ? std::string()
-                                   : fmt::format(" and {} more", entries.size() - 1)));
+  throw InputError(fmt::format(
+      "{} for {}{}", what, textOf(entries.front()),
+      entries.size() == 1 ? std::string() : fmt::format(" and {} more", entries.size() - 1)));
 }
 
 void requireReferences(const Baseline& baseline, std::span<const StudyRecord> steps) {
@@ -168,10 +177,11 @@ std::vector<NoticeRecord> betterThan(const Baseline& baseline,
     const double tolerance =
         tolerances.at({gate.step, gate.method, gate.light, gate.view, gate.metric});
     if (!(gain > tolerance)) continue;
-    notices.push_back({fmt::format("the reference of {} for {}, {}, {}, {} could be tightened: {:.5g} "
-                                   "now, {:.5g} committed, better by more than {:.3g}",
-                                   gate.metric, gate.method, gate.light, gate.view, gate.step,
-                                   *gate.value, *gate.expected, tolerance)});
+    notices.push_back(
+        {fmt::format("the reference of {} for {}, {}, {}, {} could be tightened: {:.5g} "
+                     "now, {:.5g} committed, better by more than {:.3g}",
+                     gate.metric, gate.method, gate.light, gate.view, gate.step, *gate.value,
+                     *gate.expected, tolerance)});
   }
   return notices;
 }

@@ -36,19 +36,19 @@ struct BaselineReason {
 
 struct Baseline {
   std::string study;
-  bool quick = false;              ///< values of the quick form, not the full one
-  EnvironmentRecord environment;   ///< of the run that they are of
+  bool quick = false;             ///< values of the quick form, not the full one
+  EnvironmentRecord environment;  ///< of the run that they are of
   std::vector<BaselineReason> history;
   std::vector<BaselineEntry> entries;
 };
 
 /// The metrics that a baseline holds: error_rate, false_shadow and false_light, which may not rise;
-/// shadow_length_ratio, which may not move away from 1; and prevalence, which is the truth's own and
-/// may not move at all.
+/// shadow_length_ratio, which may not move away from 1; and prevalence, which is the truth's own
+/// and may not move at all.
 std::span<const std::string_view> baselineMetrics();
 
-/// The measured spread of a metric of one result, of any metric; none for a length or boundary whose
-/// error was not measured.
+/// The measured spread of a metric of one result, of any metric; none for a length or boundary
+/// whose error was not measured.
 std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& result,
                                std::string_view metric);
 
@@ -69,6 +69,7 @@ std::vector<GateRecord> judgeBaseline(const Baseline& baseline, std::span<const 
                                       const std::vector<std::string>& leftOut);
 
 /// What became better by more than the tolerance, so that its reference could be tightened.
-std::vector<NoticeRecord> betterThan(const Baseline& baseline, const std::vector<GateRecord>& gates);
+std::vector<NoticeRecord> betterThan(const Baseline& baseline,
+                                     const std::vector<GateRecord>& gates);
 
 }  // namespace gnomon

@@ -22,12 +22,18 @@ GateVerdict verdictOf(const GateRecord& gate) {
 }
 
 GateRecord gateOf(const ThresholdRecord& threshold, const std::string& step) {
-  GateRecord gate{GateKind::threshold, step,
-                  threshold.method,    threshold.light,
-                  threshold.view,      threshold.region,
-                  threshold.metric,    threshold.value,
-                  threshold.minimum,   threshold.maximum,
-                  {},                  threshold.reason,
+  GateRecord gate{GateKind::threshold,
+                  step,
+                  threshold.method,
+                  threshold.light,
+                  threshold.view,
+                  threshold.region,
+                  threshold.metric,
+                  threshold.value,
+                  threshold.minimum,
+                  threshold.maximum,
+                  {},
+                  threshold.reason,
                   threshold.line};
   gate.verdict = verdictOf(gate);
   // What is not finite is no value.
@@ -40,9 +46,19 @@ GateRecord gateOf(const ThresholdRecord& threshold, const std::string& step) {
 
 GateRecord gateOf(const LeftOutThreshold& threshold, const std::string& step) {
   const ThresholdSpec& gate = threshold.gate;
-  return {GateKind::threshold, step,         gate.method,  gate.light,           gate.view,
-          gate.region,         gate.metric,  std::nullopt, gate.minimum,         gate.maximum,
-          GateVerdict::skipped, threshold.reason, gate.line};
+  return {GateKind::threshold,
+          step,
+          gate.method,
+          gate.light,
+          gate.view,
+          gate.region,
+          gate.metric,
+          std::nullopt,
+          gate.minimum,
+          gate.maximum,
+          GateVerdict::skipped,
+          threshold.reason,
+          gate.line};
 }
 
 ExitStatus CheckRecord::status() const {

@@ -28,8 +28,8 @@ struct GateRecord {
   std::optional<double> value;
   std::optional<double> minimum, maximum;
   GateVerdict verdict = GateVerdict::undefined;
-  std::string reason;                      ///< why it is undefined or skipped
-  int line = 0;                            ///< of a threshold, in the study's file
+  std::string reason;                   ///< why it is undefined or skipped
+  int line = 0;                         ///< of a threshold, in the study's file
   std::optional<double> expected = {};  ///< the committed value of a reference
 
   /// The value's distance from the nearest limit: below 0 by how much it fails, none without a
@@ -37,8 +37,8 @@ struct GateRecord {
   [[nodiscard]] std::optional<double> margin() const;
 };
 
-/// A judged value: undefined without one or where it is not finite, failed unless `minimum <= value`
-/// and `value <= maximum`.
+/// A judged value: undefined without one or where it is not finite, failed unless `minimum <=
+/// value` and `value <= maximum`.
 GateVerdict verdictOf(const GateRecord& gate);
 
 /// The gate that a run judged.

@@ -25,8 +25,8 @@ Replacement parsed(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-/// The label that a `[[method]]` bears, given or by default; empty where it has neither a name nor a
-/// file, which whoever reads the study refuses.
+/// The label that a `[[method]]` bears, given or by default; empty where it has neither a name nor
+/// a file, which whoever reads the study refuses.
 std::string labelOf(const toml::table& method) {
   if (const auto label = method["label"].value<std::string>()) return *label;
   if (const auto name = method["name"].value<std::string>()) return *name;
@@ -81,8 +81,8 @@ void replaceMethods(toml::table& study, const fs::path& file,
       }
     }
     if (!found) {
-      throw UsageError(fmt::format("--replace {}: {} has {}", text, file.string(),
-                                   fmt::join(labels, ", ")));
+      throw UsageError(
+          fmt::format("--replace {}: {} has {}", text, file.string(), fmt::join(labels, ", ")));
     }
     removeLadder(study, replacement.label);
   }

@@ -61,8 +61,8 @@ struct MethodSpec {
 struct ThresholdSpec {
   std::string method, light, view, region, metric;
   std::optional<double> minimum, maximum;
-  int line = 0;        ///< of its table in the study's file; 0 for one that an override made
-  bool quick = true;   ///< holds for the quick form too; otherwise for the full one only
+  int line = 0;       ///< of its table in the study's file; 0 for one that an override made
+  bool quick = true;  ///< holds for the quick form too; otherwise for the full one only
 };
 
 /// A gate that the command line takes no part of: a check reports it as skipped, never as passed.
@@ -136,8 +136,8 @@ struct StudySpec {
 struct StudyOptions {
   std::vector<std::string> overrides;  ///< `key.path=value`
   std::vector<std::string> methods;    ///< labels or names to keep; all, if empty
-  /// A quarter of each view's side (in an atlas the odd number at or above it) and a sixteenth of the
-  /// micro-mesh: a preview, not a measurement.
+  /// A quarter of each view's side (in an atlas the odd number at or above it) and a sixteenth of
+  /// the micro-mesh: a preview, not a measurement.
   bool quick = false;
   /// `LABEL=NAME` or `LABEL=FILE.glsl`: another shader in a method's place, see replaceMethods.
   std::vector<std::string> replacements = {};

@@ -66,9 +66,8 @@ void keepGated(StudySpec& study) {
   const std::vector<ThresholdSpec> gates = study.thresholds;
   if (gates.empty() || std::any_of(gates.begin(), gates.end(), isFree)) return;
   keepMethods(study, [&](const MethodSpec& method) {
-    return std::any_of(gates.begin(), gates.end(), [&](const ThresholdSpec& gate) {
-      return gate.method == method.label;
-    });
+    return std::any_of(gates.begin(), gates.end(),
+                       [&](const ThresholdSpec& gate) { return gate.method == method.label; });
   });
 }
 

@@ -38,9 +38,9 @@ std::vector<ThresholdRecord> judgeThresholds(const std::vector<ThresholdSpec>& t
       }
     }
     if (records.size() == before) {
-      throw InputError(
-          fmt::format("threshold on {} of \"{}\": no result matches it{}", gate.metric, gate.method,
-                      gate.line > 0 ? fmt::format(" (line {})", gate.line) : ""));
+      throw InputError(fmt::format("threshold on {} of \"{}\": no result matches it{}", gate.metric,
+                                   gate.method,
+                                   gate.line > 0 ? fmt::format(" (line {})", gate.line) : ""));
     }
   }
   return records;
