@@ -29,8 +29,8 @@ TEST_F(RunFolder, SummaryHasTheKeysThatOthersReadItBy) {
   EXPECT_GT(uncertainty, 0) << "no mesh is exact, so a half as fine one must differ somewhere";
   EXPECT_LT(uncertainty, 0.02);
 
-  // Two methods; all samples and five regions each.
-  ASSERT_EQ(json.at("results").size(), 2U * 6U);
+  // Two methods; all samples and six regions each.
+  ASSERT_EQ(json.at("results").size(), 2U * 7U);
   for (const nlohmann::json& result : json.at("results")) {
     for (const char* key :
          {"method", "light", "view", "region", "samples", "tp", "fp", "fn", "tn", "error_rate",

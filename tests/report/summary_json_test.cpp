@@ -62,7 +62,8 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
                                                  "value", "minimum", "maximum", "passed"}));
   EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"text", "source", "verdict", "detail"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
-  EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]), (Keys{"kind", "method", "caption", "path"}));
+  EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
+            (Keys{"kind", "method", "caption", "path", "mask"}));
 
   Keys resultKeys{"method", "light", "view", "region", "samples", "tp", "fp", "fn", "tn"};
   for (const std::string_view name : metricNames()) resultKeys.emplace_back(name);

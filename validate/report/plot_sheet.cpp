@@ -29,10 +29,12 @@ std::string svgOf(const PlotSheet& sheet) {
 
 std::string pdfOf(const PlotSheet& sheet) {
   constexpr double pixelsPerInch = 144;
+  // gnuplot drops what is left of a point: half a thousandth keeps the last one.
+  const auto inches = [](int pixels) { return pixels / pixelsPerInch + 0.0005; };
   const std::string terminal = fmt::format(
       "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
       "fontscale 0.4 linewidth 0.5\n",
-      sheet.width / pixelsPerInch, sheet.height / pixelsPerInch);
+      inches(sheet.width), inches(sheet.height));
   return withoutDate(runGnuplot(encoding + terminal + sheet.commands));
 }
 
