@@ -168,7 +168,7 @@ TEST_F(CheckFiles, ANoticeTellsOfALimitThatCouldBeTightened) {
   const Outcome outcome = gnomon({"check", "a.toml", "--github"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.out,
-              HasSubstr("::notice file=a.toml,line=44,title=a%3A tighten::the limit on "
+              HasSubstr("::notice file=a.toml,line=44,title=a%3A notice::the limit on "
                         "error_rate of max-forsyth could be tightened: at most 0.9"));
 }
 

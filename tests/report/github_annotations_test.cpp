@@ -47,7 +47,7 @@ TEST(GithubAnnotations, AreALineForEachFaultThenTheNotices) {
                                       "reference failed::"));
   EXPECT_EQ(
       lines.at(4),
-      "::notice file=scenes/sample.toml,line=30,title=sample%3A tighten::the limit on x could "
+      "::notice file=scenes/sample.toml,line=30,title=sample%3A notice::the limit on x could "
       "be tightened");
 }
 

@@ -66,7 +66,7 @@ std::string githubAnnotations(std::span<const CheckRecord> checks) {
   }
   for (const CheckRecord& check : checks) {
     for (const NoticeRecord& notice : check.notices) {
-      text += command("notice", check.file, notice.line, fmt::format("{}: tighten", check.name),
+      text += command("notice", check.file, notice.line, fmt::format("{}: notice", check.name),
                       notice.text);
     }
   }

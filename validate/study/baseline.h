@@ -13,10 +13,10 @@ namespace gnomon {
 
 /// The committed values of a study, and the check that a run has become no worse.
 ///
-/// A run is deterministic, so the measured spread of a value is the truth's own uncertainty for its
-/// view and light: the share of samples that flip at half the micro-mesh's resolution, and of
-/// lengths their error there. Another OpenGL flips single pixels at edges, far less. The tolerance
-/// is twice the spread, and at least 0.001 for rates and 0.02 for length ratios.
+/// A run is deterministic on one OpenGL, so the measured spread of a value is the truth's own
+/// uncertainty for its view and light: the share of samples that flip at half the micro-mesh's
+/// resolution, and of lengths their error there. The tolerance is twice the spread, and at least
+/// 0.001 for rates and 0.02 for length ratios: room for an OpenGL that rounds otherwise.
 
 /// One committed value, of the region "all".
 struct BaselineEntry {
