@@ -6,8 +6,7 @@ add_library(gnomon_options INTERFACE)
 target_compile_features(gnomon_options INTERFACE cxx_std_20)
 # No contraction: a result must not depend on whether the processor can fuse a multiply and an add.
 target_compile_options(gnomon_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off
-  $<$<CONFIG:Release>:-O3>)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
 if(GNOMON_SANITIZE)
   target_compile_options(gnomon_options INTERFACE
     -fsanitize=${GNOMON_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

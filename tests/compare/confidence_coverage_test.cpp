@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "compare/confidence_interval.h"
 #include "compare/random_errors.h"
+#include "compare/resampling.h"
 
 /// How often the 95 % interval holds the rate that the masks were made with.
 
@@ -54,6 +56,24 @@ void expectSound(const Coverage& coverage, const std::string& which) {
   EXPECT_LE(coverage.share(), 0.97 + 2 * coverage.standardError()) << which;
 }
 
+/// What a bootstrap gives that takes the percentiles of the resampled rates as they are.
+Interval percentileInterval(const BlockErrors& blocks) {
+  Draws draws(settings.seed, blocks.wrong.size());
+  std::vector<double> rates(static_cast<std::size_t>(settings.resamples));
+  for (double& rate : rates) {
+    double wrong = 0;
+    double weight = 0;
+    for (std::size_t k = 0; k < blocks.wrong.size(); ++k) {
+      const std::size_t drawn = draws.next();
+      wrong += blocks.wrong[drawn];
+      weight += blocks.weight[drawn];
+    }
+    rate = wrong / weight;
+  }
+  std::sort(rates.begin(), rates.end());
+  return {percentile(rates, 0.025), percentile(rates, 0.975)};
+}
+
 /// The errors of the first lights together.
 BlockErrors together(const std::vector<BlockErrors>& lights, std::size_t count) {
   BlockErrors sum = lights.front();
@@ -86,7 +106,7 @@ TEST_P(CoverageOfRates, Is93To97Percent) {
           cells.push_back(blockErrors(mask, truth, tiling.cellSide));
           if (cells.size() > 1) continue;
           const BlockErrors blocks = blockErrors(mask, truth, tiling.blockSide());
-          percentiles.add({rateInterval(blocks, settings), {}, 0}, rate);
+          percentiles.add({percentileInterval(blocks), {}, 0}, rate);
         }
         for (const std::size_t lights : lightCounts) {
           cases[which++].add(rateConfidence(together(cells, lights), tiling, settings), rate);

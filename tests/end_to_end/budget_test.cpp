@@ -37,10 +37,6 @@ wrap = "clamp"
 azimuths = 8
 radius = 8
 
-[budget]
-block = 14
-resamples = 400
-
 [[view]]
 type = "atlas"
 samples = 7
@@ -95,7 +91,9 @@ TEST_F(BudgetRun, AddsUpToTheErrorOfTheMethod) {
       for (const nlohmann::json& cause : budget.at("causes")) sum += shareOf(cause.at(way));
       EXPECT_NEAR(sum, total, 1e-15) << light << " " << way;
     }
-    EXPECT_EQ(budget.at("blocks"), 144);
+    // As few as give 16 of equal weight; those at the border may be slivers.
+    EXPECT_GE(budget.at("blocks"), 16);
+    EXPECT_LE(budget.at("blocks"), 36);
     if (budget.at("method") != "onoue-2004") continue;
     if (light == "all") continue;
     ofLights.push_back(total);
@@ -144,7 +142,7 @@ TEST_F(BudgetRun, IsInEveryReport) {
   EXPECT_THAT(read("out/budget/report.html"),
               AllOf(HasSubstr("<section id=\"budget\">"), HasSubstr("<svg class=\"budget\"")));
   // A study without ladders leaves no older budget beside its report.
-  write("budget.toml", replaced(budgetStudy(), "[budget]\nblock = 14\nresamples = 400\n", ""));
+  write("budget.toml", budgetStudy());
   ASSERT_EQ(gnomon({"run", "budget.toml"}).status, 0);
   EXPECT_FALSE(std::filesystem::exists(file("out/budget/budget.csv")));
 }
@@ -169,18 +167,13 @@ TEST_F(BudgetRun, ErrorsNameFileLineAndKey) {
   const Outcome outcome = gnomon({"run", "budget.toml"});
   EXPECT_EQ(outcome.status, 3);
   EXPECT_THAT(outcome.err,
-              HasSubstr("budget.toml:53: ladder.0.rung.1.set.parameters.sampled: horizon-ladder"));
-  write("budget.toml",
-        replaced(budgetStudy(), "block = 14", "block = 1000") + ladderOf("onoue-2004", ""));
-  const Outcome large = gnomon({"run", "budget.toml"});
-  EXPECT_EQ(large.status, 3);
-  EXPECT_THAT(large.err, HasSubstr("budget.block: 1000 samples"));
+              HasSubstr("budget.toml:49: ladder.0.rung.1.set.parameters.sampled: horizon-ladder"));
 }
 
 TEST_F(BudgetRun, TakesThePreview) {
   runStudy("budget", budgetStudy() + ladderOf("onoue-2004", ""),
            {"--quick", "--set", "view.0.samples=28"});
-  EXPECT_EQ(summary("budget").at("budget").at(0).at("blocks"), 56 * 56);
+  EXPECT_GE(summary("budget").at("budget").at(0).at("blocks"), 16);
 }
 
 }  // namespace

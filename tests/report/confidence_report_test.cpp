@@ -11,6 +11,7 @@
 #include "report/confidence_files.h"
 #include "report/confidence_html.h"
 #include "report/confidence_text.h"
+#include "report/interval_text.h"
 #include "report/report_html.h"
 #include "report/sample_record.h"
 #include "report/summary_json.h"
@@ -73,8 +74,10 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   EXPECT_EQ(verdictText(record(), "camera"),
             "best is better than rough, \"old\" by 9.00 % of the samples (7.20 to 11.50). best is "
             "not distinguishable from close.");
-  EXPECT_EQ(confidenceText(Interval{-0.001, 0.02}), "−0.10 to 2.00");
-  EXPECT_EQ(confidenceText(std::nullopt), "–");
+  EXPECT_EQ(intervalText(Interval{-0.001, 0.02}), "−0.10 to 2.00");
+  EXPECT_EQ(intervalText(Interval{-0.012, 0.5}), "−1.20 to 50.00");
+  EXPECT_EQ(intervalText(Interval{-1e-7, 0}), "0.00 to 0.00");
+  EXPECT_EQ(intervalText(std::nullopt), "–");
   EXPECT_EQ(verdictText(test::sampleRecord(), "camera"), "");
   StudyRecord many = record();
   for (const char* name : {"a", "b", "c"}) {

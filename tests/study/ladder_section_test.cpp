@@ -86,10 +86,8 @@ class LadderSection : public TemporaryFolder {
 
 TEST_F(LadderSection, UndoesOneCauseAfterTheOtherBothWays) {
   const StudySpec spec = read(std::string(study) + ladder);
-  EXPECT_EQ(spec.budget.blockSide, 32);
-  EXPECT_EQ(spec.budget.resamples, 1000);
-  ASSERT_EQ(spec.budget.ladders.size(), 1U);
-  const LadderSpec& read = spec.budget.ladders.front();
+  ASSERT_EQ(spec.ladders.size(), 1U);
+  const LadderSpec& read = spec.ladders.front();
   EXPECT_EQ(read.method, "old");
   ASSERT_EQ(read.causes.size(), 3U);
   EXPECT_EQ(read.causes[0].name, "azimuths");
@@ -113,18 +111,10 @@ TEST_F(LadderSection, UndoesOneCauseAfterTheOtherBothWays) {
   EXPECT_FALSE(isSameMethod(read.backward[2], read.forward[3]));
 }
 
-TEST_F(LadderSection, TakesItsSettingsAndThePreview) {
-  const std::string settings = "\n[budget]\nblock = 12\nresamples = 200\n";
-  const BudgetSpec budget = read(std::string(study) + ladder + settings).budget;
-  EXPECT_EQ(budget.blockSide, 12);
-  EXPECT_EQ(budget.resamples, 200);
-  EXPECT_EQ(read(std::string(study) + ladder + settings, {{}, {}, true}).budget.blockSide, 3);
-}
-
 TEST_F(LadderSection, GoesWithItsMethod) {
-  EXPECT_EQ(read(std::string(study) + ladder, {{}, {"old"}, false}).budget.ladders.size(), 1U);
+  EXPECT_EQ(read(std::string(study) + ladder, {{}, {"old"}, false}).ladders.size(), 1U);
   EXPECT_TRUE(
-      read(std::string(study) + ladder, {{}, {"resampled-horizon"}, false}).budget.ladders.empty());
+      read(std::string(study) + ladder, {{}, {"resampled-horizon"}, false}).ladders.empty());
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -163,7 +153,6 @@ TEST_F(LadderSection, ErrorsNameFileLineAndKey) {
 }
 
 TEST_F(LadderSection, RefusesWhatCannotBeAttributed) {
-  EXPECT_THAT(failure("\n[budget]\nblock = 12\n"), HasSubstr("budget: no [[ladder]] found"));
   EXPECT_THAT(failure(std::string(ladder) + ladder), HasSubstr("\"old\" has another ladder"));
   EXPECT_THAT(failure("\n[[ladder]]\nmethod = \"old\"\n"), HasSubstr("ladder.0.rung"));
   EXPECT_THAT(
@@ -177,9 +166,9 @@ TEST_F(LadderSection, RefusesWhatCannotBeAttributed) {
 
 TEST_F(LadderSection, OfTheErrorBudgetIsWhole) {
   const StudySpec spec = readStudy(std::string(GNOMON_SCENES) + "/error-budget.toml");
-  ASSERT_EQ(spec.budget.ladders.size(), 3U);
-  const LadderSpec& flat = spec.budget.ladders[0];
-  const LadderSpec& curved = spec.budget.ladders[1];
+  ASSERT_EQ(spec.ladders.size(), 3U);
+  const LadderSpec& flat = spec.ladders[0];
+  const LadderSpec& curved = spec.ladders[1];
   ASSERT_EQ(flat.causes.size(), curved.causes.size() + 1);
   EXPECT_TRUE(isSameMethod(flat.forward.back(), curved.forward.back()) ||
               flat.forward.back().parameters.at("curved") == 1);

@@ -378,7 +378,7 @@ struct Refusal {
 TEST_F(StudyFile, RefusesWhatItCannotUse) {
   const Refusal refusals[] = {
       // unknown keys, in every section
-      {"extra=1", "extra: unknown key, expected bake, base, budget, claim, ladder"},
+      {"extra=1", "extra: unknown key, expected bake, base, claim, ladder"},
       {"study.titel=x", "study.titel: unknown key, expected name, ranked, source, title"},
       {"surface.sise=[1, 1]", "surface.sise: unknown key"},
       {"surface.curvature=0.1", "surface.curvature: unknown key"},

@@ -131,7 +131,7 @@ TEST_F(StudyOptionsTest, GatedOnlyKeepsWhatGatesSpeakOf) {
   StudyOptions options;
   options.gatedOnly = true;
   EXPECT_THAT(labels(read(options)), ElementsAre("max-forsyth", "ours"));
-  EXPECT_TRUE(read(options).budget.ladders.empty());
+  EXPECT_TRUE(read(options).ladders.empty());
   EXPECT_EQ(labels(read(options, "\n[[threshold]]\nmax = 0.9\n")).size(), 3U)
       << "a gate on all methods needs all";
   options.quick = true;
@@ -149,10 +149,10 @@ TEST_F(StudyOptionsTest, AReplacedMethodKeepsItsLabelAndOverrides) {
 
 TEST_F(StudyOptionsTest, AReplacedMethodLosesItsParametersAndLadder) {
   EXPECT_EQ(read({}).methods.at(2).parameters.size(), 1U);
-  EXPECT_EQ(read({}).budget.ladders.size(), 1U);
+  EXPECT_EQ(read({}).ladders.size(), 1U);
   const StudySpec study = replacing("resampled-horizon=unshadowed");
   EXPECT_TRUE(study.methods.at(2).parameters.empty());
-  EXPECT_TRUE(study.budget.ladders.empty());
+  EXPECT_TRUE(study.ladders.empty());
 }
 
 TEST_F(StudyOptionsTest, AFileReplacesRelativeToTheCurrentFolder) {

@@ -1,14 +1,32 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "common/mask.h"
-#include "compare/block_bootstrap.h"
+#include "compare/block_errors.h"
 
 namespace gnomon {
+
+/// A confidence interval, both ends included.
+struct Interval {
+  double low = 0;
+  double high = 0;
+
+  /// Whether it holds a number.
+  [[nodiscard]] bool holds(double value) const { return low <= value && value <= high; }
+};
+
+/// Of the bootstrap over blocks: Efron 1979; of blocks, Künsch 1989. The same settings and input
+/// give the same bits: the generator and what is made of its numbers are fixed.
+struct BootstrapSettings {
+  int resamples = 1000;
+  double confidence = 0.95;
+  std::uint64_t seed = 1978;
+};
 
 /// Confidence intervals of error rates, and of their differences, from the masks of one view.
 ///
@@ -74,8 +92,8 @@ Tiling chooseTiling(const Mask& view, std::span<const double> weights = {});
 
 /// The 95 % interval of an error rate, cut to 0 to 1.
 /// @param cells  blockErrors of side `tiling.cellSide`, summed over lights
-/// @throws InternalError where cells do not fill the tiling's columns, or as differenceInterval for
-///   the settings
+/// @throws InternalError where cells do not fill the tiling's columns, or for settings
+///   without a resample or with a confidence outside 0 to 1
 ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling,
                                   const BootstrapSettings& settings = {});
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "report/csv_text.h"
+#include "report/interval_text.h"
 #include "report/number_text.h"
 #include "study/budget.h"
 
@@ -11,8 +12,9 @@ namespace {
 
 Json shareJson(const BudgetShare& share) {
   return {{"share", jsonNumber(share.value, "budget.share")},
-          {"low", jsonNumber(share.interval.low, "budget.low")},
-          {"high", jsonNumber(share.interval.high, "budget.high")},
+          {"low", jsonNumber(lowOf(share.interval), "budget.low")},
+          {"high", jsonNumber(highOf(share.interval), "budget.high")},
+          {"reason", jsonReason(share.reason)},
           {"distinguishable", share.distinguishable}};
 }
 
@@ -34,8 +36,8 @@ std::string partLine(const BudgetRecord& budget, const std::string& part,
   std::vector<std::string> cells = {budget.method, budget.view, budget.light, part};
   for (const BudgetShare* share : {&forward, &backward}) {
     cells.push_back(exactText(share->value));
-    cells.push_back(exactText(share->interval.low));
-    cells.push_back(exactText(share->interval.high));
+    cells.push_back(exactText(lowOf(share->interval)));
+    cells.push_back(exactText(highOf(share->interval)));
     cells.emplace_back(share->distinguishable ? "1" : "0");
   }
   cells.push_back(exactText(budget.uncertainty));

@@ -10,6 +10,7 @@
 #include "report/html_cells.h"
 #include "report/html_page.h"
 #include "report/html_text.h"
+#include "report/interval_text.h"
 #include "report/number_text.h"
 #include "study/budget.h"
 
@@ -21,7 +22,7 @@ std::string shareCells(const BudgetShare& share) {
   return numberCell(share.distinguishable ? "<b>" + value + "</b>"
                                           : fmt::format("<span class=\"quiet\">{} ≈</span>", value),
                     share.distinguishable ? "" : "not distinguishable from none") +
-         numberCell(fmt::format("<small>{}</small>", intervalText(share.interval)));
+         numberCell(fmt::format("<small>{}</small>", intervalText(share.interval)), share.reason);
 }
 
 std::string numberedCell(std::size_t number, const std::string& name, const std::string& change) {

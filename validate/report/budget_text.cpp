@@ -15,27 +15,16 @@ std::string signedPercent(double share) {
   return (share < 0 ? "−" : "+") + percentText(std::abs(share));
 }
 
-std::string intervalText(const Interval& interval) {
-  const auto text = [](double share) {
-    const double percent = 100 * requireFinite(share, "budget.interval");
-    const double rounded = std::round(100 * percent) / 100;
-    return fmt::format("{}{:.2f}", rounded < 0 ? "−" : "", std::abs(rounded));
-  };
-  return text(interval.low) + " to " + text(interval.high);
-}
-
 std::string budgetNote(const BudgetRecord& budget) {
   return fmt::format(
       "Percent of the samples of view {}, {}. A cause’s share is the error before it is undone "
       "less "
       "that after, in the order of the list (forward) or from its end (backward), each time from "
-      "the "
-      "method as published; below zero where undoing it alone makes matters worse. Intervals of 95 "
-      "% "
-      "by a bootstrap of {} blocks. ≈ not distinguishable from none: the interval holds 0, or the "
-      "share is within the truth’s uncertainty of {} %. What is left is split into samples that "
-      "only an "
-      "occluder beyond the tables’ radius shadows, which takes global geometry, and the others.",
+      "the method as published; below zero where undoing it alone makes matters worse. Intervals "
+      "of 95 % by a bootstrap of {} blocks. ≈ not distinguishable from none: the interval holds 0, "
+      "there is none, or the share is within the truth’s uncertainty of {} %. What is left is "
+      "split into samples that only an occluder beyond the tables’ radius shadows, which takes "
+      "global geometry, and the others.",
       budget.view, budget.light == "all" ? "mean over all lights" : budget.light, budget.blocks,
       percentText(budget.uncertainty));
 }

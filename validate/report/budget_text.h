@@ -13,9 +13,6 @@ namespace gnomon {
 /// "+<0.01" or "−<0.01" for what would round to it.
 std::string signedPercent(double share);
 
-/// "−0.02 to 0.11", percent.
-std::string intervalText(const Interval& interval);
-
 /// What the figures are, of how many lights and blocks, and how sure the truth is.
 std::string budgetNote(const BudgetRecord& budget);
 

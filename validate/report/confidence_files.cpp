@@ -1,23 +1,9 @@
 #include "report/confidence_files.h"
 
+#include "report/interval_text.h"
 #include "report/names.h"
 
 namespace gnomon {
-namespace {
-
-std::optional<double> lowOf(const std::optional<Interval>& interval) {
-  return interval ? std::optional(interval->low) : std::nullopt;
-}
-
-std::optional<double> highOf(const std::optional<Interval>& interval) {
-  return interval ? std::optional(interval->high) : std::nullopt;
-}
-
-Json reasonJson(const std::string& reason) {
-  return reason.empty() ? Json(nullptr) : Json(reason);
-}
-
-}  // namespace
 
 Json jsonConfidence(const ConfidenceRecord& confidence) {
   return {{"method", confidence.method},
@@ -26,7 +12,7 @@ Json jsonConfidence(const ConfidenceRecord& confidence) {
           {"error_rate", jsonNumber(confidence.rate, "confidence.error_rate")},
           {"low", jsonNumber(lowOf(confidence.interval), "confidence.low")},
           {"high", jsonNumber(highOf(confidence.interval), "confidence.high")},
-          {"reason", reasonJson(confidence.reason)},
+          {"reason", jsonReason(confidence.reason)},
           {"blocks", confidence.blocks},
           {"block_side", confidence.blockSide}};
 }
@@ -39,7 +25,7 @@ Json jsonDifference(const DifferenceRecord& difference) {
           {"difference", jsonNumber(difference.difference, "differences.difference")},
           {"low", jsonNumber(lowOf(difference.interval), "differences.low")},
           {"high", jsonNumber(highOf(difference.interval), "differences.high")},
-          {"reason", reasonJson(difference.reason)},
+          {"reason", jsonReason(difference.reason)},
           {"uncertainty", jsonNumber(difference.uncertainty, "differences.uncertainty")},
           {"verdict", differenceVerdictName(difference.verdict)}};
 }

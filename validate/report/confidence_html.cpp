@@ -7,13 +7,14 @@
 #include "report/html_cells.h"
 #include "report/html_page.h"
 #include "report/html_text.h"
+#include "report/interval_text.h"
 #include "report/number_text.h"
 
 namespace gnomon {
 namespace {
 
 std::string intervalCell(const std::optional<Interval>& interval, const std::string& reason) {
-  return numberCell(escapeHtml(confidenceText(interval)), reason);
+  return numberCell(escapeHtml(intervalText(interval)), reason);
 }
 
 std::string tableRow(const StudyRecord& record, const ConfidenceRecord& row,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/budget_text.h"
+#include "report/interval_text.h"
 #include "report/number_text.h"
 
 namespace gnomon {
@@ -44,7 +45,7 @@ std::string listText(const std::vector<std::string>& names) {
 std::string betterText(const DifferenceRecord& difference) {
   return fmt::format("{} is better than {} by {} % of the samples ({}).", difference.first,
                      difference.second, percentText(-difference.difference),
-                     confidenceText(turned(difference.interval)));
+                     intervalText(turned(difference.interval)));
 }
 
 }  // namespace
@@ -81,10 +82,6 @@ std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, const st
     return difference;
   }
   return std::nullopt;
-}
-
-std::string confidenceText(const std::optional<Interval>& interval) {
-  return interval ? intervalText(*interval) : "–";
 }
 
 std::string verdictText(const StudyRecord& record, const std::string& view) {

@@ -22,9 +22,6 @@ std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::str
 std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, const std::string& view,
                                              const std::string& first, const std::string& second);
 
-/// "0.22 to 0.97", percent; "–" for none.
-std::string confidenceText(const std::optional<Interval>& interval);
-
 /// What can be said of the best method of a view, as sentences: "A is better than B by 1.06 % of
 /// the samples (0.75 to 1.32)", B being the next that it can be told from, and which it cannot.
 /// Empty where there is nothing to compare.

@@ -12,6 +12,7 @@
 #include "report/error_bars.h"
 #include "report/html_cells.h"
 #include "report/html_text.h"
+#include "report/interval_text.h"
 #include "report/number_text.h"
 #include "study/result_metrics.h"
 
@@ -52,7 +53,7 @@ std::string rankedRow(const RankedMethod& method, std::size_t rank, std::size_t 
       escapeHtml(method.label), errorBar(method, scale),
       indistinguishableText(method.indistinguishable), partial,
       numberCell("<b>" + withUncertainty(method.errorRate.value, method.uncertainty) + "</b>"),
-      numberCell(method.interval ? escapeHtml(intervalText(*method.interval)) : "–",
+      numberCell(escapeHtml(intervalText(method.interval)),
                  method.interval ? "" : "no interval was measured"),
       meanCell(method.falseShadow, method.cases), meanCell(method.falseLight, method.cases),
       meanCell(method.iou, method.cases), meanCell(method.ber, method.cases));

@@ -26,6 +26,10 @@ Json jsonNumber(std::optional<double> value, std::string_view key) {
   return value ? jsonNumber(*value, key) : Json(nullptr);
 }
 
+Json jsonReason(const std::string& reason) {
+  return reason.empty() ? Json(nullptr) : Json(reason);
+}
+
 void addMetrics(Json& json, const std::vector<Metric>& metrics) {
   Json undefined = Json::object();
   for (const Metric& metric : metrics) {

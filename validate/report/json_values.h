@@ -22,6 +22,9 @@ Json jsonNumber(double value, std::string_view key);
 /// A number, or null.
 Json jsonNumber(std::optional<double> value, std::string_view key);
 
+/// A reason, or null where there is none to give.
+Json jsonReason(const std::string& reason);
+
 /// Adds each value by its name, and under `undefined` why there is none.
 void addMetrics(Json& json, const std::vector<Metric>& metrics);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/block_bootstrap.h"
+#include "compare/confidence_interval.h"
 #include "study/record.h"
 
 namespace gnomon {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "report/budget_text.h"
+#include "report/interval_text.h"
 #include "report/text_width.h"
 
 namespace gnomon {

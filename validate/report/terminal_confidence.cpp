@@ -6,6 +6,7 @@
 
 #include "report/budget_text.h"
 #include "report/confidence_text.h"
+#include "report/interval_text.h"
 #include "report/number_text.h"
 #include "report/text_width.h"
 
@@ -28,11 +29,11 @@ std::string rowText(std::string_view method, std::string_view rate, std::string_
 
 std::string rowOf(const StudyRecord& record, const ConfidenceRecord& row, const std::string& best) {
   const std::string rate = percentText(row.rate);
-  const std::string interval = confidenceText(row.interval);
+  const std::string interval = intervalText(row.interval);
   const auto worse = differenceOf(record, row.view, row.method, best);
   if (row.method == best || !worse) return rowText(row.method, rate, interval, "", "");
   const std::string text = rowText(row.method, rate, interval, signedPercent(worse->difference),
-                                   confidenceText(worse->interval));
+                                   intervalText(worse->interval));
   return worse->verdict == DifferenceVerdict::notDistinguishable ? text + " ≈" : text;
 }
 

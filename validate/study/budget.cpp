@@ -3,27 +3,28 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
+#include <string>
 
 #include "common/error.h"
+#include "study/confidence.h"
 
 namespace gnomon {
 namespace {
 
-BudgetShare shareOf(double value, const Interval& interval, double uncertainty) {
-  return {value, interval, std::abs(value) > uncertainty && !interval.holds(0)};
+BudgetShare shareOf(double value, const ConfidenceInterval& confidence, double uncertainty) {
+  return {
+      value, confidence.interval, std::string(confidence.reason),
+      verdictOn(value, confidence.interval, uncertainty) != DifferenceVerdict::notDistinguishable};
 }
 
-/// A share of the error that is left, or all of it.
-BudgetShare partOf(const BlockErrors& errors, double uncertainty,
-                   const BootstrapSettings& bootstrap) {
-  return shareOf(errors.rate(), rateInterval(errors, bootstrap), uncertainty);
+/// A part of the error that is left.
+BudgetShare partOf(const BlockErrors& errors, const BudgetCase& which) {
+  return shareOf(errors.rate(), rateConfidence(errors, which.tiling), which.uncertainty);
 }
 
-BudgetShare stepOf(const StateErrors& before, const StateErrors& after, double uncertainty,
-                   const BootstrapSettings& bootstrap) {
+BudgetShare stepOf(const StateErrors& before, const StateErrors& after, const BudgetCase& which) {
   return shareOf(before.wrong.rate() - after.wrong.rate(),
-                 differenceInterval(before.wrong, after.wrong, bootstrap), uncertainty);
+                 differenceConfidence(before.wrong, after.wrong, which.tiling), which.uncertainty);
 }
 
 BlockErrors without(BlockErrors all, const BlockErrors& part) {
@@ -52,42 +53,42 @@ StateErrors& StateErrors::operator+=(const StateErrors& other) {
 }
 
 StateErrors stateErrors(const Mask& mask, const Truth& truth, const std::vector<double>& weights,
-                        int blockSide) {
+                        const Tiling& tiling) {
   std::vector<std::uint8_t> isDistant(truth.regions.size());
   std::transform(truth.regions.begin(), truth.regions.end(), isDistant.begin(), [](Region region) {
     return static_cast<std::uint8_t>(region == Region::distant);
   });
-  return {blockErrors(mask, truth.mask, blockSide, weights),
-          blockErrors(mask, truth.mask, blockSide, weights, isDistant),
+  return {blockErrors(mask, truth.mask, tiling.cellSide, weights),
+          blockErrors(mask, truth.mask, tiling.cellSide, weights, isDistant),
           countSamples(mask, truth.mask, weights)};
 }
 
 BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
                             const std::vector<StateErrors>& forward,
-                            const std::vector<StateErrors>& backward,
-                            const BootstrapSettings& bootstrap) {
+                            const std::vector<StateErrors>& backward) {
   const std::size_t causes = ladder.causes.size();
   if (forward.size() != causes + 1 || backward.size() != causes + 1) {
     throw InternalError(fmt::format("ladder {}: {} and {} states found, {} expected", ladder.method,
                                     forward.size(), backward.size(), causes + 1));
   }
   const auto step = [&](const std::vector<StateErrors>& states, std::size_t k) {
-    return stepOf(states[k], states[k + 1], which.uncertainty, bootstrap);
+    return stepOf(states[k], states[k + 1], which);
   };
   BudgetRecord record;
   record.method = ladder.method;
   record.view = which.view;
   record.light = which.light;
   record.uncertainty = which.uncertainty;
-  record.blocks = forward.front().wrong.count();
-  record.total = partOf(forward.front().wrong, which.uncertainty, bootstrap);
+  const ConfidenceInterval total = rateConfidence(forward.front().wrong, which.tiling);
+  record.blocks = total.blocks;
+  record.total = shareOf(forward.front().wrong.rate(), total, which.uncertainty);
   for (std::size_t k = 0; k < causes; ++k) {
     record.causes.push_back({ladder.causes[k].name, ladder.causes[k].change, step(forward, k),
                              step(backward, causes - 1 - k)});
   }
   const StateErrors& last = forward.back();
-  record.distant = partOf(last.distant, which.uncertainty, bootstrap);
-  record.other = partOf(without(last.wrong, last.distant), which.uncertainty, bootstrap);
+  record.distant = partOf(last.distant, which);
+  record.other = partOf(without(last.wrong, last.distant), which);
   record.forward = statesOf(forward);
   record.backward = statesOf(backward);
   return record;

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "compare/block_bootstrap.h"
+#include "compare/confidence_interval.h"
 
 namespace gnomon {
 
@@ -12,9 +13,10 @@ namespace gnomon {
 /// worse: two wrongs of a method may cancel.
 struct BudgetShare {
   double value = 0;
-  Interval interval;  ///< 95 %, by the block bootstrap
-  bool distinguishable =
-      false;  ///< from none: beyond the truth's uncertainty, and no 0 in the interval
+  std::optional<Interval> interval;  ///< 95 %; none where the view is too small to tell
+  std::string reason;                ///< why there is none; empty if there is one
+  /// From none: beyond the truth's uncertainty, and no 0 in the interval.
+  bool distinguishable = false;
 };
 
 /// What one cause takes of a method's error when it is undone.
@@ -39,7 +41,7 @@ struct BudgetRecord {
   std::string view;
   std::string light;       ///< its name, or "all": the mean over the study's lights
   double uncertainty = 0;  ///< of the truth in this view, mean over these lights
-  std::size_t blocks = 0;  ///< that the bootstrap draws from
+  std::size_t blocks = 0;  ///< of the view that hold a sample: what the bootstrap draws from
   BudgetShare total;       ///< the method's error rate
   std::vector<BudgetCause> causes;
   BudgetShare distant;  ///< left, in the region `distant`: only global geometry can tell

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/block_bootstrap.h"
+#include "compare/block_errors.h"
 #include "compare/confidence_interval.h"
 #include "study/confidence_record.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "compare/block_bootstrap.h"
+#include "compare/confidence_interval.h"
 
 namespace gnomon {
 

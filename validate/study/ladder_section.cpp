@@ -66,12 +66,12 @@ LadderSpec readLadder(const TomlReader& section, const StudySpec& study,
 
 }  // namespace
 
-BudgetSpec readBudget(const TomlReader& root, const StudySpec& study,
-                      const MethodDefaults& defaults, bool quick) {
-  BudgetSpec budget;
+std::vector<LadderSpec> readLadders(const TomlReader& root, const StudySpec& study,
+                                    const MethodDefaults& defaults) {
+  std::vector<LadderSpec> ladders;
   for (const TomlReader& section : root.optionalTables("ladder")) {
     LadderSpec ladder = readLadder(section, study, defaults);
-    for (const LadderSpec& other : budget.ladders) {
+    for (const LadderSpec& other : ladders) {
       if (other.method != ladder.method) continue;
       section.fail("method", fmt::format("\"{}\" has another ladder", ladder.method));
     }
@@ -82,16 +82,9 @@ BudgetSpec readBudget(const TomlReader& root, const StudySpec& study,
       section.fail("method",
                    "no [[view]] of type atlas found, where its error could be attributed");
     }
-    budget.ladders.push_back(std::move(ladder));
+    ladders.push_back(std::move(ladder));
   }
-  if (const auto section = root.optionalTable("budget")) {
-    if (budget.ladders.empty()) root.fail("budget", "no [[ladder]] found, at least one expected");
-    budget.blockSide = section->integer("block", 1, 16384, budget.blockSide);
-    budget.resamples = section->integer("resamples", 100, 1000000, budget.resamples);
-    section->finish();
-  }
-  if (quick) budget.blockSide = std::max(1, budget.blockSide / 4);
-  return budget;
+  return ladders;
 }
 
 }  // namespace gnomon

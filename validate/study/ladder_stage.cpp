@@ -13,17 +13,16 @@ namespace gnomon {
 
 LadderStage::LadderStage(RunScene& scene, RunWriter& writer) : scene_(scene), writer_(writer) {
   const StudySpec& study = scene.study;
-  if (study.budget.ladders.empty()) return;
+  if (study.ladders.empty()) return;
   const auto atlas = std::find_if(study.views.begin(), study.views.end(), [](const ViewSpec& v) {
     return std::holds_alternative<AtlasSpec>(v.kind);
   });
   view_ = static_cast<std::size_t>(atlas - study.views.begin());
-  for (const LadderSpec& ladder : study.budget.ladders) {
+  for (const LadderSpec& ladder : study.ladders) {
     for (const auto* way : {&ladder.forward, &ladder.backward}) {
       for (const MethodSpec& state : *way) addState(state, ladder.method);
     }
   }
-  requireBlocks(scene.standardBase().views[*view_]);
   errors_.resize(study.lights.size());
 }
 
@@ -38,16 +37,6 @@ void LadderStage::addState(const MethodSpec& spec, const std::string& method) {
   }
 }
 
-/// The bootstrap needs at least two blocks.
-void LadderStage::requireBlocks(const ViewCase& seen) const {
-  const int side = scene_.study.budget.blockSide;
-  const auto blocks = [side](int samples) { return (samples + side - 1) / side; };
-  if (blocks(seen.view.width) * blocks(seen.view.height) >= 2) return;
-  throw InputError(
-      fmt::format("budget.block: {} samples found, less than a side of the view, {} × {}, expected",
-                  side, seen.view.width, seen.view.height));
-}
-
 /// Its index, or the number of states.
 std::size_t LadderStage::stateOf(const MethodSpec& spec) const {
   const auto found = std::find_if(states_.begin(), states_.end(), [&](const MethodCase& state) {
@@ -57,14 +46,15 @@ std::size_t LadderStage::stateOf(const MethodSpec& spec) const {
 }
 
 void LadderStage::measure(std::size_t light, const std::vector<std::optional<Mask>>& masks) {
+  const ViewCase& shown = scene_.standardBase().views[*view_];
+  tiling_ = chooseTiling(shown.truths.front().mask, shown.weights);
   for (std::size_t s = 0; s < states_.size(); ++s) {
     const ViewCase& seen = states_[s].base->views[*view_];
     const Mask mask = scene_.clock.measure(
         "ladders", [&](const Progress&) { return answerOf(scene_, states_[s], *view_, light); });
     scene_.clock.measure("compare", [&](const Progress&) {
       requireStarts(s, mask, masks);
-      errors_[light].push_back(
-          stateErrors(mask, seen.truths[light], seen.weights, scene_.study.budget.blockSide));
+      errors_[light].push_back(stateErrors(mask, seen.truths[light], seen.weights, tiling_));
     });
     scene_.clock.measure("writing",
                          [&](const Progress&) { writer_.mask(maskPath(s, light), mask); });
@@ -75,7 +65,7 @@ void LadderStage::measure(std::size_t light, const std::vector<std::optional<Mas
 void LadderStage::requireStarts(std::size_t state, const Mask& mask,
                                 const std::vector<std::optional<Mask>>& masks) const {
   const StudySpec& study = scene_.study;
-  for (const LadderSpec& ladder : study.budget.ladders) {
+  for (const LadderSpec& ladder : study.ladders) {
     if (stateOf(ladder.forward.front()) != state) continue;
     const auto method = std::find_if(study.methods.begin(), study.methods.end(),
                                      [&](const MethodSpec& m) { return m.label == ladder.method; });
@@ -101,7 +91,7 @@ std::vector<BudgetRecord> LadderStage::attribute(const TruthRecord& truth) const
   std::vector<BudgetRecord> budgets;
   std::vector<std::size_t> lights(scene_.study.lights.size());
   std::iota(lights.begin(), lights.end(), 0);
-  for (const LadderSpec& ladder : scene_.study.budget.ladders) {
+  for (const LadderSpec& ladder : scene_.study.ladders) {
     scene_.clock.measure("confidence", [&](const Progress&) {
       if (lights.size() > 1) budgets.push_back(attribute(ladder, "all", lights, truth));
       for (const std::size_t light : lights) {
@@ -140,11 +130,9 @@ double LadderStage::uncertaintyOf(const TruthRecord& truth,
 BudgetRecord LadderStage::attribute(const LadderSpec& ladder, const std::string& name,
                                     std::span<const std::size_t> lights,
                                     const TruthRecord& truth) const {
-  BootstrapSettings bootstrap;
-  bootstrap.resamples = scene_.study.budget.resamples;
   return attributeError(
-      ladder, {scene_.study.views[*view_].name, name, uncertaintyOf(truth, lights)},
-      errorsAlong(ladder.forward, lights), errorsAlong(ladder.backward, lights), bootstrap);
+      ladder, {scene_.study.views[*view_].name, name, uncertaintyOf(truth, lights), tiling_},
+      errorsAlong(ladder.forward, lights), errorsAlong(ladder.backward, lights));
 }
 
 }  // namespace gnomon

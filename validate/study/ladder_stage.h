@@ -21,8 +21,7 @@ class LadderStage {
  public:
   /// Prepares all states. Without a ladder there is nothing to do, here or later.
   /// @param writer  gets the masks of the states
-  /// @throws InputError as prepareMethod, for a state that has no answer in an atlas, or for blocks
-  ///   that leave the bootstrap fewer than two
+  /// @throws InputError as prepareMethod, or for a state that has no answer in an atlas
   LadderStage(RunScene& scene, RunWriter& writer);
 
   /// For tables that are shot on the displaced surface.
@@ -41,7 +40,6 @@ class LadderStage {
 
  private:
   void addState(const MethodSpec& spec, const std::string& method);
-  void requireBlocks(const ViewCase& seen) const;
   [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const;
   void requireStarts(std::size_t state, const Mask& mask,
                      const std::vector<std::optional<Mask>>& masks) const;
@@ -57,6 +55,7 @@ class LadderStage {
   RunScene& scene_;
   RunWriter& writer_;
   std::optional<std::size_t> view_;
+  Tiling tiling_;                                 ///< of that view
   std::vector<MethodCase> states_;                ///< of all ladders, without repetition
   std::vector<std::vector<StateErrors>> errors_;  ///< [light][state]
 };

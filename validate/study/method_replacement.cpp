@@ -55,7 +55,6 @@ void removeLadder(toml::table& study, const std::string& label) {
   }
   if (!ladders->empty()) return;
   study.erase("ladder");
-  study.erase("budget");
 }
 
 }  // namespace

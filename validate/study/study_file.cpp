@@ -253,7 +253,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
       claim.fail("gain_grows", "no [sweep] found, over which a gain could grow");
     }
   }
-  study.budget = readBudget(root, study, defaults, options.quick);
+  study.ladders = readLadders(root, study, defaults);
   (void)root.optionalTable("sweep");
   root.finish();
   reduce(study, options);

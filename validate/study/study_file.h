@@ -104,14 +104,6 @@ struct LadderSpec {
   std::vector<MethodSpec> backward;
 };
 
-/// Which errors are attributed to their causes, in the study's first atlas view: there all base
-/// meshes show the same samples.
-struct BudgetSpec {
-  int blockSide = 32;    ///< samples: what the bootstrap draws together
-  int resamples = 1000;  ///< of the bootstrap
-  std::vector<LadderSpec> ladders;
-};
-
 struct StudySpec {
   std::filesystem::path file;
   std::string name, title, source;
@@ -126,7 +118,9 @@ struct StudySpec {
   std::vector<MethodSpec> methods;
   std::vector<ThresholdSpec> thresholds;
   std::vector<ClaimSpec> claims;
-  BudgetSpec budget;
+  /// Errors to attribute to their causes, in the first atlas view: there all base meshes show the
+  /// same samples.
+  std::vector<LadderSpec> ladders;
   bool ranked = true;  ///< counts in a ranking over the studies of a run
   std::vector<LeftOutThreshold> leftOut = {};
   std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of

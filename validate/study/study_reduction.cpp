@@ -36,8 +36,7 @@ void keepMethods(StudySpec& study, const Condition& isWanted) {
   std::erase_if(study.claims, [&](const ClaimSpec& claim) {
     return isGone(claim.less) || isGone(claim.than) || isGone(claim.method);
   });
-  std::erase_if(study.budget.ladders,
-                [&](const LadderSpec& ladder) { return isGone(ladder.method); });
+  std::erase_if(study.ladders, [&](const LadderSpec& ladder) { return isGone(ladder.method); });
 }
 
 /// Keeps the methods that the command line names, by label or by name.

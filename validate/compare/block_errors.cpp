@@ -1,16 +1,14 @@
-#include "compare/block_bootstrap.h"
+#include "compare/block_errors.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 
 #include "common/error.h"
 #include "compare/counts.h"
 #include "compare/mask_checks.h"
-#include "compare/resampling.h"
 
 namespace gnomon {
 namespace {
@@ -27,26 +25,11 @@ void requireSameBlocks(const BlockErrors& a, const BlockErrors& b) {
   }
 }
 
-double ratio(double wrong, double weight) {
-  return weight > 0 ? wrong / weight : 0;
-}
-
-/// Wrong and all weight of one resample.
-struct Sums {
-  double wrong = 0;
-  double weight = 0;
-
-  void add(const BlockErrors& errors, std::size_t block) {
-    wrong += errors.wrong[block];
-    weight += errors.weight[block];
-  }
-  [[nodiscard]] double rate() const { return ratio(wrong, weight); }
-};
-
 }  // namespace
 
 double BlockErrors::rate() const {
-  return ratio(sumOf(wrong), sumOf(weight));
+  const double all = sumOf(weight);
+  return all > 0 ? sumOf(wrong) / all : 0;
 }
 
 std::size_t BlockErrors::count() const {
@@ -87,43 +70,6 @@ BlockErrors blockErrors(const Mask& mask, const Mask& truth, int side,
     }
   }
   return errors;
-}
-
-Interval differenceInterval(const BlockErrors& before, const BlockErrors& after,
-                            const BootstrapSettings& settings) {
-  requireSameBlocks(before, after);
-  if (settings.resamples < 1 || !(settings.confidence > 0 && settings.confidence < 1)) {
-    throw InternalError(fmt::format("{} resamples and confidence {} found", settings.resamples,
-                                    settings.confidence));
-  }
-  std::vector<std::size_t> held;
-  for (std::size_t i = 0; i < before.weight.size(); ++i) {
-    if (before.weight[i] > 0 || after.weight[i] > 0) held.push_back(i);
-  }
-  if (held.size() < 2) {
-    throw InternalError(
-        fmt::format("{} blocks with a sample found, at least 2 expected", held.size()));
-  }
-  Draws draws(settings.seed, held.size());
-  std::vector<double> differences;
-  for (int r = 0; r < settings.resamples; ++r) {
-    Sums first;
-    Sums second;
-    for (std::size_t k = 0; k < held.size(); ++k) {
-      const std::size_t block = held[draws.next()];
-      first.add(before, block);
-      second.add(after, block);
-    }
-    differences.push_back(first.rate() - second.rate());
-  }
-  std::sort(differences.begin(), differences.end());
-  const double tail = (1 - settings.confidence) / 2;
-  return {percentile(differences, tail), percentile(differences, 1 - tail)};
-}
-
-Interval rateInterval(const BlockErrors& errors, const BootstrapSettings& settings) {
-  const BlockErrors none{std::vector<double>(errors.wrong.size()), errors.weight};
-  return differenceInterval(errors, none, settings);
 }
 
 }  // namespace gnomon

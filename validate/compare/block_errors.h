@@ -35,33 +35,4 @@ BlockErrors blockErrors(const Mask& mask, const Mask& truth, int side,
                         std::span<const double> weights = {},
                         std::span<const std::uint8_t> selected = {});
 
-/// A confidence interval, both ends included.
-struct Interval {
-  double low = 0;
-  double high = 0;
-
-  /// Whether it holds a number.
-  [[nodiscard]] bool holds(double value) const { return low <= value && value <= high; }
-};
-
-struct BootstrapSettings {
-  int resamples = 1000;
-  double confidence = 0.95;
-  std::uint64_t seed = 1978;
-};
-
-/// The confidence interval of before.rate() - after.rate(), two answers at the same samples: the
-/// block bootstrap (Efron 1979; of blocks, Künsch 1989). As many blocks as there are are drawn with
-/// replacement, the same ones for both answers, so that what they have in common cancels; the
-/// interval is that between the percentiles of the differences of all resamples.
-/// The same input gives the same bits: the generator and what is made of its numbers are fixed.
-/// @throws InternalError where the blocks of both differ in number, fewer than two hold a sample,
-/// or
-///   the settings have no resample or a confidence outside 0 to 1
-Interval differenceInterval(const BlockErrors& before, const BlockErrors& after,
-                            const BootstrapSettings& settings = {});
-
-/// The same for one rate alone.
-Interval rateInterval(const BlockErrors& errors, const BootstrapSettings& settings = {});
-
 }  // namespace gnomon
