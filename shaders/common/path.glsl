@@ -36,15 +36,15 @@ vec2 pathPoint(Path path, float t) { return path.start + t * (path.direction + t
 // that is 0 or more. With γ = κt the horizon of osculating.glsl, tan β′ ≥ tan θ, times sin γ (1 +
 // κh₁) / κ > 0 and without the difference of numbers near 1:
 //   h₁ (1 - κ D) - h₀ - D ≥ 0,   D = (1 - cos γ) / κ + tan θ sin γ / κ.
-// Both quotients are series, right to 2e-4 up to a quarter turn, so that κ → 0 needs no case.
+// Both quotients are polynomials, right to 2e-4 up to a quarter turn, so that κ → 0 needs no case.
 float excess(Path path, float t, float bump) {
   float reach = t * path.worldPerTexel;
   float curvature = path.curvature + t * path.turn;
   float angle = curvature * reach;
   float q = angle * angle;
   // sin γ / γ and (1 - cos γ) / γ.
-  float sine = 1.0 + q * (-1.0 / 6.0 + q * (1.0 / 120.0 - q * (1.0 / 5040.0)));
-  float versine = angle * (0.5 + q * (-1.0 / 24.0 + q * (1.0 / 720.0 - q * (1.0 / 40320.0))));
+  float sine = 1.0 + q * (-0.166183 + q * 0.00769);
+  float versine = angle * (0.5 + q * (-0.0416083 + q * 0.00130917));
   float drop = reach * (versine + path.slope * sine);
   float occluder = (path.scale + t * path.growth) * bump;
   return occluder * (1.0 - curvature * drop) - path.height - drop;
@@ -61,17 +61,14 @@ float pathLimit(Path path, float farthest) {
   float climb = path.slope - path.growth * heightBounds.y / path.worldPerTexel;
   float free = max(highest - path.height, 0.0) / max(1.0 + path.curvature * path.height, 0.1);
   float low = min(path.curvature, path.curvature + farthest * path.turn);
-  if (low < 0.0) {
-    float end = farthest * path.worldPerTexel;
-    bool back = climb * inversesqrt(1.0 + climb * climb) * end + 0.5 * low * end * end <= free;
-    if (back) return farthest;
-    low *= 1.0 + 2.0 * climb * climb;
-  }
+  float end = farthest * path.worldPerTexel;
+  float chord = climb * inversesqrt(1.0 + climb * climb) * end + 0.5 * low * end * end;
+  bool back = low < 0.0 && chord <= free;
+  low *= low < 0.0 ? 1.0 + 2.0 * climb * climb : 1.0;
   float square = climb * climb + 2.0 * low * free;
-  if (square < 0.0) return farthest;
-  float root = climb + sqrt(square);
-  if (root <= 0.0) return farthest;
-  return min(farthest, 2.0 * free / (root * path.worldPerTexel));
+  float root = climb + sqrt(max(square, 0.0));
+  bool leaves = !back && square >= 0.0 && root > 0.0;
+  return leaves ? min(farthest, 2.0 * free / (root * path.worldPerTexel)) : farthest;
 }
 
 // Where the path itself is no longer known: past `range`; past the border of a map that does not
@@ -139,8 +136,9 @@ Path makePath(Pixel pixel, LocalLight light, float range) {
 // Shadowed where the path begins: by the bare surface, (3), or by the slope that the point lies on
 // (attached shadow, d = 0).
 bool shadowedAtStart(Path path) {
-  if (path.curvature > 0.0 && !(path.slope > bareHorizon(path.curvature, path.height))) return true;
-  return !(path.slope > osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
+  float bare = bareHorizon(path.curvature, path.height);
+  float own = osculatingHorizon(path.curvature, path.height, path.rise, 0.0);
+  return !(path.slope > (path.curvature > 0.0 ? max(bare, own) : own));
 }
 
 // Along the path the bilinear relief has its kinks, and nearly always its horizon, where it crosses
@@ -169,22 +167,44 @@ void pass(inout Crossings at) {
   }
 }
 
-// Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two
-// crossings, so that every other cell of the way is enough, and with it half of the reads.
-bool shadowedAtCrossings(Path path, float end) {
+// The crossings from t on, t ≥ 0.
+Crossings crossingsFrom(Path path, float t) {
   Crossings at = firstCrossings(path);
-  for (float enter = nextCrossing(at); enter <= end; enter = nextCrossing(at)) {
+  at.next += at.step * max(ceil((t - at.next) / at.step), 0.0);
+  return at;
+}
+
+// Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two
+// crossings, so that every other cell of the way is enough, and with it half of the reads. A
+// software renderer pays for every way out of a loop, and leaves one only at the end of its body:
+// hence the one way out, and there.
+bool shadowedAtCrossings(Path path, Crossings at, float end) {
+  vec2 texelSize = 1.0 / vec2(textureSize(heightMap, 0));
+  float enter = nextCrossing(at);
+  float most;  // excess
+  do {
     pass(at);
     float leave = nextCrossing(at);
     pass(at);
-    Cell cell = heightCell(pathPoint(path, 0.5 * (enter + leave)));
-    vec2 corner = pathPoint(path, 0.5 * (enter + leave)) - cell.fraction;
-    cell.fraction = clamp(pathPoint(path, enter) - corner, 0.0, 1.0);
-    if (excess(path, enter, heightIn(cell)) >= 0.0) return true;
-    cell.fraction = clamp(pathPoint(path, leave) - corner, 0.0, 1.0);
-    if (leave <= end && excess(path, leave, heightIn(cell)) >= 0.0) return true;
-  }
-  return false;
+    // Half of the way through the cell, and its place there.
+    float far = 0.5 * (leave - enter);
+    float middle = enter + far;
+    vec2 bent = middle * path.bend;
+    Cell cell = heightCell(path.start + middle * (path.direction + bent), texelSize);
+    vec2 way = far * (path.direction + 2.0 * bent);
+    // Within the cell: a bent path need not cross the lines where a straight one does.
+    float first = heightIn(cell.heights, clamp(cell.fraction - way, 0.0, 1.0));
+    float second = heightIn(cell.heights, clamp(cell.fraction + way, 0.0, 1.0));
+    float before = excess(path, enter, first);
+    float after = excess(path, leave, second);
+    most = max(enter <= end ? before : -1.0, leave <= end ? after : -1.0);
+    enter = nextCrossing(at);
+  } while (enter <= end && most < 0.0);
+  return most >= 0.0;
+}
+
+bool shadowedAtCrossings(Path path, float end) {
+  return shadowedAtCrossings(path, firstCrossings(path), end);
 }
 
 #endif

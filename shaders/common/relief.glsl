@@ -25,17 +25,22 @@ struct Cell {
 
 // The four texels come from one gather at the corner that they share, half a texel from where the
 // choice of texels could depend on rounding; the sampler wraps as wrapTexel does.
-Cell heightCell(vec2 at) {
+// `texelSize` is 1 / the map's size.
+Cell heightCell(vec2 at, vec2 texelSize) {
   vec2 corner = floor(at - 0.5);
-  vec4 texels = textureGather(heightMap, (corner + 1.0) / vec2(textureSize(heightMap, 0)));
+  vec4 texels = textureGather(heightMap, (corner + 1.0) * texelSize);
   return Cell(texels.wzxy, at - 0.5 - corner);
 }
 
-// The bilinear function in a cell, height units.
-float heightIn(Cell cell) {
-  vec2 rows = mix(cell.heights.xz, cell.heights.yw, cell.fraction.x);
-  return mix(rows.x, rows.y, cell.fraction.y);
+Cell heightCell(vec2 at) { return heightCell(at, 1.0 / vec2(textureSize(heightMap, 0))); }
+
+// The bilinear function of the heights of a cell's corners.
+float heightIn(vec4 heights, vec2 fraction) {
+  vec2 rows = mix(heights.xz, heights.yw, fraction.x);
+  return mix(rows.x, rows.y, fraction.y);
 }
+
+float heightIn(Cell cell) { return heightIn(cell.heights, cell.fraction); }
 
 // h(x, y), height units.
 float heightAt(vec2 at) { return heightIn(heightCell(at)); }

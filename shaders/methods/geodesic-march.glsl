@@ -15,5 +15,6 @@ about = "farthest sample, texels"
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light, range);
-  return shadowedAtStart(path) || shadowedAtCrossings(path, path.limit);
+  bool shadowed = shadowedAtStart(path);
+  return shadowedAtCrossings(path, shadowed ? 0.0 : path.limit) || shadowed;
 }

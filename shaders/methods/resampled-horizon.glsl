@@ -9,11 +9,11 @@ minimum = 1
 maximum = 4096
 about = "texel crossings sampled before the table is asked"
 
-[parameters.refinements]
-default = 2
+[parameters.search]
+default = 1
 minimum = 0
 maximum = 16
-about = "steps of the search about the best candidate, from 1 texel, each half the one before"
+about = "texels searched before and after each place that the table names"
 
 [parameters.range]
 default = 128
@@ -31,37 +31,35 @@ about = "farthest sample, texels"
 
 // Where the horizon point of one of the four texels about the pixel, in one of the two azimuths
 // about the light's, lies along the path: that texel's own place plus its d, both along e.
-// `candidate` is 0 to 7.
-float candidateDistance(Pixel pixel, LocalLight light, int candidate) {
-  float azimuths = float(textureSize(distanceTable, 0).z);
-  vec2 texel = floor(pixel.texel - 0.5) + vec2(candidate & 1, candidate >> 1 & 1);
-  int azimuth = int(light.azimuth / (2.0 * pi) * azimuths) + (candidate >> 2);
-  float distance = tableEntry(distanceTable, distanceRange, ivec2(texel), azimuth);
-  return dot(texel + 0.5 - pixel.texel, light.direction) +
-         distance * cos(2.0 * pi * float(azimuth) / azimuths - light.azimuth);
+// `candidate` counts them modulo 8.
+float candidateDistance(Path path, LocalLight light, int candidate) {
+  int azimuths = textureSize(distanceTable, 0).z;
+  float place = light.azimuth / (2.0 * pi) * float(azimuths);
+  vec2 texel = floor(path.start - 0.5) + vec2(candidate & 1, candidate >> 1 & 1);
+  float azimuth = floor(place) + float(candidate >> 2 & 1);
+  float distance = tableEntry(distanceTable, distanceRange, ivec2(texel), int(azimuth));
+  float angle = 2.0 * pi * (azimuth - place) / float(azimuths);
+  // cos to 9e-4 up to a quarter turn, which four azimuths leave.
+  float cosine = 1.0 + angle * angle * (-0.4967 + 0.03705 * angle * angle);
+  return dot(texel + 0.5 - path.start, light.direction) + distance * cosine;
 }
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light, range);
-  if (shadowedAtStart(path)) return true;
+  bool shadowed = shadowedAtStart(path);
   // The path crosses |e_x| columns and |e_y| rows a texel.
-  float close = min(path.limit, crossings / (abs(light.direction.x) + abs(light.direction.y)));
-  if (shadowedAtCrossings(path, close)) return true;
+  float close = crossings / (abs(light.direction.x) + abs(light.direction.y));
 
-  // The candidates, then a search about the best of them, one texel before and after it, then half a one.
-  float best = -1e30;
-  float bestAt = 0.0;
-  float step = 1.0;
-  int last = close < path.limit ? 8 + 2 * int(refinements) : 0;
-  for (int k = 0; k < last; ++k) {
-    float t = k < 8 ? candidateDistance(pixel, light, k) : bestAt + ((k & 1) == 0 ? -step : step);
-    if (k >= 8 && (k & 1) != 0) step *= 0.5;
-    float found = t > close && t <= path.limit ? excess(path, t) : -1e30;
-    if (found >= 0.0) return true;
-    if (found > best) {
-      best = found;
-      bestAt = t;
-    }
-  }
-  return false;
+  // The first crossings, then those about each of the candidates. One loop within the other: a
+  // software renderer runs the body of every loop at least once.
+  Crossings at = firstCrossings(path);
+  float end = shadowed ? 0.0 : min(path.limit, close);
+  int candidates = path.limit > close ? 8 : 0;
+  do {
+    shadowed = shadowedAtCrossings(path, at, end) || shadowed;
+    float t = candidateDistance(path, light, candidates);
+    at = crossingsFrom(path, max(t - search, close));
+    end = min(t + search, path.limit);
+  } while (!shadowed && --candidates >= 0);
+  return shadowed;
 }

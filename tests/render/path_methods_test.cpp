@@ -231,7 +231,7 @@ TEST(PathMethods, AreNeverBlindToAttachedShadows) {
     const Mask turned = scene.answer("unshadowed", view, light);
     const std::map<std::string, Parameters> few = {
         {"geodesic-march", {{"range", 1}}},
-        {"resampled-horizon", {{"range", 1}, {"crossings", 1}, {"refinements", 0}}}};
+        {"resampled-horizon", {{"range", 1}, {"crossings", 1}, {"search", 0}}}};
     for (const auto& [method, parameters] : few) {
       const Mask mask = with(scene, method, view, light, parameters);
       for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -273,9 +273,9 @@ TEST(PathMethods, ASearchAboutTheBestCandidateFindsMore) {
                           2);
   const RenderView view = atlasView(scene.surface, 12);
   const Vec3 light = lightToward(20, 25);
-  const auto share = [&](double refinements) {
+  const auto share = [&](double search) {
     return shareShadowed(with(scene, "resampled-horizon", view, light,
-                              {{"crossings", 1}, {"refinements", refinements}}));
+                              {{"crossings", 1}, {"search", search}}));
   };
   EXPECT_GT(share(1), share(0));
   EXPECT_GT(share(2), share(1));
