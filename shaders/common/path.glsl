@@ -175,14 +175,14 @@ Crossings crossingsFrom(Path path, float t) {
 }
 
 // Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two
-// crossings, so that every other cell of the way is enough, and with it half of the reads. A
-// software renderer pays for every way out of a loop, and leaves one only at the end of its body:
-// hence the one way out, and there.
+// crossings, so that every other cell of the way is enough, and with it half of the reads. One way
+// out of the loop, since a software renderer pays in every step for each; and at its top: Mesa 22's
+// gives what is reckoned in a loop that is left at its end, and used after it, anew to pixels that
+// have left it before.
 bool shadowedAtCrossings(Path path, Crossings at, float end) {
   vec2 texelSize = 1.0 / vec2(textureSize(heightMap, 0));
-  float enter = nextCrossing(at);
-  float most;  // excess
-  do {
+  float most = -1.0;  // excess
+  for (float enter = nextCrossing(at); enter <= end && most < 0.0; enter = nextCrossing(at)) {
     pass(at);
     float leave = nextCrossing(at);
     pass(at);
@@ -197,9 +197,8 @@ bool shadowedAtCrossings(Path path, Crossings at, float end) {
     float second = heightIn(cell.heights, clamp(cell.fraction + way, 0.0, 1.0));
     float before = excess(path, enter, first);
     float after = excess(path, leave, second);
-    most = max(enter <= end ? before : -1.0, leave <= end ? after : -1.0);
-    enter = nextCrossing(at);
-  } while (enter <= end && most < 0.0);
+    most = max(before, leave <= end ? after : -1.0);
+  }
   return most >= 0.0;
 }
 

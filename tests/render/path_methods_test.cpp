@@ -274,8 +274,8 @@ TEST(PathMethods, ASearchAboutTheBestCandidateFindsMore) {
   const RenderView view = atlasView(scene.surface, 12);
   const Vec3 light = lightToward(20, 25);
   const auto share = [&](double search) {
-    return shareShadowed(with(scene, "resampled-horizon", view, light,
-                              {{"crossings", 1}, {"search", search}}));
+    return shareShadowed(
+        with(scene, "resampled-horizon", view, light, {{"crossings", 1}, {"search", search}}));
   };
   EXPECT_GT(share(1), share(0));
   EXPECT_GT(share(2), share(1));
