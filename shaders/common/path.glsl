@@ -175,10 +175,9 @@ Crossings crossingsFrom(Path path, float t) {
 }
 
 // Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two
-// crossings, so that every other cell of the way is enough, and with it half of the reads. One way
-// out of the loop, since a software renderer pays in every step for each; and at its top: Mesa 22's
-// gives what is reckoned in a loop that is left at its end, and used after it, anew to pixels that
-// have left it before.
+// crossings, so that every other cell of the way is enough, and with it half of the reads. The loop
+// has one way out, since a software renderer pays for each in every step, and that at its top: of a
+// loop left at its end alone Mesa 22's goes on to change the result of pixels that have left it.
 bool shadowedAtCrossings(Path path, Crossings at, float end) {
   vec2 texelSize = 1.0 / vec2(textureSize(heightMap, 0));
   float most = -1.0;  // excess

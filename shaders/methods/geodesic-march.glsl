@@ -15,6 +15,5 @@ about = "farthest sample, texels"
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light, range);
-  bool shadowed = shadowedAtStart(path);
-  return shadowedAtCrossings(path, shadowed ? 0.0 : path.limit) || shadowed;
+  return shadowedAtStart(path) || shadowedAtCrossings(path, path.limit);
 }

@@ -10,7 +10,7 @@ maximum = 4096
 about = "texel crossings sampled before the table is asked"
 
 [parameters.search]
-default = 1
+default = 2
 minimum = 0
 maximum = 16
 about = "texels searched before and after each place that the table names"
@@ -31,12 +31,12 @@ about = "farthest sample, texels"
 
 // Where the horizon point of one of the four texels about the pixel, in one of the two azimuths
 // about the light's, lies along the path: that texel's own place plus its d, both along e.
-// `candidate` counts them modulo 8.
+// `candidate` is 0 to 7.
 float candidateDistance(Path path, LocalLight light, int candidate) {
   int azimuths = textureSize(distanceTable, 0).z;
   float place = light.azimuth / (2.0 * pi) * float(azimuths);
   vec2 texel = floor(path.start - 0.5) + vec2(candidate & 1, candidate >> 1 & 1);
-  float azimuth = floor(place) + float(candidate >> 2 & 1);
+  float azimuth = floor(place) + float(candidate >> 2);
   float distance = tableEntry(distanceTable, distanceRange, ivec2(texel), int(azimuth));
   float angle = 2.0 * pi * (azimuth - place) / float(azimuths);
   // cos to 9e-4 up to a quarter turn, which four azimuths leave.
@@ -46,20 +46,19 @@ float candidateDistance(Path path, LocalLight light, int candidate) {
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light, range);
-  bool shadowed = shadowedAtStart(path);
+  if (shadowedAtStart(path)) return true;
   // The path crosses |e_x| columns and |e_y| rows a texel.
   float close = crossings / (abs(light.direction.x) + abs(light.direction.y));
 
   // The first crossings, then those about each of the candidates. One loop within the other: a
   // software renderer runs the body of every loop at least once.
   Crossings at = firstCrossings(path);
-  float end = shadowed ? 0.0 : min(path.limit, close);
-  int candidates = path.limit > close ? 8 : 0;
-  do {
-    shadowed = shadowedAtCrossings(path, at, end) || shadowed;
-    float t = candidateDistance(path, light, candidates);
+  float end = min(path.limit, close);
+  for (int candidate = 0;; ++candidate) {
+    if (shadowedAtCrossings(path, at, end)) return true;
+    if (candidate == 8 || path.limit <= close) return false;
+    float t = candidateDistance(path, light, candidate);
     at = crossingsFrom(path, max(t - search, close));
     end = min(t + search, path.limit);
-  } while (!shadowed && --candidates >= 0);
-  return shadowed;
+  }
 }
