@@ -191,11 +191,18 @@ bool shadowedAtCrossings(Path path, Crossings at, float end) {
     vec2 bent = middle * path.bend;
     Cell cell = heightCell(path.start + middle * (path.direction + bent), texelSize);
     vec2 way = far * (path.direction + 2.0 * bent);
-    // Within the cell: a bent path need not cross the lines where a straight one does.
-    float first = heightIn(cell.heights, clamp(cell.fraction - way, 0.0, 1.0));
-    float second = heightIn(cell.heights, clamp(cell.fraction + way, 0.0, 1.0));
-    float before = excess(path, enter, first);
-    float after = excess(path, leave, second);
+    // Both ends no farther than the cell goes, and a thousandth of a texel: a bent path does not
+    // leave it where a straight one would.
+    vec2 room = 1e-3 + mix(cell.fraction, 1.0 - cell.fraction, greaterThan(way, vec2(0.0)));
+    vec2 each = 1.0 / max(abs(way), 1e-6);
+    vec2 back = (1.002 - room) * each;
+    vec2 on = room * each;
+    float first = min(min(back.x, back.y), 1.0);
+    float second = min(min(on.x, on.y), 1.0);
+    float entered = heightIn(cell.heights, cell.fraction - first * way);
+    float left = heightIn(cell.heights, cell.fraction + second * way);
+    float before = excess(path, middle - first * far, entered);
+    float after = excess(path, middle + second * far, left);
     most = max(before, leave <= end ? after : -1.0);
   }
   return most >= 0.0;
