@@ -429,11 +429,11 @@ TEST_F(StudyFile, RefusesWhatItCannotUse) {
       {"view.1.samples=0", "view.1.samples: 0 found"},
       {"light.0.elevation=90.5", "light.0.elevation: 90.5 found"},
       // what is missing or one too many
-      {"surface.obj=a.obj", "surface.obj: `shape` found beside it, one of the two expected"},
+      {"surface.mesh=a.obj", "surface.mesh: `shape` found beside it, one of the two expected"},
       {"relief.image=a.exr", "relief.image: `pattern` found beside it"},
       {"method.0.file=a.glsl", "method.0.file: `name` found beside it"},
       {"method=[{}]", "method.0.name: missing, either `name` or `file` expected"},
-      {"surface={quads=[1, 1]}", "surface.shape: missing, either `shape` or `obj` expected"},
+      {"surface={quads=[1, 1]}", "surface.shape: missing, either `shape` or `mesh` expected"},
       {"view=[{type=\"camera\"}]", "view.0.eye: missing, a list of 3 numbers expected"},
       {"light=[{azimuth=3}]", "light.0.elevation: missing, a number or a list of numbers"},
       // names that do not exist
@@ -509,7 +509,7 @@ TEST_F(StudyFile, MissesEverySection) {
 TEST_F(StudyFile, NamesFilesThatAreMissing) {
   EXPECT_THAT(failureWith({R"(relief={image="none.exr", height=1, height_space="world"})"}),
               StartsWith("none.exr: no such file"));
-  EXPECT_THAT(failureWith({R"(surface={obj="none.obj"})"}), StartsWith("none.obj: no such file"));
+  EXPECT_THAT(failureWith({R"(surface={mesh="none.obj"})"}), StartsWith("none.obj: no such file"));
   EXPECT_THAT(messageOf<InputError>([&] { (void)readStudy(file("none.toml")); }),
               HasSubstr("none.toml: no such file"));
 }

@@ -327,10 +327,23 @@ TEST(ReadObjErrors, Indices) {
   expectBad("f 1/1 2/1 3/1\n", {":1:", "vertex", "none"});
 }
 
+TEST(ReadObj, FacesWithoutTextureCoordinatesHaveNoFrames) {
+  for (const std::string& other :
+       {"f 2 5 6 3\n", "f 2//1 5//1 6//1 3//1\nvn 0 0 1\n", "f 2 5 3\n"}) {
+    const LimitSurface surface(readText(square + "v 2 0 0\nv 2 1 0\n" + squareFace + other));
+    const LimitPoint with = surface.evaluate(0, 0.3, 0.6);
+    EXPECT_GT(with.uvDs.x * with.uvDt.y - with.uvDs.y * with.uvDt.x, 0.1);
+    const LimitPoint without = surface.evaluate(surface.faceCount() - 1, 0.3, 0.6);
+    EXPECT_EQ(without.uvDs, Vec2(0));
+    EXPECT_EQ(without.uvDt, Vec2(0));
+    EXPECT_GT(glm::length(glm::cross(without.ds, without.dt)), 0.01);
+  }
+}
+
 TEST(ReadObjErrors, MissingTextureCoordinates) {
-  expectBad(square + "f 1 2 3 4\n", {":9:", "texture coordinate", "unwrap"});
-  expectBad(square + "f 1//1 2//1 3//1 4//1\n", {":9:", "unwrap"});
-  expectBad(square + "f 1/1 2/2 3/3 4/\n", {":9:", "'4/'", "unwrap"});
+  expectBad(square + "f 1 2 3 4\n", {"no face has texture coordinates", "unwrap"});
+  expectBad(square + "f 1//1 2//1 3//1 4//1\n", {"unwrap"});
+  expectBad(square + "f 1/1 2/2 3/3 4/\n", {":9:", "4 corners, 3 of them"});
 }
 
 TEST(ReadObjErrors, Numbers) {

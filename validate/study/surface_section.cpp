@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-#include "surface/obj_reader.h"
+#include "surface/mesh_file.h"
 #include "surface/shapes.h"
 
 namespace gnomon {
@@ -95,11 +95,11 @@ Cage readBSpline(const TomlReader& section) {
 }  // namespace
 
 Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& folder) {
-  section.requireOneOf("shape", "obj");
-  if (section.has("obj")) {
+  section.requireOneOf("shape", "mesh");
+  if (section.has("mesh")) {
     constexpr std::array schemes = {SubdivisionScheme::catmullClark, SubdivisionScheme::loop};
     const auto scheme = schemes.at(section.choice("scheme", {"catmull-clark", "loop"}, 0));
-    return readObj(folder / section.text("obj"), scheme);
+    return readMeshFile(folder / section.text("mesh"), scheme);
   }
   constexpr std::array readers = {readPlane, readCylinder, readSphere,
                                   readTorus, readBezier,   readBSpline};

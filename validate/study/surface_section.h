@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-/// The cage that `[surface]` asks for: a built-in `shape` or an `obj` file.
+/// The cage that `[surface]` asks for: a built-in `shape` or a `mesh` file.
 /// @param folder  of the study: what paths are relative to
 Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& folder);
 

@@ -12,11 +12,12 @@ namespace gnomon {
 /// `t interpolateboundary` says; any other tag is an error, since it would change the surface. A
 /// Catmull-Clark cage with any face that is not a quadrilateral is refined once, so that every face
 /// of the result is one; the limit surface is the same, and texture coordinates are halved
-/// linearly.
+/// linearly. On a face without texture coordinates there are no frames: all its corners get the
+/// same coordinate.
 /// @throws InputError naming file and line or face: unreadable, no faces, index out of range, a
-/// number
-///   that is malformed or not finite, missing texture coordinates, a face of more than 255 corners,
-///   for Loop's scheme a face that is no triangle, and all that LimitSurface refuses
+///   number that is malformed or not finite, texture coordinates at some corners of a face only or
+///   at no face at all, a face of more than 255 corners, for Loop's scheme a face that is no
+///   triangle, and all that LimitSurface refuses
 Cage readObj(const std::filesystem::path& path,
              SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
 
