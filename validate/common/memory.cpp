@@ -1,6 +1,7 @@
 #include "common/memory.h"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -52,6 +53,14 @@ std::uint64_t controlGroupAvailableBytes() {
 
 std::uint64_t availableMemoryBytes() {
   return std::min(kernelAvailableBytes(), controlGroupAvailableBytes());
+}
+
+std::uint64_t residentMemoryBytes() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t whole = 0;
+  std::uint64_t residentPages = 0;
+  if (!(file >> whole >> residentPages)) return 0;
+  return residentPages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 void requireMemory(double bytes, const std::string& what) {

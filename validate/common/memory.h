@@ -10,6 +10,9 @@ namespace gnomon {
 /// (/proc/meminfo, MemAvailable), or what the control group leaves where that is less.
 std::uint64_t availableMemoryBytes();
 
+/// Bytes that this process holds in memory now (/proc/self/statm); 0 where that cannot be told.
+std::uint64_t residentMemoryBytes();
+
 /// Refuses a request that cannot fit, before anything is allocated.
 /// @param bytes  what the request would take
 /// @param what   what is asked for, and which key makes it smaller: it opens the message

@@ -30,9 +30,24 @@ using Factory = Bfr::RefinerSurfaceFactory<Cache>;
 /// surface beside a vertex of high valence, and at the end of an infinitely sharp crease.
 constexpr int approximationLevel = 10;
 /// A regular face's surface, patch points and corners, and its share of OpenSubdiv's topology
-/// meanwhile.
+/// meanwhile: the least that a face takes. What others need shows as they are built.
 constexpr double bytesPerFace = 1500;
 constexpr std::size_t grain = 64;
+
+/// Faces initialised between two looks at the memory.
+constexpr std::size_t batch = 512;
+
+/// Faces of like topology share their patches, but where semi-sharp edges are all of different
+/// sharpness every face has its own, at up to 1.4 MB: what is still to come is told by what has
+/// been.
+/// @param before  resident bytes before the first face
+void requireRest(std::uint64_t before, std::size_t done, std::size_t all) {
+  const std::uint64_t now = residentMemoryBytes();
+  const double taken = now > before ? static_cast<double>(now - before) : 0;
+  const double rest = taken * static_cast<double>(all - done) / static_cast<double>(done);
+  requireMemory(rest, fmt::format("limit surface: {} of {} faces took {}, and the others", done,
+                                  all, formatBytes(taken)));
+}
 
 Factory::Options factoryOptions() {
   Factory::Options options;
@@ -129,16 +144,21 @@ void LimitSurface::Implementation::initialise(const Factory& factory, const Cage
     throw InputError("cage: no face has a limit surface, expected one inside the outermost ring");
   }
   patches.resize(limitFaces.size());
-  parallelFor(
-      0, patches.size(),
-      [&](std::size_t i) {
-        patches[i].cageFace = limitFaces[i];
-        const auto cageFace = static_cast<int>(limitFaces[i]);
-        if (!factory.InitVertexSurface(cageFace, &patches[i].surface)) {
-          throw InputError(fmt::format("cage: face {} has no limit surface", cageFace));
-        }
-      },
-      grain);
+  const std::uint64_t before = residentMemoryBytes();
+  for (std::size_t begin = 0; begin < patches.size(); begin += batch) {
+    const std::size_t end = std::min(begin + batch, patches.size());
+    parallelFor(
+        begin, end,
+        [&](std::size_t i) {
+          patches[i].cageFace = limitFaces[i];
+          const auto cageFace = static_cast<int>(limitFaces[i]);
+          if (!factory.InitVertexSurface(cageFace, &patches[i].surface)) {
+            throw InputError(fmt::format("cage: face {} has no limit surface", cageFace));
+          }
+        },
+        grain);
+    requireRest(before, end, patches.size());
+  }
 }
 
 void LimitSurface::Implementation::preparePatchPoints(const Cage& cage) {
@@ -147,6 +167,8 @@ void LimitSurface::Implementation::preparePatchPoints(const Cage& cage) {
     patch.firstPoint = count;
     count += static_cast<std::size_t>(patch.surface.GetNumPatchPoints());
   }
+  requireMemory(static_cast<double>(count) * sizeof(Vec3),
+                fmt::format("limit surface: {} patch points", count));
   patchPoints.resize(count);
   parallelFor(
       0, patches.size(),
