@@ -73,35 +73,47 @@ double texelArea(const LimitSurface& surface, Vec2 texelsPerUv, int face) {
   return std::abs(ds.x * dt.y - ds.y * dt.x);
 }
 
-/// The side of a face in texels if all faces were squares of the mean area.
+/// The side of a face in texels if all faces with an area there were squares of its mean.
 double meanFaceSide(const LimitSurface& surface, Vec2 texelsPerUv) {
-  double area = 0;
+  double sum = 0;
+  int faces = 0;
   for (int face = 0; face < surface.faceCount(); ++face) {
-    area += texelArea(surface, texelsPerUv, face);
+    const double area = texelArea(surface, texelsPerUv, face);
+    sum += area;
+    faces += area > 0 ? 1 : 0;
   }
-  return std::sqrt(area / surface.faceCount());
+  return faces > 0 ? std::sqrt(sum / faces) : 0;
 }
 
 /// Triangles that a step gives, without placing a line.
-double estimatedTriangles(const LimitSurface& surface, Vec2 texelsPerUv, double step) {
+/// @param faceSide  meanFaceSide; only where the faces form no grid
+double estimatedTriangles(const LimitSurface& surface, Vec2 texelsPerUv, double faceSide,
+                          double step) {
   if (const auto grid = surface.grid()) {
     const double longest = std::min(step, 1.0);  // lines of texel centres are one texel apart
     const double perColumn = std::ceil(texelsPerUv.x / grid->columns / longest);
     const double perRow = std::ceil(texelsPerUv.y / grid->rows / longest);
     return 2 * perColumn * grid->columns * perRow * grid->rows;
   }
-  const double pieces = std::ceil(meanFaceSide(surface, texelsPerUv) / step);
+  const double pieces = std::ceil(faceSide / step);
   return 2 * pieces * pieces * surface.faceCount();
 }
 
-double chooseStep(const LimitSurface& surface, Vec2 texelsPerUv,
+double chooseStep(const LimitSurface& surface, Vec2 texelsPerUv, double faceSide,
                   const MicroMeshSettings& settings) {
   if (settings.stepTexels) return *settings.stepTexels;
-  int perTexel = 4;
-  while (estimatedTriangles(surface, texelsPerUv, 1.0 / perTexel) < settings.leastTriangles) {
-    perTexel += 4;
+  constexpr int finest = 1 << 16;  // where one texel holds a whole face, and more
+  for (int perTexel = 4; perTexel <= finest; perTexel += 4) {
+    const double step = 1.0 / perTexel;
+    if (estimatedTriangles(surface, texelsPerUv, faceSide, step) >= settings.leastTriangles) {
+      return step;
+    }
   }
-  return 1.0 / perTexel;
+  throw InputError(fmt::format(
+      "truth.step: pieces of 1/{} texel do not give {:g} micro-triangles: the surface or its "
+      "texture coordinates have no area, or too few texels lie on it. More relief.repeats, other "
+      "texture coordinates, or a truth.step expected",
+      finest, settings.leastTriangles));
 }
 
 Vec3 cageCentre(const LimitSurface& surface) {
@@ -120,12 +132,13 @@ Vec3 cageCentre(const LimitSurface& surface) {
 MicroMesh::MicroMesh(const LimitSurface& surface, const Relief& relief,
                      const MicroMeshSettings& settings, const Progress& progress) {
   const Vec2 texelsPerUv = relief.texelsPerUv();
-  stepTexels_ = chooseStep(surface, texelsPerUv, settings);
+  const double faceSide = surface.grid() ? 0 : meanFaceSide(surface, texelsPerUv);
+  stepTexels_ = chooseStep(surface, texelsPerUv, faceSide, settings);
   if (!(stepTexels_ > 0) || !std::isfinite(stepTexels_)) {
     throw InputError(
         fmt::format("truth.step: {} texels found, a positive length expected", stepTexels_));
   }
-  const double quads = estimatedTriangles(surface, texelsPerUv, stepTexels_) / 2;
+  const double quads = estimatedTriangles(surface, texelsPerUv, faceSide, stepTexels_) / 2;
   requireMemory(
       quads * (bytesPerVertex + hierarchyBytesPerQuad),
       fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", stepTexels_, 2 * quads));
