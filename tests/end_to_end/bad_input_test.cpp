@@ -6,67 +6,13 @@
 #include <fstream>
 #include <limits>
 
-#include "end_to_end/program.h"
+#include "end_to_end/bad_input.h"
 
 namespace gnomon::test {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-/// A command that must fail, and how.
-struct Failure {
-  std::string name;  ///< of the case
-  std::vector<std::string> arguments;
-  int status;
-  std::vector<std::string> mentions;  ///< what its one line must hold
-};
-
-class BadInput : public EndToEnd {
- protected:
-  void expectFailure(const Failure& failure) const {
-    SCOPED_TRACE(failure.name);
-    Outcome outcome = gnomon(failure.arguments);
-    // libpng writes a line of its own before OpenImageIO hands its error on.
-    if (outcome.err.rfind("libpng error: ", 0) == 0)
-      outcome.err.erase(0, outcome.err.find('\n') + 1);
-    EXPECT_EQ(outcome.status, failure.status) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_THAT(outcome.err, StartsWith("gnomon: "));
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_TRUE(!outcome.err.empty() && outcome.err.back() == '\n');
-    for (const std::string& text : failure.mentions) EXPECT_THAT(outcome.err, HasSubstr(text));
-    expectNothingHalfWritten();
-  }
-  /// A run that fails may leave pictures, but whole ones, and no figures.
-  void expectNothingHalfWritten() const {
-    for (const std::string& name : filesBelow("out")) {
-      EXPECT_TRUE(name.size() > 4 && name.substr(name.size() - 4) == ".png") << name;
-      EXPECT_EQ(name.find(".part"), std::string::npos) << name;
-      EXPECT_NO_THROW(readGrey(file("out") / name));
-    }
-  }
-  /// Runs the small study with changes on the command line.
-  void expectFailureWith(const std::vector<std::string>& changes, int status,
-                         const std::vector<std::string>& mentions) const {
-    std::vector<std::string> arguments = {"run", "small.toml"};
-    for (const std::string& change : changes) {
-      arguments.emplace_back("--set");
-      arguments.push_back(change);
-    }
-    std::vector<std::string> all = mentions;
-    all.emplace_back("small.toml");
-    expectFailure({changes.empty() ? "" : changes.front(), arguments, status, all});
-  }
-  void writeSmall() const { write("small.toml", smallStudy()); }
-
-  static std::vector<std::string> imageChange(const std::string& image) {
-    return {"relief={image=\"" + image + "\", height=4, height_space=\"world\"}"};
-  }
-  static std::vector<std::string> objChange(const std::string& obj) {
-    return {"surface={obj=\"" + obj + "\"}"};
-  }
-};
 
 TEST_F(BadInput, CommandLine) {
   writeSmall();
@@ -203,10 +149,10 @@ TEST_F(BadInput, Meshes) {
   const auto refuse = [&](const std::string& name, const std::string& text,
                           const std::vector<std::string>& mentions) {
     write(name, text);
-    expectFailure({name, {"run", "small.toml", "--set", objChange(name).front()}, 3, mentions});
+    expectFailure({name, {"run", "small.toml", "--set", meshChange(name).front()}, 3, mentions});
   };
   expectFailure({"missing",
-                 {"run", "small.toml", "--set", objChange("none.obj").front()},
+                 {"run", "small.toml", "--set", meshChange("none.obj").front()},
                  3,
                  {"none.obj: no such file"}});
   refuse("empty.obj", "", {"empty.obj"});
@@ -216,7 +162,8 @@ TEST_F(BadInput, Meshes) {
   refuse("uv.obj", squareObj("f 2/2 7/3 8/77 5/5\n"), {"uv.obj:17", "77"});
   refuse("zero.obj", squareObj("f 0/1 7/3 8/6 5/5\n"), {"zero.obj:17", "0"});
   refuse("nan.obj", "v 0 nan 0\n", {"nan.obj:1", "nan", "finite"});
-  refuse("nouv.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", {"nouv.obj:5", "texture"});
+  refuse("nouv.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
+         {"nouv.obj: no face has texture coordinates"});
   refuse("corners.obj", squareObj("f 1/1 2/2\n"), {"corners.obj:17", "2 corners"});
   refuse("garbage.obj", std::string("\x01\x02\xff\0v\n\xfe f f f", 14), {"garbage.obj"});
 }
