@@ -57,7 +57,6 @@ TEST_F(BrokenFiles, Objs) {
        {"an index beyond all", square + "f 1/1 2/2 4294967297/3\n", "'4294967297'"},
        {"some corners without texture", square + "f 1/1 2 3/3 4/4\n", ":9: face with 4 corners, 3"},
        {"no texture", square + "f 1 2 3 4\n", "unwrap"},
-       {"a texture without area", square + "f 1/1 2/1 3/1 4/1\n", "no area"},
        {"a corner twice", square + "f 1/1 2/2 2/3 4/4\n", ":9: face 1 has vertex 2 twice"},
        {"a face twice", square + face + face, "opposite directions"},
        {"a Moebius band",
@@ -69,18 +68,19 @@ TEST_F(BrokenFiles, Objs) {
        {"an unknown tag", square + face + "t smooth 1/0/0 1\n", ":10: tag 'smooth'"},
        {"a crease that is no edge", square + face + "t crease 2/1/0 0 2 3\n", "no edge"},
        {"a crease without sharpness", square + face + "t crease 2/0/0 0 1\n", ":10: crease"},
-       {"half a file", (square + face).substr(0, 50), "no faces"},
+       {"half a file", (square + face).substr(0, 50), ":7: 'vt' with 1 numbers"},
        {"zeros", std::string(1000, '\0'), "no faces"},
        {"a PLY by another name", "ply\nformat ascii 1.0\n", "no faces"}});
 }
 
-TEST_F(BrokenFiles, NoStepMakesEnoughOfATextureWithoutArea) {
-  const std::string study = replaced(smallStudy(), "[truth]\nstep = 0.25\n", "");
-  write("small.toml", study);
-  refuseMeshes(".obj", {{"a texture in one point", square + "f 1/1 2/1 3/1 4/1\n", "no area"},
-                        {"a texture in a speck",
-                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1e-9 0\nvt 0 1e-9\nf 1/1 2/2 3/3\n",
-                         "truth.step"}});
+TEST_F(BrokenFiles, TexturesWithoutArea) {
+  write("point.obj", square + "f 1/1 2/1 3/1 4/1\n");
+  write("speck.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1e-9 0\nvt 0 1e-9\nf 1/1 2/2 3/3\n");
+  expectFailureWith(meshChange("point.obj"), 3, {"no area"});
+  // Nor is there a step that would make enough of them.
+  write("small.toml", replaced(smallStudy(), "[truth]\nstep = 0.25\n", ""));
+  expectFailureWith(meshChange("point.obj"), 3, {"truth.step", "no area"});
+  expectFailureWith(meshChange("speck.obj"), 3, {"truth.step", "too few texels"});
   expectFailureWith({"relief.repeats=[1e-300, 1e-300]"}, 3, {"truth.step", "no area"});
 }
 
