@@ -23,11 +23,13 @@ TEST(SamplePlace, OnARampIsThePlanesPointAndTheRampsFacet) {
   const SamplePlace place =
       samplePlace(surface, relief.texelsPerUv(), mesh, sampleAt(surface, relief, {7.3, 2.2}));
   ASSERT_TRUE(place.defined);
-  EXPECT_NEAR(glm::distance(place.base, Vec3(7.3 - 8, 2.2 - 4, 0)), 0, 1e-6);
-  EXPECT_NEAR(glm::distance(place.normal, Vec3(0, 0, 1)), 0, 1e-12);
-  EXPECT_NEAR(glm::distance(place.texel, Vec2(7.3, 2.2)), 0, 1e-6);
-  EXPECT_NEAR(glm::distance(place.point, Vec3(7.3 - 8, 2.2 - 4, 0.5 * (7.3 - 0.5))), 0, 1e-5);
-  EXPECT_NEAR(glm::distance(place.facetNormal, glm::normalize(Vec3(-0.5, 0, 1))), 0, 1e-5);
+  EXPECT_NEAR(glm::distance(place.frame.position, Vec3(7.3 - 8, 2.2 - 4, 0)), 0, 1e-6);
+  EXPECT_NEAR(glm::distance(place.frame.normal, Vec3(0, 0, 1)), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(place.frame.texel, Vec2(7.3, 2.2)), 0, 1e-6);
+  EXPECT_NEAR(
+      glm::distance(place.facet.point + mesh.centre(), Vec3(7.3 - 8, 2.2 - 4, 0.5 * (7.3 - 0.5))),
+      0, 1e-5);
+  EXPECT_NEAR(glm::distance(place.facet.normal, glm::normalize(Vec3(-0.5, 0, 1))), 0, 1e-5);
 }
 
 TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
@@ -39,8 +41,8 @@ TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
   double before = 1;
   for (const double step : {0.25, 0.0625}) {
     const MicroMesh mesh(surface, relief, {step, 0});
-    const double off =
-        glm::distance(samplePlace(surface, relief.texelsPerUv(), mesh, sample).point, exact);
+    const SamplePlace place = samplePlace(surface, relief.texelsPerUv(), mesh, sample);
+    const double off = glm::distance(place.facet.point + mesh.centre(), exact);
     EXPECT_LT(off, before / 4);
     before = off;
   }
@@ -52,7 +54,7 @@ TEST(SamplePlace, IsUndefinedWithoutASample) {
   const MicroMesh mesh(surface, relief, {0.5, 0});
   const SamplePlace place = samplePlace(surface, relief.texelsPerUv(), mesh, {-1, 0, 0});
   EXPECT_FALSE(place.defined);
-  EXPECT_EQ(place.point, Vec3(0));
+  EXPECT_EQ(place.facet.point + mesh.centre(), Vec3(0));
 }
 
 }  // namespace

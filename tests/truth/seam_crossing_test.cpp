@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -192,10 +193,11 @@ TEST(SeamCrossings, ArePathsFromTheSampleToWhatDecides) {
         {12 + static_cast<int>(x / 8), static_cast<float>(x / 8 - std::floor(x / 8)), 0.4F});
   }
   samples.width = static_cast<int>(places.size());
-  const TraceSettings settings{light, 14, standardLift};
-  const Truth truth = traceShadows(surface, scaled, mesh, scene, samples, settings);
-  const auto crossings =
-      seamCrossings(surface, scaled, mesh, scene, charts, samples, truth, settings);
+  const std::array lights = {TraceSettings{light, 14, standardLift},
+                             TraceSettings{lightToward(180, 70), 14, standardLift}};
+  const auto truths = traceShadows(surface, scaled, mesh, scene, samples, lights);
+  const auto both = seamCrossings(surface, scaled, mesh, scene, charts, samples, truths, lights);
+  const std::vector<std::uint8_t>& crossings = both[0];
   int crossing = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double x = places[i];
@@ -209,9 +211,7 @@ TEST(SeamCrossings, ArePathsFromTheSampleToWhatDecides) {
   }
   EXPECT_GT(crossing, 30);
   // With a high light a lit ray is soon over the relief: 6 / tan 70° = 2.2 texels.
-  const TraceSettings high{lightToward(180, 70), 14, standardLift};
-  const Truth bright = traceShadows(surface, scaled, mesh, scene, samples, high);
-  const auto few = seamCrossings(surface, scaled, mesh, scene, charts, samples, bright, high);
+  const std::vector<std::uint8_t>& few = both[1];
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double beyond = places[i] - 48;
     if (std::abs(beyond - 6 / std::tan(radians(70))) < 0.1) continue;

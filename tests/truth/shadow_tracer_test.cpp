@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "truth/truth_scenes.h"
@@ -184,6 +186,82 @@ TEST(ShadowTracer, DoesNotDependOnTheNumberOfThreads) {
     return scene.trace(samplesOfAllFaces(scene.surface, 5), lightToward(30, 20)).mask.samples;
   };
   EXPECT_EQ(masksWith(1), masksWith(2));
+}
+
+/// A rough torus and the samples of an atlas whose sides are no multiples of a packet's.
+struct RoughTorus {
+  TruthScene scene{makeTorus(30, 10, 66, 66), randomRelief(256, 96, 2, 7), 0.5};
+  SampleGrid samples = samplesOfAllFaces(scene.surface, 5);
+
+  [[nodiscard]] PlacedSamples placed(const SampleGrid& part) const {
+    return placeSamples(scene.surface, scene.relief.texelsPerUv(), scene.mesh, part);
+  }
+};
+
+TEST(ShadowTracer, SeveralLightsAtOnceAreEachLightAlone) {
+  const RoughTorus torus;
+  const std::array lights = {TraceSettings{lightToward(30, 20), 12, standardLift},
+                             TraceSettings{lightToward(200, 55), 1000, standardLift},
+                             TraceSettings{lightToward(-80, 5), 12, standardLift}};
+  const TruthScene& s = torus.scene;
+  const auto together = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, lights);
+  ASSERT_EQ(together.size(), lights.size());
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    const Truth alone =
+        traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, lights[l]);
+    EXPECT_EQ(together[l].mask.samples, alone.mask.samples);
+    EXPECT_EQ(together[l].regions, alone.regions);
+    EXPECT_EQ(together[l].undefinedSamples, alone.undefinedSamples);
+  }
+  EXPECT_NE(together[0].mask.samples, together[1].mask.samples);
+}
+
+TEST(ShadowTracer, PlacedSamplesAndPartsOfThemGiveTheSame) {
+  const RoughTorus torus;
+  const TraceSettings light{lightToward(30, 20), 12, standardLift};
+  const TruthScene& s = torus.scene;
+  const Truth whole = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, light);
+  const Truth placed = traceShadows(s.scene, torus.placed(torus.samples), light);
+  EXPECT_EQ(placed.mask.samples, whole.mask.samples);
+  EXPECT_EQ(placed.regions, whole.regions);
+  Truth joined;
+  for (int row = 0; row < torus.samples.height; row += 7) {
+    const int rows = std::min(7, torus.samples.height - row);
+    const Truth part = traceShadows(s.scene, torus.placed(rowsOf(torus.samples, row, rows)), light);
+    joined.mask.samples.insert(joined.mask.samples.end(), part.mask.samples.begin(),
+                               part.mask.samples.end());
+    joined.regions.insert(joined.regions.end(), part.regions.begin(), part.regions.end());
+  }
+  EXPECT_EQ(joined.mask.samples, whole.mask.samples);
+  EXPECT_EQ(joined.regions, whole.regions);
+}
+
+struct Cancelled {};
+
+TEST(ShadowTracer, AThrowingProgressCancelsEveryStage) {
+  const RoughTorus torus;
+  const TruthScene& s = torus.scene;
+  const Vec2 texels = s.relief.texelsPerUv();
+  const TraceSettings light{lightToward(30, 20), 12, standardLift};
+  const Progress cancel = [](double) { throw Cancelled(); };
+  EXPECT_THROW(MicroMesh(s.surface, s.relief, {0.5, 0}, cancel), Cancelled);
+  EXPECT_THROW(MicroScene(s.mesh, cancel), Cancelled);
+  EXPECT_THROW(placeSamples(s.surface, texels, s.mesh, torus.samples, cancel), Cancelled);
+  EXPECT_THROW(traceShadows(s.scene, torus.placed(torus.samples), light, cancel), Cancelled);
+  EXPECT_THROW(traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, light, cancel),
+               Cancelled);
+}
+
+TEST(ShadowTracer, ProgressRisesToOne) {
+  const RoughTorus torus;
+  double last = 0;
+  const Progress progress = [&last](double share) {
+    EXPECT_GT(share, last);
+    last = share;
+  };
+  const TraceSettings light{lightToward(30, 20), 12, standardLift};
+  (void)traceShadows(torus.scene.scene, torus.placed(torus.samples), light, progress);
+  EXPECT_EQ(last, 1);
 }
 
 TEST(ShadowTracer, FlipRateCountsDifferences) {

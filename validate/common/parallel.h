@@ -3,7 +3,10 @@
 #include <cstddef>
 
 #if defined(__SANITIZE_THREAD__)
+#include <array>
 #include <atomic>
+#include <exception>
+#include <functional>
 #include <thread>
 #else
 #include <tbb/blocked_range.h>
@@ -13,7 +16,8 @@
 namespace gnomon {
 
 /// Calls `body(i)` for every i in [begin, end), on all threads that the process allows. Each call
-/// must write only to what belongs to its i: results then do not depend on the thread count.
+/// must write only to what belongs to its i: results then do not depend on the thread count. If one
+/// throws, those not begun may be left out, and the exception (of several, any) leaves this call.
 /// @param grain  indices a thread takes at once
 template <typename Body>
 void parallelFor(std::size_t begin, std::size_t end, const Body& body, std::size_t grain = 1) {
@@ -21,14 +25,23 @@ void parallelFor(std::size_t begin, std::size_t end, const Body& body, std::size
   // ThreadSanitizer does not see how an uninstrumented TBB hands work over and would report every
   // loop. Two plain threads show it the same bodies at the same time.
   std::atomic<std::size_t> next = begin;
-  const auto work = [&] {
-    for (std::size_t first = next.fetch_add(grain); first < end; first = next.fetch_add(grain)) {
-      for (std::size_t i = first; i < end && i < first + grain; ++i) body(i);
+  std::array<std::exception_ptr, 2> thrown;
+  const auto work = [&](std::exception_ptr& failure) {
+    try {
+      for (std::size_t first = next.fetch_add(grain); first < end; first = next.fetch_add(grain)) {
+        for (std::size_t i = first; i < end && i < first + grain; ++i) body(i);
+      }
+    } catch (...) {
+      failure = std::current_exception();
+      next = end;
     }
   };
-  std::thread other(work);
-  work();
+  std::thread other(work, std::ref(thrown[0]));
+  work(thrown[1]);
   other.join();
+  for (const std::exception_ptr& failure : thrown) {
+    if (failure) std::rethrow_exception(failure);
+  }
 #else
   tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
                     [&body](const tbb::blocked_range<std::size_t>& range) {

@@ -23,26 +23,27 @@ const std::vector<std::string>& sampleChannels() {
 
 using Pixel = std::array<float, 18>;
 
-Pixel pixelOf(const SurfaceSample& sample, const SamplePlace& place, double weight) {
+Pixel pixelOf(const SamplePlace& place, const Vec3& centre, double weight) {
   if (!place.defined) return {-1};
   const auto f = [](double value) { return static_cast<float>(value); };
-  return {f(sample.face),
-          sample.s,
-          sample.t,
-          f(place.texel.x),
-          f(place.texel.y),
-          f(place.base.x),
-          f(place.base.y),
-          f(place.base.z),
-          f(place.normal.x),
-          f(place.normal.y),
-          f(place.normal.z),
-          f(place.point.x),
-          f(place.point.y),
-          f(place.point.z),
-          f(place.facetNormal.x),
-          f(place.facetNormal.y),
-          f(place.facetNormal.z),
+  const Vec3 point = place.facet.point + centre;
+  return {f(place.sample.face),
+          place.sample.s,
+          place.sample.t,
+          f(place.frame.texel.x),
+          f(place.frame.texel.y),
+          f(place.frame.position.x),
+          f(place.frame.position.y),
+          f(place.frame.position.z),
+          f(place.frame.normal.x),
+          f(place.frame.normal.y),
+          f(place.frame.normal.z),
+          f(point.x),
+          f(point.y),
+          f(point.z),
+          f(place.facet.normal.x),
+          f(place.facet.normal.y),
+          f(place.facet.normal.z),
           f(weight)};
 }
 
@@ -57,8 +58,7 @@ ChannelImage sampleMap(const RunScene& scene, const ViewCase& view, const MicroM
   parallelFor(0, static_cast<std::size_t>(grid.height), [&](std::size_t row) {
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
       const SamplePlace place = samplePlace(scene.surface, texelsPerUv, mesh, grid.samples[i]);
-      const Pixel pixel =
-          pixelOf(grid.samples[i], place, view.weights.empty() ? 1 : view.weights[i]);
+      const Pixel pixel = pixelOf(place, mesh.centre(), view.weights.empty() ? 1 : view.weights[i]);
       std::copy(pixel.begin(), pixel.end(),
                 map.values.begin() + static_cast<std::ptrdiff_t>(i * pixel.size()));
     }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "common/error.h"
 #include "compare/boundaries.h"
@@ -16,21 +18,21 @@
 namespace gnomon {
 namespace {
 
-TraceSettings settingsOf(const RunScene& scene, const LightSpec& light, double liftShare) {
-  return {light.direction(), scene.study.bake.settings.radiusTexels, liftShare};
+/// One a light.
+std::vector<TraceSettings> settingsOf(const RunScene& scene, double liftShare) {
+  std::vector<TraceSettings> settings;
+  for (const LightSpec& light : scene.study.lights) {
+    settings.push_back({light.direction(), scene.study.bake.settings.radiusTexels, liftShare});
+  }
+  return settings;
 }
 
-Truth trace(const RunScene& scene, const TracedSurface& surface, const SampleGrid& samples,
-            const LightSpec& light, double liftShare, const Progress& progress) {
+/// All lights, one truth each.
+std::vector<Truth> trace(const RunScene& scene, const TracedSurface& surface,
+                         const SampleGrid& samples, std::span<const TraceSettings> lights,
+                         const Progress& progress) {
   return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene, samples,
-                      settingsOf(scene, light, liftShare), progress);
-}
-
-std::vector<std::uint8_t> seams(const RunScene& scene, const TracedSurface& surface,
-                                const TextureCharts& charts, const SampleGrid& samples,
-                                const Truth& truth, const LightSpec& light) {
-  return seamCrossings(scene.surface, scene.study.relief, surface.mesh, surface.scene, charts,
-                       samples, truth, settingsOf(scene, light, standardLift));
+                      lights, progress);
 }
 
 void requireFrames(const SampleGrid& samples, const Truth& truth) {
@@ -63,7 +65,8 @@ TracedSurface::TracedSurface(RunScene& run, const MicroMeshSettings& settings,
                              [&](const Progress& progress) {
                                return MicroMesh(run.surface, run.study.relief, settings, progress);
                              })),
-      scene(run.clock.measure(sceneStage, [&](const Progress&) { return MicroScene(mesh); })) {}
+      scene(run.clock.measure(
+          sceneStage, [&](const Progress& progress) { return MicroScene(mesh, progress); })) {}
 
 TruthRecord sizesOf(const TracedSurface& surface) {
   TruthRecord truth;
@@ -77,15 +80,19 @@ TruthRecord sizesOf(const TracedSurface& surface) {
 std::uint64_t traceTruths(RunScene& scene, const TracedSurface& surface) {
   std::uint64_t undefined = 0;
   const TextureCharts charts(scene.surface, scene.study.relief);
+  const std::vector<TraceSettings> lights = settingsOf(scene, standardLift);
   for (auto& [choice, base] : scene.bases) {
     for (ViewCase& view : base.views) {
-      for (const LightSpec& light : scene.study.lights) {
-        view.truths.push_back(scene.clock.measure("truth", [&](const Progress& progress) {
-          Truth truth = trace(scene, surface, view.samples, light, standardLift, progress);
-          truth.crossesSeam = seams(scene, surface, charts, view.samples, truth, light);
-          return truth;
-        }));
-      }
+      view.truths = scene.clock.measure("truth", [&](const Progress& progress) {
+        return trace(scene, surface, view.samples, lights, progress);
+      });
+      scene.clock.measure("truth", [&](const Progress&) {
+        auto crossings = seamCrossings(scene.surface, scene.study.relief, surface.mesh,
+                                       surface.scene, charts, view.samples, view.truths, lights);
+        for (std::size_t l = 0; l < lights.size(); ++l) {
+          view.truths[l].crossesSeam = std::move(crossings[l]);
+        }
+      });
       requireFrames(view.samples, view.truths.front());
       undefined += view.truths.front().undefinedSamples;
     }
@@ -100,12 +107,14 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
   requireCoarser(half, truth);
   const StudySpec& study = scene.study;
   const BaseCase& base = scene.standardBase();
+  const std::vector<TraceSettings> lights = settingsOf(scene, standardLift / 2);
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     const ViewCase& view = base.views[v];
+    const auto coarser = scene.clock.measure("uncertainty", [&](const Progress& progress) {
+      return trace(scene, half, view.samples, lights, progress);
+    });
     for (std::size_t l = 0; l < study.lights.size(); ++l) {
-      const Truth coarse = scene.clock.measure("uncertainty", [&](const Progress& progress) {
-        return trace(scene, half, view.samples, study.lights[l], standardLift / 2, progress);
-      });
+      const Truth& coarse = coarser[l];
       const double flips = flipRate(view.truths[l].mask, coarse.mask);
       const auto lengthError = scene.clock.measure("uncertainty", [&](const Progress&) {
         const LightField field = scene.lightField(base, v, l);

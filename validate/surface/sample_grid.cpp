@@ -1,8 +1,17 @@
 #include "surface/sample_grid.h"
 
+#include <cstddef>
+
 #include "common/parallel.h"
 
 namespace gnomon {
+
+SampleGrid rowsOf(const SampleGrid& grid, int first, int count) {
+  const auto row = [&](int i) {
+    return grid.samples.begin() + static_cast<std::ptrdiff_t>(i) * grid.width;
+  };
+  return {grid.width, count, {row(first), row(first + count)}};
+}
 
 std::vector<double> sampleAreas(const LimitSurface& surface, const SampleGrid& grid,
                                 int samplesPerFace) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <mutex>
 
+#include "common/counted_progress.h"
 #include "common/parallel.h"
 #include "truth/flush_denormals.h"
 
@@ -30,8 +30,7 @@ std::vector<float> displacedPicture(const MicroMesh& mesh, const MicroScene& sce
   // Primary hits are found by a float ray: the lift covers its rounding at the eye's distance.
   const double lift = 4e-6 * std::max(mesh.extent(), glm::length(eye));
   std::vector<float> picture(width * height, -1.0F);
-  std::mutex reporting;
-  int done = 0;
+  CountedProgress rows(progress, height);
   parallelFor(0, height, [&](std::size_t row) {
     const FlushDenormals flush;
     for (std::size_t column = 0; column < width; ++column) {
@@ -44,10 +43,7 @@ std::vector<float> displacedPicture(const MicroMesh& mesh, const MicroScene& sce
       const bool lit = cosine > 0 && reached(scene, point, light);
       picture[row * width + column] = lit ? static_cast<float>(cosine) : 0.0F;
     }
-    if (progress) {
-      const std::scoped_lock lock(reporting);
-      progress(++done / static_cast<double>(height));
-    }
+    rows.advance();
   });
   return picture;
 }

@@ -3,12 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <utility>
 
+#include "common/counted_progress.h"
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/parallel.h"
@@ -194,8 +193,7 @@ void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double
 void MicroMesh::displace(const LimitSurface& surface, const Relief& relief,
                          const Progress& progress) {
   const Vec2 texelsPerUv = relief.texelsPerUv();
-  std::mutex reporting;
-  std::size_t done = 0;
+  CountedProgress faces(progress, grids_.size());
   parallelFor(0, grids_.size(), [&](std::size_t face) {
     const Grid& grid = grids_[face];
     float* out = &coordinates_[std::size_t{grid.firstVertex} * 3];
@@ -206,10 +204,7 @@ void MicroMesh::displace(const LimitSurface& surface, const Relief& relief,
         for (int axis = 0; axis < 3; ++axis) *out++ = static_cast<float>(position[axis]);
       }
     }
-    if (progress) {
-      const std::scoped_lock lock(reporting);
-      progress(static_cast<double>(++done) / static_cast<double>(grids_.size()));
-    }
+    faces.advance();
   });
 }
 

@@ -39,6 +39,7 @@ struct Facet {
 /// every face has the same number of evenly spaced lines.
 class MicroMesh {
  public:
+  /// @param progress  may throw to cancel, see common/progress.h
   /// @throws MemoryError naming `truth.step` where mesh and hierarchy cannot fit;
   ///   InputError for a step that is not positive
   MicroMesh(const LimitSurface& surface, const Relief& relief, const MicroMeshSettings& settings,

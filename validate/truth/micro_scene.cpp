@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <exception>
 #include <limits>
+#include <mutex>
 
 #include "common/error.h"
 
@@ -50,6 +53,37 @@ embree::Geometry makeGrids(RTCDevice device, const MicroMesh& mesh) {
   return geometry;
 }
 
+/// Passes Embree's progress on, and keeps what that throws: no exception may go through Embree.
+class BuildMonitor {
+ public:
+  explicit BuildMonitor(const Progress& progress) : progress_(progress) {}
+
+  void watch(RTCScene scene) {
+    if (progress_) rtcSetSceneProgressMonitorFunction(scene, &BuildMonitor::advance, this);
+  }
+  void throwIfCancelled() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  /// @returns whether to go on
+  static bool advance(void* monitor, double share) {
+    auto& self = *static_cast<BuildMonitor*>(monitor);
+    const std::scoped_lock lock(self.reporting_);
+    if (self.thrown_) return false;
+    try {
+      self.progress_(std::clamp(share, 0.0, 1.0));
+    } catch (...) {
+      self.thrown_ = std::current_exception();
+    }
+    return !self.thrown_;
+  }
+
+  const Progress& progress_;
+  std::exception_ptr thrown_;
+  std::mutex reporting_;
+};
+
 RTCRay endlessRay(const Vec3& origin, const Vec3& direction) {
   RTCRay ray{};
   ray.org_x = static_cast<float>(origin.x);
@@ -66,7 +100,7 @@ RTCRay endlessRay(const Vec3& origin, const Vec3& direction) {
 
 }  // namespace
 
-MicroScene::MicroScene(const MicroMesh& mesh) : device_(makeDevice()) {
+MicroScene::MicroScene(const MicroMesh& mesh, const Progress& progress) : device_(makeDevice()) {
   rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
   scene_.reset(rtcNewScene(device_.get()));
   const embree::Geometry geometry = makeGrids(device_.get(), mesh);
@@ -75,7 +109,11 @@ MicroScene::MicroScene(const MicroMesh& mesh) : device_(makeDevice()) {
   // coherent flag hang on compact scenes on AVX-512.
   rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
+  BuildMonitor monitor(progress);
+  monitor.watch(scene_.get());
   rtcCommitScene(scene_.get());
+  rtcSetSceneProgressMonitorFunction(scene_.get(), nullptr, nullptr);
+  monitor.throwIfCancelled();
   throwOnError(device_.get(), "building its hierarchy");
 }
 

@@ -30,8 +30,9 @@ struct SurfaceHit {
 /// outlive the scene.
 class MicroScene {
  public:
+  /// @param progress  may throw to cancel, see common/progress.h
   /// @throws MemoryError or InternalError with Embree's reason
-  explicit MicroScene(const MicroMesh& mesh);
+  explicit MicroScene(const MicroMesh& mesh, const Progress& progress = {});
   MicroScene(const MicroScene&) = delete;
   MicroScene& operator=(const MicroScene&) = delete;
   ~MicroScene() = default;

@@ -140,39 +140,43 @@ bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, dou
   return false;
 }
 
-std::vector<std::uint8_t> seamCrossings(const LimitSurface& surface, const Relief& relief,
-                                        const MicroMesh& mesh, const MicroScene& scene,
-                                        const TextureCharts& charts, const SampleGrid& samples,
-                                        const Truth& truth, const TraceSettings& settings) {
-  std::vector<std::uint8_t> crosses(samples.samples.size(), 0);
+std::vector<std::vector<std::uint8_t>> seamCrossings(
+    const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
+    const MicroScene& scene, const TextureCharts& charts, const SampleGrid& samples,
+    std::span<const Truth> truths, std::span<const TraceSettings> lights) {
+  const std::size_t count = samples.samples.size();
+  std::vector<std::vector<std::uint8_t>> crosses(lights.size(),
+                                                 std::vector<std::uint8_t>(count, 0));
   if (charts.seamCount() == 0) return crosses;
-  const double lift = settings.liftShare * mesh.extent();
-  const auto pathTexels = [&](bool lit, const TexelFrame& frame, const LocalLight& local,
-                              const Facet& facet) {
+  const auto pathTexels = [&](const SamplePlace& place, bool lit, const LocalLight& local,
+                              const TraceSettings& light) {
     double world = 0;  // on the tangent plane
     if (lit) {
-      const double below = worldPerHeight(relief.space, frame) *
-                           (relief.field.maximum() - relief.field.at(frame.texel));
+      const double below = worldPerHeight(relief.space, place.frame) *
+                           (relief.field.maximum() - relief.field.at(place.frame.texel));
       world = local.slope > 0 ? below / local.slope : std::numeric_limits<double>::infinity();
-    } else if (const auto hit = scene.nearest(facet.point + lift * facet.normal, settings.light)) {
+    } else if (const auto hit = scene.nearest(
+                   place.facet.point + light.liftShare * mesh.extent() * place.facet.normal,
+                   light.light)) {
       world = hit->distance / std::hypot(1.0, local.slope);
     }
-    return std::min(settings.radiusTexels, world / local.worldPerTexel);
+    return std::min(light.radiusTexels, world / local.worldPerTexel);
   };
   constexpr std::size_t grain = 256;
   parallelFor(
-      0, crosses.size(),
+      0, count,
       [&](std::size_t i) {
         const FlushDenormals flush;
-        const SurfaceSample& sample = samples.samples[i];
-        if (truth.mask.samples[i] == Shade::none) return;
-        const TexelFrame frame =
-            texelFrame(surface.evaluate(sample.face, sample.s, sample.t), relief.texelsPerUv());
-        const Facet facet = mesh.facet(sample.face, sample.s, sample.t);
-        if (glm::dot(facet.normal, settings.light) <= 0) return;
-        const LocalLight local = localLight(frame, settings.light);
-        const double reach = pathTexels(truth.mask.samples[i] == Shade::lit, frame, local, facet);
-        crosses[i] = charts.crossesSeam(sample, local.direction, reach) ? 1 : 0;
+        const SamplePlace place =
+            samplePlace(surface, relief.texelsPerUv(), mesh, samples.samples[i]);
+        if (!place.defined) return;
+        for (std::size_t l = 0; l < lights.size(); ++l) {
+          if (glm::dot(place.facet.normal, lights[l].light) <= 0) continue;
+          const LocalLight local = localLight(place.frame, lights[l].light);
+          const bool lit = truths[l].mask.samples[i] == Shade::lit;
+          const double reach = pathTexels(place, lit, local, lights[l]);
+          crosses[l][i] = charts.crossesSeam(place.sample, local.direction, reach) ? 1 : 0;
+        }
       },
       grain);
   return crosses;

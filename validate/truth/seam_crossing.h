@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -55,18 +56,19 @@ class TextureCharts {
   std::size_t seams_ = 0;
 };
 
-/// One byte a sample: 1 where the path that decides whether it is lit crosses a seam, so that part
-/// of a method's error there is the parametrisation's. The path starts at the sample and runs
-/// straight over the map toward the light, `TraceSettings::radiusTexels` at most, and no farther
+/// For every light one byte a sample: 1 where the path that decides whether it is lit crosses a
+/// seam, so that part of a method's error there is the parametrisation's. The path starts at the
+/// sample and runs straight over the map toward the light, `TraceSettings::radiusTexels` at most,
+/// and no farther
 /// - than to the truth's occluder, where there is one: texels along the light's azimuth at the
 ///   sample's own metric;
 /// - than to where the ray stands higher over the sample's tangent plane than the relief's highest
 ///   point, where the light arrives.
 /// A sample whose own facet is turned from the light has no path, nor has one without a frame.
-/// @param truth  of the same samples and settings
-std::vector<std::uint8_t> seamCrossings(const LimitSurface& surface, const Relief& relief,
-                                        const MicroMesh& mesh, const MicroScene& scene,
-                                        const TextureCharts& charts, const SampleGrid& samples,
-                                        const Truth& truth, const TraceSettings& settings);
+/// @param truths  of the same samples, one a light
+std::vector<std::vector<std::uint8_t>> seamCrossings(
+    const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
+    const MicroScene& scene, const TextureCharts& charts, const SampleGrid& samples,
+    std::span<const Truth> truths, std::span<const TraceSettings> lights);
 
 }  // namespace gnomon

@@ -1,10 +1,11 @@
 #include "truth/shadow_tracer.h"
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <utility>
 
+#include "common/counted_progress.h"
 #include "common/error.h"
 #include "common/parallel.h"
 #include "surface/texel_frame.h"
@@ -13,58 +14,67 @@
 namespace gnomon {
 namespace {
 
-constexpr int tileSide = 4;
+constexpr std::size_t tileSide = 4;
 static_assert(tileSide * tileSide == RayPacket::size);
 
-/// One tile of a view: neighbouring samples make coherent rays.
-class TileTracer {
- public:
-  TileTracer(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
-             const MicroScene& scene, const SampleGrid& samples, const TraceSettings& settings)
-      : surface_(surface),
-        texelsPerUv_(relief.texelsPerUv()),
-        mesh_(mesh),
-        scene_(scene),
-        samples_(samples),
-        settings_(settings),
-        lift_(settings.liftShare * mesh.extent()) {}
+/// Up to four rows of a view's samples.
+struct Band {
+  std::span<const SamplePlace> places;
+  std::size_t width;
+  std::size_t first;  ///< the view's sample that is the band's first
+};
 
-  void trace(int tileColumn, int tileRow, Truth& truth) const {
-    RayPacket packet{};
-    std::array<double, RayPacket::size> reach{};
-    for (int k = 0; k < RayPacket::size; ++k) {
-      const int column = tileColumn * tileSide + k % tileSide;
-      const int row = tileRow * tileSide + k / tileSide;
-      if (column >= samples_.width || row >= samples_.height) continue;
-      prepare(index(column, row), static_cast<std::size_t>(k), packet, reach, truth);
+/// Traces a band tile by tile: neighbouring samples make coherent rays.
+class BandTracer {
+ public:
+  BandTracer(const MicroScene& scene, double extent, const TraceSettings& settings)
+      : scene_(scene), settings_(settings), lift_(settings.liftShare * extent) {}
+
+  void trace(const Band& band, Truth& truth) const {
+    for (std::size_t column = 0; column < band.width; column += tileSide) {
+      traceTile(band, column, truth);
     }
-    answer(tileColumn, tileRow, packet, reach, truth);
   }
 
  private:
-  [[nodiscard]] std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(samples_.width) +
-           static_cast<std::size_t>(column);
+  void traceTile(const Band& band, std::size_t firstColumn, Truth& truth) const {
+    RayPacket packet{};
+    std::array<std::size_t, RayPacket::size> at{};  // the band's sample of each ray
+    for (std::size_t k = 0; k < RayPacket::size; ++k) {
+      const std::size_t column = firstColumn + k % tileSide;
+      at.at(k) = k / tileSide * band.width + column;
+      if (column >= band.width || at.at(k) >= band.places.size()) continue;
+      prepare(band.places[at.at(k)], band.first + at.at(k), k, packet, truth);
+    }
+    const auto blocked = scene_.occluded(packet, settings_.light);
+    // A second, shorter ray tells occluders within D from those beyond.
+    packet.active = blocked;
+    for (std::size_t k = 0; k < RayPacket::size; ++k) {
+      if (blocked.at(k)) packet.lengths.at(k) = rayLengthOfRadius(band.places[at.at(k)].frame);
+    }
+    const auto blockedNearby = scene_.occluded(packet, settings_.light);
+    for (std::size_t k = 0; k < RayPacket::size; ++k) {
+      if (!blocked.at(k)) continue;
+      const std::size_t i = band.first + at.at(k);
+      truth.mask.samples[i] = Shade::shadowed;
+      if (truth.regions[i] == Region::lit) {
+        truth.regions[i] = blockedNearby.at(k) ? Region::cast : Region::distant;
+      }
+    }
   }
 
   /// Settles what needs no ray and fills the packet with the rest.
-  void prepare(std::size_t i, std::size_t k, RayPacket& packet,
-               std::array<double, RayPacket::size>& reach, Truth& truth) const {
-    const SurfaceSample& sample = samples_.samples[i];
-    if (sample.face < 0) return;
-    const TexelFrame frame =
-        texelFrame(surface_.evaluate(sample.face, sample.s, sample.t), texelsPerUv_);
-    const Facet facet = mesh_.facet(sample.face, sample.s, sample.t);
-    if (!frame.defined || facet.normal == Vec3(0)) return;  // stays Shade::none
-    const bool beyond = glm::dot(frame.normal, settings_.light) <= 0;
-    const bool turned = glm::dot(facet.normal, settings_.light) <= 0;
+  void prepare(const SamplePlace& place, std::size_t i, std::size_t k, RayPacket& packet,
+               Truth& truth) const {
+    if (!place.defined) return;  // stays Shade::none
+    const bool beyond = glm::dot(place.frame.normal, settings_.light) <= 0;
+    const bool turned = glm::dot(place.facet.normal, settings_.light) <= 0;
     truth.regions[i] = beyond ? Region::beyondTerminator : turned ? Region::attached : Region::lit;
     truth.mask.samples[i] = turned ? Shade::shadowed : Shade::lit;
     if (turned) return;
     packet.active.at(k) = true;
-    packet.origins.at(k) = facet.point + lift_ * facet.normal;
+    packet.origins.at(k) = place.facet.point + lift_ * place.facet.normal;
     packet.lengths.at(k) = std::numeric_limits<double>::infinity();
-    reach.at(k) = rayLengthOfRadius(frame);
   }
 
   /// Length of the ray whose trace on the tangent plane is D texels long.
@@ -76,38 +86,40 @@ class TileTracer {
                       : std::numeric_limits<double>::infinity();
   }
 
-  void answer(int tileColumn, int tileRow, RayPacket& packet,
-              const std::array<double, RayPacket::size>& reach, Truth& truth) const {
-    const auto blocked = scene_.occluded(packet, settings_.light);
-    // A second, shorter ray tells occluders within D from those beyond.
-    packet.active = blocked;
-    packet.lengths = reach;
-    const auto blockedNearby = scene_.occluded(packet, settings_.light);
-    for (int k = 0; k < RayPacket::size; ++k) {
-      const auto lane = static_cast<std::size_t>(k);
-      if (!blocked.at(lane)) continue;
-      const std::size_t i =
-          index(tileColumn * tileSide + k % tileSide, tileRow * tileSide + k / tileSide);
-      truth.mask.samples[i] = Shade::shadowed;
-      if (truth.regions[i] == Region::lit) {
-        truth.regions[i] = blockedNearby.at(lane) ? Region::cast : Region::distant;
-      }
-    }
-  }
-
-  const LimitSurface& surface_;
-  Vec2 texelsPerUv_;
-  const MicroMesh& mesh_;
   const MicroScene& scene_;
-  const SampleGrid& samples_;
   const TraceSettings& settings_;
   double lift_;
 };
 
-std::size_t countUndefined(const SampleGrid& samples, const Mask& mask) {
+Truth emptyTruth(int width, int height) {
+  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Truth truth;
+  truth.mask = {width, height, std::vector<Shade>(count, Shade::none)};
+  truth.regions.assign(count, Region::none);
+  return truth;
+}
+
+/// Calls `work(first, count)` for every band: the samples of up to four rows.
+template <typename Work>
+void forEachBand(int width, int height, const Progress& progress, const Work& work) {
+  const auto rows = static_cast<std::size_t>(height);
+  const std::size_t bands = (rows + tileSide - 1) / tileSide;
+  CountedProgress done(progress, bands);
+  parallelFor(0, bands, [&](std::size_t band) {
+    const FlushDenormals flush;
+    const std::size_t firstRow = band * tileSide;
+    work(firstRow * static_cast<std::size_t>(width),
+         std::min<std::size_t>(tileSide, rows - firstRow) * static_cast<std::size_t>(width));
+    done.advance();
+  });
+}
+
+/// @param faceOf  the face of a sample, -1 where there is none
+template <typename FaceOf>
+std::size_t countUndefined(const Mask& mask, const FaceOf& faceOf) {
   std::size_t undefined = 0;
   for (std::size_t i = 0; i < mask.size(); ++i) {
-    undefined += samples.samples[i].face >= 0 && mask.samples[i] == Shade::none ? 1 : 0;
+    undefined += faceOf(i) >= 0 && mask.samples[i] == Shade::none ? 1 : 0;
   }
   return undefined;
 }
@@ -132,30 +144,51 @@ std::string_view regionName(Region region) {
   throw InternalError("a region without a name");
 }
 
+Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
+                   const TraceSettings& settings, const Progress& progress) {
+  Truth truth = emptyTruth(placed.width, placed.height);
+  const BandTracer tracer(scene, placed.extent, settings);
+  const std::span places(placed.places);
+  forEachBand(placed.width, placed.height, progress, [&](std::size_t first, std::size_t count) {
+    tracer.trace({places.subspan(first, count), static_cast<std::size_t>(placed.width), first},
+                 truth);
+  });
+  truth.undefinedSamples =
+      countUndefined(truth.mask, [&](std::size_t i) { return placed.places[i].sample.face; });
+  return truth;
+}
+
+std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relief,
+                                const MicroMesh& mesh, const MicroScene& scene,
+                                const SampleGrid& samples, std::span<const TraceSettings> lights,
+                                const Progress& progress) {
+  const Vec2 texelsPerUv = relief.texelsPerUv();
+  std::vector<BandTracer> tracers;
+  for (const TraceSettings& light : lights) tracers.emplace_back(scene, mesh.extent(), light);
+  std::vector<Truth> truths(lights.size(), emptyTruth(samples.width, samples.height));
+  forEachBand(samples.width, samples.height, progress, [&](std::size_t first, std::size_t count) {
+    std::vector<SamplePlace> places;
+    places.reserve(count);
+    for (std::size_t i = first; i < first + count; ++i) {
+      places.push_back(samplePlace(surface, texelsPerUv, mesh, samples.samples[i]));
+    }
+    for (std::size_t l = 0; l < tracers.size(); ++l) {
+      tracers[l].trace({places, static_cast<std::size_t>(samples.width), first}, truths[l]);
+    }
+  });
+  for (Truth& truth : truths) {
+    truth.undefinedSamples =
+        countUndefined(truth.mask, [&](std::size_t i) { return samples.samples[i].face; });
+  }
+  return truths;
+}
+
 Truth traceShadows(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
                    const MicroScene& scene, const SampleGrid& samples,
                    const TraceSettings& settings, const Progress& progress) {
-  Truth truth;
-  truth.mask = {samples.width, samples.height,
-                std::vector<Shade>(samples.samples.size(), Shade::none)};
-  truth.regions.assign(samples.samples.size(), Region::none);
-  const TileTracer tracer(surface, relief, mesh, scene, samples, settings);
-  const int tileColumns = (samples.width + tileSide - 1) / tileSide;
-  const int tileRows = (samples.height + tileSide - 1) / tileSide;
-  std::mutex reporting;
-  int done = 0;
-  parallelFor(0, static_cast<std::size_t>(tileRows), [&](std::size_t row) {
-    const FlushDenormals flush;
-    for (int column = 0; column < tileColumns; ++column) {
-      tracer.trace(column, static_cast<int>(row), truth);
-    }
-    if (progress) {
-      const std::scoped_lock lock(reporting);
-      progress(static_cast<double>(++done) / tileRows);
-    }
-  });
-  truth.undefinedSamples = countUndefined(samples, truth.mask);
-  return truth;
+  return std::move(
+      traceShadows(surface, relief, mesh, scene, samples, std::span(&settings, 1), progress)
+          .front());
 }
 
 double flipRate(const Mask& a, const Mask& b) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "truth/micro_scene.h"
+#include "truth/sample_place.h"
 
 namespace gnomon {
 
@@ -57,7 +59,21 @@ struct TraceSettings {
 /// point (known from (s, t)), lifted along the facet's normal; a facet turned from the light is
 /// shadowed without a ray. The horizontal reach of an occluder is measured as the horizon tables
 /// do: texels along the light's azimuth, at the sample's own metric.
-/// Results do not depend on the number of threads.
+/// Results do not depend on the number of threads, nor on which other samples are traced with one.
+/// @param placed    on the mesh of the scene
+/// @param progress  may throw to cancel, see common/progress.h
+Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
+                   const TraceSettings& settings, const Progress& progress = {});
+
+/// The same for several lights at once, without holding the samples' places: each is found once,
+/// whatever the number of lights.
+/// @returns one truth a light
+std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relief,
+                                const MicroMesh& mesh, const MicroScene& scene,
+                                const SampleGrid& samples, std::span<const TraceSettings> lights,
+                                const Progress& progress = {});
+
+/// The same for one light.
 Truth traceShadows(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
                    const MicroScene& scene, const SampleGrid& samples,
                    const TraceSettings& settings, const Progress& progress = {});

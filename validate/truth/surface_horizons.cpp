@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
+#include "common/counted_progress.h"
 #include "common/memory.h"
 #include "common/parallel.h"
 #include "surface/texel_frame.h"
@@ -75,8 +75,7 @@ AngleTable shootHorizons(const LimitSurface& surface, const Relief& relief, cons
       table.angles[static_cast<std::size_t>(m) * count + texel] = static_cast<float>(angle);
     }
   };
-  std::mutex reporting;
-  int done = 0;
+  CountedProgress rows(progress, static_cast<std::size_t>(texels.height));
   parallelFor(0, static_cast<std::size_t>(texels.height), [&](std::size_t row) {
     const FlushDenormals flush;
     const auto width = static_cast<std::size_t>(texels.width);
@@ -84,10 +83,7 @@ AngleTable shootHorizons(const LimitSurface& surface, const Relief& relief, cons
     for (std::size_t column = 0; column < width; ++column) {
       shoot(texels.samples[fromBelow * width + column], row * width + column);
     }
-    if (progress) {
-      const std::scoped_lock lock(reporting);
-      progress(static_cast<double>(++done) / texels.height);
-    }
+    rows.advance();
   });
   return table;
 }
