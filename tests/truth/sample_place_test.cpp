@@ -20,8 +20,8 @@ TEST(SamplePlace, OnARampIsThePlanesPointAndTheRampsFacet) {
   }
   const Relief relief{HeightField(16, 8, texels, Wrap::clamp), HeightSpace::world, Vec2(1)};
   const MicroMesh mesh(surface, relief, {0.25, 0});
-  const SamplePlace place =
-      samplePlace(surface, relief.texelsPerUv(), mesh, sampleAt(surface, relief, {7.3, 2.2}));
+  const SamplePlace place = SamplePlacer(surface, relief.texelsPerUv(), mesh)
+                                .place(sampleAt(surface, relief, {7.3, 2.2}));
   ASSERT_TRUE(place.defined);
   EXPECT_NEAR(glm::distance(place.frame.position, Vec3(7.3 - 8, 2.2 - 4, 0)), 0, 1e-6);
   EXPECT_NEAR(glm::distance(place.frame.normal, Vec3(0, 0, 1)), 0, 1e-12);
@@ -41,7 +41,7 @@ TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
   double before = 1;
   for (const double step : {0.25, 0.0625}) {
     const MicroMesh mesh(surface, relief, {step, 0});
-    const SamplePlace place = samplePlace(surface, relief.texelsPerUv(), mesh, sample);
+    const SamplePlace place = SamplePlacer(surface, relief.texelsPerUv(), mesh).place(sample);
     const double off = glm::distance(place.facet.point + mesh.centre(), exact);
     EXPECT_LT(off, before / 4);
     before = off;
@@ -52,7 +52,7 @@ TEST(SamplePlace, IsUndefinedWithoutASample) {
   const LimitSurface surface(makePlane(16, 8, 4, 2));
   const Relief relief = test::flatRelief(4, 4);
   const MicroMesh mesh(surface, relief, {0.5, 0});
-  const SamplePlace place = samplePlace(surface, relief.texelsPerUv(), mesh, {-1, 0, 0});
+  const SamplePlace place = SamplePlacer(surface, relief.texelsPerUv(), mesh).place({-1, 0, 0});
   EXPECT_FALSE(place.defined);
   EXPECT_EQ(place.facet.point + mesh.centre(), Vec3(0));
 }

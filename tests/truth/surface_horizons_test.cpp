@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "relief/patterns.h"
 #include "surface/texel_frame.h"
@@ -197,20 +199,24 @@ TEST(SurfaceHorizons, OneRayMeetsWhatAPacketMeets) {
   std::size_t hits = 0;
   for (int k = 0; k < 40; ++k) {
     const Vec3 direction = test::lightToward(9.0 * k, 7.0 * (k % 13) - 40);
+    std::array<Vec3, RayPacket::size> origins{};
     RayPacket packet;
     for (std::size_t i = 0; i < RayPacket::size; ++i) {
       const auto turn = static_cast<double>(i);
-      packet.origins.at(i) =
-          Vec3(45 * std::sin(turn), 20 * std::cos(3 * turn), 45 * std::cos(turn));
-      packet.lengths.at(i) = std::numeric_limits<double>::infinity();
-      packet.active.at(i) = true;
+      origins[i] = Vec3(45 * std::sin(turn), 20 * std::cos(3 * turn), 45 * std::cos(turn));
+      packet.x[i] = static_cast<float>(origins[i].x);
+      packet.y[i] = static_cast<float>(origins[i].y);
+      packet.z[i] = static_cast<float>(origins[i].z);
+      packet.lengths[i] = std::numeric_limits<float>::infinity();
     }
+    packet.count = RayPacket::size - static_cast<std::size_t>(k % 3);
     const auto met = scene.scene.occluded(packet, direction);
-    for (std::size_t i = 0; i < RayPacket::size; ++i) {
-      EXPECT_EQ(scene.scene.occluded(packet.origins.at(i), direction), met.at(i));
-      EXPECT_EQ(scene.scene.nearest(packet.origins.at(i), direction).has_value(), met.at(i));
-      hits += met.at(i) ? 1 : 0;
+    for (std::size_t i = 0; i < packet.count; ++i) {
+      EXPECT_EQ(scene.scene.occluded(origins[i], direction), met[i]);
+      EXPECT_EQ(scene.scene.nearest(origins[i], direction).has_value(), met[i]);
+      hits += met[i] ? 1 : 0;
     }
+    for (std::size_t i = packet.count; i < RayPacket::size; ++i) EXPECT_FALSE(met[i]);
   }
   EXPECT_GT(hits, 50U);
   EXPECT_LT(hits, 590U);

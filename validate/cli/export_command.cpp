@@ -9,6 +9,7 @@
 #include "report/export_json.h"
 #include "report/mesh_files.h"
 #include "report/number_text.h"
+#include "report/refinement_text.h"
 #include "report/truth_files.h"
 #include "study/truth_study.h"
 
@@ -49,6 +50,7 @@ void traceOne(const StudySpec& study, const GlContext& gl, StageClock& clock,
   fmt::print("{}: {} views, {} lights, {} micro-triangles, uncertain by at most {} %\n",
              (folder / "truth.json").string(), study.views.size(), study.lights.size(),
              groupedText(record.truth.microTriangles), percentText(record.truth.uncertainty));
+  if (record.truth.wantedUncertainty) fmt::print("{}\n", refinementText(record.truth));
 }
 
 ExportedMesh writeDisplaced(const fs::path& path, const RunScene& scene,

@@ -43,7 +43,8 @@ Neighbours neighbours(double coordinate, int size, Wrap wrap) {
   // Reduced in floating point first: the coordinate may exceed what an int holds.
   double c = coordinate - 0.5;
   if (wrap == Wrap::repeat) {
-    c = std::fmod(c, size);  // may be negative: wrappedIndex sees to that
+    // May be negative: wrappedIndex sees to that.
+    if (std::abs(c) >= size) c = std::fmod(c, size);
   } else {
     c = std::clamp(c, 0.0, static_cast<double>(size - 1));
   }
@@ -66,6 +67,7 @@ HeightField inverted(const HeightField& field, double height) {
 
 int wrappedIndex(int i, int size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
+  if (i >= 0 && i < size) return i;  // the common case, without a division
   const int remainder = i % size;
   return remainder < 0 ? remainder + size : remainder;
 }

@@ -56,8 +56,9 @@ ChannelImage sampleMap(const RunScene& scene, const ViewCase& view, const MicroM
   const Vec2 texelsPerUv = scene.study.relief.texelsPerUv();
   const auto width = static_cast<std::size_t>(grid.width);
   parallelFor(0, static_cast<std::size_t>(grid.height), [&](std::size_t row) {
+    SamplePlacer placer(scene.surface, texelsPerUv, mesh);
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
-      const SamplePlace place = samplePlace(scene.surface, texelsPerUv, mesh, grid.samples[i]);
+      const SamplePlace place = placer.place(grid.samples[i]);
       const Pixel pixel = pixelOf(place, mesh.centre(), view.weights.empty() ? 1 : view.weights[i]);
       std::copy(pixel.begin(), pixel.end(),
                 map.values.begin() + static_cast<std::ptrdiff_t>(i * pixel.size()));

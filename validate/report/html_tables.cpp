@@ -14,6 +14,7 @@
 #include "report/html_text.h"
 #include "report/interval_text.h"
 #include "report/number_text.h"
+#include "report/refinement_text.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -234,6 +235,18 @@ std::string flipTable(const std::vector<UncertaintyRecord>& flips) {
                         numberCell(rateText(flip.flipRate)));
   }
   return htmlTable("flips", headCells({"View", "Light"}, {"Samples that flip"}), body);
+}
+
+std::string refinementTable(const std::vector<RefinementRecord>& levels) {
+  std::string body;
+  for (const RefinementRecord& level : levels) {
+    body += fmt::format("<tr>{}{}{}</tr>\n", numberCell(stepText(level.stepTexels)),
+                        numberCell(groupedText(level.microTriangles)),
+                        numberCell(rateText(level.flipRate)));
+  }
+  return htmlTable(
+      "refinement",
+      headCells({}, {"Step, texels", "Micro-triangles", "Differ from the level before"}), body);
 }
 
 std::string timingTable(const std::vector<TimingRecord>& timings) {

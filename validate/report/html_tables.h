@@ -27,6 +27,8 @@ std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds);
 /// Memory, triangles, passes and frame time of each method, and that time's ratio to max-forsyth's.
 std::string costTable(const StudyRecord& record);
 std::string flipTable(const std::vector<UncertaintyRecord>& flips);
+/// Step, micro-triangles and flip rate of each level.
+std::string refinementTable(const std::vector<RefinementRecord>& levels);
 std::string timingTable(const std::vector<TimingRecord>& timings);
 
 }  // namespace gnomon

@@ -16,6 +16,12 @@ Json flipJson(const UncertaintyRecord& flip) {
           {"boundaries", std::move(boundaries)}};
 }
 
+Json refinementJson(const RefinementRecord& level) {
+  return {{"step_texels", jsonNumber(level.stepTexels, "truth.refinement.step_texels")},
+          {"micro_triangles", level.microTriangles},
+          {"flip_rate", jsonNumber(level.flipRate, "truth.refinement.flip_rate")}};
+}
+
 }  // namespace
 
 Json jsonNumber(double value, std::string_view key) {
@@ -61,12 +67,17 @@ Json jsonStudy(const StudyRecord& record) {
 }
 
 Json jsonTruth(const TruthRecord& truth) {
-  return {{"micro_triangles", truth.microTriangles},
-          {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
-          {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
-          {"bvh_bytes", truth.bvhBytes},
-          {"mesh_bytes", truth.meshBytes},
-          {"flips", jsonList(truth.flips, flipJson)}};
+  Json json = {{"micro_triangles", truth.microTriangles},
+               {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
+               {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
+               {"bvh_bytes", truth.bvhBytes},
+               {"mesh_bytes", truth.meshBytes},
+               {"flips", jsonList(truth.flips, flipJson)}};
+  if (truth.wantedUncertainty) {
+    json["wanted_uncertainty"] = jsonNumber(*truth.wantedUncertainty, "truth.wanted_uncertainty");
+    json["refinement"] = jsonList(truth.refinement, refinementJson);
+  }
+  return json;
 }
 
 Json jsonClaim(const ClaimRecord& claim) {

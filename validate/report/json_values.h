@@ -38,7 +38,8 @@ Json jsonList(const Records& records, const Convert& convert) {
 Json jsonEnvironment(const EnvironmentRecord& environment);
 /// name, title, source, file, command.
 Json jsonStudy(const StudyRecord& record);
-/// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light.
+/// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light;
+/// where an uncertainty was asked for, also wanted_uncertainty and the levels of `refinement`.
 Json jsonTruth(const TruthRecord& truth);
 /// text, source, verdict, detail.
 Json jsonClaim(const ClaimRecord& claim);

@@ -17,6 +17,7 @@
 #include "report/number_text.h"
 #include "report/page.h"
 #include "report/ranking.h"
+#include "report/refinement_text.h"
 
 namespace gnomon {
 namespace {
@@ -156,8 +157,7 @@ std::string truthSection(const StudyRecord& record) {
   const bool measured = !truth.flips.empty() || truth.uncertainty > 0;
   std::string content =
       "<dl>\n" + htmlFact("Micro-triangles", groupedText(truth.microTriangles)) +
-      htmlFact("Longest step",
-               fmt::format("{:.4g} texels", requireFinite(truth.stepTexels, "truth.step_texels"))) +
+      htmlFact("Longest step", stepText(truth.stepTexels) + " texels") +
       htmlFact("Largest uncertainty",
                measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
       htmlFact("Ray tracing structure", bytesText(truth.bvhBytes)) +
@@ -166,6 +166,10 @@ std::string truthSection(const StudyRecord& record) {
                                        groupedText(record.undefinedSamples))) +
       "</dl>\n";
   if (!truth.flips.empty()) content += flipTable(truth.flips);
+  if (truth.wantedUncertainty) {
+    content += "<p class=\"note\">" + escapeHtml(refinementText(truth)) + "</p>\n" +
+               refinementTable(truth.refinement);
+  }
   return htmlSection("truth", "The truth", content);
 }
 

@@ -10,6 +10,7 @@
 #include "report/cases.h"
 #include "report/cost.h"
 #include "report/number_text.h"
+#include "report/refinement_text.h"
 #include "report/terminal_budget.h"
 #include "report/terminal_confidence.h"
 #include "report/terminal_page.h"
@@ -228,6 +229,15 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
   }
 }
 
+/// How the truth's resolution was found, where the study asks for an uncertainty.
+void appendRefinement(TerminalPage& page, const StudyRecord& record) {
+  const std::string text = refinementText(record.truth);
+  if (text.empty()) return;
+  page.blank();
+  page.heading("The truth");
+  page.paragraph(text, terminalIndent);
+}
+
 /// Where the time went: the stages that took a hundredth of a second or more.
 void appendTimings(TerminalPage& page, const StudyRecord& record) {
   if (record.timings.empty()) return;
@@ -254,6 +264,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   appendBudgets(page, record);
   appendThresholds(page, record);
   appendCost(page, record);
+  appendRefinement(page, record);
   appendTimings(page, record);
   return page.text();
 }

@@ -43,6 +43,15 @@ struct UncertaintyRecord {
   std::vector<Metric> boundaries = {};
 };
 
+/// One level of a refinement to a wanted uncertainty.
+struct RefinementRecord {
+  double stepTexels = 0;
+  std::uint64_t microTriangles = 0;
+  /// The largest share of samples, over views and lights, that differ from the level before; none
+  /// for the first, and where that has more than half the triangles.
+  std::optional<double> flipRate = std::nullopt;
+};
+
 struct TruthRecord {
   std::uint64_t microTriangles = 0;
   double stepTexels = 0;   ///< longest micro-edge along a texture axis, texels
@@ -50,6 +59,8 @@ struct TruthRecord {
   std::uint64_t bvhBytes = 0;
   std::uint64_t meshBytes = 0;
   std::vector<UncertaintyRecord> flips;
+  std::optional<double> wantedUncertainty = std::nullopt;  ///< what the study asks for
+  std::vector<RefinementRecord> refinement = {};           ///< the levels up to it, coarsest first
 };
 
 /// A method as this study runs it.

@@ -12,6 +12,7 @@
 #include "study/ladder_stage.h"
 #include "study/method_case.h"
 #include "study/panel_pictures.h"
+#include "study/refine_stage.h"
 #include "study/run_scene.h"
 #include "study/spread_stage.h"
 #include "study/thresholds.h"
@@ -62,8 +63,9 @@ class StudyRun {
 
   void traceTruth(LadderStage& ladders) {
     {
-      const TracedSurface surface(scene_, study_.truth, "micro-mesh", "hierarchy");
-      record_.truth = sizesOf(surface);
+      const TruthSurface made = makeTruthSurface(scene_);
+      const TracedSurface& surface = *made.surface;
+      record_.truth = recordOf(made, study_);
       for (const std::span<MethodCase> methods : {std::span(methods_), ladders.states()}) {
         shootTables(scene_, methods, surface.mesh, surface.scene);
       }

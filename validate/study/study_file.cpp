@@ -79,6 +79,16 @@ void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
   section.finish();
 }
 
+void readTruth(const TomlReader& section, StudySpec& study) {
+  study.truth.stepTexels = section.optionalNumber("step", positive);
+  constexpr Range shares{0, 1, true};
+  study.truthUncertainty = section.optionalNumber("uncertainty", shares);
+  if (study.truth.stepTexels && study.truthUncertainty) {
+    section.fail("uncertainty", "`step` found beside it, one of the two expected");
+  }
+  section.finish();
+}
+
 std::string readMetric(const TomlReader& section) {
   std::string metric = section.text("metric", "error_rate");
   const auto& names = metricNames();
@@ -212,6 +222,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
                   {},
                   {},
                   {},
+                  {},
                   {}};
   study.ranked = header.flag("ranked", true);
   requirePlainName(header, study.name);
@@ -223,11 +234,11 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
     readBase(*base, study.baseSubdivisions, study.baseCurvature);
   }
   if (const auto truth = root.optionalTable("truth")) {
-    study.truth.stepTexels = truth->optionalNumber("step", positive);
-    truth->finish();
+    readTruth(*truth, study);
   }
   if (options.quick) {
     if (study.truth.stepTexels) *study.truth.stepTexels *= 4;
+    if (study.truthUncertainty) *study.truthUncertainty *= 4;  // it falls as the step does
     study.truth.leastTriangles /= 16;
   }
   for (const TomlReader& view : root.tables("view")) {

@@ -113,6 +113,8 @@ struct StudySpec {
   int baseSubdivisions = 1;
   CurvatureSource baseCurvature = CurvatureSource::limit;
   MicroMeshSettings truth;
+  /// Largest flip rate that is wanted; the step is then found by refinement.
+  std::optional<double> truthUncertainty = std::nullopt;
   std::vector<ViewSpec> views;
   std::vector<LightSpec> lights;
   std::vector<MethodSpec> methods;

@@ -100,6 +100,18 @@ std::uint64_t traceTruths(RunScene& scene, const TracedSurface& surface) {
   return undefined;
 }
 
+ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double liftShare,
+                             std::string_view stage) {
+  const std::vector<TraceSettings> lights = settingsOf(scene, liftShare);
+  ViewTruths truths;
+  for (const ViewCase& view : scene.standardBase().views) {
+    truths.push_back(scene.clock.measure(stage, [&](const Progress& progress) {
+      return trace(scene, surface, view.samples, lights, progress);
+    }));
+  }
+  return truths;
+}
+
 void traceUncertainty(RunScene& scene, TruthRecord& truth) {
   MicroMeshSettings twice = scene.study.truth;
   twice.stepTexels = 2 * truth.stepTexels;
@@ -107,14 +119,11 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
   requireCoarser(half, truth);
   const StudySpec& study = scene.study;
   const BaseCase& base = scene.standardBase();
-  const std::vector<TraceSettings> lights = settingsOf(scene, standardLift / 2);
+  const ViewTruths coarser = traceStandardBase(scene, half, standardLift / 2, "uncertainty");
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     const ViewCase& view = base.views[v];
-    const auto coarser = scene.clock.measure("uncertainty", [&](const Progress& progress) {
-      return trace(scene, half, view.samples, lights, progress);
-    });
     for (std::size_t l = 0; l < study.lights.size(); ++l) {
-      const Truth& coarse = coarser[l];
+      const Truth& coarse = coarser[v][l];
       const double flips = flipRate(view.truths[l].mask, coarse.mask);
       const auto lengthError = scene.clock.measure("uncertainty", [&](const Progress&) {
         const LightField field = scene.lightField(base, v, l);

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "study/record.h"
 #include "study/run_scene.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
+#include "truth/shadow_tracer.h"
 
 namespace gnomon {
 
@@ -20,6 +22,14 @@ struct TracedSurface {
   MicroMesh mesh;
   MicroScene scene;  ///< shares the mesh's vertices
 };
+
+/// Truths of the standard base's samples, [view][light].
+using ViewTruths = std::vector<std::vector<Truth>>;
+
+/// Traces the standard base's samples under every light.
+/// @param stage  of the run's clock
+ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double liftShare,
+                             std::string_view stage);
 
 /// What a run reports of the surface that its truth was traced on.
 TruthRecord sizesOf(const TracedSurface& surface);

@@ -3,6 +3,7 @@
 #include "relief/horizon_bake.h"
 #include "study/environment.h"
 #include "study/file_names.h"
+#include "study/refine_stage.h"
 
 namespace gnomon {
 
@@ -11,10 +12,10 @@ StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
   StudyRecord record = startRecord(scene.study, gl);
   scene.standardBase();
   {
-    const TracedSurface surface(scene, scene.study.truth, "micro-mesh", "hierarchy");
-    record.truth = sizesOf(surface);
-    record.undefinedSamples = traceTruths(scene, surface);
-    if (whileTraced) whileTraced(surface);
+    const TruthSurface made = makeTruthSurface(scene);
+    record.truth = recordOf(made, scene.study);
+    record.undefinedSamples = traceTruths(scene, *made.surface);
+    if (whileTraced) whileTraced(*made.surface);
   }  // the fine mesh goes before the coarse one comes
   traceUncertainty(scene, record.truth);
   record.timings = scene.clock.timings();

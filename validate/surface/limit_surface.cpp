@@ -133,6 +133,7 @@ struct LimitSurface::Implementation {
   void takeTriangles(const Cage& cage, const OpenSubdiv::Far::TopologyLevel& level);
   [[nodiscard]] std::size_t requireFace(int face) const;
   [[nodiscard]] LimitPoint position(const Patch& patch, Vec2 at) const;
+  void addTexture(std::size_t face, double s, double t, TangentPoint& point) const;
 };
 
 void LimitSurface::Implementation::initialise(const Factory& factory, const Cage& cage) {
@@ -242,6 +243,15 @@ LimitPoint LimitSurface::Implementation::position(const Patch& patch, Vec2 at) c
   return point;
 }
 
+/// Texture coordinates are bilinear on every face.
+void LimitSurface::Implementation::addTexture(std::size_t face, double s, double t,
+                                              TangentPoint& point) const {
+  const auto& [uv0, uv1, uv2, uv3] = uvs[face];
+  point.uv = (1 - t) * ((1 - s) * uv0 + s * uv1) + t * ((1 - s) * uv3 + s * uv2);
+  point.uvDs = (1 - t) * (uv1 - uv0) + t * (uv2 - uv3);
+  point.uvDt = (1 - s) * (uv3 - uv0) + s * (uv2 - uv1);
+}
+
 LimitSurface::LimitSurface(const Cage& cage) : implementation_(std::make_unique<Implementation>()) {
   const std::size_t count = cage.faceVertices.size() / cage.faceSize();
   requireMemory(bytesPerFace * static_cast<double>(count),
@@ -304,14 +314,28 @@ LimitPoint LimitSurface::evaluate(int face, double s, double t) const {
                                    : atCorner(index % perPatch, {s, t}, [&](Vec2 at) {
                                        return implementation_->position(patch, at);
                                      });
-  const auto& [uv0, uv1, uv2, uv3] = implementation_->uvs[index];
-  point.uv = (1 - t) * ((1 - s) * uv0 + s * uv1) + t * ((1 - s) * uv3 + s * uv2);
-  point.uvDs = (1 - t) * (uv1 - uv0) + t * (uv2 - uv3);
-  point.uvDt = (1 - s) * (uv3 - uv0) + s * (uv2 - uv1);
+  implementation_->addTexture(index, s, t, point);
   return point;
 }
 
-Vec3 outwardNormal(const LimitPoint& point) {
+TangentPoint LimitSurface::tangentPoint(int face, double s, double t) const {
+  if (implementation_->facesPerPatch != 1) return evaluate(face, s, t);
+  const std::size_t index = implementation_->requireFace(face);
+  const Implementation::Patch& patch = implementation_->patches[index];
+  TangentPoint point;
+  const std::array st = {s, t};
+  patch.surface.Evaluate(st.data(), &implementation_->patchPoints[patch.firstPoint].x, 3,
+                         &point.position.x, &point.ds.x, &point.dt.x);
+  implementation_->addTexture(index, s, t, point);
+  return point;
+}
+
+bool LimitSurface::isBicubic(int face) const {
+  const std::size_t index = implementation_->requireFace(face);
+  return implementation_->facesPerPatch == 1 && implementation_->patches[index].surface.IsRegular();
+}
+
+Vec3 outwardNormal(const TangentPoint& point) {
   const Vec3 normal = glm::cross(point.ds, point.dt);
   const double area = glm::length(normal);
   // Beside the longer derivative a shorter one, or a height over it, of 1e-12 is rounding. Written

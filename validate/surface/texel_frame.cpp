@@ -6,7 +6,7 @@
 
 namespace gnomon {
 
-TexelFrame texelFrame(const LimitPoint& point, Vec2 texelsPerUv) {
+TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv) {
   const Vec2 texel = point.uv * texelsPerUv;
   const Vec2 xyS = point.uvDs * texelsPerUv;
   const Vec2 xyT = point.uvDt * texelsPerUv;

@@ -18,7 +18,7 @@ struct TexelFrame {
 };
 
 /// @param texelsPerUv  repeats × map size: texels that one unit of u and of v spans
-TexelFrame texelFrame(const LimitPoint& point, Vec2 texelsPerUv);
+TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv);
 
 /// The light as horizon methods see it from one frame.
 struct LocalLight {

@@ -1,24 +1,12 @@
 #include "truth/displaced_picture.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "common/counted_progress.h"
 #include "common/parallel.h"
 #include "truth/flush_denormals.h"
 
 namespace gnomon {
-namespace {
-
-bool reached(const MicroScene& scene, const Vec3& origin, const Vec3& light) {
-  RayPacket packet{};
-  packet.active.front() = true;
-  packet.origins.front() = origin;
-  packet.lengths.front() = std::numeric_limits<double>::infinity();
-  return !scene.occluded(packet, light).front();
-}
-
-}  // namespace
 
 std::vector<float> displacedPicture(const MicroMesh& mesh, const MicroScene& scene,
                                     const Camera& camera, const Vec3& light,
@@ -40,7 +28,7 @@ std::vector<float> displacedPicture(const MicroMesh& mesh, const MicroScene& sce
       if (!hit) continue;
       const double cosine = glm::dot(hit->normal, light);
       const Vec3 point = eye + hit->distance * direction + lift * hit->normal;
-      const bool lit = cosine > 0 && reached(scene, point, light);
+      const bool lit = cosine > 0 && !scene.occluded(point, light);
       picture[row * width + column] = lit ? static_cast<float>(cosine) : 0.0F;
     }
     rows.advance();

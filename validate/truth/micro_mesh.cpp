@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/parallel.h"
+#include "surface/limit_face.h"
 #include "surface/shared_vertices.h"
 #include "surface/texel_frame.h"
 
@@ -115,6 +117,35 @@ double chooseStep(const LimitSurface& surface, Vec2 texelsPerUv, double faceSide
       finest, settings.leastTriangles));
 }
 
+/// The cell of rising lines from 0 to 1 that holds a place: lines[k] <= at < lines[k + 1], or the
+/// nearest to that. Lines are about evenly spaced: the guess is right or a few cells off.
+std::size_t cellOf(const std::vector<double>& lines, double at) {
+  const std::size_t last = lines.size() - 2;
+  const double guess = at > 0 ? std::min(at, 1.0) * static_cast<double>(last) : 0.0;
+  auto k = static_cast<std::size_t>(guess);
+  while (k > 0 && lines[k] > at) --k;
+  while (k < last && lines[k + 1] <= at) ++k;
+  return k;
+}
+
+/// Some rows of a face's grid: what one thread computes at once.
+struct RowBlock {
+  std::size_t face, firstRow, endRow;
+};
+
+/// All rows of all faces, so cut that even a single face keeps every thread busy.
+std::vector<RowBlock> rowBlocks(const std::vector<MicroMesh::Grid>& grids) {
+  constexpr std::size_t mostRows = 32;
+  std::vector<RowBlock> blocks;
+  for (std::size_t face = 0; face < grids.size(); ++face) {
+    const auto rows = static_cast<std::size_t>(grids[face].rows);
+    for (std::size_t row = 0; row < rows; row += mostRows) {
+      blocks.push_back({face, row, std::min(row + mostRows, rows)});
+    }
+  }
+  return blocks;
+}
+
 Vec3 cageCentre(const LimitSurface& surface) {
   Vec3 low(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
@@ -145,9 +176,7 @@ MicroMesh::MicroMesh(const LimitSurface& surface, const Relief& relief,
   centre_ = cageCentre(surface);
   displace(surface, relief, progress);
   weld(surface);
-  for (const float coordinate : coordinates_) {
-    extent_ = std::max(extent_, std::abs(static_cast<double>(coordinate)));
-  }
+  measureExtent();
 }
 
 void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double step) {
@@ -186,25 +215,34 @@ void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double
   requireMemory(static_cast<double>(vertices) * (bytesPerVertex + hierarchyBytesPerQuad),
                 fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", step,
                             static_cast<double>(triangleCount_)));
+  vertexCount_ = static_cast<std::size_t>(vertices);
   // One float of padding: Embree reads vertices as four floats.
-  coordinates_.assign(static_cast<std::size_t>(vertices) * 3 + 1, 0.0F);
+  coordinates_ = std::make_unique_for_overwrite<float[]>(3 * vertexCount_ + 1);
+  coordinates_[3 * vertexCount_] = 0;
 }
 
 void MicroMesh::displace(const LimitSurface& surface, const Relief& relief,
                          const Progress& progress) {
   const Vec2 texelsPerUv = relief.texelsPerUv();
-  CountedProgress faces(progress, grids_.size());
-  parallelFor(0, grids_.size(), [&](std::size_t face) {
-    const Grid& grid = grids_[face];
-    float* out = &coordinates_[std::size_t{grid.firstVertex} * 3];
-    for (const double t : lines(grid.tLines)) {
-      for (const double s : lines(grid.sLines)) {
-        const LimitPoint point = surface.evaluate(static_cast<int>(face), s, t);
+  const std::vector<RowBlock> blocks = rowBlocks(grids_);
+  CountedProgress done(progress, blocks.size());
+  parallelFor(0, blocks.size(), [&](std::size_t b) {
+    const RowBlock& block = blocks[b];
+    const Grid& grid = grids_[block.face];
+    const std::vector<double>& s = lines(grid.sLines);
+    const std::vector<double>& t = lines(grid.tLines);
+    const LimitFace face(surface, static_cast<int>(block.face),
+                         (block.endRow - block.firstRow) * s.size());
+    std::vector<TangentPoint> points(s.size());
+    float* out = &coordinates_[3 * (grid.firstVertex + block.firstRow * s.size())];
+    for (std::size_t row = block.firstRow; row < block.endRow; ++row) {
+      face.row(t[row], s, points);
+      for (const TangentPoint& point : points) {
         const Vec3 position = displaced(relief, texelFrame(point, texelsPerUv)) - centre_;
         for (int axis = 0; axis < 3; ++axis) *out++ = static_cast<float>(position[axis]);
       }
     }
-    faces.advance();
+    done.advance();
   });
 }
 
@@ -220,6 +258,27 @@ void MicroMesh::weld(const LimitSurface& surface) {
       });
 }
 
+void MicroMesh::measureExtent() {
+  constexpr std::size_t piece = 1 << 16;
+  const std::span<const float> all = coordinates().first(3 * vertexCount_);
+  std::vector<float> largest((all.size() + piece - 1) / piece, 0.0F);
+  parallelFor(0, largest.size(), [&](std::size_t k) {
+    // Side by side, so that the compiler may use vectors: it must not change the order of a
+    // maximum.
+    std::array<float, 16> lanes{};
+    const auto part = all.subspan(k * piece, std::min(piece, all.size() - k * piece));
+    const std::size_t whole = part.size() - part.size() % lanes.size();
+    for (std::size_t i = 0; i < whole; i += lanes.size()) {
+      for (std::size_t l = 0; l < lanes.size(); ++l) {
+        lanes[l] = std::max(lanes[l], std::abs(part[i + l]));
+      }
+    }
+    for (const float rest : part.subspan(whole)) lanes[0] = std::max(lanes[0], std::abs(rest));
+    largest[k] = *std::max_element(lanes.begin(), lanes.end());
+  });
+  extent_ = *std::max_element(largest.begin(), largest.end());
+}
+
 Vec3 MicroMesh::vertex(std::size_t index) const {
   return {coordinates_[3 * index], coordinates_[3 * index + 1], coordinates_[3 * index + 2]};
 }
@@ -227,10 +286,8 @@ Vec3 MicroMesh::vertex(std::size_t index) const {
 Facet MicroMesh::facet(int face, double s, double t) const {
   const Grid& grid = grids_[static_cast<std::size_t>(face)];
   const auto cell = [](const std::vector<double>& lines, double at) {
-    const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
-    const double low = *(above - 1);
-    return std::pair{static_cast<std::size_t>(above - lines.begin()) - 1,
-                     std::clamp((at - low) / (*above - low), 0.0, 1.0)};
+    const std::size_t k = cellOf(lines, at);
+    return std::pair{k, std::clamp((at - lines[k]) / (lines[k + 1] - lines[k]), 0.0, 1.0)};
   };
   const auto [column, a] = cell(lines(grid.sLines), s);
   const auto [row, b] = cell(lines(grid.tLines), t);

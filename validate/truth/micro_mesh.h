@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/progress.h"
@@ -60,8 +62,10 @@ class MicroMesh {
     return lines_[static_cast<std::size_t>(index)];
   }
   /// x, y, z of each vertex relative to `centre()`, and one float of padding at the end.
-  [[nodiscard]] const std::vector<float>& coordinates() const { return coordinates_; }
-  [[nodiscard]] std::size_t vertexCount() const { return coordinates_.size() / 3; }
+  [[nodiscard]] std::span<const float> coordinates() const {
+    return {coordinates_.get(), 3 * vertexCount_ + 1};
+  }
+  [[nodiscard]] std::size_t vertexCount() const { return vertexCount_; }
   [[nodiscard]] std::uint64_t triangleCount() const { return triangleCount_; }
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   /// Largest absolute coordinate, world units: the scale of float rounding.
@@ -75,11 +79,14 @@ class MicroMesh {
   void placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double step);
   void displace(const LimitSurface& surface, const Relief& relief, const Progress& progress);
   void weld(const LimitSurface& surface);
+  void measureExtent();
   [[nodiscard]] Vec3 vertex(std::size_t index) const;
 
   std::vector<std::vector<double>> lines_;
   std::vector<Grid> grids_;
-  std::vector<float> coordinates_;
+  std::unique_ptr<float[]>
+      coordinates_;  // an array whose pages the threads that fill it touch first
+  std::size_t vertexCount_ = 0;
   Vec3 centre_{0, 0, 0};
   double extent_ = 0;
   double stepTexels_ = 0;

@@ -117,34 +117,31 @@ MicroScene::MicroScene(const MicroMesh& mesh, const Progress& progress) : device
   throwOnError(device_.get(), "building its hierarchy");
 }
 
-std::array<bool, RayPacket::size> MicroScene::occluded(const RayPacket& rays,
-                                                       const Vec3& direction) const {
-  alignas(64) std::array<int, RayPacket::size> valid{};
+std::bitset<RayPacket::size> MicroScene::occluded(const RayPacket& rays,
+                                                  const Vec3& direction) const {
+  alignas(64) std::array<int, RayPacket::size> valid;
   RTCRay16 packet;
-  for (int k = 0; k < RayPacket::size; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    valid.at(i) = rays.active.at(i) ? -1 : 0;
-    packet.org_x[k] = static_cast<float>(rays.origins.at(i).x);
-    packet.org_y[k] = static_cast<float>(rays.origins.at(i).y);
-    packet.org_z[k] = static_cast<float>(rays.origins.at(i).z);
+  for (std::size_t k = 0; k < RayPacket::size; ++k) {
+    valid[k] = k < rays.count ? -1 : 0;
+    packet.org_x[k] = rays.x[k];
+    packet.org_y[k] = rays.y[k];
+    packet.org_z[k] = rays.z[k];
     packet.dir_x[k] = static_cast<float>(direction.x);
     packet.dir_y[k] = static_cast<float>(direction.y);
     packet.dir_z[k] = static_cast<float>(direction.z);
     packet.tnear[k] = 0;
-    packet.tfar[k] = static_cast<float>(rays.lengths.at(i));
+    packet.tfar[k] = rays.lengths[k];
     packet.time[k] = 0;
     packet.mask[k] = ~0U;
     packet.id[k] = static_cast<unsigned>(k);
     packet.flags[k] = 0;
   }
   embree::occluded16(valid.data(), scene_.get(), packet);
-  std::array<bool, RayPacket::size> result{};
-  for (int k = 0; k < RayPacket::size; ++k) {
-    // Embree marks an occluded ray by a negative end.
-    result.at(static_cast<std::size_t>(k)) =
-        valid.at(static_cast<std::size_t>(k)) != 0 && packet.tfar[k] < 0;
+  std::bitset<RayPacket::size> blocked;
+  for (std::size_t k = 0; k < rays.count; ++k) {
+    blocked[k] = packet.tfar[k] < 0;  // Embree marks an occluded ray by a negative end
   }
-  return result;
+  return blocked;
 }
 
 bool MicroScene::occluded(const Vec3& origin, const Vec3& direction) const {

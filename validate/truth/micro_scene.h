@@ -2,6 +2,8 @@
 
 #include <array>
 #include <atomic>
+#include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,12 +13,12 @@
 
 namespace gnomon {
 
-/// Sixteen shadow rays that share a direction.
+/// Up to sixteen shadow rays that share a direction.
 struct RayPacket {
-  static constexpr int size = 16;
-  std::array<Vec3, size> origins;    ///< in the mesh's centred coordinates
-  std::array<double, size> lengths;  ///< world units; infinity for no end
-  std::array<bool, size> active{};   ///< the others are left alone
+  static constexpr std::size_t size = 16;
+  std::array<float, size> x, y, z;  ///< origins, in the mesh's centred coordinates
+  std::array<float, size> lengths;  ///< world units; infinity for no end
+  std::size_t count = 0;            ///< rays 0 to count - 1 are there
 };
 
 /// The nearest surface along one ray.
@@ -37,9 +39,9 @@ class MicroScene {
   MicroScene& operator=(const MicroScene&) = delete;
   ~MicroScene() = default;
 
-  /// Whether each active ray toward `direction` (unit) meets the surface within its length.
-  [[nodiscard]] std::array<bool, RayPacket::size> occluded(const RayPacket& rays,
-                                                           const Vec3& direction) const;
+  /// Which of the rays toward `direction` (unit) meet the surface within their lengths.
+  [[nodiscard]] std::bitset<RayPacket::size> occluded(const RayPacket& rays,
+                                                      const Vec3& direction) const;
   /// Whether an endless ray with a unit direction meets the surface.
   [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction) const;
   /// The nearest hit of a ray with a unit direction, if any.

@@ -2,34 +2,52 @@
 
 #include <fmt/core.h>
 
+#include <limits>
+
 #include "common/counted_progress.h"
 #include "common/memory.h"
 #include "common/parallel.h"
 
 namespace gnomon {
 
-SamplePlace samplePlace(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh,
-                        const SurfaceSample& sample) {
+SamplePlace SamplePlacer::place(const SurfaceSample& sample) {
   SamplePlace place{sample, false, {}, {}};
   if (sample.face < 0) return place;
-  place.frame = texelFrame(surface.evaluate(sample.face, sample.s, sample.t), texelsPerUv);
-  place.facet = mesh.facet(sample.face, sample.s, sample.t);
+  if (sample.face != lastFace_) {
+    // Always its polynomial, so that an answer does not depend on which samples come before it.
+    face_.emplace(surface_, sample.face, std::numeric_limits<std::size_t>::max());
+    lastFace_ = sample.face;
+  }
+  place.frame = texelFrame(face_->at(sample.s, sample.t), texelsPerUv_);
+  place.facet = mesh_.facet(sample.face, sample.s, sample.t);
   place.defined = place.frame.defined && place.facet.normal != Vec3(0);
   return place;
 }
 
+void placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
+                  std::span<RayStart> starts, std::span<TexelAxes> axes) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SamplePlace place = placer.place(samples[i]);
+    starts[i] = {place.facet, place.frame.normal, samples[i].face >= 0, place.defined};
+    axes[i] = {place.frame.px, place.frame.py};
+  }
+}
+
 PlacedSamples placeSamples(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh,
                            const SampleGrid& samples, const Progress& progress) {
-  requireMemory(static_cast<double>(sizeof(SamplePlace) * samples.samples.size()),
+  const std::size_t count = samples.samples.size();
+  requireMemory(static_cast<double>((sizeof(RayStart) + sizeof(TexelAxes)) * count),
                 fmt::format("the places of {} × {} samples", samples.width, samples.height));
-  PlacedSamples placed{samples.width, samples.height, {}, mesh.extent()};
-  placed.places.resize(samples.samples.size());
+  PlacedSamples placed{samples.width, samples.height, std::vector<RayStart>(count),
+                       std::vector<TexelAxes>(count), mesh.extent()};
   const auto width = static_cast<std::size_t>(samples.width);
   CountedProgress rows(progress, static_cast<std::size_t>(samples.height));
   parallelFor(0, static_cast<std::size_t>(samples.height), [&](std::size_t row) {
-    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
-      placed.places[i] = samplePlace(surface, texelsPerUv, mesh, samples.samples[i]);
-    }
+    SamplePlacer placer(surface, texelsPerUv, mesh);
+    const std::size_t first = row * width;
+    placeSamples(placer, std::span(samples.samples).subspan(first, width),
+                 std::span(placed.starts).subspan(first, width),
+                 std::span(placed.axes).subspan(first, width));
     rows.advance();
   });
   return placed;

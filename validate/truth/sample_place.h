@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "common/progress.h"
+#include "surface/limit_face.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "surface/texel_frame.h"
@@ -19,17 +22,52 @@ struct SamplePlace {
   Facet facet;           ///< of the micro-mesh above it, coordinates relative to the mesh's centre
 };
 
-/// @param texelsPerUv  as in texelFrame
-SamplePlace samplePlace(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh,
-                        const SurfaceSample& sample);
+/// Finds the places of samples, one after the other. It keeps the last sample's face ready, since
+/// neighbours are mostly on the same: for one thread alone.
+class SamplePlacer {
+ public:
+  /// @param surface, mesh  outlive this
+  /// @param texelsPerUv    as in texelFrame
+  SamplePlacer(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh)
+      : surface_(surface), texelsPerUv_(texelsPerUv), mesh_(mesh) {}
 
-/// The samples of a view, or of a part of one, with their places: what all lights share.
+  [[nodiscard]] SamplePlace place(const SurfaceSample& sample);
+
+ private:
+  const LimitSurface& surface_;
+  Vec2 texelsPerUv_;
+  const MicroMesh& mesh_;
+  int lastFace_ = -1;
+  std::optional<LimitFace> face_;
+};
+
+/// What every shadow ray of a sample needs, whatever the light.
+struct RayStart {
+  Facet facet;           ///< see SamplePlace
+  Vec3 normal;           ///< n of the undisplaced surface, unit, outward
+  bool shown = false;    ///< whether there is a sample
+  bool defined = false;  ///< see SamplePlace
+};
+
+/// P_x and P_y at a sample: what tells how far a ray reaches over the texture.
+struct TexelAxes {
+  Vec3 px, py;
+};
+
+/// The samples of a view, or of a part of one, placed on a micro-mesh: what all lights share. 128
+/// bytes a sample, row by row as in the SampleGrid that they were made from.
 struct PlacedSamples {
   int width = 0;
   int height = 0;
-  std::vector<SamplePlace> places;  ///< row by row, as in the SampleGrid that they were made from
-  double extent = 0;                ///< of the mesh that they are on, see MicroMesh::extent
+  std::vector<RayStart> starts;
+  std::vector<TexelAxes> axes;
+  double extent = 0;  ///< of the mesh, see MicroMesh::extent
 };
+
+/// Fills what the rays of samples need, on this thread.
+/// @param starts, axes  as many as there are samples
+void placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
+                  std::span<RayStart> starts, std::span<TexelAxes> axes);
 
 /// Places samples on a micro-mesh, for lights that come one after the other.
 /// @param progress  may throw to cancel, see common/progress.h

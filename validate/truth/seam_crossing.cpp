@@ -162,23 +162,22 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
     }
     return std::min(light.radiusTexels, world / local.worldPerTexel);
   };
-  constexpr std::size_t grain = 256;
-  parallelFor(
-      0, count,
-      [&](std::size_t i) {
-        const FlushDenormals flush;
-        const SamplePlace place =
-            samplePlace(surface, relief.texelsPerUv(), mesh, samples.samples[i]);
-        if (!place.defined) return;
-        for (std::size_t l = 0; l < lights.size(); ++l) {
-          if (glm::dot(place.facet.normal, lights[l].light) <= 0) continue;
-          const LocalLight local = localLight(place.frame, lights[l].light);
-          const bool lit = truths[l].mask.samples[i] == Shade::lit;
-          const double reach = pathTexels(place, lit, local, lights[l]);
-          crosses[l][i] = charts.crossesSeam(place.sample, local.direction, reach) ? 1 : 0;
-        }
-      },
-      grain);
+  constexpr std::size_t piece = 256;
+  parallelFor(0, (count + piece - 1) / piece, [&](std::size_t p) {
+    const FlushDenormals flush;
+    SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
+    for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i) {
+      const SamplePlace place = placer.place(samples.samples[i]);
+      if (!place.defined) continue;
+      for (std::size_t l = 0; l < lights.size(); ++l) {
+        if (glm::dot(place.facet.normal, lights[l].light) <= 0) continue;
+        const LocalLight local = localLight(place.frame, lights[l].light);
+        const bool lit = truths[l].mask.samples[i] == Shade::lit;
+        const double reach = pathTexels(place, lit, local, lights[l]);
+        crosses[l][i] = charts.crossesSeam(place.sample, local.direction, reach) ? 1 : 0;
+      }
+    }
+  });
   return crosses;
 }
 

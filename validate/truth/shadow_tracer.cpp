@@ -1,6 +1,8 @@
 #include "truth/shadow_tracer.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,70 +17,105 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t tileSide = 4;
-static_assert(tileSide * tileSide == RayPacket::size);
 
 /// Up to four rows of a view's samples.
 struct Band {
-  std::span<const SamplePlace> places;
+  std::span<const RayStart> starts;
+  std::span<const TexelAxes> axes;
   std::size_t width;
   std::size_t first;  ///< the view's sample that is the band's first
 };
 
-/// Traces a band tile by tile: neighbouring samples make coherent rays.
+/// Calls `work` for the index of every sample of a band, tile after tile: neighbours on the surface
+/// make coherent rays.
+template <typename Work>
+void forEachInTiles(const Band& band, const Work& work) {
+  for (std::size_t left = 0; left < band.width; left += tileSide) {
+    const std::size_t right = std::min(left + tileSide, band.width);
+    for (std::size_t row = 0; row < band.starts.size(); row += band.width) {
+      for (std::size_t i = row + left; i < row + right; ++i) work(i);
+    }
+  }
+}
+
+/// Traces one band under one light. Rays wait until sixteen are there.
 class BandTracer {
  public:
-  BandTracer(const MicroScene& scene, double extent, const TraceSettings& settings)
-      : scene_(scene), settings_(settings), lift_(settings.liftShare * extent) {}
+  BandTracer(const MicroScene& scene, double extent, const TraceSettings& settings,
+             const Band& band, Truth& truth)
+      : scene_(scene),
+        settings_(settings),
+        lift_(settings.liftShare * extent),
+        band_(band),
+        truth_(truth) {}
 
-  void trace(const Band& band, Truth& truth) const {
-    for (std::size_t column = 0; column < band.width; column += tileSide) {
-      traceTile(band, column, truth);
-    }
+  void trace() {
+    forEachInTiles(band_, [this](std::size_t i) { begin(i); });
+    traceFar();
+    traceNear();
   }
 
  private:
-  void traceTile(const Band& band, std::size_t firstColumn, Truth& truth) const {
-    RayPacket packet{};
-    std::array<std::size_t, RayPacket::size> at{};  // the band's sample of each ray
-    for (std::size_t k = 0; k < RayPacket::size; ++k) {
-      const std::size_t column = firstColumn + k % tileSide;
-      at.at(k) = k / tileSide * band.width + column;
-      if (column >= band.width || at.at(k) >= band.places.size()) continue;
-      prepare(band.places[at.at(k)], band.first + at.at(k), k, packet, truth);
-    }
-    const auto blocked = scene_.occluded(packet, settings_.light);
-    // A second, shorter ray tells occluders within D from those beyond.
-    packet.active = blocked;
-    for (std::size_t k = 0; k < RayPacket::size; ++k) {
-      if (blocked.at(k)) packet.lengths.at(k) = rayLengthOfRadius(band.places[at.at(k)].frame);
-    }
-    const auto blockedNearby = scene_.occluded(packet, settings_.light);
-    for (std::size_t k = 0; k < RayPacket::size; ++k) {
-      if (!blocked.at(k)) continue;
-      const std::size_t i = band.first + at.at(k);
-      truth.mask.samples[i] = Shade::shadowed;
-      if (truth.regions[i] == Region::lit) {
-        truth.regions[i] = blockedNearby.at(k) ? Region::cast : Region::distant;
-      }
-    }
+  struct Waiting {
+    RayPacket rays{};
+    std::array<std::size_t, RayPacket::size> samples{};  ///< of the band
+  };
+
+  /// Settles what needs no ray.
+  void begin(std::size_t i) {
+    const RayStart& start = band_.starts[i];
+    if (!start.defined) return;  // stays Shade::none
+    const bool beyond = glm::dot(start.normal, settings_.light) <= 0;
+    const bool turned = glm::dot(start.facet.normal, settings_.light) <= 0;
+    region(i) = beyond ? Region::beyondTerminator : turned ? Region::attached : Region::lit;
+    shade(i) = turned ? Shade::shadowed : Shade::lit;
+    if (turned) return;
+    const Vec3 origin = start.facet.point + lift_ * start.facet.normal;
+    const auto f = [](double value) { return static_cast<float>(value); };
+    add(far_, i, {f(origin.x), f(origin.y), f(origin.z)}, std::numeric_limits<float>::infinity());
+    if (far_.rays.count == RayPacket::size) traceFar();
   }
 
-  /// Settles what needs no ray and fills the packet with the rest.
-  void prepare(const SamplePlace& place, std::size_t i, std::size_t k, RayPacket& packet,
-               Truth& truth) const {
-    if (!place.defined) return;  // stays Shade::none
-    const bool beyond = glm::dot(place.frame.normal, settings_.light) <= 0;
-    const bool turned = glm::dot(place.facet.normal, settings_.light) <= 0;
-    truth.regions[i] = beyond ? Region::beyondTerminator : turned ? Region::attached : Region::lit;
-    truth.mask.samples[i] = turned ? Shade::shadowed : Shade::lit;
-    if (turned) return;
-    packet.active.at(k) = true;
-    packet.origins.at(k) = place.facet.point + lift_ * place.facet.normal;
-    packet.lengths.at(k) = std::numeric_limits<double>::infinity();
+  static void add(Waiting& waiting, std::size_t i, const std::array<float, 3>& origin,
+                  float length) {
+    RayPacket& rays = waiting.rays;
+    const std::size_t lane = rays.count++;
+    rays.x[lane] = origin[0];
+    rays.y[lane] = origin[1];
+    rays.z[lane] = origin[2];
+    rays.lengths[lane] = length;
+    waiting.samples[lane] = i;
+  }
+
+  void traceFar() {
+    if (far_.rays.count == 0) return;
+    const RayPacket& rays = far_.rays;
+    const auto blocked = scene_.occluded(rays, settings_.light);
+    for (std::size_t k = 0; k < rays.count; ++k) {
+      const std::size_t i = far_.samples[k];
+      if (!blocked[k]) continue;
+      shade(i) = Shade::shadowed;
+      if (region(i) != Region::lit) continue;
+      // A second, shorter ray tells occluders within D from those beyond.
+      add(near_, i, {rays.x[k], rays.y[k], rays.z[k]}, static_cast<float>(rayLengthOfRadius(i)));
+      if (near_.rays.count == RayPacket::size) traceNear();
+    }
+    far_.rays.count = 0;
+  }
+
+  void traceNear() {
+    if (near_.rays.count == 0) return;
+    const auto blocked = scene_.occluded(near_.rays, settings_.light);
+    for (std::size_t k = 0; k < near_.rays.count; ++k) {
+      region(near_.samples[k]) = blocked[k] ? Region::cast : Region::distant;
+    }
+    near_.rays.count = 0;
   }
 
   /// Length of the ray whose trace on the tangent plane is D texels long.
-  [[nodiscard]] double rayLengthOfRadius(const TexelFrame& frame) const {
+  [[nodiscard]] double rayLengthOfRadius(std::size_t i) const {
+    const TexelAxes& axes = band_.axes[i];
+    const TexelFrame frame{Vec3(0), band_.starts[i].normal, axes.px, axes.py, Vec2(0), true};
     const LocalLight local = localLight(frame, settings_.light);
     const double cosine =
         1 / std::hypot(1.0, local.slope);  // |L - (L·n) n|; 0 for a light at the zenith
@@ -86,9 +123,15 @@ class BandTracer {
                       : std::numeric_limits<double>::infinity();
   }
 
+  [[nodiscard]] Shade& shade(std::size_t i) { return truth_.mask.samples[band_.first + i]; }
+  [[nodiscard]] Region& region(std::size_t i) { return truth_.regions[band_.first + i]; }
+
   const MicroScene& scene_;
   const TraceSettings& settings_;
   double lift_;
+  Band band_;
+  Truth& truth_;
+  Waiting far_, near_;
 };
 
 Truth emptyTruth(int width, int height) {
@@ -114,14 +157,10 @@ void forEachBand(int width, int height, const Progress& progress, const Work& wo
   });
 }
 
-/// @param faceOf  the face of a sample, -1 where there is none
-template <typename FaceOf>
-std::size_t countUndefined(const Mask& mask, const FaceOf& faceOf) {
-  std::size_t undefined = 0;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    undefined += faceOf(i) >= 0 && mask.samples[i] == Shade::none ? 1 : 0;
-  }
-  return undefined;
+std::size_t undefinedIn(std::span<const RayStart> starts) {
+  return static_cast<std::size_t>(
+      std::count_if(starts.begin(), starts.end(),
+                    [](const RayStart& start) { return start.shown && !start.defined; }));
 }
 
 }  // namespace
@@ -147,14 +186,13 @@ std::string_view regionName(Region region) {
 Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
                    const TraceSettings& settings, const Progress& progress) {
   Truth truth = emptyTruth(placed.width, placed.height);
-  const BandTracer tracer(scene, placed.extent, settings);
-  const std::span places(placed.places);
   forEachBand(placed.width, placed.height, progress, [&](std::size_t first, std::size_t count) {
-    tracer.trace({places.subspan(first, count), static_cast<std::size_t>(placed.width), first},
-                 truth);
+    const Band band{std::span(placed.starts).subspan(first, count),
+                    std::span(placed.axes).subspan(first, count),
+                    static_cast<std::size_t>(placed.width), first};
+    BandTracer(scene, placed.extent, settings, band, truth).trace();
   });
-  truth.undefinedSamples =
-      countUndefined(truth.mask, [&](std::size_t i) { return placed.places[i].sample.face; });
+  truth.undefinedSamples = undefinedIn(placed.starts);
   return truth;
 }
 
@@ -162,24 +200,20 @@ std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relie
                                 const MicroMesh& mesh, const MicroScene& scene,
                                 const SampleGrid& samples, std::span<const TraceSettings> lights,
                                 const Progress& progress) {
-  const Vec2 texelsPerUv = relief.texelsPerUv();
-  std::vector<BandTracer> tracers;
-  for (const TraceSettings& light : lights) tracers.emplace_back(scene, mesh.extent(), light);
   std::vector<Truth> truths(lights.size(), emptyTruth(samples.width, samples.height));
+  std::atomic<std::size_t> undefined = 0;
   forEachBand(samples.width, samples.height, progress, [&](std::size_t first, std::size_t count) {
-    std::vector<SamplePlace> places;
-    places.reserve(count);
-    for (std::size_t i = first; i < first + count; ++i) {
-      places.push_back(samplePlace(surface, texelsPerUv, mesh, samples.samples[i]));
-    }
-    for (std::size_t l = 0; l < tracers.size(); ++l) {
-      tracers[l].trace({places, static_cast<std::size_t>(samples.width), first}, truths[l]);
+    SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
+    std::vector<RayStart> starts(count);
+    std::vector<TexelAxes> axes(count);
+    placeSamples(placer, std::span(samples.samples).subspan(first, count), starts, axes);
+    undefined += undefinedIn(starts);
+    const Band band{starts, axes, static_cast<std::size_t>(samples.width), first};
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      BandTracer(scene, mesh.extent(), lights[l], band, truths[l]).trace();
     }
   });
-  for (Truth& truth : truths) {
-    truth.undefinedSamples =
-        countUndefined(truth.mask, [&](std::size_t i) { return samples.samples[i].face; });
-  }
+  for (Truth& truth : truths) truth.undefinedSamples = undefined;
   return truths;
 }
 

@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+
+#include "end_to_end/program.h"
+
+// [truth] uncertainty: the micro-mesh is refined until the truth is as certain as is asked for.
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Refinement : public EndToEnd {
+ protected:
+  /// The small study with an uncertainty wanted.
+  static std::string wanting(double uncertainty) {
+    return replaced(smallStudy(), "step = 0.25", "uncertainty = " + std::to_string(uncertainty));
+  }
+};
+
+TEST_F(Refinement, StopsAtTheFirstLevelThatIsCertainEnough) {
+  runStudy("small", wanting(0.004));
+  const auto truth = summary("small").at("truth");
+  EXPECT_EQ(truth.at("wanted_uncertainty"), 0.004);
+  const auto& levels = truth.at("refinement");
+  ASSERT_GE(levels.size(), 3U) << "else the study is too easy to show anything";
+  EXPECT_EQ(levels[0].at("step_texels"), 1);
+  EXPECT_TRUE(levels[0].at("flip_rate").is_null());
+  for (std::size_t k = 1; k < levels.size(); ++k) {
+    EXPECT_EQ(2 * levels[k].at("step_texels").get<double>(), levels[k - 1].at("step_texels"));
+    EXPECT_GT(levels[k].at("micro_triangles"), levels[k - 1].at("micro_triangles"));
+    EXPECT_EQ(levels[k].at("flip_rate").get<double>() <= 0.004, k + 1 == levels.size());
+  }
+  // The run's own uncertainty is measured anew, and is the last level's rate to the bit.
+  EXPECT_EQ(truth.at("uncertainty"), levels.back().at("flip_rate"));
+  EXPECT_EQ(truth.at("step_texels"), levels.back().at("step_texels"));
+  EXPECT_EQ(truth.at("micro_triangles"), levels.back().at("micro_triangles"));
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("Refined until at most 0.40"));
+}
+
+TEST_F(Refinement, IsTheRunAtTheStepThatItFinds) {
+  runStudy("small", wanting(0.004));
+  const auto refined = summary("small");
+  const std::string step = refined.at("truth").at("step_texels").dump();
+  runStudy("small", replaced(smallStudy(), "step = 0.25", "step = " + step), {"--out", "fixed"});
+  const auto fixed = summary("small", "fixed");
+  EXPECT_EQ(refined.at("results"), fixed.at("results"));
+  EXPECT_EQ(refined.at("truth").at("flips"), fixed.at("truth").at("flips"));
+}
+
+TEST_F(Refinement, SaysWhatIsReachedWhereTheWishIsNot) {
+  write("small.toml", wanting(0.004));
+  // On so large a map two levels already go beyond what is allowed or fits.
+  const Outcome outcome = gnomon({"truth", "small.toml", "--set", "truth.uncertainty=1e-9", "--set",
+                                  "relief.texels=[4096, 4096]", "--set", "relief.repeats=[4, 4]"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("truth.uncertainty = 1e-09 is not reached"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+}  // namespace
+}  // namespace gnomon::test

@@ -1,0 +1,28 @@
+#include "report/refinement_text.h"
+
+#include <fmt/core.h>
+
+#include "report/number_text.h"
+
+namespace gnomon {
+
+std::string stepText(double texels) {
+  return fmt::format("{:.4g}", requireFinite(texels, "truth.step_texels"));
+}
+
+std::string refinementText(const TruthRecord& truth) {
+  if (!truth.wantedUncertainty) return "";
+  std::string text =
+      fmt::format("Refined until at most {} % of the samples differ from the level before:",
+                  percentText(truth.wantedUncertainty));
+  const char* separator = " ";
+  for (const RefinementRecord& level : truth.refinement) {
+    text += fmt::format("{}step {} ({} micro-triangles", separator, stepText(level.stepTexels),
+                        groupedText(level.microTriangles));
+    text += level.flipRate ? fmt::format(", {} %)", percentText(level.flipRate)) : ")";
+    separator = ", ";
+  }
+  return text + ".";
+}
+
+}  // namespace gnomon
