@@ -1,0 +1,98 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/vec.h"
+#include "relief/filtered_table.h"
+#include "relief/height_profile.h"
+#include "relief/osculating_horizon.h"
+#include "relief/relief.h"
+#include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
+
+namespace gnomon {
+
+/// The section of a displaced surface with the plane through one sample's normal and the light:
+/// Figures 1 and 2 of Onoue, Max & Nishita 2004 as data.
+///
+/// Its plane has x along V, the unit tangential part of L, and y along n, both in world units, with
+/// the undisplaced sample P at the origin; the shaded point is (0, h₀).
+
+/// A light's horizon as one formula sees it. Shadowed where tan θ > horizon does not hold.
+struct SectionHorizon {
+  double slope = 0;       ///< tan β′ over the tangent plane; may be minus infinity
+  bool shadowed = false;  ///< what it says of the light
+};
+
+/// All formulas on one pair of δ and d.
+struct SectionHorizons {
+  HorizonLookups lookups;     ///< κ, h₀, tan β and the reach of d, in the world
+  SectionHorizon flat;        ///< tan β: what `max-forsyth` compares with
+  SectionHorizon smallAngle;  ///< (2)
+  SectionHorizon unreduced;   ///< the formula without a number
+  SectionHorizon exact;       ///< on the osculating circle
+  SectionHorizon bare;        ///< (3): minus infinity where κ ≤ 0
+  bool onoue2003 = false;     ///< shadowed by (2) or (3), with κ counted as 0 where it is below
+  bool onoue2004 = false;     ///< shadowed by (2) or (3)
+  bool onoueExact = false;    ///< shadowed by `exact` or (3)
+};
+
+/// The tables that a method reads.
+struct SectionTables {
+  const StoredTable& horizon;   ///< δ
+  const StoredTable& distance;  ///< d
+  TableShape shape;             ///< of both
+};
+
+struct CrossSection {
+  double curvature;       ///< κ(V) of the limit surface at P, 1 / world, convex positive
+  double worldPerTexel;   ///< σ: world length of one texel along the light's azimuth
+  double worldPerHeight;  ///< a: world length of one height unit
+  double lightSlope;      ///< tan θ; ±infinity for a light along the normal
+  Vec2 lightDirection;    ///< the unit ray toward the light, in the plane
+
+  /// Figure 1: the flat relief along the light's azimuth, height units over texels.
+  HeightProfile profile;
+  /// Its horizon from the sample itself, no table between.
+  FlatHorizon horizon;
+  /// The formulas on that horizon.
+  SectionHorizons here;
+  /// The formulas on what the shader reads: δ and d filtered between texels and azimuths. Absent
+  /// without tables.
+  std::optional<SectionHorizons> fromTables;
+
+  /// Figure 2: the relief and the bare surface below it bent onto the osculating circle, one point
+  /// for each of `profile` up to a quarter turn: (x, y), world.
+  std::vector<Vec2> bentRelief, bentGround;
+  Vec2 eye;           ///< the shaded point on this circle, (0, h₀)
+  Vec2 horizonPoint;  ///< that of `horizon`, on the circle
+
+  /// The plane in the world: P, V and n.
+  Vec3 origin, along, up;
+
+  /// The slope of a horizon as an angle over the tangent plane, radians, -π/2 to π/2.
+  [[nodiscard]] static double angle(double slope);
+  /// A world point in the plane; its distance from the plane is dropped. For the true occluder:
+  /// see truth/occluder.h.
+  [[nodiscard]] Vec2 inPlane(const Vec3& world) const;
+};
+
+struct SectionSettings {
+  double radiusTexels = 128;  ///< D > 0: how far the profile and the search for the horizon reach
+  double behindTexels = 8;    ///< ≥ 0: how much of the profile lies behind the sample
+};
+
+/// Where a height over arc length s on a circle of curvature κ lies, (x, y) as above:
+///   x = (1/κ + h) sin κs,  y = (1/κ + h) cos κs - 1/κ;  (s, h) for κ → 0.
+Vec2 onOsculatingCircle(double curvature, double arcLength, double height);
+
+/// @param tables  those of a method, for `fromTables`; null for none
+/// @param light   unit vector toward the light
+/// @return nothing where there is no sample or no frame
+std::optional<CrossSection> crossSection(const LimitSurface& surface, const Relief& relief,
+                                         const SurfaceSample& sample, const Vec3& light,
+                                         const SectionSettings& settings = {},
+                                         const SectionTables* tables = nullptr);
+
+}  // namespace gnomon

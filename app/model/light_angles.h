@@ -1,0 +1,26 @@
+#pragma once
+
+#include "study/study_file.h"
+
+namespace gnomon {
+
+/// The number of degrees, with as few digits as it takes, whose `radians` are this number to the
+/// bit; the nearest where there is none (there always is for an angle that was read in degrees).
+double degreesOf(double angle);
+
+/// A light as it is dragged and saved, in degrees, so that a study file holds it to the bit.
+struct LightAngles {
+  double azimuth = 0;     ///< counter-clockwise from +x about +z, [0, 360) after a drag
+  double elevation = 45;  ///< over the xy plane, -90 to 90
+};
+
+LightAngles lightAngles(const LightSpec& light);
+
+/// The light that a study file with these angles has, named as it names it.
+LightSpec lightSpec(const LightAngles& angles);
+
+/// A light dragged by some degrees: the azimuth wraps, the elevation ends at the poles. Rounded to
+/// a thousandth of a degree, so that dragging back returns.
+LightAngles dragged(const LightAngles& angles, double azimuthChange, double elevationChange);
+
+}  // namespace gnomon

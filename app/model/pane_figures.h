@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "common/mask.h"
+#include "compare/rates.h"
+#include "report/image.h"
+
+namespace gnomon {
+
+/// What a pane says of its method, against as much of the truth as has been traced.
+struct PaneFigures {
+  Metric errorRate, falseShadow, falseLight, iou;  ///< over the traced samples
+  double tracedShare = 0;                          ///< of the view's samples, 0 to 1
+};
+
+/// The figures of `compare` over the traced samples; with all of them traced those that a run
+/// reports for this view and light in the region "all". Samples without a frame, for which the
+/// truth has no answer, do not count.
+/// @param truth    answers where `traced` holds; anything elsewhere
+/// @param traced   one a sample, non-zero where the truth has been traced
+/// @param weights  as in countSamples: areas in an atlas view, empty for a camera's
+/// @throws InputError as countSamples: for other sizes, and for a candidate without an answer at a
+///   traced sample
+PaneFigures paneFigures(const Mask& candidate, const Mask& truth,
+                        std::span<const std::uint8_t> traced, std::span<const double> weights = {});
+
+/// The signed difference in the report's colours (`DifferenceColours`); samples that are not traced
+/// yet are left as background.
+Image paneDifference(const Mask& candidate, const Mask& truth,
+                     std::span<const std::uint8_t> traced);
+
+}  // namespace gnomon
