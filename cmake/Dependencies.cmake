@@ -10,7 +10,18 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(tinyobjloader REQUIRED)
+find_package(glfw3 REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
+
+# Dear ImGui ships a pkg-config file only; only the viewer needs it, so it is not installed.
+find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
+find_library(IMGUI_LIBRARY imgui REQUIRED)
+find_library(STB_LIBRARY stb REQUIRED)
+add_library(gnomon::ImGui UNKNOWN IMPORTED)
+set_target_properties(gnomon::ImGui PROPERTIES
+  IMPORTED_LOCATION ${IMGUI_LIBRARY}
+  INTERFACE_INCLUDE_DIRECTORIES ${IMGUI_INCLUDE_DIR}
+  INTERFACE_LINK_LIBRARIES "${STB_LIBRARY};${CMAKE_DL_LIBS};glfw")
 
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)

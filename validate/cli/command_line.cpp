@@ -13,6 +13,7 @@
 #include "cli/export_command.h"
 #include "cli/failure.h"
 #include "cli/run_command.h"
+#include "cli/view_command.h"
 #include "common/error.h"
 #include "common/shell_quote.h"
 #include "render/method.h"
@@ -138,7 +139,7 @@ class ThreadLimit {
   std::optional<tbb::global_control> limit_;
 };
 
-int dispatch(int argc, char** argv) {
+int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App app("Gnomon measures how right real-time bump-map shadows are.", "gnomon");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", GNOMON_VERSION);
@@ -181,6 +182,8 @@ int dispatch(int argc, char** argv) {
   CompareRequest comparison;
   comparison.command = request.command;
   CLI::App* compare = addCompareCommand(app, comparison);
+  ViewRequest viewRequest;
+  CLI::App* view = addViewCommand(app, viewRequest);
   CLI::App* list = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
 
   try {
@@ -192,13 +195,14 @@ int dispatch(int argc, char** argv) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, check, compare, bake, truth, export or list. See gnomon --help");
+        "a command expected: run, check, compare, bake, truth, export, view or list. See gnomon --help");
   }
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   const ExitStatus status = list->parsed()       ? listParts()
                             : compare->parsed()  ? compareMasks(comparison)
+                            : view->parsed()     ? viewer(viewRequest)
                             : bake->parsed()     ? bakeStudies(request)
                             : truth->parsed()    ? traceStudies(request)
                             : exported->parsed() ? exportStudies(request, subdivisions)
@@ -209,9 +213,9 @@ int dispatch(int argc, char** argv) {
 
 }  // namespace
 
-int runCommandLine(int argc, char** argv) {
+int runCommandLine(int argc, char** argv, const Viewer& viewer) {
   try {
-    return dispatch(argc, argv);
+    return dispatch(argc, argv, viewer);
   } catch (...) {
     const Failure failure = currentFailure();
     printFailure(failure);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "cli/view_request.h"
+
 namespace gnomon {
 
 /// The whole program: parses the command line, runs the command, turns every error into one line on
 /// standard error and its exit status (see ExitStatus).
-int runCommandLine(int argc, char** argv);
+/// @param viewer  what `gnomon view` calls
+int runCommandLine(int argc, char** argv, const Viewer& viewer);
 
 }  // namespace gnomon

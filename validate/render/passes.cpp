@@ -3,7 +3,6 @@
 #include <array>
 
 #include "render/gl_context.h"
-#include "render/target.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -65,6 +64,15 @@ ShadePass::ShadePass(const fs::path& shaders, Wrap wrap)
 std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawing& drawing,
                                             const Mask& mask) const {
   const Target target(view.width, view.height, {GL_RGBA8});
+  draw(view, drawing, mask, target);
+  auto picture = target.read<std::uint8_t>(0, GL_RGB, GL_UNSIGNED_BYTE, 3);
+  throwOnGlError("shading a picture");
+  return picture;
+}
+
+void ShadePass::draw(const RenderView& view, const Drawing& drawing, const Mask& mask,
+                     const Target& target) const {
+  target.bind();
   const std::array<GLfloat, 4> white = {1, 1, 1, 1};
   glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, white.data());
   target.clearDepth();
@@ -73,9 +81,6 @@ std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawin
   const gl::Texture shadows = maskTexture(mask);
   bindTexture(program_.name(), TextureUnit::mask, shadows.name(), "shadowMask");
   drawMesh(program_.name(), view, drawing.mesh);
-  auto picture = target.read<std::uint8_t>(0, GL_RGB, GL_UNSIGNED_BYTE, 3);
-  throwOnGlError("shading a picture");
-  return picture;
 }
 
 }  // namespace gnomon

@@ -6,6 +6,7 @@
 
 #include "common/mask.h"
 #include "render/drawing.h"
+#include "render/target.h"
 #include "surface/sample_grid.h"
 
 namespace gnomon {
@@ -28,6 +29,10 @@ class ShadePass {
   ShadePass(const std::filesystem::path& shaders, Wrap wrap);
   [[nodiscard]] std::vector<std::uint8_t> render(const RenderView& view, const Drawing& drawing,
                                                  const Mask& mask) const;
+  /// The same, drawn into a target's first attachment.
+  /// @param target  of the view's size, with a colour attachment GL_RGBA8
+  void draw(const RenderView& view, const Drawing& drawing, const Mask& mask,
+            const Target& target) const;
 
  private:
   gl::Program program_;

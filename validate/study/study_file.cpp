@@ -203,6 +203,7 @@ Vec3 LightSpec::direction() const {
 StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   toml::table table = parseToml(file, options.overrides);
   replaceMethods(table, file, options.replacements);
+  addMethods(table, options.extraMethods);
   const TomlReader root(table, file.string(), "");
   const TomlReader header = root.table("study");
   const TomlReader surface = root.table("surface");

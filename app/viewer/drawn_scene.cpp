@@ -1,0 +1,165 @@
+#include "viewer/drawn_scene.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+GpuTable gpuTable(const TableImage& image) {
+  return GpuTable(image.values, image.width, image.height, image.layers, image.wrap);
+}
+
+std::optional<GpuVolumes> volumesOf(const MeshData& data) {
+  if (!data.displaced) return std::nullopt;
+  return std::optional<GpuVolumes>(std::in_place, *data.displaced);
+}
+
+/// Keeps the entries of a map whose key is in use.
+template <typename Map, typename InUse>
+void keep(Map& map, const InUse& inUse) {
+  std::erase_if(map, [&](const auto& entry) { return !inUse(entry.first); });
+}
+
+}  // namespace
+
+DrawnMeshData::DrawnMeshData(const MeshData& of)
+    : gpu(of.mesh()), volumes(volumesOf(of)), texture(textureView(of.mesh())) {}
+
+void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
+  data_ = std::move(scene);
+  heights_.try_emplace(data_->heights, *data_->heights);
+  for (const auto& [choice, mesh] : data_->meshes) meshes_.try_emplace(mesh, *mesh);
+  for (const auto& [label, method] : data_->methods) {
+    upload(*method);
+    compile(label, *method, false);
+  }
+  dropUnused();
+}
+
+void DrawnScene::upload(const MethodData& method) {
+  if (method.tables && !pairs_.contains(method.tables)) {
+    pairs_.emplace(method.tables,
+                   Pair{gpuTable(method.tables->horizon), gpuTable(method.tables->distance)});
+  }
+  if (method.ellipses && !ellipses_.contains(method.ellipses)) {
+    ellipses_.emplace(method.ellipses, gpuTable(*method.ellipses));
+  }
+  if (method.angles) {
+    angles_.try_emplace({method.angles, method.spec.bake.bits}, *method.angles,
+                        method.spec.bake.bits);
+  }
+}
+
+void DrawnScene::compile(const std::string& label, const MethodData& method, bool again) {
+  const std::string key =
+      fmt::format("{}\n{}\n{}", method.spec.file.string(), static_cast<int>(method.spec.filter),
+                  static_cast<int>(data_->heights->wrap()));
+  const auto found = passes_.find(label);
+  if (!again && found != passes_.end() && found->second.key == key) return;
+  try {
+    Method read = again ? readMethod(method.spec.file) : method.method;
+    MethodPass pass(shaders_, read, data_->heights->wrap(), method.spec.filter,
+                    method.spec.parameters);
+    if (found != passes_.end()) passes_.erase(found);
+    passes_.emplace(label, Compiled{key, std::move(read), std::move(pass)});
+    errors_.erase(label);
+  } catch (const InputError& error) {
+    errors_[label] = error.what();
+  }
+}
+
+void DrawnScene::reloadShaders() {
+  if (!data_) return;
+  for (const auto& [label, method] : data_->methods) compile(label, *method, true);
+}
+
+void DrawnScene::dropUnused() {
+  const auto used = [&](const auto& isOf) {
+    return std::any_of(data_->methods.begin(), data_->methods.end(),
+                       [&](const auto& method) { return isOf(*method.second); });
+  };
+  keep(heights_, [&](const auto& key) { return key == data_->heights; });
+  keep(meshes_, [&](const auto& key) {
+    return std::any_of(data_->meshes.begin(), data_->meshes.end(),
+                       [&](const auto& mesh) { return mesh.second == key; });
+  });
+  keep(pairs_, [&](const auto& key) {
+    return used([&](const MethodData& method) { return method.tables == key; });
+  });
+  keep(ellipses_, [&](const auto& key) {
+    return used([&](const MethodData& method) { return method.ellipses == key; });
+  });
+  keep(angles_, [&](const auto& key) {
+    return used([&](const MethodData& method) {
+      return method.angles == key.first && method.spec.bake.bits == key.second;
+    });
+  });
+  std::erase_if(errors_, [&](const auto& error) { return !data_->methods.contains(error.first); });
+}
+
+std::string DrawnScene::anglesKey(const MethodData& method) const {
+  return fmt::format("{}\n{} {} {}", data_->keys.truth, method.spec.bake.settings.azimuths,
+                     method.spec.bake.angleLimit, static_cast<int>(method.spec.bake.bits));
+}
+
+void DrawnScene::installAngles(const std::string& label, const AngleTable& table) {
+  const auto method = data_->methods.find(label);
+  if (method == data_->methods.end()) return;
+  ownAngles_.erase(label);
+  ownAngles_.emplace(label, OwnAngles{anglesKey(*method->second),
+                                      GpuAngles(table, method->second->spec.bake.bits)});
+}
+
+bool DrawnScene::lacksAngles(const std::string& label) const {
+  const auto method = data_->methods.find(label);
+  if (method == data_->methods.end() || !method->second->method.tables.surfaceAngles) return false;
+  const auto found = ownAngles_.find(label);
+  return found == ownAngles_.end() || found->second.key != anglesKey(*method->second);
+}
+
+const DrawnMeshData& DrawnScene::mesh(MeshChoice choice) const {
+  return meshes_.at(data_->meshes.at(choice));
+}
+
+Drawing DrawnScene::drawing(MeshChoice choice, const Vec3& light) const {
+  const DrawnMeshData& drawn = mesh(choice);
+  return {drawn.gpu,
+          heights_.at(data_->heights),
+          data_->heights->wrap(),
+          data_->study->relief.space,
+          light,
+          drawn.volumes ? &*drawn.volumes : nullptr,
+          &drawn.texture};
+}
+
+std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) const {
+  if (!data_) return std::nullopt;
+  const auto found = data_->methods.find(label);
+  const auto pass = passes_.find(label);
+  if (found == data_->methods.end() || pass == passes_.end()) return std::nullopt;
+  const MethodData& method = *found->second;
+  GpuTables tables;
+  if (method.tables) {
+    tables.horizon = &pairs_.at(method.tables).horizon;
+    tables.distance = &pairs_.at(method.tables).distance;
+  }
+  if (method.ellipses) tables.ellipse = &ellipses_.at(method.ellipses);
+  if (method.angles) tables.angles = &angles_.at({method.angles, method.spec.bake.bits});
+  if (method.method.tables.surfaceAngles) {
+    const auto own = ownAngles_.find(label);
+    if (own == ownAngles_.end()) return std::nullopt;
+    tables.angles = &own->second.angles;
+  }
+  return Ready{&method, &pass->second.pass, tables};
+}
+
+void DrawnScene::setParameter(const std::string& label, const std::string& name, double value) {
+  const auto found = passes_.find(label);
+  if (found != passes_.end()) found->second.pass.setParameter(name, value);
+}
+
+}  // namespace gnomon

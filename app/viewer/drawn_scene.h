@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "render/drawing.h"
+#include "render/method_pass.h"
+#include "viewer/scene_data.h"
+
+namespace gnomon {
+
+/// A mesh on the GPU.
+struct DrawnMeshData {
+  explicit DrawnMeshData(const MeshData& of);
+  GpuMesh gpu;
+  std::optional<GpuVolumes> volumes;
+  RenderView texture;  ///< the texture's own plane
+};
+
+/// A scene on the GPU. Parts that the next scene has too are kept. All members need the context.
+class DrawnScene {
+ public:
+  explicit DrawnScene(std::filesystem::path shaders) : shaders_(std::move(shaders)) {}
+
+  /// Uploads a scene in the place of the one before, and compiles its methods.
+  void install(std::shared_ptr<const SceneData> scene);
+  /// Compiles all methods again from their files. One that fails stays as it was.
+  void reloadShaders();
+  /// Gives a method the horizons that were shot for it.
+  void installAngles(const std::string& label, const AngleTable& table);
+
+  [[nodiscard]] const SceneData* data() const { return data_.get(); }
+  [[nodiscard]] std::shared_ptr<const SceneData> sharedData() const { return data_; }
+  [[nodiscard]] const DrawnMeshData& mesh(MeshChoice choice) const;
+  [[nodiscard]] Drawing drawing(MeshChoice choice, const Vec3& light) const;
+
+  /// A method with its tables, if all of it is there.
+  struct Ready {
+    const MethodData* data;
+    const MethodPass* pass;
+    GpuTables tables;
+  };
+  [[nodiscard]] std::optional<Ready> method(const std::string& label) const;
+  /// Sets a parameter of a method that is there.
+  void setParameter(const std::string& label, const std::string& name, double value);
+  /// The method waits for horizons that are shot on the displaced surface.
+  [[nodiscard]] bool lacksAngles(const std::string& label) const;
+  /// What its file's last compilation said, by label; those that went well are not in it.
+  [[nodiscard]] const std::map<std::string, std::string>& errors() const { return errors_; }
+
+ private:
+  struct Pair {
+    GpuTable horizon;
+    GpuTable distance;
+  };
+  struct Compiled {
+    std::string key;  ///< file, filter and wrap
+    Method method;
+    MethodPass pass;
+  };
+  struct OwnAngles {
+    std::string key;  ///< of the surface and the bake that they were shot for
+    GpuAngles angles;
+  };
+  void compile(const std::string& label, const MethodData& method, bool again);
+  void upload(const MethodData& method);
+  void dropUnused();
+  [[nodiscard]] std::string anglesKey(const MethodData& method) const;
+
+  std::filesystem::path shaders_;
+  std::shared_ptr<const SceneData> data_;
+  std::map<std::shared_ptr<const HeightField>, GpuHeights> heights_;
+  std::map<std::shared_ptr<const MeshData>, DrawnMeshData> meshes_;
+  std::map<std::shared_ptr<const TableImagePair>, Pair> pairs_;
+  std::map<std::shared_ptr<const TableImage>, GpuTable> ellipses_;
+  std::map<std::pair<std::shared_ptr<const AngleTable>, TableBits>, GpuAngles> angles_;
+  std::map<std::string, OwnAngles> ownAngles_;
+  std::map<std::string, Compiled> passes_;
+  std::map<std::string, std::string> errors_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "viewer/controls.h"
+#include "viewer/layout.h"
+#include "viewer/view_session.h"
+
+namespace gnomon {
+
+/// Keys and what they do, as the list of keys shows them.
+using KeyHelp = std::pair<std::string_view, std::string_view>;
+std::span<const KeyHelp> keyList();
+
+/// What keys ask for beside changes of the state.
+struct InputActions {
+  SaveActions save;
+  bool close = false;
+};
+
+/// Turns what keyboard and mouse did since the last frame into changes of the state, where the
+/// panels do not take it.
+class Input {
+ public:
+  /// @param layout  of the frame that the person has seen
+  InputActions apply(ViewSession& session, const WindowLayout& layout);
+
+  /// The pane that keys speak of: the one under the cursor last.
+  [[nodiscard]] int activePane() const { return activePane_; }
+
+ private:
+  void drag(ViewState& state, const WindowLayout& layout);
+  InputActions press(ViewSession& session);
+  void choose(ViewSession& session, int step);
+
+  enum class Drag { none, orbit, pan, light, wipe };
+  Drag drag_ = Drag::none;
+  int activePane_ = 0;
+};
+
+/// The list of keys, over everything.
+void drawKeyList(const WindowLayout& layout);
+
+}  // namespace gnomon

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "cli/view_request.h"
+
+namespace gnomon {
+
+/// Shows a study in a window until it is closed; or, for a screenshot, renders the window's content
+/// without a display and leaves.
+/// @throws NoGlError where there is no display or no OpenGL 4.5, InputError as readStudy, UsageError
+///   for contents that are none
+ExitStatus openViewer(const ViewRequest& request);
+
+}  // namespace gnomon

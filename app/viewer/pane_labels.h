@@ -1,0 +1,28 @@
+#pragma once
+
+#include "viewer/layout.h"
+#include "viewer/view_session.h"
+
+namespace gnomon {
+
+/// Draws the panes' pictures, overlays and labels behind all panels.
+class PaneView {
+ public:
+  void draw(const ViewSession& session, const WindowLayout& layout, int activePane);
+
+ private:
+  void showCurvature(const CurvaturePicture& picture);
+
+  gl::Texture curvature_;
+  int width_ = 0, height_ = 0;
+  const void* shown_ = nullptr;
+  double largest_ = 0;
+};
+
+/// "2.41 % wrong: 1.20 % false shadow, 1.21 % false light; IoU 0.873".
+std::string figuresText(const PaneFigures& figures);
+
+/// What a pane's label says it shows: "onoue-2004 − truth".
+std::string titleOf(const PaneContent& content);
+
+}  // namespace gnomon

@@ -1,0 +1,168 @@
+#include "viewer/scene_data.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "relief/horizon_ellipses.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+std::string changesOf(const StudyOptions& options, std::string_view section) {
+  std::vector<std::string> changes;
+  for (const std::string& change : options.overrides) {
+    if (change.starts_with(section)) changes.push_back(change);
+  }
+  return fmt::format("{}", fmt::join(changes, "\n"));
+}
+
+SceneKeys keysOf(const fs::path& file, const StudyOptions& options) {
+  std::error_code ignored;
+  const auto time = fs::last_write_time(file, ignored).time_since_epoch().count();
+  SceneKeys keys;
+  keys.surface = fmt::format("{}\n{}", time, changesOf(options, "surface."));
+  keys.relief = changesOf(options, "relief.");
+  keys.truth = fmt::format("{}\n{}\n{}", keys.surface, keys.relief, changesOf(options, "truth."));
+  keys.relief = fmt::format("{}\n{}", time, keys.relief);
+  return keys;
+}
+
+TableImage imageOf(const std::vector<float>& values, const HorizonTables& baked, TableBits bits) {
+  return {storeTable(values, bits), baked.width, baked.height, baked.azimuths, baked.wrap};
+}
+
+/// The entry of a cache, made by `make` where it is not there yet.
+template <typename Map, typename Make>
+auto cached(Map& map, const typename Map::key_type& key, const Make& make) {
+  const auto found = map.find(key);
+  if (found != map.end()) return found->second;
+  return map.emplace(key, make()).first->second;
+}
+
+}  // namespace
+
+std::shared_ptr<const HorizonTables> SceneMaker::bake(const HeightField& field,
+                                                      const BakeSettings& settings,
+                                                      const StageProgress& progress) {
+  return cached(tables_.bakes, {settings.azimuths, settings.radiusTexels}, [&] {
+    return std::make_shared<const HorizonTables>(
+        bakeHorizons(field, settings, progress("Baking horizons")));
+  });
+}
+
+std::shared_ptr<const TableImagePair> SceneMaker::pair(const HeightField& field, const BakeSpec& spec, const StageProgress& progress) {
+  const TableKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
+  return cached(tables_.pairs, key, [&] {
+    const auto baked = bake(field, spec.settings, progress);
+    progress("Storing tables")(0);
+    return std::make_shared<const TableImagePair>(
+        TableImagePair{imageOf(baked->horizon, *baked, spec.bits),
+                       imageOf(baked->distance, *baked, spec.bits)});
+  });
+}
+
+std::shared_ptr<const TableImage> SceneMaker::ellipses(const HeightField& field, const BakeSpec& spec, const StageProgress& progress) {
+  const TableKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
+  return cached(tables_.ellipses, key, [&] {
+    const auto baked = bake(field, spec.settings, progress);
+    progress("Fitting ellipses")(0);
+    const EllipseTable fitted = fitEllipses(*baked);
+    return std::make_shared<const TableImage>(TableImage{storeTable(fitted.values, spec.bits),
+                                                         fitted.width, fitted.height,
+                                                         EllipseTable::layers, fitted.wrap});
+  });
+}
+
+std::shared_ptr<const AngleTable> SceneMaker::angles(const HeightField& field, const BakeSpec& spec, const StageProgress& progress) {
+  const AngleKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.angleLimit);
+  return cached(tables_.angles, key, [&] {
+    const auto baked = bake(field, spec.settings, progress);
+    return std::make_shared<const AngleTable>(horizonAngles(*baked, spec.angleLimit));
+  });
+}
+
+std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, const MethodSpec& spec, const StageProgress& progress) {
+  MethodData data{spec, readMethod(spec.file), {}, {}, {}, {}};
+  data.mesh = {data.method.mesh, spec.baseSubdivisions, spec.baseCurvature};
+  const MethodTables& declared = data.method.tables;
+  if (declared.horizon || declared.distance) data.tables = pair(*scene.heights, spec.bake, progress);
+  if (declared.angles) data.angles = angles(*scene.heights, spec.bake, progress);
+  if (declared.ellipse) data.ellipses = ellipses(*scene.heights, spec.bake, progress);
+  return std::make_shared<const MethodData>(std::move(data));
+}
+
+void SceneMaker::addMesh(SceneData& scene, MeshChoice choice, const SceneData* previous) {
+  if (scene.meshes.contains(choice)) return;
+  if (previous != nullptr) {
+    const auto same = previous->meshes.find(choice);
+    if (same != previous->meshes.end()) {
+      scene.meshes.insert(*same);
+      return;
+    }
+  }
+  const Relief& relief = scene.study->relief;
+  MeshData data;
+  if (choice.kind == DrawnMesh::displaced) {
+    data.displaced = makeDisplacedMesh(*scene.surface, relief, choice.subdivisions);
+  } else {
+    data.base = makeBaseMesh(*scene.surface, relief.texelsPerUv(), choice.subdivisions,
+                             choice.curvature);
+  }
+  scene.meshes.emplace(choice, std::make_shared<const MeshData>(std::move(data)));
+}
+
+void SceneMaker::forgetUnused(const SceneData& scene) {
+  const auto isUnused = [](const auto& entry) { return entry.second.use_count() == 1; };
+  std::erase_if(tables_.pairs, isUnused);
+  std::erase_if(tables_.ellipses, isUnused);
+  std::erase_if(tables_.angles, isUnused);
+  std::erase_if(tables_.bakes, [&](const auto& entry) {
+    return std::none_of(scene.methods.begin(), scene.methods.end(), [&](const auto& method) {
+      const BakeSettings& settings = method.second->spec.bake.settings;
+      return entry.first == std::pair(settings.azimuths, settings.radiusTexels);
+    });
+  });
+}
+
+std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
+                                                  const StageProgress& progress) {
+  auto scene = std::make_shared<SceneData>();
+  scene->keys = keysOf(file_, request.options);
+  progress("Reading the study")(0);
+  scene->study = std::make_shared<const StudySpec>(readStudy(file_, request.options));
+
+  const bool sameSurface = last_ && last_->keys.surface == scene->keys.surface;
+  const bool sameRelief = last_ && last_->keys.relief == scene->keys.relief;
+  progress("Finding the limit surface")(0);
+  scene->surface =
+      sameSurface ? last_->surface : std::make_shared<const LimitSurface>(scene->study->cage);
+  scene->heights = sameRelief ? last_->heights
+                              : std::make_shared<const HeightField>(scene->study->relief.field);
+  if (tablesOf_ != scene->keys.relief) tables_ = {};
+  tablesOf_ = scene->keys.relief;
+
+  const SceneData* meshes = sameSurface && sameRelief ? last_.get() : nullptr;
+  progress("Cutting meshes")(0);
+  addMesh(*scene, scene->standardMesh(), meshes);
+  for (const MethodSpec& spec : scene->study->methods) {
+    if (std::find(request.shown.begin(), request.shown.end(), spec.label) == request.shown.end()) {
+      continue;
+    }
+    auto prepared = method(*scene, spec, progress);
+    addMesh(*scene, prepared->mesh, meshes);
+    scene->methods.emplace(spec.label, std::move(prepared));
+  }
+  if (request.directions) {
+    scene->lines = sameSurface && last_->lines
+                       ? last_->lines
+                       : std::make_shared<const PrincipalLines>(principalLines(*scene->surface));
+  }
+  last_ = scene;
+  forgetUnused(*scene);
+  return scene;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "common/progress.h"
+#include "model/field_lines.h"
+#include "relief/angle_table.h"
+#include "relief/displaced_mesh.h"
+#include "relief/horizon_bake.h"
+#include "relief/stored_table.h"
+#include "render/method.h"
+#include "study/base_case.h"
+#include "study/study_file.h"
+#include "surface/base_mesh.h"
+#include "surface/limit_surface.h"
+
+namespace gnomon {
+
+/// What the window shows of a study, as values in main memory: made on a background thread, shared
+/// as const, copied to the GPU by the thread that draws. Parts that a change does not touch are the
+/// same objects as before.
+
+/// What a scene is made from.
+struct SceneRequest {
+  StudyOptions options;            ///< with the overrides that the sliders make
+  std::vector<std::string> shown;  ///< labels of the methods that need meshes and tables
+  bool directions = false;         ///< the lines of the principal directions are wanted
+};
+
+/// A table as a texture holds it.
+struct TableImage {
+  StoredTable values;
+  int width = 0;
+  int height = 0;
+  int layers = 0;
+  Wrap wrap = Wrap::repeat;
+};
+
+struct TableImagePair {
+  TableImage horizon;
+  TableImage distance;
+};
+
+/// A mesh that methods draw.
+struct MeshData {
+  BaseMesh base;                          ///< of a displaced mesh: empty, see `displaced`
+  std::optional<DisplacedMesh> displaced;
+  [[nodiscard]] const BaseMesh& mesh() const { return displaced ? displaced->mesh : base; }
+};
+
+/// One method with what it reads; tables that it does not declare are null.
+struct MethodData {
+  MethodSpec spec;
+  Method method;
+  MeshChoice mesh;
+  std::shared_ptr<const TableImagePair> tables;
+  std::shared_ptr<const AngleTable> angles;  ///< of the flat relief
+  std::shared_ptr<const TableImage> ellipses;
+};
+
+/// Where a part comes from: equal keys, equal parts.
+struct SceneKeys {
+  std::string surface;  ///< the file's time and the overrides of `surface.`
+  std::string relief;   ///< and of `relief.`
+  std::string truth;    ///< all of these and `truth.`
+};
+
+struct SceneData {
+  SceneKeys keys;
+  std::shared_ptr<const StudySpec> study;
+  std::shared_ptr<const LimitSurface> surface;
+  std::shared_ptr<const HeightField> heights;
+  std::map<MeshChoice, std::shared_ptr<const MeshData>> meshes;
+  std::shared_ptr<const PrincipalLines> lines;  ///< null unless asked for
+  std::map<std::string, std::shared_ptr<const MethodData>> methods;  ///< those shown, by label
+
+  /// The mesh that stands for the study itself.
+  [[nodiscard]] MeshChoice standardMesh() const {
+    return {DrawnMesh::base, study->baseSubdivisions, study->baseCurvature};
+  }
+};
+
+/// Makes scenes and keeps what the next one can use again: tables by what they were baked with.
+class SceneMaker {
+ public:
+  explicit SceneMaker(std::filesystem::path study) : file_(std::move(study)) {}
+
+  /// @param progress  of a stage by name; may throw to cancel
+  /// @throws InputError as readStudy, readMethod and the bakers
+  std::shared_ptr<const SceneData> make(
+      const SceneRequest& request, const std::function<Progress(const std::string&)>& progress);
+
+ private:
+  using TableKey = std::tuple<int, double, TableBits>;               ///< azimuths, radius
+  using AngleKey = std::tuple<int, double, double>;                  ///< azimuths, radius, limit
+  struct Tables {
+    std::map<std::pair<int, double>, std::shared_ptr<const HorizonTables>> bakes;
+    std::map<TableKey, std::shared_ptr<const TableImagePair>> pairs;
+    std::map<TableKey, std::shared_ptr<const TableImage>> ellipses;
+    std::map<AngleKey, std::shared_ptr<const AngleTable>> angles;
+  };
+  using StageProgress = std::function<Progress(const std::string&)>;
+
+  std::shared_ptr<const HorizonTables> bake(const HeightField& field,
+                                            const BakeSettings& settings,
+                                            const StageProgress& progress);
+  std::shared_ptr<const TableImagePair> pair(const HeightField& field, const BakeSpec& spec,
+                                             const StageProgress& progress);
+  std::shared_ptr<const TableImage> ellipses(const HeightField& field, const BakeSpec& spec,
+                                             const StageProgress& progress);
+  std::shared_ptr<const AngleTable> angles(const HeightField& field, const BakeSpec& spec,
+                                           const StageProgress& progress);
+  static void addMesh(SceneData& scene, MeshChoice choice, const SceneData* previous);
+  std::shared_ptr<const MethodData> method(const SceneData& scene, const MethodSpec& spec,
+                                           const StageProgress& progress);
+  void forgetUnused(const SceneData& scene);
+
+  std::filesystem::path file_;
+  std::shared_ptr<const SceneData> last_;
+  std::string tablesOf_;  ///< the key of the relief that the tables were baked from
+  Tables tables_;
+};
+
+}  // namespace gnomon

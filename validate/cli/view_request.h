@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "study/study_file.h"
+
+namespace gnomon {
+
+/// What `gnomon view` was asked for.
+struct ViewRequest {
+  std::filesystem::path study;
+  StudyOptions options;
+  std::filesystem::path out = "out";  ///< what is saved goes to `out/NAME/view`
+  int width = 1280;                   ///< of the window, pixels
+  int height = 720;
+  /// What the panes show, "onoue-2004", "truth", "displaced" or "onoue-2004:truth": one, two or
+  /// four; empty for the study's first methods.
+  std::vector<std::string> show;
+  std::vector<std::string> overlays;  ///< "curvature", "directions", "section"
+  bool panel = true;                  ///< the controls are shown
+  bool help = false;                  ///< and the list of keys
+  std::optional<std::vector<int>> cursor;  ///< x and y of the cursor without a display, pixels
+  /// Renders the window's content without a display once the truth is whole, and leaves.
+  std::optional<std::filesystem::path> screenshot;
+  bool frames = false;  ///< print the times of frames at the end
+  /// A JSON file that always says what is on the screen and where the controls are, for scripts
+  /// that drive the window.
+  std::optional<std::filesystem::path> status;
+};
+
+/// Shows a study until its window is closed. The program hands one in, so that the library needs no
+/// window system.
+using Viewer = std::function<ExitStatus(const ViewRequest&)>;
+
+}  // namespace gnomon
