@@ -32,30 +32,43 @@ TEST(AzimuthDirection, IsTheUnitVectorOfTheAngle) {
   }
 }
 
+void expectInOrder(const RayCrossings& ray, Vec2 offset) {
+  double r = 0;
+  for (const Crossing& c : ray.crossings) {
+    EXPECT_EQ(c.enter, r);
+    EXPECT_GT(c.leave, c.enter);
+    r = c.leave;
+    const Vec2 from(c.from.x, c.from.y);
+    const Vec2 to(c.to.x, c.to.y);
+    const Vec2 off = from + c.share * (to - from) - offset - c.leave * ray.direction;
+    EXPECT_LT(glm::length(off), 1e-12);
+    // Nothing is crossed between: the middle of the stretch is inside the cell named.
+    const Vec2 middle = offset + 0.5 * (c.enter + c.leave) * ray.direction;
+    EXPECT_EQ(c.cell.x, std::floor(middle.x));
+    EXPECT_EQ(c.cell.y, std::floor(middle.y));
+  }
+  EXPECT_EQ(ray.lastEnter, r);
+  EXPECT_LE(r, ray.radius);
+  const Vec2 end = offset + 0.5 * (r + ray.radius) * ray.direction;
+  EXPECT_EQ(ray.lastCell.x, std::floor(end.x));
+  EXPECT_EQ(ray.lastCell.y, std::floor(end.y));
+}
+
 TEST(RayCrossings, LieOnLatticeLinesInOrderAndMissNone) {
   for (const int azimuths : {4, 7, 8, 24}) {
     for (int m = 0; m < azimuths; ++m) {
       const Vec2 e = azimuthDirection(m, azimuths);
-      const RayCrossings ray = cutRay(e, 25.3);
-      double r = 0;
-      for (const Crossing& c : ray.crossings) {
-        EXPECT_EQ(c.enter, r);
-        EXPECT_GT(c.leave, c.enter);
-        r = c.leave;
-        const Vec2 from(c.from.x, c.from.y);
-        const Vec2 to(c.to.x, c.to.y);
-        const Vec2 off = from + c.share * (to - from) - c.leave * e;
-        EXPECT_LT(glm::length(off), 1e-12);
-        // Nothing is crossed between: the middle of the stretch is inside the cell named.
-        const Vec2 middle = 0.5 * (c.enter + c.leave) * e;
-        EXPECT_EQ(c.cell.x, std::floor(middle.x));
-        EXPECT_EQ(c.cell.y, std::floor(middle.y));
-      }
-      EXPECT_EQ(ray.lastEnter, r);
-      EXPECT_LE(r, ray.radius);
-      const Vec2 end = 0.5 * (r + ray.radius) * e;
-      EXPECT_EQ(ray.lastCell.x, std::floor(end.x));
-      EXPECT_EQ(ray.lastCell.y, std::floor(end.y));
+      expectInOrder(cutRay(e, 25.3), Vec2(0));
+    }
+  }
+}
+
+TEST(RayCrossings, FromWithinACellLieOnLatticeLinesToo) {
+  for (const Vec2 offset : {Vec2(0.3, 0.8), Vec2(0.5, 0), Vec2(0, 0.01), Vec2(0.99, 0.5)}) {
+    for (int m = 0; m < 11; ++m) {
+      const RayCrossings ray = cutRay(azimuthDirection(m, 11), 9.7, offset);
+      EXPECT_GT(ray.crossings.size(), 8U);
+      expectInOrder(ray, offset);
     }
   }
 }

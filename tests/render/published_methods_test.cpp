@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "relief/filtered_table.h"
+#include "relief/osculating_horizon.h"
 #include "render/render_scene.h"
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"
@@ -128,46 +130,6 @@ TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
   }
 }
 
-/// The table's value as a shader reads it, in double: linear in both texture axes and the azimuth.
-double interpolated(const RenderScene& scene, const StoredTable& table, Vec2 texel,
-                    double azimuth) {
-  const HorizonTables& size = scene.tables;
-  const double place = azimuth / (2 * pi) * size.azimuths;
-  const auto layer = [&](int m) {
-    const Vec2 corner = glm::floor(texel - 0.5);
-    const Vec2 share = texel - 0.5 - corner;
-    const auto entry = [&](int dx, int dy) {
-      const int x = wrappedIndex(static_cast<int>(corner.x) + dx, size.width, size.wrap);
-      const int y = wrappedIndex(static_cast<int>(corner.y) + dy, size.height, size.wrap);
-      return static_cast<double>(table.value(
-          static_cast<std::size_t>((m % size.azimuths * size.height + y) * size.width + x)));
-    };
-    return (1 - share.y) * ((1 - share.x) * entry(0, 0) + share.x * entry(1, 0)) +
-           share.y * ((1 - share.x) * entry(0, 1) + share.x * entry(1, 1));
-  };
-  const int below = static_cast<int>(std::floor(place));
-  return (1 - (place - below)) * layer(below) + (place - below) * layer(below + 1);
-}
-
-/// What a curvature-aware formula needs at one point; lengths in the world.
-struct Lookups {
-  double curvature, height, slope, reach;
-};
-
-/// (2) of Onoue, Max & Nishita 2004.
-double smallAngleHorizon(const Lookups& at) {
-  return at.slope * (1 - at.curvature * at.height) - at.curvature * at.reach / 2;
-}
-
-/// An occluder of height h₁ at arc angle γ, seen from h₀: the plain form, in double.
-double circleHorizon(const Lookups& at) {
-  const double angle = at.curvature * at.reach;
-  if (std::abs(angle) < 1e-9) return at.slope / (1 + at.curvature * at.height);
-  const double peak = at.height + at.slope * at.reach;
-  return (std::cos(angle) - (1 + at.curvature * at.height) / (1 + at.curvature * peak)) /
-         std::sin(angle);
-}
-
 /// A method's answer on the exact frame of the limit surface.
 template <typename Formula>
 bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const Vec3& light,
@@ -175,18 +137,15 @@ bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const 
   const TexelFrame frame = texelFrame(point, scene.relief.texelsPerUv());
   const LocalLight local = localLight(frame, light);
   const double scale = worldPerHeight(scene.relief.space, frame);
-  const double azimuth = local.azimuth < 0 ? local.azimuth + 2 * pi : local.azimuth;
-  const Lookups at{
-      normalCurvature(point, light - glm::dot(light, frame.normal) * frame.normal),
-      scale * scene.relief.field.at(frame.texel),
-      scale * interpolated(scene, scene.horizon, frame.texel, azimuth) / local.worldPerTexel,
-      interpolated(scene, scene.distance, frame.texel, azimuth) * local.worldPerTexel};
-  double horizon = formula(at);
-  if (at.curvature > 0) {
-    const double c = 1 / (at.curvature * std::max(at.height, 0.0) + 1);
-    horizon = std::max(horizon, -std::sqrt(1 - c * c) / c);
-  }
-  return !(local.slope > horizon);
+  const TableShape shape{scene.tables.width, scene.tables.height, scene.tables.azimuths,
+                         scene.tables.wrap};
+  const auto entry = [&](const StoredTable& table) {
+    return filteredValue(table, shape, frame.texel, local.azimuth);
+  };
+  const HorizonLookups at{normalCurvature(point, light), scale * scene.relief.field.at(frame.texel),
+                          scale * entry(scene.horizon) / local.worldPerTexel,
+                          entry(scene.distance) * local.worldPerTexel};
+  return !(local.slope > std::max(formula(at), bareHorizon(at.curvature, at.height)));
 }
 
 /// Base frames of a fine mesh are those of the limit surface up to its chords: what differs is
@@ -228,22 +187,11 @@ TEST(PublishedMethods, CurvatureAwareShaderIsItsFormulaOnTheLimitSurface) {
 
 TEST(PublishedMethods, ExactShaderIsTheCirclesFormulaOnTheLimitSurface) {
   const GlContext gl;
-  expectFormula("onoue-exact", circleHorizon);
-}
-
-/// The paper's unnumbered formula, in its own letters.
-double unreducedHorizon(const Lookups& at) {
-  const double angle = at.curvature * at.reach;
-  const double rise = at.slope * at.reach;
-  const double outer = 1 / at.curvature + at.height;
-  if (std::abs(angle) < 1e-9) return at.slope / (1 + at.curvature * at.height);
-  const double half = std::sin(angle / 2);
-  return (rise * std::cos(angle) - 2 * outer * half * half) /
-         (2 * outer * half * std::cos(angle / 2));
+  expectFormula("onoue-exact", osculatingHorizon);
 }
 
 /// (2) with the occluder's height in the place of the pixel's.
-double smallAngleHorizonOfAll(const Lookups& at) {
+double smallAngleHorizonOfAll(const HorizonLookups& at) {
   const double peak = at.height + at.slope * at.reach;
   return at.slope * (1 - at.curvature * peak) - at.curvature * at.reach / 2;
 }
@@ -259,8 +207,8 @@ TEST(HorizonLadder, SwitchesAreTheirFormulasOnTheLimitSurface) {
 /// is left shrinks with its square. As published, (2) is not.
 TEST(HorizonLadder, TheDroppedTermIsOfFirstOrder) {
   const auto errors = [](double curvature) {
-    const Lookups at{curvature, 3, 0.4, 10};
-    const double exact = circleHorizon(at);
+    const HorizonLookups at{curvature, 3, 0.4, 10};
+    const double exact = osculatingHorizon(at);
     return std::pair(std::abs(smallAngleHorizonOfAll(at) - exact),
                      std::abs(smallAngleHorizon(at) - exact));
   };

@@ -11,7 +11,8 @@ struct HorizonLookups {
 };
 
 /// The corrected horizons below are slopes, tan β′, over the tangent plane at the point; γ = κd. On
-/// a flat surface each but `bareHorizon` is tan β itself.
+/// a flat surface each but `bareHorizon` is tan β itself. In a denominator 1 + κh counts as 1e-3 at
+/// least: a bump in a bowl does not reach the circle's centre.
 
 /// (2) of Onoue, Max & Nishita 2004: tan β′ ≈ tan β (1 - κh) - κd / 2.
 double smallAngleHorizon(const HorizonLookups& at);
@@ -25,8 +26,7 @@ double unreducedHorizon(const HorizonLookups& at);
 /// The horizon of the occluder of height h₁ = h₀ + d tan β that stands on the osculating circle:
 ///   tan β′ = (cos γ - (1 + κh₀) / (1 + κh₁)) / sin γ.
 /// As d → 0 it tends to tan β / (1 + κh₀). Minus infinity past a quarter turn, |γ| > π/2: there the
-/// circle says nothing of the surface. 1 + κh₁ counts as 1e-3 at least: a bump in a bowl does not
-/// reach the circle's centre.
+/// circle says nothing of the surface.
 double osculatingHorizon(const HorizonLookups& at);
 
 /// (3) of Onoue, Max & Nishita 2004: the horizon of the bare surface from a height over it,

@@ -45,18 +45,20 @@ Vec2 azimuthDirection(int azimuth, int azimuths) {
   }
 }
 
-RayCrossings cutRay(Vec2 direction, double radius) {
+RayCrossings cutRay(Vec2 direction, double radius, Vec2 offset) {
   constexpr double never = std::numeric_limits<double>::infinity();
   const Vec2 e = glm::abs(direction);
   const Mirror mirror{direction.x < 0 ? -1 : 1, direction.y < 0 ? -1 : 1};
+  const Vec2 origin = offset * Vec2(mirror.x, mirror.y);
   RayCrossings ray{direction, {}, radius, {}, 0};
   ray.crossings.reserve(static_cast<std::size_t>(radius * (e.x + e.y)) + 2);
   double r = 0;
-  int i = 1;
-  int j = 1;  // the next vertical and horizontal line; the ray is in cell (i - 1, j - 1)
+  // The next vertical and horizontal line; the ray is in cell (i - 1, j - 1).
+  int i = static_cast<int>(std::floor(origin.x)) + 1;
+  int j = static_cast<int>(std::floor(origin.y)) + 1;
   while (true) {
-    const double vertical = e.x > 0 ? i / e.x : never;
-    const double horizontal = e.y > 0 ? j / e.y : never;
+    const double vertical = e.x > 0 ? (i - origin.x) / e.x : never;
+    const double horizontal = e.y > 0 ? (j - origin.y) / e.y : never;
     const double next = std::min(vertical, horizontal);
     if (next > radius) break;
     Crossing c{r, next, mirror.cell(i - 1, j - 1), {}, {}, 0};
@@ -65,12 +67,12 @@ RayCrossings cutRay(Vec2 direction, double radius) {
     } else if (vertical < horizontal) {
       c.from = mirror.node(i, j - 1);
       c.to = mirror.node(i, j);
-      c.share = std::clamp(i * (e.y / e.x) - (j - 1), 0.0, 1.0);
+      c.share = std::clamp(origin.y + (i - origin.x) * (e.y / e.x) - (j - 1), 0.0, 1.0);
       ++i;
     } else {
       c.from = mirror.node(i - 1, j);
       c.to = mirror.node(i, j);
-      c.share = std::clamp(j * (e.x / e.y) - (i - 1), 0.0, 1.0);
+      c.share = std::clamp(origin.x + (j - origin.y) * (e.x / e.y) - (i - 1), 0.0, 1.0);
       ++j;
     }
     ray.crossings.push_back(c);

@@ -11,7 +11,8 @@ namespace gnomon {
 /// diagonal, and with the same digits in every quadrant.
 Vec2 azimuthDirection(int azimuth, int azimuths);
 
-/// A node of the lattice of texel centres, relative to the ray's origin.
+/// A node of the lattice of texel centres, relative to the one that the ray starts from (or to the
+/// lower left one of the cell that it starts in).
 struct Node {
   int x, y;
 };
@@ -26,8 +27,8 @@ struct Crossing {
   double share;   ///< 0 to 1; 0 on a node
 };
 
-/// A ray from a texel centre, cut at every lattice line. Since all texel centres are nodes, the
-/// cuts are the same for each of them.
+/// A ray cut at every lattice line. From one texel centre the cuts are the same as from any other,
+/// since all of them are nodes.
 struct RayCrossings {
   Vec2 direction;                   ///< unit
   std::vector<Crossing> crossings;  ///< by distance; lines met at one node count once
@@ -38,6 +39,8 @@ struct RayCrossings {
 };
 
 /// @param direction  unit; @param radius  D > 0, texels
-RayCrossings cutRay(Vec2 direction, double radius);
+/// @param offset     of the ray's origin from its node, texels, 0 ≤ offset < 1: 0 for a texel
+/// centre
+RayCrossings cutRay(Vec2 direction, double radius, Vec2 offset = Vec2(0));
 
 }  // namespace gnomon
