@@ -28,8 +28,9 @@ struct LineSettings {
 };
 
 /// Lines at the middles of a regular grid of parameters. None at an umbilic, where every direction
-/// is principal: κ₁ - κ₂ below a thousandth of the larger |κ|, or both so small that the normal
-/// turns by less than 1e-6 over a face; and none where the surface is degenerate.
+/// is principal: κ₁ - κ₂ within 0.5 % of the larger |κ| (built-in shapes err by 0.1 %), or both so
+/// small that the normal turns by less than 1e-6 over a face; and none where the surface is
+/// degenerate.
 /// @param settings  perFaceSide² × faces lines at most 2²⁴
 /// @throws InputError if there were more
 PrincipalLines principalLines(const LimitSurface& surface, const LineSettings& settings = {});

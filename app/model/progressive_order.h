@@ -24,7 +24,7 @@ struct ProgressiveOrder {
 /// are its multiples, and a level has those that no coarser one had. A level in tiles of 4 × 4 of
 /// its own nodes, which the tracer takes as one packet of rays.
 /// @param coarsest  a power of two
-/// @throws InternalError for another one; InputError for more than 2³² samples
+/// @throws InternalError for another one, or for 2³² samples or more
 ProgressiveOrder progressiveOrder(const SampleGrid& samples, int coarsest = 16);
 
 /// A mask to look at from what has been traced so far: traced samples have their answer; others

@@ -25,14 +25,6 @@ Replacement parsed(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-/// The label that a `[[method]]` bears, given or by default; empty where it has neither a name nor
-/// a file, which whoever reads the study refuses.
-std::string labelOf(const toml::table& method) {
-  if (const auto label = method["label"].value<std::string>()) return *label;
-  if (const auto name = method["name"].value<std::string>()) return *name;
-  return fs::path(method["file"].value_or(std::string())).stem().string();
-}
-
 /// Makes a method's table name another shader under its old label.
 void replaceShader(toml::table& method, const Replacement& replacement) {
   method.insert_or_assign("label", replacement.label);
@@ -59,6 +51,12 @@ void removeLadder(toml::table& study, const std::string& label) {
 
 }  // namespace
 
+std::string methodLabel(const toml::table& method) {
+  if (const auto label = method["label"].value<std::string>()) return *label;
+  if (const auto name = method["name"].value<std::string>()) return *name;
+  return fs::path(method["file"].value_or(std::string())).stem().string();
+}
+
 void replaceMethods(toml::table& study, const fs::path& file,
                     const std::vector<std::string>& replacements) {
   std::set<std::string> replaced;
@@ -73,7 +71,7 @@ void replaceMethods(toml::table& study, const fs::path& file,
       for (toml::node& entry : *methods) {
         toml::table* method = entry.as_table();
         if (method == nullptr) continue;
-        labels.push_back(labelOf(*method));
+        labels.push_back(methodLabel(*method));
         if (labels.back() != replacement.label) continue;
         replaceShader(*method, replacement);
         found = true;

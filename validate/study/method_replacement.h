@@ -8,6 +8,10 @@
 
 namespace gnomon {
 
+/// The label that a `[[method]]` bears, given or by default; empty where it has neither a name nor
+/// a file, which whoever reads the study refuses.
+std::string methodLabel(const toml::table& method);
+
 /// Puts other shaders in the place of a study's methods: its thresholds, claims and references then
 /// judge them, since the label stays. A replaced method keeps its own table's overrides of bake,
 /// base and filter; its parameters go, as they are those of the shader that it had, and so does its

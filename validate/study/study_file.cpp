@@ -11,11 +11,12 @@
 #include "common/error.h"
 #include "render/method.h"
 #include "study/ladder_section.h"
-#include "study/method_replacement.h"
+#include "study/light_name.h"
 #include "study/method_section.h"
 #include "study/relief_section.h"
 #include "study/result_metrics.h"
 #include "study/study_reduction.h"
+#include "study/study_table.h"
 #include "study/surface_section.h"
 #include "study/toml_reader.h"
 #include "truth/seam_crossing.h"
@@ -72,8 +73,8 @@ void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
   if (section.has("name") && !single) section.fail("name", "a sweep of lights names itself");
   for (const double azimuth : azimuths) {
     for (const double elevation : elevations) {
-      const std::string standard = fmt::format("elevation {}° azimuth {}°", elevation, azimuth);
-      lights.push_back({section.text("name", standard), radians(azimuth), radians(elevation)});
+      lights.push_back({section.text("name", lightName(azimuth, elevation)), radians(azimuth),
+                        radians(elevation)});
     }
   }
   section.finish();
@@ -201,9 +202,7 @@ Vec3 LightSpec::direction() const {
 }
 
 StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
-  toml::table table = parseToml(file, options.overrides);
-  replaceMethods(table, file, options.replacements);
-  addMethods(table, options.extraMethods);
+  const toml::table table = studyTable(file, options);
   const TomlReader root(table, file.string(), "");
   const TomlReader header = root.table("study");
   const TomlReader surface = root.table("surface");

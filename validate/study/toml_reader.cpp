@@ -315,12 +315,16 @@ void applyOverride(toml::table& root, const std::string& text) {
 
 }  // namespace
 
+void applyOverrides(toml::table& table, const std::vector<std::string>& overrides) {
+  for (const std::string& change : overrides) applyOverride(table, change);
+}
+
 toml::table parseToml(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides) {
   const std::string text = readFile(path);
   try {
     toml::table table = toml::parse(text, path.string());
-    for (const std::string& change : overrides) applyOverride(table, change);
+    applyOverrides(table, overrides);
     return table;
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}:{}: {}", path.string(), error.source().begin.line,

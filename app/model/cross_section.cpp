@@ -1,0 +1,108 @@
+#include "model/cross_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "surface/curvature.h"
+#include "surface/texel_frame.h"
+
+namespace gnomon {
+namespace {
+
+/// sin γ / γ, 1 at 0.
+double sinc(double angle) {
+  return std::abs(angle) < 1e-8 ? 1 : std::sin(angle) / angle;
+}
+
+SectionHorizons formulasOn(const HorizonLookups& at, double lightSlope) {
+  const auto horizon = [&](double slope) { return SectionHorizon{slope, !(lightSlope > slope)}; };
+  SectionHorizons all;
+  all.lookups = at;
+  all.flat = horizon(at.slope);
+  all.smallAngle = horizon(smallAngleHorizon(at));
+  all.unreduced = horizon(unreducedHorizon(at));
+  all.exact = horizon(osculatingHorizon(at));
+  all.bare = horizon(bareHorizon(at.curvature, at.height));
+  all.onoue2004 = all.smallAngle.shadowed || all.bare.shadowed;
+  all.onoueExact = all.exact.shadowed || all.bare.shadowed;
+  all.onoue2003 = at.curvature > 0 ? all.onoue2004 : all.flat.shadowed;
+  return all;
+}
+
+/// A flat horizon in the world.
+HorizonLookups inWorld(const CrossSection& section, const FlatHorizon& horizon) {
+  return {section.curvature, section.eye.y,
+          section.worldPerHeight * horizon.slope / section.worldPerTexel,
+          section.worldPerTexel * horizon.distance};
+}
+
+/// The relief and the ground below it on the circle, up to a quarter turn.
+void bend(CrossSection& section) {
+  for (const ProfilePoint& point : section.profile.points) {
+    const double arc = section.worldPerTexel * point.distance;
+    if (std::abs(section.curvature * arc) > pi / 2) continue;
+    const double height = section.worldPerHeight * point.height;
+    section.bentRelief.push_back(onOsculatingCircle(section.curvature, arc, height));
+    section.bentGround.push_back(onOsculatingCircle(section.curvature, arc, 0));
+  }
+}
+
+}  // namespace
+
+double CrossSection::angle(double slope) {
+  return std::atan(slope);
+}
+
+Vec2 CrossSection::inPlane(const Vec3& world) const {
+  return {glm::dot(world - origin, along), glm::dot(world - origin, up)};
+}
+
+Vec2 onOsculatingCircle(double curvature, double arcLength, double height) {
+  // 1/κ sin γ and 1/κ (1 - cos γ) without 1/κ.
+  const double angle = curvature * arcLength;
+  const double run = arcLength * sinc(angle);
+  const double drop = arcLength * std::sin(angle / 2) * sinc(angle / 2);
+  return {run + height * std::sin(angle), height * std::cos(angle) - drop};
+}
+
+std::optional<CrossSection> crossSection(const LimitSurface& surface, const Relief& relief,
+                                         const SurfaceSample& sample, const Vec3& light,
+                                         const SectionSettings& settings,
+                                         const SectionTables* tables) {
+  if (sample.face < 0) return std::nullopt;
+  const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+  const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+  if (!frame.defined) return std::nullopt;
+  const LocalLight local = localLight(frame, light);
+
+  CrossSection section;
+  section.origin = frame.position;
+  section.up = frame.normal;
+  section.along =
+      (local.direction.x * frame.px + local.direction.y * frame.py) / local.worldPerTexel;
+  section.curvature = normalCurvature(point, section.along);
+  section.worldPerTexel = local.worldPerTexel;
+  section.worldPerHeight = worldPerHeight(relief.space, frame);
+  section.lightSlope = local.slope;
+  section.lightDirection = {glm::dot(light, section.along), glm::dot(light, section.up)};
+
+  section.profile = heightProfile(relief.field, frame.texel, local.direction, settings.radiusTexels,
+                                  settings.behindTexels);
+  section.horizon = flatHorizon(relief.field, frame.texel, local.direction, settings.radiusTexels);
+  section.eye = {0, section.worldPerHeight * relief.field.at(frame.texel)};
+  const HorizonLookups here = inWorld(section, section.horizon);
+  section.here = formulasOn(here, section.lightSlope);
+  if (tables != nullptr) {
+    const auto entry = [&](const StoredTable& table) {
+      return filteredValue(table, tables->shape, frame.texel, local.azimuth);
+    };
+    const FlatHorizon filtered{entry(tables->horizon), entry(tables->distance)};
+    section.fromTables = formulasOn(inWorld(section, filtered), section.lightSlope);
+  }
+  bend(section);
+  section.horizonPoint =
+      onOsculatingCircle(here.curvature, here.reach, here.height + here.slope * here.reach);
+  return section;
+}
+
+}  // namespace gnomon

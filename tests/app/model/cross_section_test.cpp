@@ -1,0 +1,173 @@
+#include "model/cross_section.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::flatRelief;
+using test::lightToward;
+using test::randomRelief;
+using test::sampleAt;
+using test::stepRelief;
+
+/// A wall 6 high whose top lies between x = 28.5 and 31.5, on a plane of one world unit a texel.
+Relief wall() {
+  return stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; });
+}
+
+CrossSection sectionAt(const LimitSurface& surface, const Relief& relief, Vec2 texel,
+                       const Vec3& light) {
+  return crossSection(surface, relief, sampleAt(surface, relief, texel), light).value();
+}
+
+/// Figure 1 on a plane: all corrections vanish, and the wall hides the light below 6 / distance.
+TEST(CrossSection, OfAWallOnAPlaneIsFlatAndItsHorizonTheWallsTop) {
+  const LimitSurface surface(makePlane(96, 32, 12, 4));
+  const Relief relief = wall();
+  for (const double azimuth : {0.0, 25.0, -40.0}) {
+    const double far = (60.25 - 31.5) / std::cos(radians(azimuth));
+    const double top = std::atan(6 / far) * 180 / pi;
+    for (const double elevation : {top - 0.5, top + 0.5}) {
+      const CrossSection section =
+          sectionAt(surface, relief, {60.25, 16}, lightToward(180 + azimuth, elevation));
+      EXPECT_NEAR(section.curvature, 0, 1e-12);
+      EXPECT_NEAR(section.worldPerTexel, 1, 1e-6);
+      EXPECT_NEAR(section.horizon.slope, 6 / far, 1e-6);
+      EXPECT_NEAR(section.horizon.distance, far, 1e-4);
+      EXPECT_NEAR(CrossSection::angle(section.here.flat.slope), radians(top), 1e-6);
+      for (const SectionHorizon& horizon : {section.here.flat, section.here.smallAngle,
+                                            section.here.unreduced, section.here.exact}) {
+        EXPECT_NEAR(horizon.slope, 6 / far, 1e-6);
+        EXPECT_EQ(horizon.shadowed, elevation < top);
+      }
+      EXPECT_FALSE(section.here.bare.shadowed);
+      EXPECT_EQ(section.here.onoue2003, elevation < top);
+      EXPECT_EQ(section.here.onoue2004, elevation < top);
+      EXPECT_EQ(section.here.onoueExact, elevation < top);
+      EXPECT_FALSE(section.fromTables);
+      // Bent onto no circle, the profile is itself.
+      ASSERT_EQ(section.bentRelief.size(), section.profile.points.size());
+      for (std::size_t k = 0; k < section.bentRelief.size(); ++k) {
+        const ProfilePoint& point = section.profile.points[k];
+        EXPECT_NEAR(section.bentRelief[k].x, point.distance, 1e-4);
+        EXPECT_NEAR(section.bentRelief[k].y, point.height, 1e-6);
+      }
+      EXPECT_NEAR(section.horizonPoint.x, far, 1e-4);
+      EXPECT_NEAR(section.horizonPoint.y, 6, 1e-6);
+      EXPECT_NEAR(section.lightDirection.y / section.lightDirection.x, std::tan(radians(elevation)),
+                  1e-6);
+    }
+  }
+}
+
+/// Heights in texels: a = σ on an even map, so that slopes in the world are those of the map.
+TEST(CrossSection, MeasuresHeightsInTexelsWhereTheReliefDoes) {
+  const LimitSurface surface(makePlane(48, 16, 12, 4));
+  Relief relief = wall();
+  relief.space = HeightSpace::texture;
+  const CrossSection section = sectionAt(surface, relief, {60, 16}, lightToward(180, 20));
+  EXPECT_NEAR(section.worldPerTexel, 0.5, 1e-6);
+  EXPECT_NEAR(section.worldPerHeight, 0.5, 1e-6);
+  EXPECT_NEAR(section.here.flat.slope, 6 / 28.5, 1e-6);
+  EXPECT_NEAR(section.here.lookups.reach, 28.5 / 2, 1e-4);
+  EXPECT_NEAR(section.bentRelief.back().x, 64, 1e-3);  // 128 texels
+}
+
+/// Figure 2 on a sphere, where the osculating circle is the section itself.
+TEST(CrossSection, OnASphereLiesOnTheSphere) {
+  constexpr double radius = 80;
+  const LimitSurface surface(makeSphere(radius, 1, 1, 32, 32));
+  const Relief relief = randomRelief(64, 64, 4, 3);
+  for (const Vec3& light : {lightToward(20, 35), lightToward(140, 60), lightToward(290, 20)}) {
+    const CrossSection section = sectionAt(surface, relief, {33.3, 35.8}, light);
+    EXPECT_NEAR(section.curvature, 1 / radius, 1e-3 / radius);
+    EXPECT_NEAR(glm::length(section.along), 1, 1e-9);
+    EXPECT_NEAR(glm::dot(section.along, section.up), 0, 1e-9);
+    // The plane holds the light.
+    const Vec3 across = glm::cross(section.along, section.up);
+    EXPECT_NEAR(glm::dot(across, light), 0, 1e-9);
+    EXPECT_GT(glm::dot(section.along, light), 0);
+    ASSERT_GT(section.bentGround.size(), 20U);
+    ASSERT_EQ(section.bentGround.size(), section.bentRelief.size());
+    for (std::size_t k = 0; k < section.bentGround.size(); ++k) {
+      const auto inWorld = [&](Vec2 place) {
+        return section.origin + place.x * section.along + place.y * section.up;
+      };
+      const Vec3 ground = inWorld(section.bentGround[k]);
+      EXPECT_NEAR(glm::length(ground), radius, 1e-3 * radius);
+      EXPECT_NEAR(glm::distance(section.inPlane(ground), section.bentGround[k]), 0, 1e-9);
+      // Upright over the ground, by the height.
+      const Vec3 rise = inWorld(section.bentRelief[k]) - ground;
+      EXPECT_NEAR(glm::length(rise), section.profile.points[k].height, 1e-9);
+      EXPECT_LT(glm::length(glm::cross(rise, ground)), 1e-2 * radius);
+    }
+    // The exact formula is the slope of the line from the eye to the horizon point drawn.
+    const Vec2 sight = section.horizonPoint - section.eye;
+    if (section.horizon.distance > 0) {
+      EXPECT_NEAR(section.here.exact.slope, sight.y / sight.x, 1e-9);
+    }
+  }
+}
+
+/// Figure 3: from the tip of a pin the bare sphere's horizon dips by arccos(R / (R + h)).
+TEST(CrossSection, FromAPinSeesTheBareSpheresHorizon) {
+  constexpr double radius = 60;
+  constexpr double height = 5;
+  const LimitSurface surface(makeSphere(radius, 1.35, 1.35, 81, 81));
+  const Relief relief = stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; });
+  const double dip = std::acos(radius / (radius + height)) * 180 / pi;
+  for (const double offset : {-0.05, 0.05}) {
+    const CrossSection section =
+        sectionAt(surface, relief, {40.5, 40.5}, lightToward(33, -dip + offset));
+    EXPECT_NEAR(CrossSection::angle(section.here.bare.slope), radians(-dip), 1e-3);
+    EXPECT_EQ(section.here.onoue2003, offset < 0);
+    EXPECT_EQ(section.here.onoue2004, offset < 0);
+    EXPECT_EQ(section.here.onoueExact, offset < 0);
+    EXPECT_NEAR(section.eye.y, height, 1e-6);
+  }
+}
+
+TEST(CrossSection, WhereTheSurfaceIsConcaveIsBentUpward) {
+  // The inside of a torus' hole is saddle-shaped: concave along one direction.
+  const LimitSurface surface(makeTorus(30, 10, 96, 66));
+  const Relief relief = flatRelief(96, 66);
+  const SurfaceSample inner = sampleAt(surface, relief, {48, 0.5});
+  const auto section = crossSection(surface, relief, inner, lightToward(0, 20)).value();
+  ASSERT_LT(section.curvature, 0);
+  EXPECT_GT(section.bentGround.back().y, 0);
+  EXPECT_EQ(section.here.bare.slope, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(section.here.onoue2003, section.here.flat.shadowed);
+}
+
+TEST(CrossSection, IsAbsentWithoutASampleAndFiniteUnderAZenithLight) {
+  const LimitSurface surface(makePlane(96, 32, 12, 4));
+  const Relief relief = wall();
+  EXPECT_FALSE(crossSection(surface, relief, {}, Vec3(0, 0, 1)));
+  const CrossSection section = sectionAt(surface, relief, {60, 16}, Vec3(0, 0, 1));
+  EXPECT_FALSE(section.here.onoue2004);
+  EXPECT_NEAR(section.lightDirection.y, 1, 1e-12);
+  for (const Vec2& point : section.bentRelief) {
+    EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
+  }
+}
+
+TEST(OsculatingCircle, TendsToTheFlatReliefAndKeepsItsRadius) {
+  EXPECT_EQ(onOsculatingCircle(0, 7, 2), Vec2(7, 2));
+  EXPECT_NEAR(glm::distance(onOsculatingCircle(1e-9, 7, 2), Vec2(7, 2)), 0, 1e-6);
+  for (const double curvature : {0.02, -0.05}) {
+    for (const double arc : {-9.0, 3.0, 25.0}) {
+      const Vec2 centre(0, -1 / curvature);
+      EXPECT_NEAR(glm::distance(onOsculatingCircle(curvature, arc, 1.5), centre),
+                  std::abs(1 / curvature + 1.5), 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,114 @@
+#include "model/pane_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "common/error.h"
+#include "report/images.h"
+
+namespace gnomon {
+namespace {
+
+constexpr int width = 40;
+constexpr int height = 30;
+constexpr std::size_t count = width * height;
+
+struct Masks {
+  Mask candidate{width, height, {}};
+  Mask truth{width, height, {}};
+};
+
+/// A third background; the rest at random, mostly alike.
+Masks randomMasks() {
+  std::mt19937 random(5);
+  Masks masks;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool background = i % 3 == 0;
+    const Shade truth = random() % 2 == 0 ? Shade::lit : Shade::shadowed;
+    const bool wrong = random() % 8 == 0;
+    const Shade other = truth == Shade::lit ? Shade::shadowed : Shade::lit;
+    masks.truth.samples.push_back(background ? Shade::none : truth);
+    masks.candidate.samples.push_back(background ? Shade::none : wrong ? other : truth);
+  }
+  return masks;
+}
+
+TEST(PaneFigures, OfAWholeTruthAreThoseOfTheComparison) {
+  const Masks masks = randomMasks();
+  const std::vector<std::uint8_t> all(count, 1);
+  const PaneFigures figures = paneFigures(masks.candidate, masks.truth, all);
+  const Counts counts = countSamples(masks.candidate, masks.truth);
+  EXPECT_EQ(figures.errorRate.value, rate(counts, "error_rate").value);
+  EXPECT_EQ(figures.falseShadow.value, rate(counts, "false_shadow").value);
+  EXPECT_EQ(figures.falseLight.value, rate(counts, "false_light").value);
+  EXPECT_EQ(figures.iou.value, rate(counts, "iou").value);
+  EXPECT_EQ(figures.tracedShare, 1);
+  EXPECT_GT(figures.errorRate.value.value(), 0.05);
+}
+
+TEST(PaneFigures, OfAPartAreThoseOfThatPartAlone) {
+  Masks masks = randomMasks();
+  std::vector<std::uint8_t> traced(count, 0);
+  Masks part = masks;
+  for (std::size_t i = 0; i < count; ++i) {
+    traced[i] = i % 4 == 1 ? 1 : 0;
+    if (traced[i] != 0) continue;
+    part.candidate.samples[i] = part.truth.samples[i] = Shade::none;
+    masks.truth.samples[i] = Shade::lit;  // whatever stands there
+  }
+  const PaneFigures figures = paneFigures(masks.candidate, masks.truth, traced);
+  const Counts counts = countSamples(part.candidate, part.truth);
+  EXPECT_EQ(figures.errorRate.value, rate(counts, "error_rate").value);
+  EXPECT_EQ(figures.iou.value, rate(counts, "iou").value);
+  EXPECT_NEAR(figures.tracedShare, 0.25, 0.01);
+  EXPECT_NEAR(figures.falseShadow.value.value() + figures.falseLight.value.value(),
+              figures.errorRate.value.value(), 1e-15);
+}
+
+TEST(PaneFigures, CountAreasWhereTheyAreGiven) {
+  const Masks masks = randomMasks();
+  const std::vector<std::uint8_t> all(count, 1);
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < count; ++i) areas.push_back(static_cast<double>(i % 7));
+  EXPECT_EQ(paneFigures(masks.candidate, masks.truth, all, areas).errorRate.value,
+            rate(countSamples(masks.candidate, masks.truth, areas), "error_rate").value);
+}
+
+TEST(PaneFigures, AreUndefinedBeforeAnythingIsTraced) {
+  const Masks masks = randomMasks();
+  const PaneFigures figures =
+      paneFigures(masks.candidate, masks.truth, std::vector<std::uint8_t>(count, 0));
+  EXPECT_FALSE(figures.errorRate.value);
+  EXPECT_FALSE(figures.errorRate.reason.empty());
+  EXPECT_EQ(figures.tracedShare, 0);
+}
+
+TEST(PaneFigures, LeaveOutWhatTheTruthHasNoFrameForAndRefuseWhatOnlyTheMethodLeavesOut) {
+  Masks masks = randomMasks();
+  const std::vector<std::uint8_t> all(count, 1);
+  masks.truth.samples[1] = Shade::none;
+  EXPECT_EQ(paneFigures(masks.candidate, masks.truth, all).tracedShare, 1);
+  masks.candidate.samples[2] = Shade::none;
+  EXPECT_THROW(paneFigures(masks.candidate, masks.truth, all), InputError);
+  EXPECT_THROW(paneFigures(masks.candidate, masks.truth, std::vector<std::uint8_t>(3, 1)),
+               InputError);
+}
+
+TEST(PaneDifference, HasTheReportsColoursWhereTracedAndBackgroundElsewhere) {
+  const Masks masks = randomMasks();
+  std::vector<std::uint8_t> traced(count, 1);
+  const Image report = differenceImage(masks.candidate, masks.truth);
+  EXPECT_EQ(paneDifference(masks.candidate, masks.truth, traced).rgb, report.rgb);
+  for (std::size_t i = 0; i < count; i += 2) traced[i] = 0;
+  const Image part = paneDifference(masks.candidate, masks.truth, traced);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Rgb found{part.rgb[3 * i], part.rgb[3 * i + 1], part.rgb[3 * i + 2]};
+    const Rgb whole{report.rgb[3 * i], report.rgb[3 * i + 1], report.rgb[3 * i + 2]};
+    EXPECT_EQ(found, traced[i] != 0 ? whole : DifferenceColours::none);
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

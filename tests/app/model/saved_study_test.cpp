@@ -1,0 +1,256 @@
+#include "model/saved_study.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <map>
+
+#include "study/method_section.h"
+#include "study/sweep.h"
+#include "support/error_messages.h"
+#include "support/temporary_folder.h"
+
+namespace gnomon {
+namespace {
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+bool sameCage(const Cage& a, const Cage& b) {
+  return a.positions == b.positions && a.faceVertices == b.faceVertices && a.uvs == b.uvs &&
+         a.faceUvs == b.faceUvs && a.creases.size() == b.creases.size() &&
+         a.sharpVertices.size() == b.sharpVertices.size() && a.border == b.border &&
+         a.scheme == b.scheme && a.grid.has_value() == b.grid.has_value();
+}
+
+bool sameRelief(const Relief& a, const Relief& b) {
+  return a.field.width() == b.field.width() && a.field.height() == b.field.height() &&
+         a.field.texels() == b.field.texels() && a.field.wrap() == b.field.wrap() &&
+         a.space == b.space && a.repeats == b.repeats;
+}
+
+bool sameBake(const BakeSpec& a, const BakeSpec& b) {
+  return a.settings.azimuths == b.settings.azimuths &&
+         a.settings.radiusTexels == b.settings.radiusTexels && a.bits == b.bits &&
+         a.angleLimit == b.angleLimit;
+}
+
+bool sameCamera(const Camera& a, const Camera& b) {
+  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.verticalFov == b.verticalFov &&
+         a.width == b.width && a.height == b.height;
+}
+
+bool sameView(const ViewSpec& a, const ViewSpec& b) {
+  if (a.name != b.name || a.kind.index() != b.kind.index()) return false;
+  if (const auto* atlas = std::get_if<AtlasSpec>(&a.kind)) {
+    return atlas->samplesPerSide == std::get<AtlasSpec>(b.kind).samplesPerSide;
+  }
+  return sameCamera(std::get<Camera>(a.kind), std::get<Camera>(b.kind));
+}
+
+bool sameMethod(MethodSpec a, MethodSpec b) {
+  // The same file, whatever the way to it.
+  a.file = fs::canonical(a.file);
+  b.file = fs::canonical(b.file);
+  return a.label == b.label && isSameMethod(a, b);
+}
+
+/// All that is measured, to the bit.
+void expectSame(const StudySpec& a, const StudySpec& b) {
+  EXPECT_EQ(a.title, b.title);
+  EXPECT_EQ(a.source, b.source);
+  EXPECT_TRUE(sameCage(a.cage, b.cage));
+  EXPECT_TRUE(sameRelief(a.relief, b.relief));
+  EXPECT_TRUE(sameBake(a.bake, b.bake));
+  EXPECT_EQ(a.baseSubdivisions, b.baseSubdivisions);
+  EXPECT_EQ(a.baseCurvature, b.baseCurvature);
+  EXPECT_EQ(a.truth.stepTexels, b.truth.stepTexels);
+  EXPECT_EQ(a.truth.leastTriangles, b.truth.leastTriangles);
+  ASSERT_EQ(a.views.size(), b.views.size());
+  for (std::size_t k = 0; k < a.views.size(); ++k) EXPECT_TRUE(sameView(a.views[k], b.views[k]));
+  ASSERT_EQ(a.lights.size(), b.lights.size());
+  for (std::size_t k = 0; k < a.lights.size(); ++k) {
+    EXPECT_EQ(a.lights[k].name, b.lights[k].name);
+    EXPECT_EQ(a.lights[k].azimuth, b.lights[k].azimuth);
+    EXPECT_EQ(a.lights[k].elevation, b.lights[k].elevation);
+  }
+  ASSERT_EQ(a.methods.size(), b.methods.size());
+  for (std::size_t k = 0; k < a.methods.size(); ++k) {
+    EXPECT_TRUE(sameMethod(a.methods[k], b.methods[k])) << a.methods[k].label;
+  }
+}
+
+const fs::path scenes = GNOMON_SCENES;
+
+class SavedStudy : public TemporaryFolder {};
+
+TEST_F(SavedStudy, OfEverySceneReadsAsTheScene) {
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(scenes)) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    ++files;
+    const StudyPlan plan = readStudyPlan(entry.path());
+    // Of a sweep its last step: one case.
+    StudyOptions options;
+    StudySpec expected = plan.steps.back();
+    if (plan.sweep) {
+      options.overrides.push_back(plan.sweep->key + "=" +
+                                  sweepValueText(plan.sweep->values.back()));
+      expected.title = plan.title;
+    }
+    const fs::path target = file(entry.path().filename().string());
+    saveStudy({entry.path(), options, {}, {}, {}}, target);
+    const StudyPlan saved = readStudyPlan(target);
+    EXPECT_FALSE(saved.sweep);
+    expectSame(expected, saved.steps.front());
+    EXPECT_EQ(saved.name, entry.path().stem());
+    EXPECT_FALSE(saved.steps.front().ranked);
+    EXPECT_TRUE(saved.steps.front().thresholds.empty());
+    EXPECT_TRUE(saved.steps.front().claims.empty());
+    EXPECT_TRUE(saved.steps.front().budget.ladders.empty());
+    // Saved again from there, it is the same to the byte.
+    const StudyState again{target, {}, {}, {}, {}};
+    EXPECT_EQ(savedStudy(again, target), savedStudy({entry.path(), options, {}, {}, {}}, target));
+  }
+  EXPECT_GT(files, 15);
+}
+
+TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
+  StudyChanges changes;
+  changes.height = 3.3;
+  changes.curvature = 1.0 / 90;
+  changes.bake = {24, 16, 40.5};
+  changes.subdivisions = 3;
+  changes.methods["relief-march"].parameters["stride"] = 0.3;
+  changes.methods["onoue-2004"].bake.azimuths = 12;
+  changes.methods["onoue-2004"].subdivisions = 2;
+  StudyState state;
+  state.file = scenes / "sphere-columns.toml";
+  state.options.overrides = overridesOf(changes, state.file);
+  state.methods = {"onoue-2004", "relief-march"};
+  Camera camera;
+  camera.eye = {1.0 / 3, -70.123456789012345, 66};
+  camera.target = {0.1, 0.2, 55};
+  camera.up = {0, 0, 1};
+  camera.verticalFov = radians(27.3);
+  camera.width = 640;
+  camera.height = 360;
+  state.camera = camera;
+  state.light = LightAngles{123.456, -3.2};
+  saveStudy(state, file("a state of mine.toml"));
+
+  const StudySpec saved = readStudy(file("a state of mine.toml"));
+  EXPECT_EQ(saved.name, "a-state-of-mine");
+  EXPECT_EQ(saved.relief.field.maximum(), 3.3F);
+  EXPECT_EQ(saved.bake.settings.azimuths, 24);
+  EXPECT_EQ(saved.bake.settings.radiusTexels, 40.5);
+  EXPECT_EQ(saved.bake.bits, TableBits::sixteen);
+  EXPECT_EQ(saved.baseSubdivisions, 3);
+  ASSERT_EQ(saved.methods.size(), 2U);
+  EXPECT_EQ(saved.methods[0].label, "onoue-2004");
+  EXPECT_EQ(saved.methods[0].bake.settings.azimuths, 12);
+  EXPECT_EQ(saved.methods[0].bake.bits, TableBits::sixteen);
+  EXPECT_EQ(saved.methods[0].baseSubdivisions, 2);
+  EXPECT_EQ(saved.methods[1].parameters.at("stride"), 0.3);
+  EXPECT_EQ(saved.methods[1].baseSubdivisions, 3);
+  ASSERT_EQ(saved.views.size(), 1U);
+  EXPECT_TRUE(sameCamera(std::get<Camera>(saved.views[0].kind), camera));
+  ASSERT_EQ(saved.lights.size(), 1U);
+  EXPECT_EQ(saved.lights[0].azimuth, radians(123.456));
+  EXPECT_EQ(saved.lights[0].elevation, radians(-3.2));
+  EXPECT_EQ(saved.lights[0].name, lightSpec(*state.light).name);
+
+  // What is on the screen is what is saved.
+  StudyOptions options = state.options;
+  options.methods = state.methods;
+  StudySpec shown = readStudy(state.file, options);
+  shown.views = saved.views;
+  shown.lights = {lightSpec(*state.light)};
+  expectSame(shown, saved);
+  EXPECT_FALSE(sameCage(saved.cage, readStudy(state.file).cage));
+}
+
+TEST_F(SavedStudy, FindsItsFilesFromElsewhere) {
+  fs::create_directories(file("studies/maps"));
+  fs::create_directories(file("saved/deep"));
+  fs::copy(scenes / "heights/jacksboro_fault_dem.png", file("studies/maps/dem.png"));
+  fs::copy(scenes / "meshes/spot_control_mesh.obj", file("studies/spot.obj"));
+  fs::copy(scenes / "methods/horizon-ladder.glsl", file("studies/mine.glsl"));
+  std::ofstream(file("studies/study.toml")) << R"(
+[study]
+name = "study"
+title = "t"
+source = "s"
+[surface]
+obj = "spot.obj"
+[relief]
+image = "maps/dem.png"
+height = 2
+height_space = "texture"
+[[view]]
+type = "atlas"
+samples = 3
+[[light]]
+elevation = 30
+[[method]]
+file = "mine.glsl"
+[[method]]
+name = "onoue-2004"
+)";
+  const StudyState state{file("studies/study.toml"), {}, {}, {}, {}};
+  const fs::path target = file("saved/deep/state.toml");
+  saveStudy(state, target);
+  expectSame(readStudy(state.file), readStudy(target));
+  EXPECT_THAT(savedStudy(state, target), HasSubstr("../../studies/maps/dem.png"));
+  EXPECT_THAT(savedStudy(state, target), Not(HasSubstr(folder().string())));
+  // An absolute path stays right as it is.
+  StudyState absolute = state;
+  absolute.options.overrides = {"relief.image=" + file("studies/maps/dem.png").string()};
+  saveStudy(absolute, target);
+  expectSame(readStudy(state.file), readStudy(target));
+}
+
+TEST_F(SavedStudy, KeepsTheMethodsThatTheStudyWasOpenedWith) {
+  StudyState state;
+  state.file = scenes / "figure8.toml";
+  state.options.methods = {"resampled-horizon", "onoue-2004"};
+  saveStudy(state, file("state.toml"));
+  expectSame(readStudy(state.file, state.options), readStudy(file("state.toml")));
+  state.methods = {"resampled-horizon"};
+  saveStudy(state, file("state.toml"));
+  EXPECT_EQ(readStudy(file("state.toml")).methods.size(), 1U);
+  state.methods = {"no-such"};
+  EXPECT_THAT(messageOf<InputError>([&] { saveStudy(state, file("other.toml")); }),
+              HasSubstr("\"no-such\" asked for, one of unshadowed"));
+  EXPECT_FALSE(fs::exists(file("other.toml")));
+}
+
+TEST_F(SavedStudy, RefusesAPathThatTomlCannotHold) {
+  const fs::path odd = folder() / "not-\xff-text";
+  fs::create_directories(odd);
+  fs::copy(scenes / "meshes/spot_control_mesh.obj", odd / "spot.obj");
+  fs::copy(scenes / "spot-cells.toml", odd / "study.toml");
+  StudyState state;
+  state.file = odd / "study.toml";
+  state.options.overrides = {"surface.obj=spot.obj"};
+  EXPECT_THAT(messageOf<InputError>([&] { saveStudy(state, file("state.toml")); }),
+              HasSubstr("cannot be saved"));
+  EXPECT_FALSE(fs::exists(file("state.toml")));
+}
+
+TEST(StudyChanges, AreOverridesInPlainText) {
+  StudyChanges changes;
+  EXPECT_THAT(overridesOf(changes, scenes / "figure8.toml"), ElementsAre());
+  changes.height = 0.1;
+  changes.bake.azimuths = 8;
+  changes.methods["max-forsyth"].bake.bits = 32;
+  EXPECT_THAT(overridesOf(changes, scenes / "figure8.toml"),
+              ElementsAre("relief.height=0.1", "bake.azimuths=8", "method.1.bake.bits=32"));
+  changes.methods["nothing"].subdivisions = 3;
+  EXPECT_THROW(overridesOf(changes, scenes / "figure8.toml"), InputError);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,16 @@
+#include "study/study_table.h"
+
+#include "study/method_replacement.h"
+#include "study/toml_reader.h"
+
+namespace gnomon {
+
+toml::table studyTable(const std::filesystem::path& file, const StudyOptions& options) {
+  toml::table table = parseToml(file, {});
+  addMethods(table, options.extraMethods);
+  applyOverrides(table, options.overrides);  // of added methods, too
+  replaceMethods(table, file, options.replacements);
+  return table;
+}
+
+}  // namespace gnomon
