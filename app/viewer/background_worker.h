@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/background_threads.h"
 #include "common/progress.h"
+#include "viewer/background_threads.h"
 
 namespace gnomon {
 

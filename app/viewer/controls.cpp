@@ -145,8 +145,7 @@ void ControlPanel::surface(ViewSession& session) {
   if (numbers.height) {
     double height = changes.height.value_or(*numbers.height);
     const auto [low, high] = rangeAround(*numbers.height);
-    if (slider("bump height", "relief.height", height, low, high,
-               formatFor(high - low).c_str())) {
+    if (slider("bump height", "relief.height", height, low, high, formatFor(high - low).c_str())) {
       changes.height = height;
     }
   }
@@ -281,8 +280,8 @@ void drawErrors(const ViewSession& session, const WindowLayout& layout) {
   for (const std::string& error : errors) {
     height += ImGui::CalcTextSize(error.c_str(), nullptr, false, width - 24).y + 4;
   }
-  const ImVec2 begin = point(layout.pictures.corner + layout.pictures.size / 2.0 -
-                             Vec2(width, height) / 2.0);
+  const ImVec2 begin =
+      point(layout.pictures.corner + layout.pictures.size / 2.0 - Vec2(width, height) / 2.0);
   const ImVec2 end(begin.x + width, begin.y + height);
   list.AddRectFilled(begin, end, IM_COL32(255, 240, 238, 242), 5);
   list.AddRect(begin, end, ink::alarm, 5);

@@ -14,8 +14,8 @@ namespace gnomon {
 /// The request's options, and all built-in methods after the study's own.
 StudyOptions optionsOf(const ViewRequest& request);
 
-/// What the file has of keys that sliders move, and StudySpec does not keep; unset where the file has
-/// no such key.
+/// What the file has of keys that sliders move, and StudySpec does not keep; unset where the file
+/// has no such key.
 struct StudyNumbers {
   std::optional<double> height;     ///< `relief.height`
   std::optional<double> curvature;  ///< `surface.curvature`

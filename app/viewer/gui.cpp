@@ -72,10 +72,10 @@ void Gui::beginInWindow() const {
 bool Gui::hasInput() const {
   const ImGuiIO& io = ImGui::GetIO();
   const bool moves = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0;
-  const bool holds = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown),
-                                 [](bool down) { return down; }) ||
-                     std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown),
-                                 [](bool down) { return down; });
+  const bool holds =
+      std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown),
+                  [](bool down) { return down; }) ||
+      std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown), [](bool down) { return down; });
   return moves || holds || !io.InputQueueCharacters.empty();
 }
 

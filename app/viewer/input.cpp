@@ -45,8 +45,7 @@ Vec2 cursor() {
 
 bool nearWipe(const ViewState& state, const WindowLayout& layout) {
   constexpr double reach = 9;
-  return state.paneCount == 2 &&
-         std::abs(cursor().x - state.wipe * layout.pictures.size.x) < reach;
+  return state.paneCount == 2 && std::abs(cursor().x - state.wipe * layout.pictures.size.x) < reach;
 }
 
 /// Moves camera and target in the picture's plane, as far as the cursor moves at the target.
@@ -83,9 +82,9 @@ void Input::drag(ViewState& state, const WindowLayout& layout) {
   const bool right = ImGui::IsMouseDown(ImGuiMouseButton_Right);
   if (drag_ == Drag::none && !io.WantCaptureMouse && paneUnder(layout, cursor(), state.wipe) >= 0) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-      drag_ = nearWipe(state, layout)      ? Drag::wipe
+      drag_ = nearWipe(state, layout)   ? Drag::wipe
               : io.KeysDown[GLFW_KEY_L] ? Drag::light
-                                           : Drag::orbit;
+                                        : Drag::orbit;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
       drag_ = Drag::pan;
     }
@@ -112,8 +111,8 @@ void Input::choose(ViewSession& session, int step) {
   const auto& labels = session.labels();
   const auto found = std::find(labels.begin(), labels.end(), content.shown);
   const auto count = static_cast<int>(labels.size());
-  const int now = found == labels.end() ? (step > 0 ? -1 : 0)
-                                        : static_cast<int>(found - labels.begin());
+  const int now =
+      found == labels.end() ? (step > 0 ? -1 : 0) : static_cast<int>(found - labels.begin());
   content.shown = labels[static_cast<std::size_t>((now + step + count) % count)];
 }
 

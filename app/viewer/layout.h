@@ -8,9 +8,9 @@ namespace gnomon {
 
 /// Where things are in the window, pixels, y downward.
 struct WindowLayout {
-  PaneRectangle panel;                  ///< the controls; without size where they are hidden
-  PaneRectangle pictures;               ///< all panes together
-  std::array<PaneRectangle, 4> panes;   ///< of two, both are all of `pictures`
+  PaneRectangle panel;                 ///< the controls; without size where they are hidden
+  PaneRectangle pictures;              ///< all panes together
+  std::array<PaneRectangle, 4> panes;  ///< of two, both are all of `pictures`
   int paneCount = 1;
 };
 

@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <thread>
@@ -165,10 +166,11 @@ void takeScreenshot(const ViewRequest& request) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   session.update();
+  const int under = paneUnder(screen.layout(), {cursor.x, cursor.y}, session.state().wipe);
   // Twice: Dear ImGui knows the size of some things only in the second frame.
   for (int frame = 0; frame < 2; ++frame) {
     gui.beginWithoutWindow(request.width, request.height, cursor);
-    screen.describe(frames, {}, 0);
+    screen.describe(frames, {}, std::max(0, under));
     target.bind();
     gui.draw(request.width, request.height);
   }

@@ -6,7 +6,8 @@ namespace gnomon {
 
 /// Shows a study in a window until it is closed; or, for a screenshot, renders the window's content
 /// without a display and leaves.
-/// @throws NoGlError where there is no display or no OpenGL 4.5, InputError as readStudy, UsageError
+/// @throws NoGlError where there is no display or no OpenGL 4.5, InputError as readStudy,
+/// UsageError
 ///   for contents that are none
 ExitStatus openViewer(const ViewRequest& request);
 

@@ -34,7 +34,8 @@ void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<st
   constexpr float padding = 6;
   const float lineHeight = ImGui::GetTextLineHeight() + 2;
   float width = 0;
-  for (const std::string& line : lines) width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
+  for (const std::string& line : lines)
+    width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
   width = std::min(width + 2 * padding, static_cast<float>(widest));
   const float height = lineHeight * static_cast<float>(lines.size()) + 2 * padding - 2;
   ImVec2 begin = point(corner);
@@ -84,8 +85,8 @@ void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool righ
   float width = 8;
   for (const auto& [colour, text] : entries) width += square + 18 + ImGui::CalcTextSize(text).x;
   const float height = ImGui::GetTextLineHeight() + 10;
-  ImVec2 at = point(pane.corner + Vec2(rightAligned ? pane.size.x - width - 10 : 10,
-                                       pane.size.y - height - 10));
+  ImVec2 at = point(pane.corner +
+                    Vec2(rightAligned ? pane.size.x - width - 10 : 10, pane.size.y - height - 10));
   list.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ink::chip, 4);
   at = ImVec2(at.x + 8, at.y + 5);
   for (const auto& [colour, text] : entries) {
@@ -100,8 +101,8 @@ void drawCurvatureLegend(ImDrawList& list, const PaneRectangle& pictures, double
   constexpr float width = 200;
   constexpr float bar = 10;
   const float height = 2 * ImGui::GetTextLineHeight() + bar + 18;
-  const ImVec2 begin = point(pictures.corner + Vec2((pictures.size.x - width) / 2,
-                                                    pictures.size.y - height - 10));
+  const ImVec2 begin =
+      point(pictures.corner + Vec2((pictures.size.x - width) / 2, pictures.size.y - height - 10));
   list.AddRectFilled(begin, ImVec2(begin.x + width, begin.y + height), ink::chip, 4);
   list.AddText(ImVec2(begin.x + 8, begin.y + 4), ink::text, "κ along the light, 1/world");
   constexpr int steps = 46;
@@ -135,8 +136,9 @@ std::string titleOf(const PaneContent& content) {
 }
 
 std::string figuresText(const PaneFigures& figures) {
-  return fmt::format("{} wrong: {} false shadow, {} false light; IoU {}", percent(figures.errorRate),
-                     percent(figures.falseShadow), percent(figures.falseLight),
+  return fmt::format("{} wrong: {} false shadow, {} false light; IoU {}",
+                     percent(figures.errorRate), percent(figures.falseShadow),
+                     percent(figures.falseLight),
                      figures.iou.value ? fmt::format("{:.3f}", *figures.iou.value) : "undefined");
 }
 
@@ -167,8 +169,7 @@ void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int 
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ViewState& state = session.state();
   const bool wipes = state.paneCount == 2;
-  const CurvaturePicture* curvature =
-      state.overlays.curvature ? session.curvature() : nullptr;
+  const CurvaturePicture* curvature = state.overlays.curvature ? session.curvature() : nullptr;
   if (curvature != nullptr) showCurvature(*curvature);
   for (std::size_t i = 0; i < static_cast<std::size_t>(state.paneCount); ++i) {
     const PaneRectangle& pane = layout.panes.at(i);

@@ -12,9 +12,9 @@ namespace {
 
 Mask emptyMask(const Camera& camera) {
   return {camera.width, camera.height,
-          std::vector<Shade>(static_cast<std::size_t>(camera.width) *
-                                 static_cast<std::size_t>(camera.height),
-                             Shade::none)};
+          std::vector<Shade>(
+              static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height),
+              Shade::none)};
 }
 
 const PartialTruth* truthOf(const KnownTruth& known, MeshChoice mesh, const Camera& camera) {
@@ -87,8 +87,8 @@ const Mask* PanePictures::methodMask(const DrawnScene& scene, const ViewState& s
   if (!ready) return nullptr;
   const MeshChoice mesh = ready->data->mesh;
   const RenderView view = cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
-  Mask mask = ready->pass->render(
-      view, scene.drawing(mesh, lightSpec(state.light).direction()), ready->tables);
+  Mask mask = ready->pass->render(view, scene.drawing(mesh, lightSpec(state.light).direction()),
+                                  ready->tables);
   CachedMask& kept = masks_[label];
   kept = {serial, std::move(mask)};
   return &kept.mask;
@@ -131,8 +131,8 @@ void PanePictures::showImage(Pane& pane, const Image& image) {
 }
 
 void PanePictures::measure(Pane& pane, const PaneContent& content, MeshChoice mesh,
-                           const DrawnScene& scene, const ViewState& state,
-                           const KnownTruth& truth, std::uint64_t serial) {
+                           const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
+                           std::uint64_t serial) {
   pane.shown.figures.reset();
   if (!isMethod(content.shown)) return;
   const Mask* candidate = methodMask(scene, state, content.shown, serial);
@@ -151,8 +151,7 @@ void PanePictures::measure(Pane& pane, const PaneContent& content, MeshChoice me
 }
 
 void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnScene& scene,
-                            const ViewState& state, const KnownTruth& truth,
-                            std::uint64_t serial) {
+                            const ViewState& state, const KnownTruth& truth, std::uint64_t serial) {
   pane.shown.note.clear();
   if (content.shown == PaneContent::displaced) {
     pane.shown.figures.reset();

@@ -53,18 +53,21 @@ std::shared_ptr<const HorizonTables> SceneMaker::bake(const HeightField& field,
   });
 }
 
-std::shared_ptr<const TableImagePair> SceneMaker::pair(const HeightField& field, const BakeSpec& spec, const StageProgress& progress) {
+std::shared_ptr<const TableImagePair> SceneMaker::pair(const HeightField& field,
+                                                       const BakeSpec& spec,
+                                                       const StageProgress& progress) {
   const TableKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
   return cached(tables_.pairs, key, [&] {
     const auto baked = bake(field, spec.settings, progress);
     progress("Storing tables")(0);
-    return std::make_shared<const TableImagePair>(
-        TableImagePair{imageOf(baked->horizon, *baked, spec.bits),
-                       imageOf(baked->distance, *baked, spec.bits)});
+    return std::make_shared<const TableImagePair>(TableImagePair{
+        imageOf(baked->horizon, *baked, spec.bits), imageOf(baked->distance, *baked, spec.bits)});
   });
 }
 
-std::shared_ptr<const TableImage> SceneMaker::ellipses(const HeightField& field, const BakeSpec& spec, const StageProgress& progress) {
+std::shared_ptr<const TableImage> SceneMaker::ellipses(const HeightField& field,
+                                                       const BakeSpec& spec,
+                                                       const StageProgress& progress) {
   const TableKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
   return cached(tables_.ellipses, key, [&] {
     const auto baked = bake(field, spec.settings, progress);
@@ -76,7 +79,8 @@ std::shared_ptr<const TableImage> SceneMaker::ellipses(const HeightField& field,
   });
 }
 
-std::shared_ptr<const AngleTable> SceneMaker::angles(const HeightField& field, const BakeSpec& spec, const StageProgress& progress) {
+std::shared_ptr<const AngleTable> SceneMaker::angles(const HeightField& field, const BakeSpec& spec,
+                                                     const StageProgress& progress) {
   const AngleKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.angleLimit);
   return cached(tables_.angles, key, [&] {
     const auto baked = bake(field, spec.settings, progress);
@@ -84,11 +88,13 @@ std::shared_ptr<const AngleTable> SceneMaker::angles(const HeightField& field, c
   });
 }
 
-std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, const MethodSpec& spec, const StageProgress& progress) {
+std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, const MethodSpec& spec,
+                                                     const StageProgress& progress) {
   MethodData data{spec, readMethod(spec.file), {}, {}, {}, {}};
   data.mesh = {data.method.mesh, spec.baseSubdivisions, spec.baseCurvature};
   const MethodTables& declared = data.method.tables;
-  if (declared.horizon || declared.distance) data.tables = pair(*scene.heights, spec.bake, progress);
+  if (declared.horizon || declared.distance)
+    data.tables = pair(*scene.heights, spec.bake, progress);
   if (declared.angles) data.angles = angles(*scene.heights, spec.bake, progress);
   if (declared.ellipse) data.ellipses = ellipses(*scene.heights, spec.bake, progress);
   return std::make_shared<const MethodData>(std::move(data));
@@ -108,8 +114,8 @@ void SceneMaker::addMesh(SceneData& scene, MeshChoice choice, const SceneData* p
   if (choice.kind == DrawnMesh::displaced) {
     data.displaced = makeDisplacedMesh(*scene.surface, relief, choice.subdivisions);
   } else {
-    data.base = makeBaseMesh(*scene.surface, relief.texelsPerUv(), choice.subdivisions,
-                             choice.curvature);
+    data.base =
+        makeBaseMesh(*scene.surface, relief.texelsPerUv(), choice.subdivisions, choice.curvature);
   }
   scene.meshes.emplace(choice, std::make_shared<const MeshData>(std::move(data)));
 }
@@ -139,8 +145,8 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
   progress("Finding the limit surface")(0);
   scene->surface =
       sameSurface ? last_->surface : std::make_shared<const LimitSurface>(scene->study->cage);
-  scene->heights = sameRelief ? last_->heights
-                              : std::make_shared<const HeightField>(scene->study->relief.field);
+  scene->heights =
+      sameRelief ? last_->heights : std::make_shared<const HeightField>(scene->study->relief.field);
   if (tablesOf_ != scene->keys.relief) tables_ = {};
   tablesOf_ = scene->keys.relief;
 

@@ -48,7 +48,7 @@ struct TableImagePair {
 
 /// A mesh that methods draw.
 struct MeshData {
-  BaseMesh base;                          ///< of a displaced mesh: empty, see `displaced`
+  BaseMesh base;  ///< of a displaced mesh: empty, see `displaced`
   std::optional<DisplacedMesh> displaced;
   [[nodiscard]] const BaseMesh& mesh() const { return displaced ? displaced->mesh : base; }
 };
@@ -76,7 +76,7 @@ struct SceneData {
   std::shared_ptr<const LimitSurface> surface;
   std::shared_ptr<const HeightField> heights;
   std::map<MeshChoice, std::shared_ptr<const MeshData>> meshes;
-  std::shared_ptr<const PrincipalLines> lines;  ///< null unless asked for
+  std::shared_ptr<const PrincipalLines> lines;                       ///< null unless asked for
   std::map<std::string, std::shared_ptr<const MethodData>> methods;  ///< those shown, by label
 
   /// The mesh that stands for the study itself.
@@ -96,8 +96,8 @@ class SceneMaker {
       const SceneRequest& request, const std::function<Progress(const std::string&)>& progress);
 
  private:
-  using TableKey = std::tuple<int, double, TableBits>;               ///< azimuths, radius
-  using AngleKey = std::tuple<int, double, double>;                  ///< azimuths, radius, limit
+  using TableKey = std::tuple<int, double, TableBits>;  ///< azimuths, radius
+  using AngleKey = std::tuple<int, double, double>;     ///< azimuths, radius, limit
   struct Tables {
     std::map<std::pair<int, double>, std::shared_ptr<const HorizonTables>> bakes;
     std::map<TableKey, std::shared_ptr<const TableImagePair>> pairs;
@@ -106,8 +106,7 @@ class SceneMaker {
   };
   using StageProgress = std::function<Progress(const std::string&)>;
 
-  std::shared_ptr<const HorizonTables> bake(const HeightField& field,
-                                            const BakeSettings& settings,
+  std::shared_ptr<const HorizonTables> bake(const HeightField& field, const BakeSettings& settings,
                                             const StageProgress& progress);
   std::shared_ptr<const TableImagePair> pair(const HeightField& field, const BakeSpec& spec,
                                              const StageProgress& progress);

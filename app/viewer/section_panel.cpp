@@ -78,8 +78,8 @@ std::vector<Vec2> flatRelief(const CrossSection& section) {
 
 /// The part of a curve that is worth showing: somewhat beyond all that happens on it.
 double reachOf(const CrossSection& section, const std::optional<Occluder>& occluder) {
-  double reach = std::max(section.horizon.distance * section.worldPerTexel,
-                          12 * section.worldPerTexel);
+  double reach =
+      std::max(section.horizon.distance * section.worldPerTexel, 12 * section.worldPerTexel);
   if (occluder && !occluder->attached) {
     reach = std::max(reach, section.inPlane(occluder->point).x);
   }
@@ -235,28 +235,27 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   second.dot(section.eye, ink::text);
   list.PopClipRect();
 
-  const std::string truth = !session.traced()      ? "truth: not traced yet"
-                            : !occluder_           ? "truth: lit"
+  const std::string truth = !session.traced()     ? "truth: not traced yet"
+                            : !occluder_          ? "truth: lit"
                             : occluder_->attached ? "truth: shadow, own facet"
-                                                   : "truth: shadow, occluder";
-  drawEntries(
-      list, ImVec2(begin.x + 2 * column + 18, top),
-      {{rayColour, fmt::format("light {}", degrees(section.lightSlope))},
-       {flatColour, fmt::format("flat {}: {}", degrees(section.here.flat.slope),
-                                verdict(section.here.flat.shadowed))},
-       {correctedColour, fmt::format("(2) {}", degrees(corrected.smallAngle.slope))},
-       {correctedColour, fmt::format("(3) {}", degrees(corrected.bare.slope))},
-       {correctedColour, fmt::format("onoue-2004: {}", verdict(corrected.onoue2004))},
-       {correctedColour, fmt::format("exact {}: {}", degrees(corrected.exact.slope),
-                                     verdict(corrected.onoueExact))},
-       {truthColour, truth}});
+                                                  : "truth: shadow, occluder";
+  drawEntries(list, ImVec2(begin.x + 2 * column + 18, top),
+              {{rayColour, fmt::format("light {}", degrees(section.lightSlope))},
+               {flatColour, fmt::format("flat {}: {}", degrees(section.here.flat.slope),
+                                        verdict(section.here.flat.shadowed))},
+               {correctedColour, fmt::format("(2) {}", degrees(corrected.smallAngle.slope))},
+               {correctedColour, fmt::format("(3) {}", degrees(corrected.bare.slope))},
+               {correctedColour, fmt::format("onoue-2004: {}", verdict(corrected.onoue2004))},
+               {correctedColour, fmt::format("exact {}: {}", degrees(corrected.exact.slope),
+                                             verdict(corrected.onoueExact))},
+               {truthColour, truth}});
   const ImVec2 notes(begin.x + 2 * column + 18, bottom - 3 * (ImGui::GetTextLineHeight() + 3));
-  list.AddText(notes, ink::faint,
-               fmt::format("κ {:+.4g}, h {:.3g}\nd {:.3g} texels, σ {:.3g}\n{}", section.curvature,
-                           section.here.lookups.height, section.horizon.distance,
-                           section.worldPerTexel,
-                           section.fromTables ? "corrections from tables" : "corrections exact")
-                   .c_str());
+  list.AddText(
+      notes, ink::faint,
+      fmt::format("κ {:+.4g}, h {:.3g}\nd {:.3g} texels, σ {:.3g}\n{}", section.curvature,
+                  section.here.lookups.height, section.horizon.distance, section.worldPerTexel,
+                  section.fromTables ? "corrections from tables" : "corrections exact")
+          .c_str());
 }
 
 }  // namespace gnomon

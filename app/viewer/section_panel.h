@@ -9,8 +9,8 @@
 
 namespace gnomon {
 
-/// The cross-section through the pixel under the cursor, drawn live: Figures 1 and 2 of Onoue, Max &
-/// Nishita 2004.
+/// The cross-section through the pixel under the cursor, drawn live: Figures 1 and 2 of Onoue, Max
+/// & Nishita 2004.
 class SectionPanel {
  public:
   /// @param cursor  window pixels; the last sample stays while it is over no surface

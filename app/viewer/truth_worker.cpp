@@ -16,7 +16,8 @@ namespace {
 
 constexpr int coarsest = 8;
 
-/// A stretch of the order as a grid of four columns: the tracer's packets are then the order's tiles.
+/// A stretch of the order as a grid of four columns: the tracer's packets are then the order's
+/// tiles.
 SampleGrid packedGrid(const SampleGrid& all, std::span<const std::uint32_t> order) {
   constexpr std::size_t columns = 4;
   const std::size_t rows = (order.size() + columns - 1) / columns;
@@ -61,10 +62,10 @@ class GrowingTruth {
   void add(std::size_t count, const TracedMesh& traced) {
     const SceneData& scene = *request_.scene;
     const auto asked = std::span(order_.samples).subspan(truth_.tracedCount, count);
-    const Truth found = traceShadows(
-        *scene.surface, scene.study->relief, traced.mesh, traced.scene,
-        packedGrid(*truth_.samples, asked),
-        {request_.light, scene.study->bake.settings.radiusTexels, standardLift});
+    const Truth found =
+        traceShadows(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
+                     packedGrid(*truth_.samples, asked),
+                     {request_.light, scene.study->bake.settings.radiusTexels, standardLift});
     for (std::size_t i = 0; i < count; ++i) {
       truth_.mask.samples[asked[i]] = found.mask.samples[i];
       truth_.traced[asked[i]] = 1;
@@ -89,7 +90,7 @@ class GrowingTruth {
 };
 
 Image seenSurface(const TracedMesh& traced, Camera camera, const Vec3& light, int step,
-                        const Progress& progress) {
+                  const Progress& progress) {
   camera.width = std::max(1, camera.width / step);
   camera.height = std::max(1, camera.height / step);
   return displacedImage(camera.width, camera.height,
@@ -99,8 +100,8 @@ Image seenSurface(const TracedMesh& traced, Camera camera, const Vec3& light, in
 CurvaturePicture curvaturePicture(const SceneData& scene, const SampleGrid& samples,
                                   const Vec3& light) {
   CurvatureField field = curvatureAlong(*scene.surface, samples, light);
-  CurvaturePicture picture{{samples.width, samples.height, {}}, std::move(field.defined),
-                           field.largest};
+  CurvaturePicture picture{
+      {samples.width, samples.height, {}}, std::move(field.defined), field.largest};
   picture.image.rgb.reserve(3 * field.values.size());
   for (const double value : field.values) {
     const Rgb colour = curvatureColour(value, field.largest);

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "viewer/background_worker.h"
-#include "viewer/scene_data.h"
 #include "common/camera.h"
 #include "common/mask.h"
 #include "model/progressive_order.h"
@@ -14,6 +12,8 @@
 #include "surface/sample_grid.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
+#include "viewer/background_worker.h"
+#include "viewer/scene_data.h"
 
 namespace gnomon {
 
@@ -43,9 +43,9 @@ struct AnglesRequest {
 
 struct TruthRequest {
   std::shared_ptr<const SceneData> scene;
-  Vec3 light{0, 0, 1};             ///< unit vector toward the light
-  std::vector<TruthView> views;    ///< whose truth is asked
-  std::optional<Camera> picture;   ///< from where the displaced surface is looked at
+  Vec3 light{0, 0, 1};                          ///< unit vector toward the light
+  std::vector<TruthView> views;                 ///< whose truth is asked
+  std::optional<Camera> picture;                ///< from where the displaced surface is looked at
   std::shared_ptr<const SampleGrid> curvature;  ///< where the normal curvature is asked
   std::vector<AnglesRequest> angles;
 };

@@ -13,17 +13,17 @@ namespace {
 
 std::function<void(const SceneRequest&, const BackgroundWorker<SceneRequest, SceneResult>::Job&)>
 sceneWork(const std::filesystem::path& file) {
-  return [maker = std::make_shared<SceneMaker>(file)](const SceneRequest& request,
-                                                      const auto& job) {
-    SceneResult result;
-    try {
-      result.scene =
-          maker->make(request, [&](const std::string& stage) { return job.progress(stage); });
-    } catch (const Error& error) {
-      result.error = error.what();
-    }
-    job.publish(std::move(result));
-  };
+  return
+      [maker = std::make_shared<SceneMaker>(file)](const SceneRequest& request, const auto& job) {
+        SceneResult result;
+        try {
+          result.scene =
+              maker->make(request, [&](const std::string& stage) { return job.progress(stage); });
+        } catch (const Error& error) {
+          result.error = error.what();
+        }
+        job.publish(std::move(result));
+      };
 }
 
 std::function<void(const TruthRequest&, const TruthTracer::Worker::Job&)> truthWork() {
@@ -170,7 +170,8 @@ std::vector<AnglesRequest> ViewSession::missingAngles() const {
     if (!scene_.lacksAngles(label)) continue;
     const RenderView& plane = scene_.mesh(method->mesh).texture;
     requireTextureView(plane);
-    missing.push_back({label, method->spec.bake,
+    missing.push_back({label,
+                       method->spec.bake,
                        pictures_.texelsOf(plane, scene_.mesh(method->mesh).gpu),
                        {plane.texelWindow.x, plane.texelWindow.y}});
   }
@@ -211,8 +212,7 @@ void ViewSession::askForTruth() {
   for (const MeshChoice& mesh : meshes) {
     auto& grid = grids_[mesh];
     if (!grid) {
-      grid = std::make_shared<const SampleGrid>(
-          pictures_.samplesOf(scene_, mesh, state_.camera));
+      grid = std::make_shared<const SampleGrid>(pictures_.samplesOf(scene_, mesh, state_.camera));
     }
     const auto known = truth_.truths.find(mesh);
     const bool whole = !truth_.stale && known != truth_.truths.end() && known->second.share() == 1;

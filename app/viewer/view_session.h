@@ -119,7 +119,7 @@ class ViewSession {
   bool pictureWhole_ = false;
   bool curvatureWhole_ = false;
 
-  Baker baker_;    // last: their threads end first
+  Baker baker_;  // last: their threads end first
   BackgroundWorker<TruthRequest, TruthResult> tracer_;
 };
 

@@ -37,8 +37,8 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
           "Override a key of the study, as relief.height=4 or light.0.elevation=30", "KEY=VALUE");
   addList(*view, "--show", request.show,
           "What a pane shows; given once, twice or four times: so many panes", "CONTENT");
-  addList(*view, "--overlay", request.overlays, "Drawn over the panes: curvature, directions, section",
-          "NAME")
+  addList(*view, "--overlay", request.overlays,
+          "Drawn over the panes: curvature, directions, section", "NAME")
       ->check(CLI::IsMember({"curvature", "directions", "section"}));
   view->add_option("--width", request.width, "Of the window, pixels")
       ->capture_default_str()

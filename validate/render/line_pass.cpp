@@ -14,8 +14,8 @@ LinePass::LinePass(const std::filesystem::path& shaders)
                             {readShader(shaders / "common/line.frag")}},
                            {})) {}
 
-void LinePass::draw(const RenderView& view, std::span<const Vec3> ends,
-                    const glm::vec3& colour, const Target& target) const {
+void LinePass::draw(const RenderView& view, std::span<const Vec3> ends, const glm::vec3& colour,
+                    const Target& target) const {
   if (ends.empty()) return;
   const std::vector<glm::vec3> vertices(ends.begin(), ends.end());
   const gl::Buffer buffer = gl::makeBuffer();

@@ -1,0 +1,325 @@
+#include <OpenImageIO/imageio.h>
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "end_to_end/program.h"
+#include "viewer/virtual_display.h"
+
+namespace gnomon::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+/// Columns on a part of a sphere: every slider has something to move.
+std::string sphereStudy() {
+  return R"([study]
+name = "ball"
+title = "Columns on a sphere"
+source = "a test"
+
+[surface]
+shape = "sphere"
+curvature = 0.02
+size = [48, 48]
+quads = [6, 6]
+
+[relief]
+pattern = "columns"
+texels = [48, 48]
+period = 16
+radius = 4
+wall = 1
+height = 4
+height_space = "world"
+
+[bake]
+azimuths = 8
+
+[truth]
+step = 0.25
+
+[[view]]
+type = "camera"
+width = 200
+height = 200
+eye = [0, 0, 140]
+fov = 30
+
+[[light]]
+azimuth = 20
+elevation = 30
+
+[[method]]
+name = "max-forsyth"
+
+[[method]]
+name = "onoue-2004"
+)";
+}
+
+class ViewerWindow : public EndToEnd {
+ protected:
+  void SetUp() override {
+    EndToEnd::SetUp();
+    ASSERT_FALSE(display_.name().empty()) << "no Xvfb: install the packages of packages.txt";
+    write("ball.toml", sphereStudy());
+  }
+  [[nodiscard]] DrivenViewer open(std::vector<std::string> arguments,
+                                  const std::vector<std::string>& environment = {}) const {
+    arguments.insert(arguments.begin(), "ball.toml");
+    return {display_, folder(), arguments, environment};
+  }
+
+  VirtualDisplay display_;
+};
+
+double elevationOf(const json& status) {
+  return status.at("light").at("elevation").get<double>();
+}
+
+/// RGB pictures of one size.
+std::size_t differingPixels(const fs::path& a, const fs::path& b) {
+  const auto read = [](const fs::path& path) {
+    auto file = OIIO::ImageInput::open(path.string());
+    if (!file) throw std::runtime_error(path.string());
+    const OIIO::ImageSpec spec = file->spec();
+    std::vector<unsigned char> values(static_cast<std::size_t>(spec.width * spec.height) * 3);
+    file->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, values.data());
+    return values;
+  };
+  const auto first = read(a);
+  const auto second = read(b);
+  if (first.size() != second.size()) throw std::runtime_error("pictures of different sizes");
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < first.size(); i += 3) {
+    count += std::equal(&first[i], &first[i] + 3, &second[i]) ? 0 : 1;
+  }
+  return count;
+}
+
+bool appears(const fs::path& path) {
+  for (int wait = 0; wait < 200 && !fs::exists(path); ++wait) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return fs::exists(path);
+}
+
+TEST_F(ViewerWindow, ADragTurnsTheSurfaceAndWithLTheLight) {
+  DrivenViewer viewer = open({});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const json before = viewer.status();
+
+  viewer.drag(300, 300, 380, 340);
+  ASSERT_TRUE(viewer.waitUntilComplete());
+  const json turned = viewer.status();
+  EXPECT_NE(turned.at("camera").at("eye"), before.at("camera").at("eye"));
+  EXPECT_EQ(turned.at("light"), before.at("light"));
+
+  viewer.keyDown("l");
+  viewer.drag(300, 300, 340, 260);
+  viewer.keyUp("l");
+  ASSERT_TRUE(viewer.waitUntilComplete());
+  const json lit = viewer.status();
+  EXPECT_EQ(lit.at("camera").at("eye"), turned.at("camera").at("eye"));
+  // A quarter of a degree a pixel, 40 pixels each way; upward raises the light.
+  EXPECT_NEAR(lit.at("light").at("azimuth").get<double>(), 30, 1e-9);
+  EXPECT_NEAR(elevationOf(lit), 40, 1e-9);
+
+  viewer.moveTo(300, 300);
+  viewer.scroll(2);
+  ASSERT_TRUE(viewer.waitFor(
+      [&](const json& now) { return now.at("camera").at("eye") != lit.at("camera").at("eye"); }));
+  viewer.key("r");
+  ASSERT_TRUE(viewer.waitFor([&](const json& now) {
+    return now.at("camera").at("eye") == before.at("camera").at("eye") &&
+           now.at("light") == before.at("light");
+  }));
+  viewer.key("q");
+  EXPECT_EQ(viewer.waitForEnd(), 0) << viewer.output();
+}
+
+TEST_F(ViewerWindow, PanesOfEveryKindLookAsTheyDoWithoutADisplay) {
+  DrivenViewer viewer = open({"--width", "700", "--height", "500"});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  // Every pane gets its content by keys, while the cursor is over it.
+  viewer.key("Tab");
+  viewer.key("4");
+  viewer.moveTo(100, 100);
+  viewer.key("b");
+  viewer.moveTo(500, 100);
+  viewer.key("t");
+  viewer.moveTo(100, 400);
+  viewer.key("t");
+  viewer.key("n");
+  viewer.key("d");
+  viewer.moveTo(500, 400);
+  viewer.key("g");
+  const std::vector<std::string> contents = {"max-forsyth", "truth", "max-forsyth:truth",
+                                             "displaced"};
+  ASSERT_TRUE(viewer.waitFor([&](const json& now) {
+    if (!now.at("complete").get<bool>() || now.at("panes").size() != contents.size()) return false;
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+      if (now.at("panes")[i].at("shows") != contents[i]) return false;
+    }
+    return true;
+  })) << viewer.status().dump(2);
+  viewer.key("p");
+  const fs::path saved = folder() / "out/ball/view/view-1.png";
+  ASSERT_TRUE(appears(saved));
+
+  std::vector<std::string> arguments = {"view",         "ball.toml", "--width",    "700",
+                                        "--height",     "500",       "--no-panel", "--screenshot",
+                                        "headless.png", "--cursor",  "500,400"};
+  for (const std::string& content : contents)
+    arguments.insert(arguments.end(), {"--show", content});
+  const Outcome outcome = gnomon(arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(differingPixels(saved, folder() / "headless.png"), 0U);
+  // The control: other contents are other pictures.
+  const Outcome other = gnomon({"view", "ball.toml", "--width", "700", "--height", "500",
+                                "--no-panel", "--screenshot", "other.png"});
+  ASSERT_EQ(other.status, 0) << other.err;
+  EXPECT_GT(differingPixels(saved, folder() / "other.png"), 10000U);
+}
+
+/// The figures that `gnomon run` finds for a saved state.
+void expectSameFigures(const json& pane, const json& result) {
+  for (const char* metric : {"error_rate", "false_shadow", "false_light", "iou"}) {
+    EXPECT_EQ(pane.at(metric).get<double>(), result.at(metric).get<double>()) << metric;
+  }
+}
+
+TEST_F(ViewerWindow, ASavedStudyReproducesTheFiguresOnTheScreen) {
+  DrivenViewer viewer =
+      open({"--show", "max-forsyth", "--show", "onoue-2004", "--width", "800", "--height", "600"});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const json before = viewer.status();
+  viewer.drag(150, 400, 190, 380);
+  viewer.dragControl("relief.height", 0.3, 0.45);
+  viewer.dragControl("surface.curvature", 0.3, 0.42);
+  viewer.dragControl("light.elevation", 0.2, 0.31);
+  viewer.dragControl("bake.azimuths", 0.1, 0.2);
+  viewer.clickControl("bake.bits.16");
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  viewer.clickControl("save.study");
+  const fs::path study = folder() / "out/ball/view/view-1.toml";
+  ASSERT_TRUE(appears(folder() / "out/ball/view/view-1.json")) << viewer.status().dump(2);
+  viewer.key("m");
+  ASSERT_TRUE(appears(folder() / "out/ball/view/view-1_onoue-2004.png"));
+  viewer.key("q");
+  EXPECT_EQ(viewer.waitForEnd(), 0) << viewer.output();
+
+  const json screen = json::parse(read("out/ball/view/view-1.json"));
+  // The control: the session has changed what is measured.
+  EXPECT_NE(screen.at("panes")[1].at("error_rate"), before.at("panes")[1].at("error_rate"));
+  const Outcome outcome = gnomon({"run", study.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json run = summary("view-1");
+  ASSERT_EQ(run.at("results").size() % 2, 0U);
+  const std::string light = run.at("results")[0].at("light");
+  const std::string view = run.at("results")[0].at("view");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const json& pane = screen.at("panes")[i];
+    expectSameFigures(pane, resultOf(run, pane.at("shows"), light, view));
+  }
+  EXPECT_GT(screen.at("panes")[0].at("error_rate").get<double>(), 0);
+  bool found = false;
+  for (const auto& entry : fs::directory_iterator(folder() / "out/view-1/masks")) {
+    if (entry.path().filename().string().find("onoue-2004") == std::string::npos) continue;
+    found = true;
+    EXPECT_EQ(differingPixels(entry.path(), folder() / "out/ball/view/view-1_onoue-2004.png"), 0U);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(ViewerWindow, OverlaysAndTheListOfKeysComeAndGo) {
+  DrivenViewer viewer = open({});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  viewer.moveTo(480, 360);
+  viewer.key("question");
+  viewer.key("k");
+  viewer.key("v");
+  viewer.key("x");
+  EXPECT_TRUE(viewer.waitFor([](const json& now) {
+    const json& overlays = now.at("overlays");
+    return now.at("help").get<bool>() && overlays.at("curvature").get<bool>() &&
+           overlays.at("directions").get<bool>() && overlays.at("section").get<bool>() &&
+           now.at("complete").get<bool>();
+  })) << viewer.status().dump(2);
+  viewer.clickControl("overlay.curvature", 0.1);
+  viewer.key("Escape");
+  EXPECT_TRUE(viewer.waitFor([](const json& now) {
+    return !now.at("help").get<bool>() && !now.at("overlays").at("curvature").get<bool>();
+  }));
+  viewer.key("q");
+  EXPECT_EQ(viewer.waitForEnd(), 0) << viewer.output();
+}
+
+TEST_F(ViewerWindow, ABrokenShaderIsToldWithItsLineAndTheOldPictureStays) {
+  fs::copy(GNOMON_SHADER_FOLDER, folder() / "shaders", fs::copy_options::recursive);
+  DrivenViewer viewer =
+      open({"--show", "max-forsyth"}, {"GNOMON_SHADERS=" + (folder() / "shaders").string()});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const json figures = viewer.status().at("panes");
+  const std::string good = read("shaders/methods/max-forsyth.glsl");
+  write("shaders/methods/max-forsyth.glsl", good + "\nfloat broken = ;\n");
+  const auto line = std::count(good.begin(), good.end(), '\n') + 2;
+  ASSERT_TRUE(viewer.waitFor([](const json& now) { return !now.at("errors").empty(); }));
+  EXPECT_THAT(viewer.status().at("errors")[0].get<std::string>(),
+              HasSubstr(fmt::format("max-forsyth.glsl:{}:", line)));
+  EXPECT_EQ(viewer.status().at("panes"), figures);
+
+  // Mended with another answer, it shows that answer.
+  const std::string opposite = "bool isShadowed(Pixel pixel, LocalLight light) {";
+  const std::size_t begin = good.find(opposite);
+  ASSERT_NE(begin, std::string::npos);
+  std::string mended = good;
+  mended.insert(begin + opposite.size(), "\n  return true;");
+  write("shaders/methods/max-forsyth.glsl", mended);
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) {
+    return now.at("errors").empty() && now.at("complete").get<bool>() &&
+           now.at("panes")[0].at("false_light") == 0.0 && now.at("panes") != figures;
+  })) << viewer.status().dump(2);
+}
+
+TEST_F(ViewerWindow, ClosesDuringABakeAndDuringATrace) {
+  {
+    DrivenViewer viewer = open({"--set", "relief.texels=[1024, 1024]", "--set", "bake.azimuths=256",
+                                "--set", "bake.radius=1000"});
+    ASSERT_TRUE(viewer.waitFor([](const json& now) {
+      return now.at("baking").at("stage") == "Baking horizons";
+    })) << viewer.output();
+    viewer.key("q");
+    EXPECT_EQ(viewer.waitForEnd(), 0) << viewer.output();
+  }
+  DrivenViewer viewer = open({"--set", "truth.step=0.02"});
+  ASSERT_TRUE(viewer.waitFor([](const json& now) {
+    return now.at("tracing").at("busy").get<bool>();
+  })) << viewer.output();
+  viewer.key("q");
+  EXPECT_EQ(viewer.waitForEnd(), 0) << viewer.output();
+}
+
+TEST_F(ViewerWindow, WithoutADisplayThereIsOneLineAndStatus77) {
+  const Outcome outcome = gnomon({"view", "ball.toml"}, {"DISPLAY=", "WAYLAND_DISPLAY="});
+  EXPECT_EQ(outcome.status, 77);
+  EXPECT_THAT(outcome.err, HasSubstr("no window"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(ViewerWindow, ContentsThatAreNoneAreRefused) {
+  const Outcome outcome =
+      gnomon({"view", "ball.toml", "--show", "nothing", "--screenshot", "picture.png"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--show nothing"));
+  EXPECT_FALSE(fs::exists(folder() / "picture.png"));
+}
+
+}  // namespace
+}  // namespace gnomon::test
