@@ -55,9 +55,12 @@ void DrawnScene::upload(const MethodData& method) {
 }
 
 void DrawnScene::compile(const std::string& label, const MethodData& method, bool again) {
-  const std::string key =
+  std::string key =
       fmt::format("{}\n{}\n{}", method.spec.file.string(), static_cast<int>(method.spec.filter),
                   static_cast<int>(data_->heights->wrap()));
+  for (const auto& [name, value] : method.spec.parameters) {
+    key += fmt::format("\n{}={}", name, value);
+  }
   const auto found = passes_.find(label);
   if (!again && found != passes_.end() && found->second.key == key) return;
   try {
@@ -155,11 +158,6 @@ std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) co
     tables.angles = &own->second.angles;
   }
   return Ready{&method, &pass->second.pass, tables};
-}
-
-void DrawnScene::setParameter(const std::string& label, const std::string& name, double value) {
-  const auto found = passes_.find(label);
-  if (found != passes_.end()) found->second.pass.setParameter(name, value);
 }
 
 }  // namespace gnomon

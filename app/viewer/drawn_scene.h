@@ -44,8 +44,6 @@ class DrawnScene {
     GpuTables tables;
   };
   [[nodiscard]] std::optional<Ready> method(const std::string& label) const;
-  /// Sets a parameter of a method that is there.
-  void setParameter(const std::string& label, const std::string& name, double value);
   /// The method waits for horizons that are shot on the displaced surface.
   [[nodiscard]] bool lacksAngles(const std::string& label) const;
   /// What its file's last compilation said, by label; those that went well are not in it.
@@ -57,7 +55,7 @@ class DrawnScene {
     GpuTable distance;
   };
   struct Compiled {
-    std::string key;  ///< file, filter and wrap
+    std::string key;  ///< file, filter, wrap and parameters
     Method method;
     MethodPass pass;
   };

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "render/method.h"
 #include "render/shader_files.h"
+#include "study/method_replacement.h"
+#include "study/study_table.h"
 #include "study/toml_reader.h"
 
 namespace gnomon {
@@ -39,7 +42,21 @@ Camera firstCamera(const StudySpec& study) {
 
 StudyOptions optionsOf(const ViewRequest& request) {
   StudyOptions options = request.options;
-  options.extraMethods = methodNames(shaderFolder());
+  const toml::table table = studyTable(request.study, request.options);
+  std::set<std::string> labels;
+  std::size_t count = 0;
+  if (const toml::array* methods = table["method"].as_array()) {
+    count = methods->size();
+    for (const toml::node& method : *methods) {
+      if (method.is_table()) labels.insert(methodLabel(*method.as_table()));
+    }
+  }
+  // A study without methods is refused by its reader, which says so better.
+  if (count == 0) return options;
+  for (const std::string& name : methodNames(shaderFolder())) {
+    if (!labels.insert(name).second) continue;
+    options.overrides.push_back(fmt::format("method.{}.name={}", count++, name));
+  }
   return options;
 }
 

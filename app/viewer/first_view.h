@@ -11,7 +11,8 @@ namespace gnomon {
 
 /// What the window opens with.
 
-/// The request's options, and all built-in methods after the study's own.
+/// The request's options, and overrides that add all built-in methods after the study's own.
+/// @throws InputError as parseToml
 StudyOptions optionsOf(const ViewRequest& request);
 
 /// What the file has of keys that sliders move, and StudySpec does not keep; unset where the file

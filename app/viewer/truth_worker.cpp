@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "model/field_lines.h"
-#include "report/images.h"
+#include "report/displaced_image.h"
 #include "truth/displaced_picture.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_horizons.h"

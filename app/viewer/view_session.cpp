@@ -105,12 +105,6 @@ void ViewSession::takeScenes() {
   }
 }
 
-void ViewSession::applyParameters() {
-  for (const auto& [label, change] : state_.changes.methods) {
-    for (const auto& [name, value] : change.parameters) scene_.setParameter(label, name, value);
-  }
-}
-
 /// The light may be followed by a truth that is out of date; another camera has other pixels.
 void ViewSession::forgetTruth(bool cameraMoved) {
   tracer_.cancel();
@@ -135,19 +129,6 @@ void ViewSession::noticeChanges() {
     shownLight_ = state_.light;
     ++serial_;
     forgetTruth(cameraMoved);
-  }
-  if (hasScene()) {
-    applyParameters();
-    std::string parameters;
-    for (const auto& [label, change] : state_.changes.methods) {
-      for (const auto& [name, value] : change.parameters) {
-        parameters += fmt::format("{}.{}={}\n", label, name, value);
-      }
-    }
-    if (parameters != shownParameters_) {
-      shownParameters_ = parameters;
-      ++serial_;
-    }
   }
   if (watch_.changed()) reloadShaders();
 }

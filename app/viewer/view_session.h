@@ -85,7 +85,6 @@ class ViewSession {
   void takeTruths();
   void noticeChanges();
   void askForTruth();
-  void applyParameters();
   void forgetTruth(bool cameraMoved);
   void reloadShaders();
   [[nodiscard]] std::vector<AnglesRequest> missingAngles() const;
@@ -108,7 +107,6 @@ class ViewSession {
   std::uint64_t serial_ = 0;
   Camera shownCamera_;
   LightAngles shownLight_;
-  std::string shownParameters_;
   Clock::time_point cameraMoved_;
 
   KnownTruth truth_;

@@ -1,5 +1,7 @@
 #include "relief/filtered_table.h"
 
+#include "relief/neighbours.h"
+
 #include <cmath>
 #include <cstddef>
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "relief/neighbours.h"
 
 namespace gnomon {
 namespace {

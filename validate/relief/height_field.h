@@ -49,13 +49,4 @@ HeightField inverted(const HeightField& field, double height);
 /// The index of texel i by the wrap rule: i modulo size, or i clamped to [0, size).
 int wrappedIndex(int i, int size, Wrap wrap);
 
-/// The two texels between whose centres a coordinate lies, and its share of the way, 0 to 1.
-struct Neighbours {
-  int first, second;
-  double share;
-};
-
-/// Those of any finite coordinate, texels, by the wrap rule.
-Neighbours neighbours(double coordinate, int size, Wrap wrap);
-
 }  // namespace gnomon

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
-#include <utility>
 
 #include "common/error.h"
 #include "common/memory.h"
@@ -26,29 +25,28 @@ std::string parameterUniforms(const Method& method) {
   return text;
 }
 
-using Parameters = std::map<std::string, MethodParameter>;
-
-/// @param method  its name, for messages
-double checkedValue(const std::string& method, const Parameters& parameters,
-                    const std::string& name, double value) {
-  const auto parameter = parameters.find(name);
-  if (parameter == parameters.end()) {
-    throw InputError(fmt::format("method {}: it has no parameter `{}`", method, name));
+double parameterValue(const Method& method, const std::string& name,
+                      const std::map<std::string, double>& values) {
+  const MethodParameter& parameter = method.parameters.at(name);
+  const auto chosen = values.find(name);
+  if (chosen == values.end()) return parameter.standard;
+  if (!(chosen->second >= parameter.minimum && chosen->second <= parameter.maximum)) {
+    throw InputError(fmt::format("method {}: parameter {} = {}, {} to {} expected", method.name,
+                                 name, chosen->second, parameter.minimum, parameter.maximum));
   }
-  const auto [minimum, maximum] = std::pair(parameter->second.minimum, parameter->second.maximum);
-  if (!(value >= minimum && value <= maximum)) {
-    throw InputError(fmt::format("method {}: parameter {} = {}, {} to {} expected", method, name,
-                                 value, minimum, maximum));
-  }
-  return value;
+  return chosen->second;
 }
 
 std::map<std::string, double> parameterValues(const Method& method,
                                               const std::map<std::string, double>& values) {
-  std::map<std::string, double> all;
-  for (const auto& [name, parameter] : method.parameters) all[name] = parameter.standard;
   for (const auto& [name, value] : values) {
-    all[name] = checkedValue(method.name, method.parameters, name, value);
+    if (method.parameters.count(name) == 0) {
+      throw InputError(fmt::format("method {}: it has no parameter `{}`", method.name, name));
+    }
+  }
+  std::map<std::string, double> all;
+  for (const auto& [name, parameter] : method.parameters) {
+    all[name] = parameterValue(method, name, values);
   }
   return all;
 }
@@ -101,7 +99,6 @@ int bytesPerResolved(TableBits bits) {
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap, TableFilter filter,
                        const std::map<std::string, double>& values)
     : name_(method.name),
-      parameters_(method.parameters),
       tables_(method.tables),
       passes_(method.passes),
       values_(parameterValues(method, values)) {
@@ -112,20 +109,13 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap,
   }
   if (passes_.lightDepth) lightDepth_.emplace(shaders);
   if (passes_.shadowVolumes) volumes_.emplace(shaders);
-  for (const auto& [name, value] : values_) upload(name);
-}
-
-void MethodPass::upload(const std::string& parameter) const {
-  for (const gl::Program* program : {&answer_, resolve_ ? &*resolve_ : nullptr}) {
-    if (program == nullptr) continue;
-    glProgramUniform1f(program->name(), glGetUniformLocation(program->name(), parameter.c_str()),
-                       static_cast<GLfloat>(values_.at(parameter)));
+  for (const auto& [name, value] : values_) {
+    for (const gl::Program* program : {&answer_, resolve_ ? &*resolve_ : nullptr}) {
+      if (program == nullptr) continue;
+      glProgramUniform1f(program->name(), glGetUniformLocation(program->name(), name.c_str()),
+                         static_cast<GLfloat>(value));
+    }
   }
-}
-
-void MethodPass::setParameter(const std::string& name, double value) {
-  values_[name] = checkedValue(name_, parameters_, name, value);
-  upload(name);
 }
 
 int MethodPass::depthSide() const {

@@ -38,10 +38,6 @@ class MethodPass {
   MethodPass(const std::filesystem::path& shaders, const Method& method, Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values);
 
-  /// Gives one of the method's parameters another value.
-  /// @throws InputError for an unknown parameter or a value out of its range
-  void setParameter(const std::string& name, double value);
-
   /// The method's answer for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass
   [[nodiscard]] Mask render(const RenderView& view, const Drawing& drawing,
@@ -61,10 +57,7 @@ class MethodPass {
   /// A side of the depth map, texels.
   [[nodiscard]] int depthSide() const;
 
-  void upload(const std::string& parameter) const;
-
   std::string name_;
-  std::map<std::string, MethodParameter> parameters_;
   MethodTables tables_;
   MethodPasses passes_;
   std::map<std::string, double> values_;  ///< every parameter's

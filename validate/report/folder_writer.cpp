@@ -1,5 +1,6 @@
 #include "report/folder_writer.h"
 
+#include "report/displaced_image.h"
 #include "report/images.h"
 
 namespace gnomon {

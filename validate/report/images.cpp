@@ -3,7 +3,6 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 
-#include <cmath>
 #include <memory>
 
 #include "common/atomic_file.h"
@@ -71,16 +70,6 @@ Shade shadeOf(const Image& image, std::size_t pixel) {
                   pixel % width, pixel / width, colour[0], colour[1], colour[2]));
 }
 
-// As shade.frag shades the base mesh.
-constexpr std::array albedo = {0.86F, 0.80F, 0.72F};
-constexpr float ambient = 0.16F;
-constexpr float gamma = 2.2F;
-
-std::uint8_t shadedByte(float reflectance, float light) {
-  const float linear = reflectance * (ambient + (1 - ambient) * light);
-  return static_cast<std::uint8_t>(std::lround(255 * std::pow(linear, 1 / gamma)));
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* what,
                          const std::string& why) {
   throw InputError(fmt::format("{}: {}: {}", path.string(), what, why));
@@ -108,18 +97,6 @@ Image maskImage(const Mask& mask) {
   requireWhole(mask);
   Image image = emptyImage(mask);
   for (const Shade shade : mask.samples) append(image, maskColour(shade));
-  return image;
-}
-
-Image displacedImage(int width, int height, const std::vector<float>& light) {
-  Image image{width, height, {}};
-  image.rgb.reserve(3 * light.size());
-  for (const float share : light) {
-    for (const float reflectance : albedo) {
-      image.rgb.push_back(share < 0 ? 255 : shadedByte(reflectance, share));
-    }
-  }
-  requireWhole(image);
   return image;
 }
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <vector>
 
 #include "common/mask.h"
 #include "report/image.h"
@@ -41,12 +40,6 @@ Mask maskFromImage(const Image& image);
 /// Where a candidate differs from the truth, and in which direction.
 /// @throws InputError if the sizes differ or only one of the two has a sample somewhere
 Image differenceImage(const Mask& candidate, const Mask& truth);
-
-/// The picture of the displaced surface by its own rays, shaded as the base mesh is, so that both
-/// can be held side by side; background white.
-/// @param light  as displacedPicture gives it, one a pixel
-/// @throws InternalError unless there are width × height values
-Image displacedImage(int width, int height, const std::vector<float>& light);
 
 /// Writes a PNG, whole or not at all. Same image, same bytes.
 /// @throws InputError when the file cannot be written, InternalError for an image without pixels or

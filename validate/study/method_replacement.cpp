@@ -85,18 +85,4 @@ void replaceMethods(toml::table& study, const fs::path& file,
   }
 }
 
-void addMethods(toml::table& study, const std::vector<std::string>& names) {
-  if (names.empty()) return;
-  if (!study.contains("method")) study.insert("method", toml::array{});
-  toml::array* methods = study["method"].as_array();
-  if (methods == nullptr) return;  // whoever reads the study refuses it
-  std::set<std::string> labels;
-  for (const toml::node& entry : *methods) {
-    if (const toml::table* method = entry.as_table()) labels.insert(labelOf(*method));
-  }
-  for (const std::string& name : names) {
-    if (labels.insert(name).second) methods->push_back(toml::table{{"name", name}});
-  }
-}
-
 }  // namespace gnomon

@@ -25,8 +25,4 @@ std::string methodLabel(const toml::table& method);
 void replaceMethods(toml::table& study, const std::filesystem::path& file,
                     const std::vector<std::string>& replacements);
 
-/// Adds built-in methods after a study's own, as `[[method]]` with a name and no other key. Names
-/// that the study has as a label are left out.
-void addMethods(toml::table& study, const std::vector<std::string>& names);
-
 }  // namespace gnomon

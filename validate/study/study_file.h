@@ -138,8 +138,6 @@ struct StudyOptions {
   /// `LABEL=NAME` or `LABEL=FILE.glsl`: another shader in a method's place, see replaceMethods.
   std::vector<std::string> replacements = {};
   bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate leaves them free
-  /// Names of built-in methods that the study gets after its own, as [[method]] with no other key.
-  std::vector<std::string> extraMethods = {};
 };
 
 /// Reads and checks a study: paths in it are relative to its own folder. A `[sweep]` is left to

@@ -6,9 +6,7 @@
 namespace gnomon {
 
 toml::table studyTable(const std::filesystem::path& file, const StudyOptions& options) {
-  toml::table table = parseToml(file, {});
-  addMethods(table, options.extraMethods);
-  applyOverrides(table, options.overrides);  // of added methods, too
+  toml::table table = parseToml(file, options.overrides);
   replaceMethods(table, file, options.replacements);
   return table;
 }

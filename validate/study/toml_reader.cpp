@@ -289,6 +289,8 @@ toml::node* child(toml::node& node, const std::string& part) {
   const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), index);
   if (array == nullptr || failure != std::errc() || end != part.data() + part.size())
     return nullptr;
+  // One past the end is a new entry: an override may add a method, a light or a view.
+  if (index == array->size()) array->push_back(toml::table{});
   return array->get(index);
 }
 
@@ -315,16 +317,12 @@ void applyOverride(toml::table& root, const std::string& text) {
 
 }  // namespace
 
-void applyOverrides(toml::table& table, const std::vector<std::string>& overrides) {
-  for (const std::string& change : overrides) applyOverride(table, change);
-}
-
 toml::table parseToml(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides) {
   const std::string text = readFile(path);
   try {
     toml::table table = toml::parse(text, path.string());
-    applyOverrides(table, overrides);
+    for (const std::string& change : overrides) applyOverride(table, change);
     return table;
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}:{}: {}", path.string(), error.source().begin.line,

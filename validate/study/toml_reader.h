@@ -107,11 +107,6 @@ class TomlReader {
   mutable std::set<std::string, std::less<>> read_;
 };
 
-/// Changes keys of a parsed file.
-/// @param overrides  as parseToml
-/// @throws UsageError as parseToml
-void applyOverrides(toml::table& table, const std::vector<std::string>& overrides);
-
 /// Parses a TOML file and applies overrides.
 /// @param overrides  `key.path=value`, as `relief.height=4` or `light.0.elevation=30`; the value is
 ///   TOML, or a string where it is not
