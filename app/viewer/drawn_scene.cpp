@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "common/error.h"
 
@@ -30,12 +31,17 @@ DrawnMeshData::DrawnMeshData(const MeshData& of)
     : gpu(of.mesh()), volumes(volumesOf(of)), texture(textureView(of.mesh())) {}
 
 void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
-  data_ = std::move(scene);
-  heights_.try_emplace(data_->heights, *data_->heights);
-  for (const auto& [choice, mesh] : data_->meshes) meshes_.try_emplace(mesh, *mesh);
-  for (const auto& [label, method] : data_->methods) {
-    upload(*method);
-    compile(label, *method, false);
+  std::swap(data_, scene);
+  try {
+    heights_.try_emplace(data_->heights, *data_->heights);
+    for (const auto& [choice, mesh] : data_->meshes) meshes_.try_emplace(mesh, *mesh);
+    for (const auto& [label, method] : data_->methods) {
+      upload(*method);
+      compile(label, *method, false);
+    }
+  } catch (...) {
+    std::swap(data_, scene);
+    throw;
   }
   dropUnused();
 }

@@ -25,7 +25,9 @@ class DrawnScene {
  public:
   explicit DrawnScene(std::filesystem::path shaders) : shaders_(std::move(shaders)) {}
 
-  /// Uploads a scene in the place of the one before, and compiles its methods.
+  /// Uploads a scene in the place of the one before, which stays where that fails, and compiles
+  /// its methods.
+  /// @throws InputError for what is larger than OpenGL takes
   void install(std::shared_ptr<const SceneData> scene);
   /// Compiles all methods again from their files. One that fails stays as it was.
   void reloadShaders();

@@ -129,6 +129,7 @@ void runWindow(const ViewRequest& request) {
     screen.arrange(width, height);
     const bool drawn = session.update();
     const SaveActions pressed = screen.describe(frames, said, input.activePane());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     gui.draw(width, height);
     const SaveActions save = both(asked.save, pressed);
     if (save.screenshot) {
@@ -153,9 +154,9 @@ void takeScreenshot(const ViewRequest& request) {
   Screen screen(session);
   FrameLog frames;
   constexpr float nowhere = -std::numeric_limits<float>::max();
-  const ImVec2 cursor = request.cursor ? ImVec2(static_cast<float>(request.cursor->at(0)),
-                                                static_cast<float>(request.cursor->at(1)))
-                                       : ImVec2(nowhere, nowhere);
+  const ImVec2 cursor = request.cursor.size() == 2 ? ImVec2(static_cast<float>(request.cursor[0]),
+                                                            static_cast<float>(request.cursor[1]))
+                                                   : ImVec2(nowhere, nowhere);
   screen.arrange(request.width, request.height);
   while (true) {
     session.update();

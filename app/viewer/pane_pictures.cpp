@@ -172,7 +172,9 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
   }
   const PartialTruth* partial = truthOf(truth, *mesh, state.camera);
   const auto operand = [&](const std::string& name) -> std::optional<Mask> {
-    if (name == PaneContent::truth) return partial ? partial->preview : emptyMask(state.camera);
+    // A truth of the light before is no measure: until there is another, nothing differs.
+    const bool usable = partial != nullptr && !(truth.stale && content.isDifference());
+    if (name == PaneContent::truth) return usable ? partial->preview : emptyMask(state.camera);
     const Mask* mask = methodMask(scene, state, name, serial);
     return mask != nullptr ? std::optional(*mask) : std::nullopt;
   };

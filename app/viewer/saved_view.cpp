@@ -36,6 +36,7 @@ std::string saveStudyView(const ViewSession& session) {
   state.file = session.request().study;
   state.options = session.shownOptions();
   state.methods = shownMethods(session.state());
+  if (state.methods.empty()) state.methods = {session.labels().front()};
   state.camera = session.state().camera;
   state.light = session.state().light;
   saveStudy(state, path);

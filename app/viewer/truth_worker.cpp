@@ -173,7 +173,7 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
       }
       if (result.picture || result.curvature) publish(job, std::move(result));
     }
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     TruthResult result;
     result.error = error.what();
     job.publish(std::move(result));

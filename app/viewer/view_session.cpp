@@ -19,7 +19,7 @@ sceneWork(const std::filesystem::path& file) {
         try {
           result.scene =
               maker->make(request, [&](const std::string& stage) { return job.progress(stage); });
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
           result.error = error.what();
         }
         job.publish(std::move(result));
@@ -95,7 +95,12 @@ void ViewSession::takeScenes() {
     if (!result->scene) continue;
     const bool sameTruth = hasScene() && scene()->keys.truth == result->scene->keys.truth;
     auto old = scene_.sharedData();
-    scene_.install(std::move(result->scene));
+    try {
+      scene_.install(std::move(result->scene));
+    } catch (const Error& error) {
+      sceneError_ = error.what();
+      continue;
+    }
     baker_.dispose(std::move(old));
     std::vector<std::filesystem::path> files;
     for (const auto& [label, method] : scene()->methods) files.push_back(method->spec.file);
@@ -244,7 +249,11 @@ bool ViewSession::update() {
   askForScene();
   takeScenes();
   if (!hasScene()) return false;
-  askForTruth();
+  try {
+    askForTruth();
+  } catch (const Error& error) {
+    truthError_ = error.what();
+  }
   takeTruths();
   const bool drawn = pictures_.draw(scene_, state_, truth_, serial_);
   throwOnGlError("drawing the panes");

@@ -221,7 +221,6 @@ TEST_F(ViewerWindow, ASavedStudyReproducesTheFiguresOnTheScreen) {
   const Outcome outcome = gnomon({"run", study.string()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const json run = summary("view-1");
-  ASSERT_EQ(run.at("results").size() % 2, 0U);
   const std::string light = run.at("results")[0].at("light");
   const std::string view = run.at("results")[0].at("view");
   for (std::size_t i = 0; i < 2; ++i) {
@@ -290,8 +289,8 @@ TEST_F(ViewerWindow, ABrokenShaderIsToldWithItsLineAndTheOldPictureStays) {
 
 TEST_F(ViewerWindow, ClosesDuringABakeAndDuringATrace) {
   {
-    DrivenViewer viewer = open({"--set", "relief.texels=[1024, 1024]", "--set", "bake.azimuths=256",
-                                "--set", "bake.radius=1000"});
+    DrivenViewer viewer = open({"--set", "relief.texels=[512, 512]", "--set", "bake.azimuths=128",
+                                "--set", "bake.radius=500"});
     ASSERT_TRUE(viewer.waitFor([](const json& now) {
       return now.at("baking").at("stage") == "Baking horizons";
     })) << viewer.output();

@@ -21,10 +21,10 @@ struct ViewRequest {
   /// What the panes show, "onoue-2004", "truth", "displaced" or "onoue-2004:truth": one, two or
   /// four; empty for the study's first methods.
   std::vector<std::string> show;
-  std::vector<std::string> overlays;       ///< "curvature", "directions", "section"
-  bool panel = true;                       ///< the controls are shown
-  bool help = false;                       ///< and the list of keys
-  std::optional<std::vector<int>> cursor;  ///< x and y of the cursor without a display, pixels
+  std::vector<std::string> overlays;  ///< "curvature", "directions", "section"
+  bool panel = true;                  ///< the controls are shown
+  bool help = false;                  ///< and the list of keys
+  std::vector<int> cursor;  ///< x and y of the cursor without a display, pixels; empty for none
   /// Renders the window's content without a display once the truth is whole, and leaves.
   std::optional<std::filesystem::path> screenshot;
   bool frames = false;  ///< print the times of frames at the end
