@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "model/toml_text.h"
 #include "study/method_replacement.h"
 #include "study/study_table.h"
 
@@ -149,20 +149,16 @@ std::string savedStudy(const StudyState& state, const fs::path& target) {
                             {"elevation", state.light->elevation}};
     study.insert_or_assign("light", toml::array{light});
   }
-  std::ostringstream text;
-  text << study << "\n";
-  return text.str();
+  try {
+    return tomlText(
+        study, {"study", "surface", "relief", "bake", "base", "truth", "view", "light", "method"});
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: cannot be saved: {}", target.string(), error.what()));
+  }
 }
 
 void saveStudy(const StudyState& state, const fs::path& target) {
-  const std::string text = savedStudy(state, target);
-  try {
-    (void)toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    // A path that is no UTF-8 cannot be written in TOML.
-    throw InputError(fmt::format("{}: cannot be saved: {}", target.string(), error.description()));
-  }
-  writeTextAtomically(target, text);
+  writeTextAtomically(target, savedStudy(state, target));
 }
 
 }  // namespace gnomon

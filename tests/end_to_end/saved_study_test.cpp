@@ -1,0 +1,75 @@
+#include "model/saved_study.h"
+
+#include <gtest/gtest.h>
+
+#include "end_to_end/program.h"
+
+// A saved state of the viewer, run: the same figures and masks as the study run with the state's
+// settings.
+
+namespace gnomon::test {
+namespace {
+
+class SavedRun : public EndToEnd {};
+
+TEST_F(SavedRun, HasTheFiguresAndMasksOfTheStateItHolds) {
+  write("small.toml", smallStudy());
+  StudyChanges changes;
+  changes.height = 6.5;
+  changes.bake.azimuths = 12;
+  StudyState state;
+  state.file = file("small.toml");
+  state.options.overrides = overridesOf(changes, state.file);
+  Camera camera;
+  camera.eye = {20, -60.5, 55};
+  camera.up = {0, 0, 1};
+  camera.verticalFov = radians(35);
+  camera.width = 128;
+  camera.height = 96;
+  state.camera = camera;
+  state.light = LightAngles{47.125, 22.5};
+  std::filesystem::create_directories(file("saved"));
+  saveStudy(state, file("saved/state.toml"));
+
+  const Outcome saved = gnomon({"run", "saved/state.toml", "--quick"});
+  ASSERT_EQ(saved.status, 0) << saved.err;
+  const Outcome original = gnomon({"run",
+                                   "small.toml",
+                                   "--quick",
+                                   "--set",
+                                   "relief.height=6.5",
+                                   "--set",
+                                   "bake.azimuths=12",
+                                   "--set",
+                                   "view.0.eye=[20, -60.5, 55]",
+                                   "--set",
+                                   "view.0.up=[0, 0, 1]",
+                                   "--set",
+                                   "view.0.fov=35",
+                                   "--set",
+                                   "view.0.width=128",
+                                   "--set",
+                                   "view.0.height=96",
+                                   "--set",
+                                   "light.0.azimuth=47.125",
+                                   "--set",
+                                   "light.0.elevation=22.5",
+                                   "--set",
+                                   "light.0.name=elevation 22.5° azimuth 47.125°"});
+  ASSERT_EQ(original.status, 0) << original.err;
+  const nlohmann::json results = summary("state").at("results");
+  EXPECT_GT(results.size(), 2U);
+  EXPECT_EQ(results, summary("small").at("results"));
+  const std::vector<std::string> masks = filesBelow("out/state/masks");
+  EXPECT_EQ(masks.size(), 3U);  // the truth and two methods
+  for (const std::string& mask : masks) {
+    EXPECT_EQ(read("out/state/masks/" + mask), read("out/small/masks/" + mask));
+  }
+  // Not those of the study as it was.
+  const Outcome unchanged = gnomon({"run", "small.toml", "--quick", "--out", "plain"});
+  ASSERT_EQ(unchanged.status, 0) << unchanged.err;
+  EXPECT_NE(results, summary("small", "plain").at("results"));
+}
+
+}  // namespace
+}  // namespace gnomon::test
