@@ -7,7 +7,8 @@ namespace gnomon {
 std::optional<Occluder> firstOccluder(const LimitSurface& surface, const Relief& relief,
                                       const MicroMesh& mesh, const MicroScene& scene,
                                       const OccluderQuery& query) {
-  const SamplePlace place = samplePlace(surface, relief.texelsPerUv(), mesh, query.sample);
+  SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
+  const SamplePlace place = placer.place(query.sample);
   if (!place.defined) return std::nullopt;
   const Facet& facet = place.facet;
   if (glm::dot(facet.normal, query.light) <= 0) {
