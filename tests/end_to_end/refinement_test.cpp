@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "end_to_end/program.h"
 
 // [truth] uncertainty: the micro-mesh is refined until the truth is as certain as is asked for.
@@ -34,7 +36,7 @@ TEST_F(Refinement, StopsAtTheFirstLevelThatIsCertainEnough) {
   EXPECT_EQ(truth.at("uncertainty"), levels.back().at("flip_rate"));
   EXPECT_EQ(truth.at("step_texels"), levels.back().at("step_texels"));
   EXPECT_EQ(truth.at("micro_triangles"), levels.back().at("micro_triangles"));
-  EXPECT_THAT(read("out/small/report.html"), HasSubstr("Refined until at most 0.40"));
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("Refined until at most 0.4 %"));
 }
 
 TEST_F(Refinement, IsTheRunAtTheStepThatItFinds) {
@@ -48,13 +50,24 @@ TEST_F(Refinement, IsTheRunAtTheStepThatItFinds) {
 }
 
 TEST_F(Refinement, SaysWhatIsReachedWhereTheWishIsNot) {
-  write("small.toml", wanting(0.004));
-  // On so large a map two levels already go beyond what is allowed or fits.
-  const Outcome outcome = gnomon({"truth", "small.toml", "--set", "truth.uncertainty=1e-9", "--set",
-                                  "relief.texels=[4096, 4096]", "--set", "relief.repeats=[4, 4]"});
-  EXPECT_NE(outcome.status, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("truth.uncertainty = 1e-09 is not reached"));
+  // One long face: its third level has more lines than a grid can have.
+  const std::string text = replaced(replaced(wanting(0.004), "quads = [4, 4]", "quads = [1, 1]"),
+                                    "texels = [32, 32]", "texels = [9000, 4]");
+  write("small.toml", replaced(text, "uncertainty = 0.004", "uncertainty = 1e-9 # "));
+  const Outcome outcome = gnomon({"truth", "small.toml"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("truth.uncertainty = 1e-09 is not reached: 0."));
+  EXPECT_THAT(outcome.err, HasSubstr("at a step of 0.5 texels (288000 micro-triangles). The next "
+                                     "level: truth.step = 0.25: 36000 lines across one face"));
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_TRUE(filesBelow("out").empty());
+}
+
+TEST_F(Refinement, IsRefusedBesideAStep) {
+  write("small.toml", smallStudy());
+  const Outcome outcome = gnomon({"truth", "small.toml", "--set", "truth.uncertainty=0.001"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("truth.uncertainty: `step` found beside it"));
 }
 
 }  // namespace

@@ -161,10 +161,13 @@ std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder)
     }
   }
   const std::vector<PictureLayers> layers = builder.layers();
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    html += layerHtml("lit", i, webPicture(layers[i].lit, fineQuality)) +
-            layerHtml("dark", i, webPicture(layers[i].dark, fineQuality));
-  }
+  std::vector<std::string> parts(2 * layers.size());
+  parallelFor(0, parts.size(), [&](std::size_t k) {
+    const PictureLayers& of = layers[k / 2];
+    parts[k] = k % 2 == 0 ? layerHtml("lit", k / 2, webPicture(of.lit, fineQuality))
+                          : layerHtml("dark", k / 2, webPicture(of.dark, fineQuality));
+  });
+  for (const std::string& part : parts) html += part;
   return html.empty() ? "" : "<div class=\"layers\" hidden>\n" + html + "</div>\n";
 }
 

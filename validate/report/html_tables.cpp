@@ -242,11 +242,11 @@ std::string refinementTable(const std::vector<RefinementRecord>& levels) {
   for (const RefinementRecord& level : levels) {
     body += fmt::format("<tr>{}{}{}</tr>\n", numberCell(stepText(level.stepTexels)),
                         numberCell(groupedText(level.microTriangles)),
-                        numberCell(rateText(level.flipRate)));
+                        numberCell(flipText(level.flipRate)));
   }
   return htmlTable(
       "refinement",
-      headCells({}, {"Step, texels", "Micro-triangles", "Differ from the level before"}), body);
+      headCells({}, {"Step, texels", "Micro-triangles", "Differ from the level before, %"}), body);
 }
 
 std::string timingTable(const std::vector<TimingRecord>& timings) {

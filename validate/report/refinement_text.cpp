@@ -10,16 +10,20 @@ std::string stepText(double texels) {
   return fmt::format("{:.4g}", requireFinite(texels, "truth.step_texels"));
 }
 
+std::string flipText(std::optional<double> rate) {
+  return rate ? fmt::format("{:.3g}", 100 * requireFinite(*rate, "flip rate")) : "–";
+}
+
 std::string refinementText(const TruthRecord& truth) {
   if (!truth.wantedUncertainty) return "";
   std::string text =
       fmt::format("Refined until at most {} % of the samples differ from the level before:",
-                  percentText(truth.wantedUncertainty));
+                  flipText(truth.wantedUncertainty));
   const char* separator = " ";
   for (const RefinementRecord& level : truth.refinement) {
     text += fmt::format("{}step {} ({} micro-triangles", separator, stepText(level.stepTexels),
                         groupedText(level.microTriangles));
-    text += level.flipRate ? fmt::format(", {} %)", percentText(level.flipRate)) : ")";
+    text += level.flipRate ? fmt::format(", {} %)", flipText(level.flipRate)) : ")";
     separator = ", ";
   }
   return text + ".";

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/atomic_file.h"
+#include "common/parallel.h"
 #include "report/bin_files.h"
 #include "report/budget_files.h"
 #include "report/frontier.h"
@@ -27,11 +28,21 @@ constexpr std::array files = {"summary.json", "report.html",  "metrics.csv", "bi
                               "table.tex",    "sweep.svg",    "frontier.svg"};
 constexpr const char* plotFolder = "plots";
 
-DrawnPlot writePlot(PlotSheet sheet, const fs::path& folder) {
-  std::string svg = svgOf(sheet);
-  writeTextAtomically(folder / plotFolder / (sheet.name + ".svg"), svg);
-  writeTextAtomically(folder / plotFolder / (sheet.name + ".pdf"), pdfOf(sheet));
-  return {std::move(sheet), std::move(svg)};
+/// Both formats of all plots, each drawn by a process of its own.
+std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, const fs::path& folder) {
+  std::vector<DrawnPlot> plots;
+  for (PlotSheet& sheet : sheets) plots.push_back({std::move(sheet), ""});
+  parallelFor(0, 2 * plots.size(), [&](std::size_t k) {
+    auto& [sheet, svg] = plots[k / 2];
+    const fs::path file = folder / plotFolder / sheet.name;
+    if (k % 2 == 0) {
+      svg = svgOf(sheet);
+      writeTextAtomically(file.string() + ".svg", svg);
+    } else {
+      writeTextAtomically(file.string() + ".pdf", pdfOf(sheet));
+    }
+  });
+  return plots;
 }
 
 }  // namespace
@@ -55,18 +66,15 @@ void writeRunFiles(const StudyRecord& record, const fs::path& folder) {
   const std::vector<FrontierPoint> points = frontier(record);
   if (!points.empty()) writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
   if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
-  std::vector<DrawnPlot> plots;
-  for (PlotSheet& sheet : studyPlots(record)) {
-    plots.push_back(writePlot(std::move(sheet), folder));
-  }
+  const std::vector<DrawnPlot> plots = writePlots(studyPlots(record), folder);
   writeTextAtomically(folder / "report.html", reportHtml(record, folder, plots));
   writeTextAtomically(folder / "summary.json", summaryJson(record));
 }
 
 void writeSweepFiles(const SweepRecord& sweep, const fs::path& folder) {
   writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
-  const DrawnPlot plot = writePlot(sweepPlot(sweep), folder);
-  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plot.svg));
+  const std::vector<DrawnPlot> plots = writePlots({sweepPlot(sweep)}, folder);
+  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plots.front().svg));
   writeTextAtomically(folder / "summary.json", sweepJson(sweep));
 }
 

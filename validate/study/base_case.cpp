@@ -26,7 +26,8 @@ void requireRoom(const StudySpec& study, const RenderView& view, const std::stri
   constexpr double bytesWhileRendering = 64;
   constexpr double bytesOfWeightsAndPlaces =
       sizeof(double) + sizeof(SurfaceSample) + sizeof(std::uint8_t);
-  constexpr double bytesOfTruth = sizeof(Shade) + sizeof(Region) + 1;  // and whether at a seam
+  // A truth, the coarser one that it is held against, and whether the path crosses a seam.
+  constexpr double bytesOfTruth = 2 * (sizeof(Shade) + sizeof(Region)) + 1;
   requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
                            bytesOfTruth * static_cast<double>(study.lights.size()) +
                            sizeof(Shade) * static_cast<double>(study.methods.size())),
