@@ -55,10 +55,13 @@ Image shrunk(const Image& image, int side) {
   Image small{scaled(image.width), scaled(image.height), {}};
   small.rgb.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height) *
                    3);
-  OIIO::ImageBuf source(specOf(image.width, image.height));
+  // Around the picture's own pixels, which are only read; on this thread, since pictures are
+  // embedded side by side.
+  const OIIO::ImageBuf source(specOf(image.width, image.height),
+                              const_cast<unsigned char*>(image.rgb.data()));
   const OIIO::ROI target(0, small.width, 0, small.height, 0, 1, 0, 3);
-  const bool resized = source.set_pixels(source.roi(), OIIO::TypeDesc::UINT8, image.rgb.data()) &&
-                       OIIO::ImageBufAlgo::resize(source, "lanczos3", 0, target)
+  constexpr int threads = 1;
+  const bool resized = OIIO::ImageBufAlgo::resize(source, "lanczos3", 0, target, threads)
                            .get_pixels(target, OIIO::TypeDesc::UINT8, small.rgb.data());
   if (!resized)
     throw InternalError("OpenImageIO: a picture cannot be shrunk: " + source.geterror());
