@@ -275,7 +275,7 @@ TEST_F(StudyFile, TheTruthHasAStepOrAnUncertainty) {
   EXPECT_FALSE(read(plainStudy).truthUncertainty);
   EXPECT_EQ(readWith({"truth.uncertainty=0.001"}).truthUncertainty, 0.001);
   EXPECT_EQ(failure(std::string(plainStudy) + "[truth]\nstep = 0.25\nuncertainty = 0.001\n"),
-            "plain.toml:45: truth.uncertainty: `step` found beside it, one of the two expected");
+            "plain.toml:39: truth.uncertainty: `step` found beside it, one of the two expected");
   EXPECT_THAT(failureWith({"truth.uncertainty=0"}), HasSubstr("truth.uncertainty: 0 found"));
   EXPECT_THAT(failureWith({"truth.uncertainty=2"}), HasSubstr("truth.uncertainty: 2 found"));
 }
