@@ -11,6 +11,7 @@ find_package(CLI11 REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(glfw3 REQUIRED)
+find_package(hwy REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
 
 # Dear ImGui ships a pkg-config file only; only the viewer needs it, so it is not installed.

@@ -3,12 +3,17 @@
 // rows is how many times as fast it is, measured in the same process.
 
 #include <benchmark/benchmark.h>
+#include <hwy/targets.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -19,13 +24,15 @@
 #include "common/vec.h"
 #include "relief/height_field.h"
 #include "relief/horizon_bake.h"
+#include "relief/horizon_rows.h"
+#include "relief/stored_bake.h"
 
 namespace {
 using gnomon::HeightField;
 using gnomon::Vec2;
 using gnomon::Wrap;
 
-constexpr float amplitude = 60;
+constexpr float amplitude = 60;  // texels
 
 /// Uncorrelated heights: nothing to skip but what the bounds give.
 HeightField noise(int size) {
@@ -47,8 +54,78 @@ HeightField hills(int size) {
   return {size, size, std::move(texels), Wrap::repeat};
 }
 
-HeightField makeMap(const std::string& name, int size) {
-  return name == "noise" ? noise(size) : hills(size);
+/// In place: a_j becomes the sum of a_k exp(2πi jk / n), n a power of two.
+void transform(std::vector<std::complex<double>>& a) {
+  const std::size_t n = a.size();
+  if (n == 1) return;
+  std::vector<std::complex<double>> even(n / 2), odd(n / 2);
+  for (std::size_t i = 0; i < n / 2; ++i) {
+    even[i] = a[2 * i];
+    odd[i] = a[2 * i + 1];
+  }
+  transform(even);
+  transform(odd);
+  for (std::size_t k = 0; k < n / 2; ++k) {
+    const double angle = 2 * gnomon::pi * static_cast<double>(k) / static_cast<double>(n);
+    const std::complex<double> turned = std::polar(1.0, angle) * odd[k];
+    a[k] = even[k] + turned;
+    a[k + n / 2] = even[k] - turned;
+  }
+}
+
+/// Terrain that repeats: waves of random phase, their amplitudes the frequency to the power
+/// -exponent, from 0 to `amplitude` high. Power spectra as f⁻³ (exponent 1.5) are rough, as f⁻⁴
+/// (exponent 2) smooth.
+HeightField terrain(int size, double exponent) {
+  const auto n = static_cast<std::size_t>(size);
+  std::mt19937 random(7);
+  std::vector<std::vector<std::complex<double>>> waves(n, std::vector<std::complex<double>>(n));
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const double f = std::hypot(x <= size / 2 ? x : x - size, y <= size / 2 ? y : y - size);
+      const double phase = 2 * gnomon::pi * static_cast<double>(random()) * 0x1p-32;
+      if (f > 0)
+        waves[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
+            std::polar(std::pow(f, -exponent), phase);
+    }
+  }
+  for (auto& row : waves) transform(row);
+  for (std::size_t x = 0; x < n; ++x) {
+    std::vector<std::complex<double>> column(n);
+    for (std::size_t y = 0; y < n; ++y) column[y] = waves[y][x];
+    transform(column);
+    for (std::size_t y = 0; y < n; ++y) waves[y][x] = column[y];
+  }
+  double low = 0;
+  double high = 0;
+  for (const auto& row : waves) {
+    for (const auto& wave : row) {
+      low = std::min(low, wave.real());
+      high = std::max(high, wave.real());
+    }
+  }
+  std::vector<float> texels;
+  for (const auto& row : waves) {
+    for (const auto& wave : row) {
+      texels.push_back(amplitude * static_cast<float>((wave.real() - low) / (high - low)));
+    }
+  }
+  return {size, size, std::move(texels), Wrap::repeat};
+}
+
+enum class Map { smooth, rough, noise, hills };
+
+HeightField makeMap(Map map, int size) {
+  switch (map) {
+    case Map::smooth:
+      return terrain(size, 2);
+    case Map::rough:
+      return terrain(size, 1.5);
+    case Map::noise:
+      return noise(size);
+    default:
+      return hills(size);
+  }
 }
 
 /// The horizon by unit steps of the bilinear function, up to where the map's highest texel could no
@@ -64,12 +141,12 @@ double march(const HeightField& field, Vec2 p, Vec2 e, double radius) {
 }
 
 /// Horizons a second of the march, one thread, from a sample of texels; measured once a map.
-double marchRate(const std::string& name, int size, int radius) {
-  static std::map<std::tuple<std::string, int, int>, double> known;
-  const auto key = std::make_tuple(name, size, radius);
+double marchRate(Map map, const HeightField& field, int radius) {
+  static std::map<std::tuple<Map, int, int>, double> known;
+  const int size = field.width();
+  const auto key = std::make_tuple(map, size, radius);
   if (const auto found = known.find(key); found != known.end()) return found->second;
-  const HeightField field = makeMap(name, size);
-  constexpr int samples = 20000;
+  constexpr int samples = 4000;
   std::mt19937 random(1);
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < samples; ++i) {
@@ -84,42 +161,89 @@ double marchRate(const std::string& name, int size, int radius) {
   return known[key] = samples / seconds.count();
 }
 
-void bake(benchmark::State& state, const std::string& name) {
-  const auto size = static_cast<int>(state.range(0));
-  const auto radius = static_cast<int>(state.range(1));
-  const auto threads = static_cast<std::size_t>(state.range(2));
-  constexpr int azimuths = 16;
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const HeightField field = makeMap(name, size);
-  const double baseline = marchRate(name, size, radius);
-  std::chrono::duration<double> seconds{0};
-  for (auto _ : state) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto tables = gnomon::bakeHorizons(field, {azimuths, static_cast<double>(radius)});
-    benchmark::DoNotOptimize(tables.horizon.data());
-    seconds += std::chrono::steady_clock::now() - start;
-  }
-  const double horizons = static_cast<double>(state.iterations()) * azimuths * size * size;
-  state.counters["horizons/s"] = horizons / seconds.count();
-  state.counters["march/s"] = baseline;
-  state.counters["ratio"] = horizons / seconds.count() / baseline;
+/// What is baked; `target` is one of Google Highway's, 0 for the best of this processor.
+struct BakeCase {
+  Map map;
+  int size;
+  int radius;
+  std::size_t threads = 1;
+  std::int64_t target = 0;
+};
+
+constexpr int azimuths = 32;
+
+void measure(benchmark::State& state, const BakeCase& c, const std::function<void()>& bake) {
+  const double horizons = static_cast<double>(azimuths) * c.size * c.size;
+  for (auto _ : state) bake();
+  using benchmark::Counter;
+  state.counters["horizons/s"] = Counter(horizons, Counter::kIsIterationInvariantRate);
+  state.counters["size"] = c.size;
+  state.counters["radius"] = c.radius;
+  state.counters["threads"] = static_cast<double>(c.threads);
 }
 
-BENCHMARK_CAPTURE(bake, noise, "noise")
-    ->ArgNames({"size", "radius", "threads"})
-    ->Args({512, 512, 1})
-    ->Args({512, 512, 2})
-    ->Args({512, 128, 1})
-    ->Args({256, 32, 1})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(bake, hills, "hills")
-    ->ArgNames({"size", "radius", "threads"})
-    ->Args({512, 512, 1})
-    ->Args({512, 128, 1})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+void bake(benchmark::State& state, const BakeCase& c) {
+  hwy::SetSupportedTargetsForTest(c.target);
+  state.SetLabel(gnomon::bakeInstructionSet());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, c.threads);
+  const HeightField field = makeMap(c.map, c.size);
+  double best = 1e30;
+  measure(state, c, [&] {
+    const auto start = std::chrono::steady_clock::now();
+    const auto tables = gnomon::bakeHorizons(field, {azimuths, static_cast<double>(c.radius)});
+    benchmark::DoNotOptimize(tables.horizon.data());
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    best = std::min(best, seconds.count());
+  });
+  hwy::SetSupportedTargetsForTest(0);
+  const double rate = static_cast<double>(azimuths) * c.size * c.size / best;
+  const double baseline = marchRate(c.map, field, c.radius);
+  state.counters["best horizons/s"] = rate;
+  state.counters["march/s"] = baseline;
+  state.counters["ratio"] = rate / baseline;
+}
+
+/// Straight to 8-bit tables, without the floats.
+void bakeStored(benchmark::State& state, const BakeCase& c) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, c.threads);
+  const HeightField field = makeMap(c.map, c.size);
+  measure(state, c, [&] {
+    const auto tables = gnomon::bakeStoredHorizons(field, {azimuths, static_cast<double>(c.radius)},
+                                                   gnomon::TableBits::eight);
+    benchmark::DoNotOptimize(tables.horizon.bytes.data());
+  });
+}
+
+void registerCase(const std::string& name, void (*run)(benchmark::State&, const BakeCase&),
+                  const BakeCase& c) {
+  benchmark::RegisterBenchmark(name.c_str(), run, c)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+void registerCases() {
+  const std::map<std::string, Map> maps{
+      {"smooth", Map::smooth}, {"rough", Map::rough}, {"noise", Map::noise}, {"hills", Map::hills}};
+  for (const auto& [name, map] : maps) registerCase("map/" + name, bake, {map, 512, 512});
+  for (const std::size_t threads : {1U, 2U}) {
+    registerCase("threads/" + std::to_string(threads), bake, {Map::smooth, 512, 512, threads});
+  }
+  for (const std::int64_t target : std::array<std::int64_t, 4>{HWY_EMU128, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
+    if ((hwy::SupportedTargets() & target) == 0) continue;
+    registerCase(std::string("target/") + hwy::TargetName(target), bake,
+                 {Map::smooth, 512, 512, 1, target});
+  }
+  for (int radius = 8; radius <= 4096; radius *= 2) {
+    registerCase("radius/" + std::to_string(radius), bake, {Map::smooth, 512, radius});
+  }
+  for (int size = 128; size <= 2048; size *= 2) {
+    registerCase("size/" + std::to_string(size), bake, {Map::smooth, size, 128});
+  }
+  registerCase("stored", bakeStored, {Map::smooth, 512, 512});
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  registerCases();
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -33,9 +33,10 @@ struct HorizonTables {
 /// tables in one sweep, on all threads; results depend neither on their number nor on the
 /// processor's vectors (unless the heights span less than about 1e-36, where floats lose digits).
 ///
-/// A slope found at r counts as greater than one at r' < r only if it exceeds it by more than
-/// 2⁻²⁰ (highest - lowest) / max(r', 1), about what float rounding may add to either. So d is 0 on
-/// a plane and at the near end of anything that rises evenly, and δ is off by no more than that.
+/// δ is the greatest of these slopes. A slope found at r counts as equal to it if it is less by no
+/// more than 2⁻²⁰ (highest - lowest) / max(r, 1), about what float rounding may add to either; d is
+/// the smallest r with such a slope. So d is 0 on a plane and at the near end of anything that
+/// rises evenly.
 /// @throws InputError for settings out of range (`bake.azimuths`, `bake.radius`) or heights more
 ///   than 1e37 apart; MemoryError if the tables cannot fit
 HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,

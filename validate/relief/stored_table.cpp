@@ -31,21 +31,13 @@ void checkFinite(const std::vector<float>& values) {
 }
 
 template <typename Code>
-std::vector<std::uint8_t> encode(const std::vector<float>& values, double low, double high,
-                                 double largest) {
-  std::vector<std::uint8_t> bytes(values.size() * sizeof(Code));
+void encode(std::span<const float> values, double low, double high, double largest,
+            std::uint8_t* bytes) {
   const double scale = high > low ? largest / (high - low) : 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto code = static_cast<Code>(std::lround((values[i] - low) * scale));
-    std::memcpy(bytes.data() + i * sizeof(Code), &code, sizeof(Code));
+    std::memcpy(bytes + i * sizeof(Code), &code, sizeof(Code));
   }
-  return bytes;
-}
-
-std::vector<std::uint8_t> copyBytes(const std::vector<float>& values) {
-  std::vector<std::uint8_t> bytes(values.size() * sizeof(float));
-  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return bytes;
 }
 
 }  // namespace
@@ -59,26 +51,36 @@ float StoredTable::value(std::size_t entry) const {
       std::lerp(static_cast<double>(low), static_cast<double>(high), code / largestCode(bits)));
 }
 
-StoredTable storeTable(const std::vector<float>& values, TableBits bits) {
-  checkFinite(values);
-  StoredTable table;
-  table.bits = bits;
-  if (!values.empty()) {
-    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    table.low = *least;
-    table.high = *greatest;
-  }
+void StoredTable::set(std::size_t entry, std::span<const float> values) {
+  std::uint8_t* to = bytes.data() + entry * static_cast<std::size_t>(bits) / 8;
   switch (bits) {
     case TableBits::eight:
-      table.bytes = encode<std::uint8_t>(values, table.low, table.high, largestCode(bits));
+      encode<std::uint8_t>(values, low, high, largestCode(bits), to);
       break;
     case TableBits::sixteen:
-      table.bytes = encode<std::uint16_t>(values, table.low, table.high, largestCode(bits));
+      encode<std::uint16_t>(values, low, high, largestCode(bits), to);
       break;
     case TableBits::thirtyTwo:
-      table.bytes = copyBytes(values);
+      if (!values.empty()) std::memcpy(to, values.data(), values.size_bytes());
       break;
   }
+}
+
+StoredTable emptyTable(std::size_t entries, TableBits bits, float low, float high) {
+  return {bits, low, high, std::vector<std::uint8_t>(entries * static_cast<std::size_t>(bits) / 8)};
+}
+
+StoredTable storeTable(const std::vector<float>& values, TableBits bits) {
+  checkFinite(values);
+  float low = 0;
+  float high = 0;
+  if (!values.empty()) {
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    low = *least;
+    high = *greatest;
+  }
+  StoredTable table = emptyTable(values.size(), bits, low, high);
+  table.set(0, values);
   return table;
 }
 

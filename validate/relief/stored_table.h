@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gnomon {
@@ -22,6 +23,8 @@ struct StoredTable {
     return bytes.size() * 8 / static_cast<std::size_t>(bits);
   }
   [[nodiscard]] float value(std::size_t entry) const;
+  /// Stores values, each from `low` to `high`, from an entry on.
+  void set(std::size_t entry, std::span<const float> values);
 };
 
 /// Stores values with `low` and `high` their extremes, so that both are exact; rounds to nearest:
@@ -29,5 +32,8 @@ struct StoredTable {
 /// negative, so a distance of 0 (attached shadow) is stored exactly. No values: low = high = 0.
 /// @throws InputError if a value is not finite, naming its index
 StoredTable storeTable(const std::vector<float>& values, TableBits bits);
+
+/// A table of so many entries, all bytes 0, for values from `low` to `high`.
+StoredTable emptyTable(std::size_t entries, TableBits bits, float low, float high);
 
 }  // namespace gnomon

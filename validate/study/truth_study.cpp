@@ -1,6 +1,6 @@
 #include "study/truth_study.h"
 
-#include "relief/horizon_bake.h"
+#include "relief/stored_bake.h"
 #include "study/environment.h"
 #include "study/file_names.h"
 #include "study/refine_stage.h"
@@ -23,14 +23,7 @@ StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
 }
 
 StoredHorizons bakeStudyTables(const StudySpec& study, const Progress& progress) {
-  const HorizonTables tables = bakeHorizons(study.relief.field, study.bake.settings, progress);
-  return {tables.width,
-          tables.height,
-          tables.azimuths,
-          tables.radiusTexels,
-          tables.wrap,
-          storeTable(tables.horizon, study.bake.bits),
-          storeTable(tables.distance, study.bake.bits)};
+  return bakeStoredHorizons(study.relief.field, study.bake.settings, study.bake.bits, progress);
 }
 
 CaseNames caseNames(const StudySpec& study) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+#include "common/raw_buffer.h"
+#include "relief/padded_map.h"
+
+namespace gnomon {
+
+/// Width and height of a rectangle of nodes.
+struct BoxSize {
+  int width = 1, height = 1;
+  auto operator<=>(const BoxSize&) const = default;
+};
+
+/// For each texel of a padded map the highest of the box of nodes whose lower left one it is: a
+/// bound on what a part of a ray meets, for many neighbouring rays in one load. Of 2^rowShift rows
+/// one is kept, whose boxes are as much higher and so hold those of all these rows.
+struct BoxMaxima {
+  BoxSize box;
+  int rowShift = 0;
+  RawBuffer<float> highest;  ///< [row >> rowShift][column], rows as long as the map's
+};
+
+/// The map's own heights as boxes of one node, to start from; then larger boxes from smaller ones.
+/// @param box  at least that of `from`
+BoxMaxima boxMaxima(const PaddedMap& map, BoxSize box, int rowShift);
+BoxMaxima boxMaxima(const PaddedMap& map, const BoxMaxima& from, BoxSize box, int rowShift);
+
+/// Memory of either while it is made, bytes, of a map that takes so many.
+double boxMaximaBytes(double mapBytes);
+
+}  // namespace gnomon
