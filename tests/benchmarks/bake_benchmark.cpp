@@ -226,7 +226,8 @@ void registerCases() {
   for (const std::size_t threads : {1U, 2U}) {
     registerCase("threads/" + std::to_string(threads), bake, {Map::smooth, 512, 512, threads});
   }
-  for (const std::int64_t target : std::array<std::int64_t, 4>{HWY_EMU128, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
+  for (const std::int64_t target :
+       std::array<std::int64_t, 4>{HWY_EMU128, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
     if ((hwy::SupportedTargets() & target) == 0) continue;
     registerCase(std::string("target/") + hwy::TargetName(target), bake,
                  {Map::smooth, 512, 512, 1, target});
