@@ -13,17 +13,17 @@ set grid
 set multiplot layout 1,2
 azimuths = 32
 # The fastest of the runs of each value: other programs only ever add time.
-nanoseconds(kind) = strstrt(strcol("name"), kind . "/") == 1 ? 1e9 / column("best horizons/s") : NaN
+nanoseconds(kind) = strstrt(strcol("name"), kind . "/") == 1 ? 1e9 / column("horizons/s/core") : NaN
 set title "Cost of a horizon against the radius, 512² texels"
 set xlabel "radius, texels"
-set ylabel "ns a horizon, one thread"
+set ylabel "ns a horizon, one core"
 set xrange [6:6000]
 set xtics (8, 32, 128, 512, 2048)
 set yrange [1:1000]
 plot ARG1 using (column("radius")):(nanoseconds("radius")) with linespoints pointtype 7 lc rgb "#0060a0"
 set title "Cost of a bake against the map, radius 128"
 set xlabel "side of the map, texels"
-set ylabel "seconds for 32 azimuths, one thread"
+set ylabel "seconds for 32 azimuths, one core"
 set xrange [100:2600]
 set xtics (128, 256, 512, 1024, 2048)
 set yrange [*:*]
