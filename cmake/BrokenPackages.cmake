@@ -29,6 +29,16 @@ if(NOT TARGET gnomon::Epoxy)
     INTERFACE_INCLUDE_DIRECTORIES ${EPOXY_INCLUDE_DIR})
 endif()
 
+# xxHash ships a pkg-config file only.
+if(NOT TARGET gnomon::xxhash)
+  find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+  find_library(XXHASH_LIBRARY xxhash REQUIRED)
+  add_library(gnomon::xxhash UNKNOWN IMPORTED)
+  set_target_properties(gnomon::xxhash PROPERTIES
+    IMPORTED_LOCATION ${XXHASH_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${XXHASH_INCLUDE_DIR})
+endif()
+
 # OpenEXR's names parts of itself that Debian keeps in other packages.
 if(NOT TARGET gnomon::OpenEXR)
   find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)

@@ -1,0 +1,135 @@
+#include "cache/cache.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <thread>
+
+#include "cache/cache_folder.h"
+#include "support/temporary_folder.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+const ContentKey program = keyOfBytes("a program");
+const ContentKey key = keyOfBytes("an input");
+
+class CacheTest : public TemporaryFolder {
+ protected:
+  /// A value that is computed if the cache does not have it.
+  int remembered(Cache& cache, const ContentKey& of, int value) {
+    return cache.remember(of, [&] {
+      ++computed_;
+      return value;
+    });
+  }
+  [[nodiscard]] fs::path onlyEntry() const {
+    for (const auto& entry : fs::recursive_directory_iterator(folder())) {
+      if (entry.path().extension() == ".entry") return entry.path();
+    }
+    return {};
+  }
+  void expectCounts(const Cache& cache, std::uint64_t hits, std::uint64_t misses,
+                    std::uint64_t damaged) {
+    EXPECT_EQ(cache.counts().hits, hits);
+    EXPECT_EQ(cache.counts().misses, misses);
+    EXPECT_EQ(cache.counts().damaged, damaged);
+  }
+
+  int computed_ = 0;
+};
+
+TEST_F(CacheTest, WhatOneRunComputesAnotherFinds) {
+  {
+    Cache first(folder(), 1'000'000, program, {});
+    EXPECT_FALSE(first.holds(key));
+    EXPECT_EQ(remembered(first, key, 7), 7);
+    EXPECT_EQ(remembered(first, key, 8), 7);
+    expectCounts(first, 1, 1, 0);
+  }
+  Cache second(folder(), 1'000'000, program, {});
+  EXPECT_TRUE(second.holds(key));
+  EXPECT_EQ(remembered(second, key, 9), 7);
+  EXPECT_EQ(computed_, 1);
+  expectCounts(second, 1, 0, 0);
+}
+
+TEST_F(CacheTest, AnotherProgramFindsNothing) {
+  Cache first(folder(), 1'000'000, program, {});
+  EXPECT_EQ(remembered(first, key, 7), 7);
+  Cache other(folder(), 1'000'000, keyOfBytes("another program"), {});
+  EXPECT_EQ(remembered(other, key, 8), 8);
+  EXPECT_EQ(remembered(first, key, 9), 7);
+}
+
+TEST_F(CacheTest, OneThatIsOffKeepsNothing) {
+  Cache off;
+  EXPECT_EQ(remembered(off, key, 7), 7);
+  EXPECT_EQ(remembered(off, key, 8), 8);
+  expectCounts(off, 0, 0, 0);
+}
+
+TEST_F(CacheTest, ADamagedEntryIsComputedAgain) {
+  Cache cache(folder(), 1'000'000, program, {});
+  EXPECT_EQ(remembered(cache, key, 7), 7);
+  std::fstream(onlyEntry(), std::ios::in | std::ios::out).seekp(65).put('!');
+  EXPECT_EQ(remembered(cache, key, 8), 8);
+  expectCounts(cache, 0, 2, 1);
+  EXPECT_EQ(remembered(cache, key, 9), 8);
+  // Another kind of value under the same key, as no sound program writes it.
+  EXPECT_EQ(cache.find<std::string>(key), std::nullopt);
+  expectCounts(cache, 1, 3, 2);
+  EXPECT_FALSE(cache.holds(key));
+}
+
+TEST_F(CacheTest, HoldsItsBound) {
+  constexpr std::uint64_t limit = 20'000;
+  {
+    Cache cache(folder(), limit, program, {});
+    for (int i = 0; i < 100; ++i) {
+      cache.keep(KeyBuilder("test").add("i", i).key(), std::string(900, 'x'));
+    }
+    // Larger than all that may be kept.
+    cache.keep(key, std::string(30'000, 'x'));
+    EXPECT_FALSE(cache.holds(key));
+    EXPECT_TRUE(cache.holds(KeyBuilder("test").add("i", 99).key()));
+  }
+  EXPECT_LE(usageOf(folder()).bytes, limit);
+  EXPECT_GT(usageOf(folder()).entries, 5U);
+}
+
+TEST_F(CacheTest, AFolderThatCannotBeWrittenCostsOneWarning) {
+  std::ofstream(file("taken")) << "a file";
+  std::vector<std::string> warnings;
+  Cache cache(file("taken") / "cache", 1'000'000, program,
+              [&](const std::string& text) { warnings.push_back(text); });
+  EXPECT_EQ(remembered(cache, key, 7), 7);
+  EXPECT_EQ(remembered(cache, key, 8), 8);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("taken"), std::string::npos) << warnings[0];
+}
+
+TEST_F(CacheTest, ManyThreadsMayUseIt) {
+  Cache cache(folder(), 1'000'000, program, {});
+  std::vector<std::thread> threads;
+  std::atomic<int> wrong = 0;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 50; ++i) {
+        const auto found =
+            cache.remember(KeyBuilder("test").add("i", i).key(), [&] { return std::to_string(i); });
+        if (found != std::to_string(i)) ++wrong;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(cache.counts().hits + cache.counts().misses, 200U);
+  EXPECT_EQ(cache.counts().damaged, 0U);
+  EXPECT_EQ(usageOf(folder()).entries, 50U);
+}
+
+}  // namespace
+}  // namespace gnomon

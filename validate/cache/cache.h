@@ -1,0 +1,91 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "cache/byte_stream.h"
+#include "cache/cache_counts.h"
+#include "cache/content_key.h"
+
+namespace gnomon {
+
+/// Results that earlier runs left on disk, by the key of all that they depend on. A cache that
+/// cannot be written, or is full, is one that keeps nothing more: a run never fails by it. All
+/// members may be called from several threads at once.
+class Cache {
+ public:
+  /// Told once, in a line, why nothing more is kept.
+  using Warning = std::function<void(const std::string&)>;
+
+  /// One that holds nothing and keeps nothing: every result is computed.
+  Cache() = default;
+  /// @param limit    bytes that entries may take; the least recently used ones make room
+  /// @param program  stands for everything of program and machine that a result may depend on: it
+  /// is
+  ///   part of every key
+  Cache(std::filesystem::path folder, std::uint64_t limit, const ContentKey& program, Warning warn);
+  Cache(const Cache&) = delete;
+  Cache& operator=(const Cache&) = delete;
+  /// Holds the folder to its bound.
+  ~Cache();
+
+  [[nodiscard]] bool isOn() const { return !folder_.empty(); }
+  /// Whether there is an entry, sound or not.
+  [[nodiscard]] bool holds(const ContentKey& key) const;
+
+  /// The value of an entry, counted as a hit or a miss. A damaged entry is removed.
+  template <typename Value>
+  std::optional<Value> find(const ContentKey& key) {
+    const std::optional<std::string> content = load(key);
+    if (!content) return std::nullopt;
+    try {
+      return valueOf<Value>(*content);
+    } catch (const DamagedBytes&) {
+      discard(key);
+      return std::nullopt;
+    }
+  }
+  template <typename Value>
+  void keep(const ContentKey& key, const Value& value) {
+    if (isOn()) save(key, bytesOf(value));
+  }
+  /// The value of an entry, or what `compute()` returns, which is kept.
+  template <typename Compute>
+  auto remember(const ContentKey& key, const Compute& compute) {
+    using Value = std::remove_cvref_t<decltype(compute())>;
+    if (std::optional<Value> found = find<Value>(key)) return std::move(*found);
+    Value value = compute();
+    keep(key, value);
+    return value;
+  }
+
+  [[nodiscard]] CacheCounts counts() const { return {hits_, misses_, damaged_}; }
+
+ private:
+  std::optional<std::string> load(const ContentKey& key);
+  void save(const ContentKey& key, const std::string& content);
+  /// The key with the program's.
+  [[nodiscard]] ContentKey ownKey(const ContentKey& key) const;
+  /// Takes back a hit that was none.
+  void discard(const ContentKey& key);
+  [[nodiscard]] std::filesystem::path pathOf(const ContentKey& own) const;
+  void accountForWritten();
+
+  std::filesystem::path folder_;  ///< empty: off
+  std::uint64_t limit_ = 0;
+  ContentKey program_;
+  Warning warn_;
+  std::mutex writing_;
+  bool isFull_ = false;        ///< writing has failed
+  std::uint64_t written_ = 0;  ///< bytes, not yet accounted for
+  std::atomic<std::uint64_t> hits_ = 0;
+  std::atomic<std::uint64_t> misses_ = 0;
+  std::atomic<std::uint64_t> damaged_ = 0;
+};
+
+}  // namespace gnomon

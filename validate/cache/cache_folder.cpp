@@ -1,0 +1,193 @@
+#include "cache/cache_folder.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "common/atomic_file.h"
+#include "common/error.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* limitFile = "limit";
+constexpr const char* sizeFile = "size";
+
+/// Keeps other processes out of `size` while it lives. Without a lock, in a folder that cannot be
+/// written, there is nothing to keep them from.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : file_(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (file_ >= 0) ::flock(file_, LOCK_EX);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+
+ private:
+  int file_;
+};
+
+struct File {
+  fs::path path;
+  std::uint64_t bytes = 0;
+  fs::file_time_type used;
+  bool isEntry = false;  ///< or what a writer has not finished
+};
+
+bool isEntryFolder(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.size() == 2 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// The files of one folder of entries. Another process may remove any of them meanwhile.
+void addFiles(const fs::path& folder, std::vector<File>& files) {
+  std::error_code failure;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
+       it.increment(failure)) {
+    const bool isEntry = it->path().extension() == ".entry";
+    const bool isUnfinished = isEntry && it->path().filename().string().starts_with('.');
+    std::error_code gone;
+    File file{it->path(), it->file_size(gone), {}, isEntry && !isUnfinished};
+    if (!gone) file.used = it->last_write_time(gone);
+    if (!gone && isEntry) files.push_back(std::move(file));
+  }
+}
+
+std::vector<File> filesIn(const fs::path& folder) {
+  std::vector<File> files;
+  std::error_code failure;
+  for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
+       it.increment(failure)) {
+    if (isEntryFolder(it->path())) addFiles(it->path(), files);
+  }
+  return files;
+}
+
+CacheUsage usageOf(const std::vector<File>& files) {
+  CacheUsage usage;
+  for (const File& file : files) {
+    if (!file.isEntry) continue;
+    ++usage.entries;
+    usage.bytes += file.bytes;
+  }
+  return usage;
+}
+
+/// A number of bytes in a file of the folder; none where there is no such file.
+std::optional<std::uint64_t> numberIn(const fs::path& file) {
+  std::error_code failure;
+  if (!fs::exists(file, failure)) return std::nullopt;
+  try {
+    return parseBytes(readFile(file));
+  } catch (const Error&) {
+    return std::nullopt;  // a damaged number is none
+  }
+}
+
+void writeNumber(const fs::path& file, std::uint64_t number) {
+  writeTextAtomically(file, fmt::format("{}\n", number));
+}
+
+/// As trimTo, the folder being locked.
+CacheUsage trimLocked(const fs::path& folder, std::uint64_t bytes) {
+  std::vector<File> files = filesIn(folder);
+  CacheUsage usage = usageOf(files);
+  const auto stale = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  std::sort(files.begin(), files.end(),
+            [](const File& a, const File& b) { return a.used < b.used; });
+  for (const File& file : files) {
+    std::error_code failure;
+    if (!file.isEntry) {
+      if (file.used < stale) fs::remove(file.path, failure);
+      continue;
+    }
+    if (usage.bytes <= bytes) continue;
+    fs::remove(file.path, failure);
+    if (failure) continue;
+    --usage.entries;
+    usage.bytes -= file.bytes;
+  }
+  return usage;
+}
+
+std::optional<fs::path> variable(const char* name) {
+  const char* value = std::getenv(name);
+  if (value == nullptr || *value == '\0') return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<fs::path> standardCacheFolder() {
+  if (const auto chosen = variable("GNOMON_CACHE")) return chosen;
+  if (const auto caches = variable("XDG_CACHE_HOME")) return *caches / "gnomon";
+  if (const auto home = variable("HOME")) return *home / ".cache/gnomon";
+  return std::nullopt;
+}
+
+CacheUsage usageOf(const fs::path& folder) {
+  return usageOf(filesIn(folder));
+}
+
+std::uint64_t limitOf(const fs::path& folder) {
+  return numberIn(folder / limitFile).value_or(standardCacheLimit);
+}
+
+void setLimit(const fs::path& folder, std::uint64_t bytes) {
+  writeNumber(folder / limitFile, bytes);
+}
+
+void account(const fs::path& folder, std::uint64_t written, std::uint64_t limit) {
+  const FolderLock lock(folder);
+  const std::optional<std::uint64_t> before = numberIn(folder / sizeFile);
+  std::uint64_t bytes = before ? *before + written : usageOf(folder).bytes;
+  if (bytes > limit) bytes = trimLocked(folder, limit - limit / 8).bytes;
+  writeNumber(folder / sizeFile, bytes);
+}
+
+CacheUsage trimTo(const fs::path& folder, std::uint64_t bytes) {
+  std::error_code failure;
+  if (!fs::is_directory(folder, failure)) return {};
+  const FolderLock lock(folder);
+  const CacheUsage left = trimLocked(folder, bytes);
+  writeNumber(folder / sizeFile, left.bytes);
+  return left;
+}
+
+std::uint64_t parseBytes(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, double>, 6> units = {
+      {{"", 1}, {"B", 1}, {"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}, {"TB", 1e12}}};
+  const auto fail = [&]() -> UsageError {
+    return UsageError(
+        fmt::format("\"{}\" found, a number of bytes expected, as 500MB or 4GB", text));
+  };
+  const std::string copy(text);
+  char* end = nullptr;
+  const double number = std::strtod(copy.c_str(), &end);
+  std::string unit(end);
+  std::erase_if(unit, [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; });
+  const auto found = std::find_if(units.begin(), units.end(),
+                                  [&](const auto& entry) { return entry.first == unit; });
+  if (end == copy.c_str() || found == units.end()) throw fail();
+  const double bytes = number * found->second;
+  if (!(bytes >= 0 && bytes <= 1e18)) throw fail();
+  return static_cast<std::uint64_t>(std::llround(bytes));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace gnomon {
+
+/// The files of a cache: `FOLDER/ab/REST.entry`, named by key; `FOLDER/limit`, the bound that the
+/// user chose; `FOLDER/size` and `FOLDER/lock`. Nothing else in the folder is ever touched.
+///
+/// Several processes may use one folder: an entry takes its name whole or not at all, two that
+/// write the same entry write the same bytes, and an entry that another process removed is one that
+/// is not there.
+
+/// The environment's GNOMON_CACHE, else `gnomon` in XDG_CACHE_HOME, else `.cache/gnomon` in the
+/// home folder; none without any of them.
+std::optional<std::filesystem::path> standardCacheFolder();
+
+/// Bytes that a cache may hold where the user chose nothing else.
+constexpr std::uint64_t standardCacheLimit = 4'000'000'000;
+
+struct CacheUsage {
+  std::uint64_t entries = 0;
+  std::uint64_t bytes = 0;  ///< of their files
+};
+CacheUsage usageOf(const std::filesystem::path& folder);
+
+/// The bound that holds in the folder.
+std::uint64_t limitOf(const std::filesystem::path& folder);
+/// @throws InputError where it cannot be written
+void setLimit(const std::filesystem::path& folder, std::uint64_t bytes);
+
+/// Removes entries, those used longest ago first, until they take at most so many bytes; and what
+/// writers that were killed over an hour ago left.
+/// @return what is left
+/// @throws InputError where the folder cannot be written
+CacheUsage trimTo(const std::filesystem::path& folder, std::uint64_t bytes);
+
+/// Takes note of bytes that were written, and trims the folder where it then holds more than its
+/// bound: to seven eighths of it, so that not every run looks through all files. The sum is in
+/// `FOLDER/size`, under a lock; a writer that was killed may have left it too small, until the
+/// folder is next looked through.
+void account(const std::filesystem::path& folder, std::uint64_t written, std::uint64_t limit);
+
+/// "500 MB", "4GB", "1e9": a number of bytes with a decimal unit.
+/// @throws UsageError for anything else, or more than 1e18
+std::uint64_t parseBytes(std::string_view text);
+
+}  // namespace gnomon

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cache/content_key.h"
+
+namespace gnomon {
+
+/// An entry as its file holds it: a header of 64 bytes (magic, format version, the key that it
+/// belongs to, length and XXH3 checksum of the content), then the content.
+std::string sealedEntry(const ContentKey& key, std::string_view content);
+
+/// The content of an entry's file; none where anything of it is not as it was written: cut, longer,
+/// another entry's, a flipped bit.
+/// @return a view into `file`
+std::optional<std::string_view> openedEntry(const ContentKey& key, std::string_view file);
+
+}  // namespace gnomon
