@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -45,11 +46,23 @@ std::vector<std::string> mergedEnvironment(const std::vector<std::string>& chang
   return result;
 }
 
+/// The variables with a cache for one run alone, unless they name one.
+std::vector<std::string> withCache(const fs::path& folder, std::vector<std::string> environment) {
+  const bool hasOne = std::any_of(
+      environment.begin(), environment.end(),
+      [](const std::string& variable) { return variable.starts_with("GNOMON_CACHE="); });
+  if (hasOne) return environment;
+  std::string own = (folder / ".cache-XXXXXX").string();
+  if (mkdtemp(own.data()) == nullptr) throw std::runtime_error(own + ": cannot be made");
+  environment.push_back("GNOMON_CACHE=" + own);
+  return environment;
+}
+
 pid_t start(const fs::path& folder, const std::vector<std::string>& arguments,
             const std::vector<std::string>& environment, const fs::path& out, const fs::path& err) {
   std::vector<std::string> words = {GNOMON_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> variables = mergedEnvironment(environment);
+  std::vector<std::string> variables = mergedEnvironment(withCache(folder, environment));
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
@@ -85,6 +98,17 @@ void runAndKill(const fs::path& folder, const std::vector<std::string>& argument
                 int milliseconds) {
   const pid_t process = start(folder, arguments, {}, "/dev/null", "/dev/null");
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
+}
+
+void runAndKillWhen(const fs::path& folder, const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& environment,
+                    const std::function<bool()>& holds) {
+  const pid_t process = start(folder, arguments, environment, "/dev/null", "/dev/null");
+  for (int i = 0; i < 12000 && !holds(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
   kill(process, SIGKILL);
   waitpid(process, nullptr, 0);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -17,13 +18,19 @@ struct Outcome {
 };
 
 /// Runs the program and waits for its end.
-/// @param environment  variables NAME=VALUE on top of this process's own
+/// @param environment  variables NAME=VALUE on top of this process's own. Unless GNOMON_CACHE is
+///   among them, the program has a cache of its own, empty: no run takes up what another one left
 Outcome runProgram(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                    const std::vector<std::string>& environment = {});
 
 /// Runs the program and kills it after a while, as a power cut would.
 void runAndKill(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                 int milliseconds);
+
+/// Likewise, as soon as something holds, or after a minute.
+void runAndKillWhen(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& environment,
+                    const std::function<bool()>& holds);
 
 /// The masks' grey values in a PNG, row by row from the top: 255 lit, 0 shadowed, 128 no sample.
 struct GreyImage {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/baseline_check.h"
+#include "cli/cache_command.h"
 #include "cli/failure.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
@@ -134,14 +135,15 @@ void writeJunit(const CheckRequest& request, const std::vector<Study>& studies, 
 }
 
 /// Runs what can be run.
-void runAll(std::vector<Study>& studies, const CheckRequest& request, Records& records) {
+void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cache,
+            Records& records) {
   std::unique_ptr<GlContext> gl;
   for (Study& study : studies) {
     if (!study.plan) continue;
     try {
       requirePlots();
       if (!gl) gl = std::make_unique<GlContext>();
-      study.part = runPlan(*study.plan, *gl, request.run, records);
+      study.part = runPlan(*study.plan, *gl, request.run, cache, records);
     } catch (...) {
       addProblem(study.check, "study");
     }
@@ -179,12 +181,13 @@ void judge(Study& study, const CheckRequest& request, const Records& records) {
   }
 }
 
-void finish(std::vector<Study>& studies, const CheckRequest& request, Records& records) {
+void finish(std::vector<Study>& studies, const CheckRequest& request, Cache& cache,
+            Records& records) {
   std::vector<StudyMeans> ranked;
   for (Study& study : studies) {
     if (!study.part) continue;
     try {
-      StudyMeans means = finishPlan(*study.part, request.run, records);
+      StudyMeans means = finishPlan(*study.part, request.run, cache, records);
       if (isRanked(*study.plan)) ranked.push_back(std::move(means));
       judge(study, request, records);
     } catch (...) {
@@ -225,8 +228,9 @@ ExitStatus checkStudies(const CheckRequest& request) {
   });
   if (ranked > 1) removeRanking(request.run);
   Records records;
-  runAll(studies, request, records);
-  finish(studies, request, records);
+  const std::unique_ptr<Cache> cache = openCache(request.run.noCache);
+  runAll(studies, request, *cache, records);
+  finish(studies, request, *cache, records);
   writeJunit(request, studies, true);
   std::vector<CheckRecord> checks;
   ExitStatus status = ExitStatus::pass;

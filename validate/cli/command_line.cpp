@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "cli/cache_command.h"
 #include "cli/check_command.h"
 #include "cli/compare_command.h"
 #include "cli/export_command.h"
@@ -50,6 +51,15 @@ Examples:
   gnomon export scenes/figure8.toml --subdivisions 9
   gnomon compare mine.png out/figure8/export/masks/camera_elevation-24-azimuth-165_truth.png)";
 
+constexpr const char* cacheExamples = R"(
+The folder is the environment's GNOMON_CACHE, else gnomon in XDG_CACHE_HOME, else ~/.cache/gnomon.
+What was used longest ago makes room.
+
+Examples:
+  gnomon cache
+  gnomon cache --limit 20GB
+  gnomon cache --clear)";
+
 std::string joinedCommand(int argc, char** argv) {
   std::string text = "gnomon";
   for (int i = 1; i < argc; ++i) text += " " + shellQuoted(argv[i]);
@@ -72,6 +82,8 @@ void addStudyOptions(CLI::App& command, RunRequest& request) {
       ->type_name("DIR");
   addList(command, "--set", request.options.overrides,
           "Override a key of the study, as relief.height=4 or light.0.elevation=30", "KEY=VALUE");
+  command.add_flag("--no-cache", request.noCache,
+                   "Compute everything: take nothing from earlier runs, and leave nothing");
 }
 
 void addQuickOption(CLI::App& command, RunRequest& request) {
@@ -184,6 +196,12 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App* compare = addCompareCommand(app, comparison);
   ViewRequest viewRequest;
   CLI::App* view = addViewCommand(app, viewRequest);
+  CacheRequest cacheRequest;
+  CLI::App* cache = app.add_subcommand("cache", "Show what runs left to be taken up, and bound it");
+  cache->add_flag("--clear", cacheRequest.clear, "Remove all of it");
+  cache->add_option("--limit", cacheRequest.limit, "Keep at most so much, from now on: 500MB, 4GB")
+      ->type_name("BYTES");
+  cache->footer(cacheExamples);
   CLI::App* list = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
 
   try {
@@ -195,12 +213,14 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, check, compare, bake, truth, export, view or list. See gnomon --help");
+        "a command expected: run, check, compare, bake, truth, export, view, cache or list. See gnomon "
+        "--help");
   }
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   const ExitStatus status = list->parsed()       ? listParts()
+                            : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
                             : view->parsed()     ? viewer(viewRequest)
                             : bake->parsed()     ? bakeStudies(request)

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <memory>
+
+#include "cli/cache_command.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
 #include "common/atomic_file.h"
@@ -23,27 +26,28 @@ void removeFile(const fs::path& path) {
   fs::remove(path, ignored);
 }
 
-/// Calls `work(study, gl, clock)` for every step of every study.
+/// Calls `work(study, gl, clock, cache)` for every step of every study.
 template <typename Work>
 ExitStatus forEachStudy(const RunRequest& request, const Work& work) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
   const GlContext gl;
+  const std::unique_ptr<Cache> cache = openCache(request.noCache);
   for (const StudyPlan& plan : plans) {
     for (const StudySpec& study : plan.steps) {
       TerminalProgress progress(study.name);
       StageClock clock(
           [&](std::string_view stage, double share) { progress.update(stage, share); });
-      inStudy(study, [&] { work(study, gl, clock); });
+      inStudy(study, [&] { work(study, gl, clock, *cache); });
     }
   }
   return ExitStatus::pass;
 }
 
-void traceOne(const StudySpec& study, const GlContext& gl, StageClock& clock,
+void traceOne(const StudySpec& study, const GlContext& gl, StageClock& clock, Cache& cache,
               const RunRequest& request) {
   const fs::path folder = request.out / study.name / "truth";
   removeFile(folder / "truth.json");
-  RunScene scene(study, clock);
+  RunScene scene(study, clock, gl, cache);
   StudyRecord record = traceStudy(scene, gl);
   record.command = request.command;
   writeTruth(folder, scene, record);
@@ -68,18 +72,18 @@ void writeBase(const fs::path& path, RunScene& scene) {
            fmt::format("base mesh, {} x {} pieces a face", pieces, pieces));
 }
 
-void exportOne(const StudySpec& study, const GlContext& gl, StageClock& clock,
+void exportOne(const StudySpec& study, const GlContext& gl, StageClock& clock, Cache& cache,
                const RunRequest& request, std::optional<int> subdivisions) {
   const fs::path folder = request.out / study.name / "export";
   removeFile(folder / "export.json");
-  RunScene scene(study, clock);
+  RunScene scene(study, clock, gl, cache);
   const ExportedMesh mesh = clock.measure("meshes", [&](const Progress&) {
     return writeDisplaced(folder / "displaced.ply", scene, subdivisions);
   });
   writeBase(folder / "base.obj", scene);
   writeHeights(folder, study.relief.field);
   const StoredHorizons tables = clock.measure(
-      "bake", [&](const Progress& progress) { return bakeStudyTables(study, progress); });
+      "bake", [&](const Progress& progress) { return bakeStudyTables(study, cache, progress); });
   writeHorizons(folder / "tables.exr", tables);
   double rayLift = 0;
   StudyRecord record = traceStudy(scene, gl, [&](const TracedSurface& surface) {
@@ -98,15 +102,15 @@ void exportOne(const StudySpec& study, const GlContext& gl, StageClock& clock,
 }  // namespace
 
 ExitStatus traceStudies(const RunRequest& request) {
-  return forEachStudy(request, [&](const StudySpec& study, const GlContext& gl, StageClock& clock) {
-    traceOne(study, gl, clock, request);
-  });
+  return forEachStudy(request, [&](const StudySpec& study, const GlContext& gl, StageClock& clock,
+                                   Cache& cache) { traceOne(study, gl, clock, cache, request); });
 }
 
 ExitStatus exportStudies(const RunRequest& request, std::optional<int> subdivisions) {
-  return forEachStudy(request, [&](const StudySpec& study, const GlContext& gl, StageClock& clock) {
-    exportOne(study, gl, clock, request, subdivisions);
-  });
+  return forEachStudy(
+      request, [&](const StudySpec& study, const GlContext& gl, StageClock& clock, Cache& cache) {
+        exportOne(study, gl, clock, cache, request, subdivisions);
+      });
 }
 
 }  // namespace gnomon

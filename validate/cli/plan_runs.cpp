@@ -31,14 +31,15 @@ void removeFiles(const fs::path& folder, std::span<const char* const> names) {
   }
 }
 
-StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request) {
+StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request,
+                   Cache& cache) {
   const fs::path folder = request.out / study.name;
   // Older figures must not stand beside newer pictures.
   removeRunFiles(folder);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
   StudyRecord record = inStudy(study, [&] {
-    return runStudy(study, gl, writer,
+    return runStudy(study, gl, writer, cache,
                     [&](std::string_view stage, double share) { progress.update(stage, share); });
   });
   record.command = request.command;
@@ -47,10 +48,10 @@ StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest
 
 /// Judges a study's claims by what the run holds so far, and writes its reports.
 void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size_t own,
-            const fs::path& out) {
+            const fs::path& out, Cache& cache) {
   StudyRecord& record = records[own];
   record.claims = judgeClaims(study.claims, records, own);
-  writeRunFiles(record, out / record.name);
+  writeRunFiles(record, out / record.name, cache);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
@@ -68,27 +69,28 @@ SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRe
 }  // namespace
 
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
-                    Records& records) {
+                    Cache& cache, Records& records) {
   const PlanRecords part{&plan, records.size()};
   if (plan.sweep) removeRunFiles(request.out / plan.name);
   for (const StudySpec& step : plan.steps) {
-    records.push_back(runOne(step, gl, request));
+    records.push_back(runOne(step, gl, request, cache));
     // At once, so that a later failure leaves this one's report.
-    report(step, records, records.size() - 1, request.out);
+    report(step, records, records.size() - 1, request.out, cache);
   }
-  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), request.out / plan.name);
+  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), request.out / plan.name, cache);
   return part;
 }
 
-StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Records& records) {
+StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
+                      Records& records) {
   const StudyPlan& plan = *part.plan;
   const bool again = speaksOfOthers(plan.steps.front());
   for (std::size_t i = 0; again && i < plan.steps.size(); ++i) {
-    report(plan.steps[i], records, part.first + i, request.out);
+    report(plan.steps[i], records, part.first + i, request.out, cache);
   }
   if (!plan.sweep) return studyMeans(records[part.first]);
   const SweepRecord sweep = sweepOf(part, records, request);
-  if (again) writeSweepFiles(sweep, request.out / plan.name);
+  if (again) writeSweepFiles(sweep, request.out / plan.name, cache);
   return studyMeans(sweep);
 }
 
@@ -119,7 +121,7 @@ void reportRanking(std::span<const StudyMeans> studies, const RunRequest& reques
 }
 
 void requirePlots() {
-  (void)runGnuplot("");
+  (void)gnuplotVersion();
 }
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "cache/cache.h"
 #include "cli/run_command.h"
 #include "render/gl_context.h"
 #include "report/study_ranking.h"
@@ -26,12 +27,14 @@ struct PlanRecords {
 void requirePlots();
 
 /// Runs all steps of a plan, adds their records and writes its folder with its reports.
+/// @param cache  what earlier runs left, and what this one leaves
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
-                    Records& records);
+                    Cache& cache, Records& records);
 
 /// Judges again what speaks of other studies, now that all have run, and writes that anew.
 /// @return what the plan gives to the ranking
-StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Records& records);
+StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
+                      Records& records);
 
 /// Prints a plan's table and where its report is.
 void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records);

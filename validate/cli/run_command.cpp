@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <memory>
+
+#include "cli/cache_command.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
@@ -14,10 +17,10 @@ namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-void bakeTables(const StudySpec& study, const fs::path& out) {
+void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
   TerminalProgress progress(study.name);
   const StoredHorizons stored =
-      bakeStudyTables(study, [&](double share) { progress.update("bake", share); });
+      bakeStudyTables(study, cache, [&](double share) { progress.update("bake", share); });
   const fs::path path = out / study.name / "tables.exr";
   writeHorizons(path, stored);
   fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), stored.width,
@@ -31,13 +34,14 @@ ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
   requirePlots();
   const GlContext gl;
+  const std::unique_ptr<Cache> cache = openCache(request.noCache);
   if (isRanking(plans)) removeRanking(request);
   Records records;
   std::vector<PlanRecords> parts;
-  for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, records));
+  for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, *cache, records));
   std::vector<StudyMeans> studies;
   for (const PlanRecords& part : parts) {
-    StudyMeans means = finishPlan(part, request, records);
+    StudyMeans means = finishPlan(part, request, *cache, records);
     printPlan(part, request, records);
     if (isRanked(*part.plan)) studies.push_back(std::move(means));
   }
@@ -50,8 +54,10 @@ ExitStatus runStudies(const RunRequest& request) {
 }
 
 ExitStatus bakeStudies(const RunRequest& request) {
-  for (const StudyPlan& plan : readPlans(request.studies, request.options)) {
-    for (const StudySpec& step : plan.steps) bakeTables(step, request.out);
+  const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
+  const std::unique_ptr<Cache> cache = openCache(request.noCache);
+  for (const StudyPlan& plan : plans) {
+    for (const StudySpec& step : plan.steps) bakeTables(step, request.out, *cache);
   }
   return ExitStatus::pass;
 }

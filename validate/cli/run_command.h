@@ -14,6 +14,7 @@ struct RunRequest {
   std::vector<std::filesystem::path> studies;
   std::filesystem::path out = "out";
   StudyOptions options;
+  bool noCache = false;
   std::string command;  ///< the command line, for the report
 };
 

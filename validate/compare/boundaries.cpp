@@ -196,11 +196,20 @@ double percentileGap(std::vector<Gap> gaps) {
   return gaps.back().distance;
 }
 
+constexpr std::string_view facesApart = "neighbouring faces lie apart in this atlas";
+constexpr std::string_view onlyTruth = "only the truth has a boundary";
+constexpr std::string_view onlyCandidate = "only the candidate has a boundary";
+constexpr std::string_view noBoundary = "neither the truth nor the candidate has a boundary";
+constexpr std::string_view noneNear = "no shadow so near a boundary";
+constexpr std::string_view noneOnTile =
+    "no shadow so near a boundary, and no nearer to a face's border";
+constexpr std::string_view allAtBorder = "every boundary is nearer to a face's border";
+
 /// Why there is no distance between two contours, or empty.
 std::string_view distanceGap(const Comparison& found, const SampleLayout& layout) {
-  if (layout.tileSide > 0) return "neighbouring faces lie apart in this atlas";
-  if (found.candidateGaps().empty()) return "only the truth has a boundary";
-  if (found.truthGaps().empty()) return "only the candidate has a boundary";
+  if (layout.tileSide > 0) return facesApart;
+  if (found.candidateGaps().empty()) return onlyTruth;
+  if (found.truthGaps().empty()) return onlyCandidate;
   return {};
 }
 
@@ -218,8 +227,7 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
     metrics.push_back(metric);
   };
   const bool isEmpty = found.candidateGaps().empty() && found.truthGaps().empty();
-  const std::string_view none =
-      isEmpty ? "neither the truth nor the candidate has a boundary" : std::string_view();
+  const std::string_view none = isEmpty ? noBoundary : std::string_view();
   const std::string_view apart = isEmpty ? none : distanceGap(found, layout);
   add(apart, [&] { return averageGap(found.candidateGaps(), found.truthGaps()); });
   add(apart, [&] {
@@ -228,16 +236,13 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
   for (std::size_t t = 0; t < tolerances; ++t) {
     const Shares shares = found.shares(t);
     const bool isDefined = isEmpty || shares.any > 0;
-    const std::string_view reason =
-        layout.tileSide == 0 ? "no shadow so near a boundary"
-                             : "no shadow so near a boundary, and no nearer to a face's border";
+    const std::string_view reason = layout.tileSide == 0 ? noneNear : noneOnTile;
     add(isDefined ? none : reason, [&] { return shares.both / shares.any; });
   }
   for (std::size_t t = 0; t < tolerances; ++t) {
     const Shares shares = found.shares(t);
     const bool isDefined = isEmpty || shares.sides > 0;
-    add(isDefined ? none : "every boundary is nearer to a face's border",
-        [&] { return shares.near / shares.sides; });
+    add(isDefined ? none : allAtBorder, [&] { return shares.near / shares.sides; });
   }
   return metrics;
 }
@@ -247,6 +252,12 @@ const std::vector<std::string_view>& boundaryMetricNames() {
       "assd",           "hd95",           "boundary_iou_1", "boundary_iou_2",
       "boundary_iou_4", "surface_dice_1", "surface_dice_2", "surface_dice_4"};
   return names;
+}
+
+const std::vector<std::string_view>& boundaryReasons() {
+  static const std::vector<std::string_view> reasons = {
+      facesApart, onlyTruth, onlyCandidate, noBoundary, noneNear, noneOnTile, allAtBorder};
+  return reasons;
 }
 
 }  // namespace gnomon

@@ -58,4 +58,7 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
 /// The names above, in order.
 const std::vector<std::string_view>& boundaryMetricNames();
 
+/// All reasons why one of them has no value.
+const std::vector<std::string_view>& boundaryReasons();
+
 }  // namespace gnomon

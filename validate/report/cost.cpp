@@ -1,6 +1,10 @@
 #include "report/cost.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <vector>
 
 #include <algorithm>
 
@@ -58,6 +62,22 @@ std::string publishedRates(const StudyRecord& record) {
       "volumes. Here, drawn by {}, the curvature-aware method has {:.2f} of the flat one's frame "
       "rate and shadow volumes {:.2f} of it.",
       record.environment.glRenderer, *flat / *curved, *flat / *volumes);
+}
+
+std::string keptFrames(const StudyRecord& record) {
+  std::set<std::string> days;
+  std::vector<std::string> measured;
+  for (const CostRecord& cost : record.cost) {
+    if (!cost.keptSince.empty()) days.insert(cost.keptSince);
+    if (cost.keptSince.empty() && cost.frameMs) measured.push_back(cost.method);
+  }
+  if (days.empty()) return "";
+  return fmt::format(
+      "Frame times{} were measured by an earlier run on this machine ({}): nothing that they "
+      "depend "
+      "on has changed since. Run with --no-cache to measure them again.",
+      measured.empty() ? "" : fmt::format(" but that of {}", fmt::join(measured, ", ")),
+      fmt::join(days, ", "));
 }
 
 }  // namespace gnomon

@@ -15,6 +15,10 @@ constexpr std::string_view costReference = "max-forsyth";
 /// @throws InternalError for a frame time that is not finite
 std::optional<double> frameRatio(const StudyRecord& record, const CostRecord& cost);
 
+/// Which frame times an earlier run measured, and when, as a sentence. Empty if this run measured
+/// all.
+std::string keptFrames(const StudyRecord& record);
+
 /// A ratio with two decimals and its sign, "0.97×", or "–".
 std::string timesText(std::optional<double> ratio);
 

@@ -1,26 +1,30 @@
 #include "report/folder_writer.h"
 
+#include "common/atomic_file.h"
 #include "report/displaced_image.h"
 #include "report/images.h"
 
 namespace gnomon {
 
-void FolderWriter::mask(const std::string& path, const Mask& mask) {
-  writePng(folder_ / path, maskImage(mask));
+std::string FolderWriter::mask(const Mask& mask) const {
+  return pngOf(maskImage(mask));
 }
 
-void FolderWriter::shaded(const std::string& path, int width, int height,
-                          const std::vector<std::uint8_t>& rgb) {
-  writePng(folder_ / path, Image{width, height, rgb});
+std::string FolderWriter::shaded(int width, int height,
+                                 const std::vector<std::uint8_t>& rgb) const {
+  return pngOf(Image{width, height, rgb});
 }
 
-void FolderWriter::difference(const std::string& path, const Mask& candidate, const Mask& truth) {
-  writePng(folder_ / path, differenceImage(candidate, truth));
+std::string FolderWriter::difference(const Mask& candidate, const Mask& truth) const {
+  return pngOf(differenceImage(candidate, truth));
 }
 
-void FolderWriter::displaced(const std::string& path, int width, int height,
-                             const std::vector<float>& light) {
-  writePng(folder_ / path, displacedImage(width, height, light));
+std::string FolderWriter::displaced(int width, int height, const std::vector<float>& light) const {
+  return pngOf(displacedImage(width, height, light));
+}
+
+void FolderWriter::write(const std::string& path, const std::string& bytes) {
+  writeTextAtomically(folder_ / path, bytes);
 }
 
 }  // namespace gnomon

@@ -13,12 +13,13 @@ class FolderWriter : public RunWriter {
  public:
   explicit FolderWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  void mask(const std::string& path, const Mask& mask) override;
-  void shaded(const std::string& path, int width, int height,
-              const std::vector<std::uint8_t>& rgb) override;
-  void difference(const std::string& path, const Mask& candidate, const Mask& truth) override;
-  void displaced(const std::string& path, int width, int height,
-                 const std::vector<float>& light) override;
+  [[nodiscard]] std::string mask(const Mask& mask) const override;
+  [[nodiscard]] std::string shaded(int width, int height,
+                                   const std::vector<std::uint8_t>& rgb) const override;
+  [[nodiscard]] std::string difference(const Mask& candidate, const Mask& truth) const override;
+  [[nodiscard]] std::string displaced(int width, int height,
+                                      const std::vector<float>& light) const override;
+  void write(const std::string& path, const std::string& bytes) override;
 
  private:
   std::filesystem::path folder_;

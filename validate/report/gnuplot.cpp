@@ -95,6 +95,12 @@ std::string runGnuplot(const std::string& script) {
   return contentOf(out.get());
 }
 
+const std::string& gnuplotVersion() {
+  static const std::string version =
+      runGnuplot("set print '-'\nprint sprintf('%.1f.%s', GPVAL_VERSION, GPVAL_PATCHLEVEL)\n");
+  return version;
+}
+
 std::string gnuplotText(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {

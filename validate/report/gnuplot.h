@@ -9,6 +9,10 @@ namespace gnomon {
 /// @throws InternalError in one line where gnuplot cannot be started or refuses the script
 std::string runGnuplot(const std::string& script);
 
+/// The version of the gnuplot that is there: "5.4.4". Asked once.
+/// @throws as runGnuplot
+const std::string& gnuplotVersion();
+
 /// A text as gnuplot reads it between single quotes, where nothing is special but the quote itself:
 /// that becomes ’, and control characters become spaces.
 std::string gnuplotText(const std::string& text);

@@ -74,6 +74,20 @@ std::string pngAddress(const fs::path& path) {
   return dataAddress("image/png", bytes);
 }
 
+ContentKey keyOfFile(const fs::path& path) {
+  return keyOfBytes(readFile(path));
+}
+
+/// A picture of a file as WebP: in full, or small.
+std::string webAddress(const fs::path& path, bool isSmall, Cache& cache) {
+  KeyBuilder key("web picture");
+  key.add("file", keyOfFile(path)).add("small", isSmall);
+  return cache.remember(key.key(), [&] {
+    return isSmall ? webPicture(shrunk(readImage(path), smallSide), smallQuality)
+                   : webPicture(readImage(path), fineQuality);
+  });
+}
+
 std::string alternativeText(const PictureRecord& picture) {
   const bool difference = picture.kind == PictureRecord::Kind::difference;
   return difference ? picture.method + ": signed difference from the truth" : picture.caption;
@@ -82,14 +96,11 @@ std::string alternativeText(const PictureRecord& picture) {
 /// A shading that can be composed again is embedded small, a difference as it is, since the viewer
 /// reads masks from it, and any other picture in full.
 std::string pictureHtml(const PictureRecord& picture, const PanelRecord& panel,
-                        const fs::path& folder) {
+                        const fs::path& folder, Cache& cache) {
   const fs::path path = folder / picture.path;
   const bool isDifference = picture.kind == PictureRecord::Kind::difference;
   const bool isSmall = !isDifference && !picture.mask.empty();
-  const std::string address = isDifference ? pngAddress(path)
-                              : isSmall
-                                  ? webPicture(shrunk(readImage(path), smallSide), smallQuality)
-                                  : webPicture(readImage(path), fineQuality);
+  const std::string address = isDifference ? pngAddress(path) : webAddress(path, isSmall, cache);
   return fmt::format("<img class=\"{}{}\" alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">\n",
                      pictureKindName(picture.kind), isDifference || isSmall ? "" : " whole",
                      escapeHtml(alternativeText(picture)), panel.width, panel.height, address);
@@ -145,37 +156,89 @@ std::string layerHtml(std::string_view kind, std::size_t mesh, const std::string
                      address);
 }
 
-/// Splits the figures' shadings into layers, and embeds these and the truth's mask.
-std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder) {
-  LayerBuilder builder;
-  std::string html;
+/// The figures whose shadings are taken apart.
+std::vector<Figure*> layeredFigures(std::vector<Figure>& figures) {
+  std::vector<Figure*> layered;
   for (Figure& figure : figures) {
-    const PictureRecord& picture = *figure.pictures.front();
     const bool answers =
         figure.method == truthMethod || has(figure, PictureRecord::Kind::difference);
-    if (picture.mask.empty() || !answers) continue;
-    const Mask mask = maskFromImage(readImage(folder / picture.mask));
-    figure.mesh = builder.add(readImage(folder / picture.path), mask);
+    if (!figure.pictures.front()->mask.empty() && answers) layered.push_back(&figure);
+  }
+  return layered;
+}
+
+/// The layers of some shadings, embedded, and whose mesh each of the shadings is.
+struct Layers {
+  std::vector<std::uint64_t> meshes;
+  std::vector<std::string> lit, dark;
+};
+
+template <typename Stream, SameAs<Layers> T>
+void fields(Stream& stream, T& layers) {
+  stream(layers.meshes, layers.lit, layers.dark);
+}
+
+std::string layerAddress(const Image& layer, Cache& cache) {
+  KeyBuilder key("layer");
+  key.add("width", layer.width).add("height", layer.height).add("rgb", layer.rgb);
+  return cache.remember(key.key(), [&] { return webPicture(layer, fineQuality); });
+}
+
+Layers splitShadings(const std::vector<Figure*>& figures, const fs::path& folder, Cache& cache) {
+  std::vector<Image> shadings(figures.size());
+  std::vector<Mask> masks(figures.size());
+  parallelFor(0, figures.size(), [&](std::size_t i) {
+    const PictureRecord& picture = *figures[i]->pictures.front();
+    masks[i] = maskFromImage(readImage(folder / picture.mask));
+    shadings[i] = readImage(folder / picture.path);
+  });
+  LayerBuilder builder;
+  Layers layers;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    layers.meshes.push_back(builder.add(shadings[i], masks[i]));
+  }
+  const std::vector<PictureLayers> split = builder.layers();
+  layers.lit.resize(split.size());
+  layers.dark.resize(split.size());
+  parallelFor(0, 2 * split.size(), [&](std::size_t i) {
+    const std::size_t mesh = i / 2;
+    const bool isLit = i % 2 == 0;
+    (isLit ? layers.lit : layers.dark)[mesh] =
+        layerAddress(isLit ? split[mesh].lit : split[mesh].dark, cache);
+  });
+  return layers;
+}
+
+/// Splits the figures' shadings into layers, and embeds these and the truth's mask.
+std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder, Cache& cache) {
+  const std::vector<Figure*> layered = layeredFigures(figures);
+  KeyBuilder key("layers");
+  for (const Figure* figure : layered) {
+    key.add("shading", keyOfFile(folder / figure->pictures.front()->path));
+    key.add("mask", keyOfFile(folder / figure->pictures.front()->mask));
+  }
+  const Layers layers =
+      cache.remember(key.key(), [&] { return splitShadings(layered, folder, cache); });
+  std::string html;
+  for (std::size_t i = 0; i < layered.size(); ++i) {
+    Figure& figure = *layered[i];
+    figure.mesh = layers.meshes.at(i);
     if (figure.method == truthMethod) {
-      html += layerHtml("truth", *figure.mesh, pngAddress(folder / picture.mask));
+      html += layerHtml("truth", *figure.mesh, pngAddress(folder / figure.pictures.front()->mask));
     }
   }
-  const std::vector<PictureLayers> layers = builder.layers();
-  std::vector<std::string> parts(2 * layers.size());
-  parallelFor(0, parts.size(), [&](std::size_t k) {
-    const PictureLayers& of = layers[k / 2];
-    parts[k] = k % 2 == 0 ? layerHtml("lit", k / 2, webPicture(of.lit, fineQuality))
-                          : layerHtml("dark", k / 2, webPicture(of.dark, fineQuality));
-  });
-  for (const std::string& part : parts) html += part;
+  for (std::size_t i = 0; i < layers.lit.size(); ++i) {
+    html += layerHtml("lit", i, layers.lit[i]) + layerHtml("dark", i, layers.dark[i]);
+  }
   return html.empty() ? "" : "<div class=\"layers\" hidden>\n" + html + "</div>\n";
 }
 
 /// Pictures take long to compress, and none needs another.
-void embedPictures(std::vector<Figure>& figures, const PanelRecord& panel, const fs::path& folder) {
+void embedPictures(std::vector<Figure>& figures, const PanelRecord& panel, const fs::path& folder,
+                   Cache& cache) {
   parallelFor(0, figures.size(), [&](std::size_t i) {
     for (const PictureRecord* picture : figures[i].pictures) {
-      figures[i].html += pictureHtml(*picture, panel, folder);
+      figures[i].html += pictureHtml(*picture, panel, folder, cache);
     }
   });
 }
@@ -200,10 +263,10 @@ std::string differenceLegend() {
 }  // namespace
 
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
-                         const fs::path& folder) {
+                         const fs::path& folder, Cache& cache) {
   std::vector<Figure> figures = figuresOf(panel);
-  const std::string layers = embeddedLayers(figures, folder);
-  embedPictures(figures, panel, folder);
+  const std::string layers = embeddedLayers(figures, folder, cache);
+  embedPictures(figures, panel, folder, cache);
   std::string html = fmt::format(
       "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n",
       escapeHtml(panel.view), escapeHtml(panel.light), panel.width, panel.height);

@@ -1,5 +1,6 @@
 #include "report/images.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 
@@ -75,15 +76,6 @@ Shade shadeOf(const Image& image, std::size_t pixel) {
   throw InputError(fmt::format("{}: {}: {}", path.string(), what, why));
 }
 
-void writeWith(OIIO::ImageOutput& output, const std::filesystem::path& temporary,
-               const std::filesystem::path& path, const Image& image) {
-  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-  const bool written = output.open(temporary.string(), spec) &&
-                       output.write_image(OIIO::TypeDesc::UINT8, image.rgb.data()) &&
-                       output.close();
-  if (!written) refuse(path, "cannot be written", output.geterror());
-}
-
 std::vector<std::uint8_t> threeChannels(const std::vector<std::uint8_t>& grey) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(3 * grey.size());
@@ -128,16 +120,23 @@ Image differenceImage(const Mask& candidate, const Mask& truth) {
   return image;
 }
 
-void writePng(const std::filesystem::path& path, const Image& image) {
+std::string pngOf(const Image& image) {
   requireWhole(image);
-  if (image.rgb.empty()) {
-    throw InternalError(fmt::format("{}: an image without pixels", path.string()));
-  }
+  if (image.rgb.empty()) throw InternalError("PNG: an image without pixels");
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
   if (!output) throw InternalError("OpenImageIO: no writer for PNG: " + OIIO::geterror());
-  writeAtomically(path, [&](const std::filesystem::path& temporary) {
-    writeWith(*output, temporary, path, image);
-  });
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
+  const bool written = output->set_ioproxy(&memory) && output->open("picture.png", spec) &&
+                       output->write_image(OIIO::TypeDesc::UINT8, image.rgb.data()) &&
+                       output->close();
+  if (!written) throw InternalError("OpenImageIO: PNG cannot be written: " + output->geterror());
+  return {bytes.begin(), bytes.end()};
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  writeTextAtomically(path, pngOf(image));
 }
 
 Image readImage(const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "common/mask.h"
 #include "report/image.h"
@@ -40,6 +41,11 @@ Mask maskFromImage(const Image& image);
 /// Where a candidate differs from the truth, and in which direction.
 /// @throws InputError if the sizes differ or only one of the two has a sample somewhere
 Image differenceImage(const Mask& candidate, const Mask& truth);
+
+/// An image as the bytes of a PNG. Same image, same bytes.
+/// @throws InternalError for an image without pixels or one whose values do not fill its width ×
+///   height
+std::string pngOf(const Image& image);
 
 /// Writes a PNG, whole or not at all. Same image, same bytes.
 /// @throws InputError when the file cannot be written, InternalError for an image without pixels or

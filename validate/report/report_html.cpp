@@ -125,17 +125,22 @@ std::string caseTables(const StudyRecord& record, const Case& which) {
 }
 
 std::string caseSection(const StudyRecord& record, const Case& which, std::size_t number,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, Cache& cache) {
   std::string content;
   for (const PanelRecord& panel : record.panels) {
     if (Case{panel.view, panel.light} != which) continue;
-    content += panelFigures(record, panel, folder);
+    content += panelFigures(record, panel, folder, cache);
   }
   content += caseTables(record, which);
   return htmlSection(fmt::format("case-{}", number),
                      fmt::format("{} <span class=\"light\">{}</span>", escapeHtml(which.view),
                                  escapeHtml(which.light)),
                      content);
+}
+
+std::string keptFramesHtml(const StudyRecord& record) {
+  const std::string kept = keptFrames(record);
+  return kept.empty() ? "" : "<p class=\"note\">" + escapeHtml(kept) + "</p>\n";
 }
 
 std::string costSection(const StudyRecord& record) {
@@ -145,7 +150,8 @@ std::string costSection(const StudyRecord& record) {
       "cost", "What each method costs",
       "<p class=\"note\">Memory of the tables and the height map that a frame reads; drawing "
       "passes a frame; the median time of one frame, and its ratio to that of max-forsyth.</p>\n" +
-          costTable(record) + (rates.empty() ? "" : "<p>" + escapeHtml(rates) + "</p>\n"));
+          costTable(record) + keptFramesHtml(record) +
+          (rates.empty() ? "" : "<p>" + escapeHtml(rates) + "</p>\n"));
 }
 
 std::string bytesText(std::uint64_t bytes) {
@@ -237,7 +243,7 @@ std::string navigation(const std::vector<Case>& cases) {
 }  // namespace
 
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       std::span<const DrawnPlot> plots) {
+                       std::span<const DrawnPlot> plots, Cache& cache) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
   const bool hasPictures = !record.panels.empty();
@@ -247,13 +253,19 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
                      htmlClaims(record.claims) + thresholdSection(record) +
                      (hasPictures ? std::string(viewerMarkup()) : "") + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    html += caseSection(record, cases[i], i + 1, folder);
+    html += caseSection(record, cases[i], i + 1, folder, cache);
   }
   html += confidenceSection(record) + plotSection(plots) + budgetSection(record) +
           costSection(record) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record) + "</main>\n";
   if (hasPictures) html += "<script>" + std::string(viewerScript()) + "</script>\n";
   return html + "</body>\n</html>\n";
+}
+
+std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
+                       std::span<const DrawnPlot> plots) {
+  Cache off;
+  return reportHtml(record, folder, plots, off);
 }
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "cache/cache.h"
 #include "study/record.h"
 #include "study/sweep_record.h"
 
@@ -16,12 +17,13 @@ void removeRunFiles(const std::filesystem::path& folder);
 /// Writes a study's: metrics.csv, bins.csv, frontier.csv, budget.csv (where there are any),
 /// table.csv, table.tex, plots/NAME.svg and .pdf, report.html, and last summary.json, so that its
 /// presence says that the run is whole.
+/// @param cache  keeps plots, and what embedding makes of pictures
 /// @throws InputError for a file that cannot be written or a picture that cannot be read;
 ///   InternalError as the writers
-void writeRunFiles(const StudyRecord& record, const std::filesystem::path& folder);
+void writeRunFiles(const StudyRecord& record, const std::filesystem::path& folder, Cache& cache);
 
 /// Writes a sweep's: sweep.csv, plots/sweep.svg and .pdf, report.html, summary.json.
 /// @throws likewise
-void writeSweepFiles(const SweepRecord& sweep, const std::filesystem::path& folder);
+void writeSweepFiles(const SweepRecord& sweep, const std::filesystem::path& folder, Cache& cache);
 
 }  // namespace gnomon

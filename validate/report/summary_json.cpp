@@ -40,7 +40,13 @@ Json costJson(const StudyRecord& record, const CostRecord& cost) {
           {"height_bytes", cost.heightBytes},
           {"frame_ms", jsonNumber(cost.frameMs, "cost.frame_ms")},
           {"passes", cost.passes},
-          {"frame_ratio", jsonNumber(frameRatio(record, cost), "cost.frame_ratio")}};
+          {"frame_ratio", jsonNumber(frameRatio(record, cost), "cost.frame_ratio")},
+          {"frame_kept_since", cost.keptSince.empty() ? Json(nullptr) : Json(cost.keptSince)}};
+}
+
+Json cacheJson(const std::optional<CacheCounts>& cache) {
+  if (!cache) return nullptr;
+  return {{"hits", cache->hits}, {"misses", cache->misses}, {"damaged", cache->damaged}};
 }
 
 Json timingJson(const TimingRecord& timing) {
@@ -96,7 +102,8 @@ std::string summaryJson(const StudyRecord& record) {
       {"claims", jsonList(record.claims, jsonClaim)},
       {"budget", jsonList(record.budgets, jsonBudget)},
       {"panels", jsonList(record.panels, panelJson)},
-      {"undefined_samples", record.undefinedSamples}};
+      {"undefined_samples", record.undefinedSamples},
+      {"cache", cacheJson(record.cache)}};
   return jsonText(json);
 }
 

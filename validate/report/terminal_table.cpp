@@ -227,6 +227,8 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
          cost.frameMs ? fmt::format("{:.2f}", requireFinite(*cost.frameMs, "frame_ms")) : "–",
          timesText(frameRatio(record, cost))}));
   }
+  const std::string kept = keptFrames(record);
+  if (!kept.empty()) page.paragraph(kept);
 }
 
 /// How the truth's resolution was found, where the study asks for an uncertainty.
@@ -249,7 +251,16 @@ void appendTimings(TerminalPage& page, const StudyRecord& record) {
     stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", timing.stage, timing.seconds);
   }
   page.blank();
-  page.paragraph(fmt::format("Time {:.2f} s: {}", total, stages));
+  page.paragraph(fmt::format("Time {:.2f} s{}{}", total, stages.empty() ? "" : ": ", stages));
+}
+
+/// What the run did not have to compute.
+void appendCache(TerminalPage& page, const StudyRecord& record) {
+  if (!record.cache) return;
+  const CacheCounts& cache = *record.cache;
+  page.paragraph(fmt::format(
+      "Cache: {} results of earlier runs, {} computed{}", cache.hits, cache.misses,
+      cache.damaged > 0 ? fmt::format(" ({} of them were damaged there)", cache.damaged) : ""));
 }
 
 }  // namespace
@@ -266,6 +277,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   appendCost(page, record);
   appendRefinement(page, record);
   appendTimings(page, record);
+  appendCache(page, record);
   return page.text();
 }
 

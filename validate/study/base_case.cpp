@@ -8,6 +8,7 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "render/passes.h"
+#include "study/cached_fields.h"
 #include "study/view_layout.h"
 
 namespace gnomon {
@@ -39,23 +40,47 @@ bool isEmpty(const SampleGrid& grid) {
                      [](const SurfaceSample& sample) { return sample.face < 0; });
 }
 
+/// What is kept of a view.
+struct ChosenSamples {
+  SampleGrid samples;
+  SampleLayout layout;
+  std::vector<double> weights;
+};
+
+template <typename Stream, SameAs<ChosenSamples> T>
+void fields(Stream& stream, T& chosen) {
+  stream(chosen.samples, chosen.layout, chosen.weights);
+}
+
+ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
+                            const RenderView& view, SampleGrid samples, const ViewSpec& spec) {
+  if (isEmpty(samples)) {
+    throw InputError(
+        fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
+  }
+  ChosenSamples chosen;
+  chosen.layout = makeSampleLayout(surface, study.relief.texelsPerUv(), view, samples);
+  if (const auto* atlas = std::get_if<AtlasSpec>(&spec.kind)) {
+    chosen.weights = sampleAreas(surface, samples, atlas->samplesPerSide * atlas->samplesPerSide);
+  }
+  chosen.samples = std::move(samples);
+  return chosen;
+}
+
 ViewCase makeViewCase(const StudySpec& study, const LimitSurface& surface, const BaseCase& base,
-                      const SamplesPass& pass, const ViewSpec& spec) {
+                      const SamplesPass& pass, const ViewSpec& spec, Cache& cache,
+                      const ContentKey& key) {
   const auto* atlas = std::get_if<AtlasSpec>(&spec.kind);
   ViewCase view;
   view.view = atlas != nullptr ? atlasView(surface, atlas->samplesPerSide)
                                : cameraView(std::get<Camera>(spec.kind), base.mesh);
   requireRoom(study, view.view, spec.name);
-  view.samples = pass.render(view.view, base.gpu);
-  if (isEmpty(view.samples)) {
-    throw InputError(
-        fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
-  }
-  view.layout = makeSampleLayout(surface, study.relief.texelsPerUv(), view.view, view.samples);
-  if (atlas != nullptr) {
-    view.weights =
-        sampleAreas(surface, view.samples, atlas->samplesPerSide * atlas->samplesPerSide);
-  }
+  ChosenSamples chosen = cache.remember(key, [&] {
+    return chooseSamples(study, surface, view.view, pass.render(view.view, base.gpu), spec);
+  });
+  view.samples = std::move(chosen.samples);
+  view.layout = std::move(chosen.layout);
+  view.weights = std::move(chosen.weights);
   return view;
 }
 
@@ -65,27 +90,28 @@ BaseCase undisplacedCase(const StudySpec& study, const LimitSurface& surface,
       makeBaseMesh(surface, study.relief.texelsPerUv(), choice.subdivisions, choice.curvature);
   GpuMesh gpu(mesh);
   const RenderView texture = textureView(mesh);
-  return {std::move(mesh), std::move(gpu), std::nullopt, texture, {}};
+  return {choice, std::move(mesh), std::move(gpu), std::nullopt, texture, {}};
 }
 
-BaseCase displacedCase(const StudySpec& study, const LimitSurface& surface, int subdivisions) {
-  DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, subdivisions);
+BaseCase displacedCase(const StudySpec& study, const LimitSurface& surface,
+                       const MeshChoice& choice) {
+  DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, choice.subdivisions);
   GpuMesh gpu(displaced.mesh);
   GpuVolumes volumes(displaced);
   const RenderView texture = textureView(displaced.mesh);
-  return {std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture, {}};
+  return {choice, std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture, {}};
 }
 
 }  // namespace
 
 BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
-                      const std::filesystem::path& shaders) {
-  BaseCase base = choice.kind == DrawnMesh::displaced
-                      ? displacedCase(study, surface, choice.subdivisions)
-                      : undisplacedCase(study, surface, choice);
+                      const std::filesystem::path& shaders, Cache& cache, const RunKeys& keys) {
+  BaseCase base = choice.kind == DrawnMesh::displaced ? displacedCase(study, surface, choice)
+                                                      : undisplacedCase(study, surface, choice);
   const SamplesPass pass(shaders);
-  for (const ViewSpec& view : study.views) {
-    base.views.push_back(makeViewCase(study, surface, base, pass, view));
+  for (std::size_t v = 0; v < study.views.size(); ++v) {
+    base.views.push_back(
+        makeViewCase(study, surface, base, pass, study.views[v], cache, keys.samples(choice, v)));
   }
   return base;
 }

@@ -1,14 +1,16 @@
 #pragma once
 
-#include <compare>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "cache/cache.h"
 #include "compare/sample_layout.h"
 #include "render/gpu_scene.h"
 #include "render/method.h"
 #include "render/view.h"
+#include "study/mesh_choice.h"
+#include "study/run_keys.h"
 #include "study/study_file.h"
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
@@ -31,6 +33,7 @@ struct ViewCase {
 /// the (face, s, t) of the very pixels that the method draws. In an atlas all show the same
 /// samples.
 struct BaseCase {
+  MeshChoice choice;
   BaseMesh mesh;
   GpuMesh gpu;
   std::optional<GpuVolumes> volumes;  ///< of a displaced mesh
@@ -38,19 +41,10 @@ struct BaseCase {
   std::vector<ViewCase> views;        ///< as the study lists them
 };
 
-/// Which mesh: the base mesh or the displaced one, of so many pieces of every face's side.
-struct MeshChoice {
-  DrawnMesh kind = DrawnMesh::base;
-  int subdivisions = 1;
-  CurvatureSource curvature = CurvatureSource::limit;
-
-  friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
-};
-
-/// Builds the mesh, and chooses the samples of every view.
+/// Builds the mesh, and chooses the samples of every view, or takes what the cache has of them.
 /// @throws InputError for a view that is larger than OpenGL allows or shows no surface; MemoryError
 ///   for one whose samples, truths and masks cannot be held
 BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
-                      const std::filesystem::path& shaders);
+                      const std::filesystem::path& shaders, Cache& cache, const RunKeys& keys);
 
 }  // namespace gnomon

@@ -9,7 +9,6 @@
 #include "truth/micro_scene.h"
 
 namespace gnomon {
-namespace {
 
 std::string processorName() {
   std::ifstream file("/proc/cpuinfo");
@@ -22,8 +21,6 @@ std::string processorName() {
   }
   return "unknown";
 }
-
-}  // namespace
 
 EnvironmentRecord describeEnvironment(const GlContext& gl) {
   EnvironmentRecord environment;

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <string>
+
 #include "render/gl_context.h"
 #include "study/record.h"
 #include "study/study_file.h"
 
 namespace gnomon {
+
+/// The processor's name as the kernel knows it, or "unknown".
+std::string processorName();
 
 /// Versions and hardware of this process: what someone needs who gets other figures.
 EnvironmentRecord describeEnvironment(const GlContext& gl);

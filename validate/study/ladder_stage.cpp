@@ -11,7 +11,8 @@
 
 namespace gnomon {
 
-LadderStage::LadderStage(RunScene& scene, RunWriter& writer) : scene_(scene), writer_(writer) {
+LadderStage::LadderStage(RunScene& scene, SurfaceOnDemand& surface, RunWriter& writer)
+    : scene_(scene), writer_(writer) {
   const StudySpec& study = scene.study;
   if (study.ladders.empty()) return;
   const auto atlas = std::find_if(study.views.begin(), study.views.end(), [](const ViewSpec& v) {
@@ -20,15 +21,16 @@ LadderStage::LadderStage(RunScene& scene, RunWriter& writer) : scene_(scene), wr
   view_ = static_cast<std::size_t>(atlas - study.views.begin());
   for (const LadderSpec& ladder : study.ladders) {
     for (const auto* way : {&ladder.forward, &ladder.backward}) {
-      for (const MethodSpec& state : *way) addState(state, ladder.method);
+      for (const MethodSpec& state : *way) addState(state, surface, ladder.method);
     }
   }
   errors_.resize(study.lights.size());
 }
 
-void LadderStage::addState(const MethodSpec& spec, const std::string& method) {
+void LadderStage::addState(const MethodSpec& spec, SurfaceOnDemand& surface,
+                           const std::string& method) {
   if (stateOf(spec) < states_.size()) return;
-  states_.push_back(prepareMethod(scene_, spec));
+  states_.push_back(prepareMethod(scene_, spec, surface));
   if (states_.back().method.passes.shadowVolumes) {
     throw InputError(
         fmt::format("ladder \"{}\": {} counts shadow volumes at a camera's pixels, a method that "
@@ -56,8 +58,8 @@ void LadderStage::measure(std::size_t light, const std::vector<std::optional<Mas
       requireStarts(s, mask, masks);
       errors_[light].push_back(stateErrors(mask, seen.truths[light], seen.weights, tiling_));
     });
-    scene_.clock.measure("writing",
-                         [&](const Progress&) { writer_.mask(maskPath(s, light), mask); });
+    scene_.clock.measure(
+        "writing", [&](const Progress&) { writer_.write(maskPath(s, light), writer_.mask(mask)); });
   }
 }
 

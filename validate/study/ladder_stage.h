@@ -20,9 +20,10 @@ namespace gnomon {
 class LadderStage {
  public:
   /// Prepares all states. Without a ladder there is nothing to do, here or later.
-  /// @param writer  gets the masks of the states
+  /// @param surface  for tables that are shot on it; outlives the stage
+  /// @param writer   gets the masks of the states
   /// @throws InputError as prepareMethod, or for a state that has no answer in an atlas
-  LadderStage(RunScene& scene, RunWriter& writer);
+  LadderStage(RunScene& scene, SurfaceOnDemand& surface, RunWriter& writer);
 
   /// For tables that are shot on the displaced surface.
   [[nodiscard]] std::span<MethodCase> states() { return states_; }
@@ -39,7 +40,7 @@ class LadderStage {
   [[nodiscard]] std::vector<BudgetRecord> attribute(const TruthRecord& truth) const;
 
  private:
-  void addState(const MethodSpec& spec, const std::string& method);
+  void addState(const MethodSpec& spec, SurfaceOnDemand& surface, const std::string& method);
   [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const;
   void requireStarts(std::size_t state, const Mask& mask,
                      const std::vector<std::optional<Mask>>& masks) const;

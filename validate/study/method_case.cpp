@@ -7,6 +7,8 @@
 
 #include "common/error.h"
 #include "render/passes.h"
+#include "study/cached_fields.h"
+#include "truth/surface_horizons.h"
 
 namespace gnomon {
 namespace {
@@ -23,16 +25,55 @@ GpuTables reliefTables(RunScene& scene, const Method& method, const BakeSpec& ba
   return tables;
 }
 
+void compile(RunScene& scene, MethodCase& method) {
+  const MethodSpec& spec = *method.spec;
+  MethodPass pass(scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
+                  spec.parameters);
+  method.compiled.emplace(
+      CompiledMethod{std::move(pass), reliefTables(scene, method.method, spec.bake)});
+}
+
+bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
+  for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
+    for (std::size_t l = 0;
+         answersIn(method, scene.study.views[v]) && l < scene.study.lights.size(); ++l) {
+      const ContentKey key = scene.keys.mask(method.key, method.base->choice, v, l);
+      if (!scene.cache.holds(key)) return false;
+    }
+  }
+  return true;
+}
+
+AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
+  const RenderView& plane = method.base->texture;
+  const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->gpu);
+  const TracedSurface& traced = method.surface->get();
+  AngleTable table = scene.clock.measure("surface horizons", [&](const Progress& progress) {
+    return shootHorizons(scene.surface, scene.study.relief, traced.mesh, traced.scene, texels,
+                         method.spec->bake.settings.azimuths, method.spec->bake.angleLimit,
+                         progress);
+  });
+  table.originX = plane.texelWindow.x;
+  table.originY = plane.texelWindow.y;
+  return table;
+}
+
 }  // namespace
 
-MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec) {
+MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface) {
   Method method = readMethod(spec.file);
-  MethodPass pass(scene.shaders, method, scene.study.relief.field.wrap(), spec.filter,
-                  spec.parameters);
-  const GpuTables tables = reliefTables(scene, method, spec.bake);
-  BaseCase& base = scene.base({method.mesh, spec.baseSubdivisions, spec.baseCurvature});
+  const ContentKey key = scene.keys.method(spec, method);
+  BaseCase& base = scene.base(meshOf(spec, method));
   if (method.passes.texture || method.tables.surfaceAngles) requireTextureView(base.texture);
-  return {&spec, std::move(method), std::move(pass), tables, &base};
+  MethodCase prepared{&spec, std::move(method), &base, key, &surface};
+  if (!hasAllMasks(scene, prepared)) compile(scene, prepared);
+  return prepared;
+}
+
+const CompiledMethod& compiled(RunScene& scene, MethodCase& method) {
+  if (!method.compiled) compile(scene, method);
+  shootTables(scene, {&method, 1});
+  return *method.compiled;
 }
 
 void requireView(const MethodCase& method, const StudySpec& study) {
@@ -45,16 +86,12 @@ void requireView(const MethodCase& method, const StudySpec& study) {
                   method.spec->label));
 }
 
-void shootTables(RunScene& scene, std::span<MethodCase> methods, const MicroMesh& mesh,
-                 const MicroScene& traced) {
+void shootTables(RunScene& scene, std::span<MethodCase> methods) {
   for (MethodCase& method : methods) {
-    if (!method.method.tables.surfaceAngles) continue;
-    const RenderView& plane = method.base->texture;
-    const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->gpu);
-    const HorizonScene on{scene.surface, scene.study.relief,
-                          mesh,          traced,
-                          texels,        {plane.texelWindow.x, plane.texelWindow.y}};
-    method.tables.angles = &scene.tables.surfaceAngles(method.spec->bake, on, scene.clock);
+    const bool isNeeded = method.compiled && method.method.tables.surfaceAngles;
+    if (!isNeeded || method.compiled->tables.angles != nullptr) continue;
+    method.compiled->tables.angles = &scene.tables.surfaceAngles(
+        method.spec->bake, method.base->choice, [&] { return shootAngles(scene, method); });
   }
 }
 
@@ -62,10 +99,13 @@ bool answersIn(const MethodCase& method, const ViewSpec& view) {
   return !method.method.passes.shadowVolumes || std::holds_alternative<Camera>(view.kind);
 }
 
-Mask answerOf(const RunScene& scene, const MethodCase& method, std::size_t view,
-              std::size_t light) {
+Mask answerOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
   const ViewCase& seen = method.base->views[view];
-  Mask mask = method.pass.render(seen.view, scene.drawing(*method.base, light), method.tables);
+  const ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
+  Mask mask = scene.cache.remember(key, [&] {
+    const CompiledMethod& ready = compiled(scene, method);
+    return ready.pass.render(seen.view, scene.drawing(*method.base, light), ready.tables);
+  });
   const Mask& truth = seen.truths[light].mask;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (truth.samples[i] == Shade::none) mask.samples[i] = Shade::none;
@@ -73,15 +113,25 @@ Mask answerOf(const RunScene& scene, const MethodCase& method, std::size_t view,
   return mask;
 }
 
-std::uint64_t tableBytes(const RunScene& scene, const MethodCase& method) {
+ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
+                     std::size_t light) {
+  const MeshChoice& mesh = method.base->choice;
+  return KeyBuilder("answer")
+      .add("mask", scene.keys.mask(method.key, mesh, view, light))
+      .add("truth", scene.keys.truth(mesh, view, light))
+      .key();
+}
+
+std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   const MethodTables& declared = method.method.tables;
-  const GpuTables& tables = method.tables;
+  const CompiledMethod& ready = compiled(scene, method);
+  const GpuTables& tables = ready.tables;
   std::uint64_t bytes = 0;
   if (declared.horizon) bytes += tables.horizon->byteCount();
   if (declared.distance) bytes += tables.distance->byteCount();
   if (declared.ellipse) bytes += tables.ellipse->byteCount();
   if (tables.angles != nullptr) bytes += tables.angles->byteCount();
-  return bytes + method.pass.passBytes(scene.drawing(*method.base, 0), tables);
+  return bytes + ready.pass.passBytes(scene.drawing(*method.base, 0), tables);
 }
 
 }  // namespace gnomon

@@ -1,48 +1,66 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "common/mask.h"
 #include "render/method.h"
 #include "render/method_pass.h"
 #include "study/run_scene.h"
-#include "truth/micro_mesh.h"
-#include "truth/micro_scene.h"
+#include "study/truth_stage.h"
 
 namespace gnomon {
 
-/// A method ready to be asked: its shader, its tables and the mesh that it draws.
+/// A method's shader and its tables.
+struct CompiledMethod {
+  MethodPass pass;
+  GpuTables tables;
+};
+
+/// A method of a study with the mesh that it draws. Its shader is compiled and its tables are baked
+/// when it is to be drawn, which is never where the cache has all its answers.
 struct MethodCase {
   const MethodSpec* spec;
   Method method;
-  MethodPass pass;
-  GpuTables tables;
   BaseCase* base;
+  ContentKey key;            ///< as `RunKeys::method`
+  SurfaceOnDemand* surface;  ///< for tables that are shot on it
+  std::optional<CompiledMethod> compiled = {};
 };
 
-/// Reads and compiles a method and bakes the tables that depend on the relief alone.
-/// @param spec  outlives the case
+/// Reads a method; compiles it unless the cache has all its masks, so that a mistake in it shows
+/// before anything else is computed.
+/// @param spec     outlives the case
+/// @param surface  likewise
 /// @throws InputError for a method that cannot be used in this study: its file, its parameters, or
 ///   a texture plane that the surface does not have
-MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec);
+MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface);
+
+/// The method compiled, with all its tables.
+/// @throws InputError as prepareMethod
+const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 
 /// A method that only a camera can see needs one.
 /// @throws InputError where the study has no camera view
 void requireView(const MethodCase& method, const StudySpec& study);
 
-/// The tables that are shot on the displaced surface, for those of the methods that read them.
-void shootTables(RunScene& scene, std::span<MethodCase> methods, const MicroMesh& mesh,
-                 const MicroScene& traced);
+/// The compiled ones among the methods get their tables that are shot on the displaced surface,
+/// while that is there.
+void shootTables(RunScene& scene, std::span<MethodCase> methods);
 
 /// Whether the method can answer in a view: one that counts shadow volumes does in a camera's.
 bool answersIn(const MethodCase& method, const ViewSpec& view);
 
 /// A method's mask in one view under one light, without the samples for which no frame exists: the
 /// truth must have been traced.
-Mask answerOf(const RunScene& scene, const MethodCase& method, std::size_t view, std::size_t light);
+Mask answerOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
+
+/// The key of all that follows from that mask and the truth.
+ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
+                     std::size_t light);
 
 /// Bytes of the tables that the method declares, and of the textures that its passes fill.
-std::uint64_t tableBytes(const RunScene& scene, const MethodCase& method);
+std::uint64_t tableBytes(RunScene& scene, MethodCase& method);
 
 }  // namespace gnomon

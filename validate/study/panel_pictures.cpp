@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "common/parallel.h"
 #include "study/file_names.h"
 #include "truth/displaced_picture.h"
 
@@ -18,95 +19,135 @@ std::vector<std::string> namesOf(const Entries& entries, const NameOf& nameOf) {
 
 }  // namespace
 
-Drawing drawingOf(const StudySpec& study, const GpuHeights& heights, const BaseCase& base,
-                  std::size_t light) {
-  return {base.gpu,
-          heights,
-          study.relief.field.wrap(),
-          study.relief.space,
-          study.lights[light].direction(),
-          base.volumes ? &*base.volumes : nullptr,
-          &base.texture};
-}
+/// An answer of a panel with the keys of its pictures. Its mask is asked for only where one of them
+/// has to be made.
+struct PanelPictures::Answer {
+  ContentKey key;
+  const BaseCase& base;
+  const Mask* truth;  ///< what the mask is held against; null for the truth itself
+  std::function<const Mask&()> mask;
+};
 
-PanelPictures::PanelPictures(const StudySpec& study, const GpuHeights& heights,
-                             const std::filesystem::path& shaders, RunWriter& writer,
-                             StageClock& clock)
-    : study_(study),
-      heights_(heights),
-      shade_(shaders, study.relief.field.wrap()),
+PanelPictures::PanelPictures(RunScene& scene, RunWriter& writer)
+    : scene_(scene),
       writer_(writer),
-      clock_(clock),
-      viewFiles_(fileNames(namesOf(study.views, [](const ViewSpec& view) { return view.name; }))),
-      lightFiles_(
-          fileNames(namesOf(study.lights, [](const LightSpec& light) { return light.name; }))),
-      methodFiles_(
-          fileNames(namesOf(study.methods, [](const MethodSpec& method) { return method.label; }),
-                    {"truth", "displaced"})) {}
+      viewFiles_(
+          fileNames(namesOf(scene.study.views, [](const ViewSpec& view) { return view.name; }))),
+      lightFiles_(fileNames(
+          namesOf(scene.study.lights, [](const LightSpec& light) { return light.name; }))),
+      methodFiles_(fileNames(
+          namesOf(scene.study.methods, [](const MethodSpec& method) { return method.label; }),
+          {"truth", "displaced"})) {}
 
 std::string PanelPictures::path(const char* folder, std::size_t view, std::size_t light,
                                 const std::string& name) const {
   return fmt::format("{}/{}_{}_{}.png", folder, viewFiles_[view], lightFiles_[light], name);
 }
 
-void PanelPictures::drawDisplaced(const MicroMesh& mesh, const MicroScene& scene) {
-  for (std::size_t v = 0; v < study_.views.size(); ++v) {
-    const auto* camera = std::get_if<Camera>(&study_.views[v].kind);
+void PanelPictures::write(const std::string& path, const ContentKey& key,
+                          const std::function<std::string()>& bytes) {
+  scene_.clock.measure(
+      "writing", [&](const Progress&) { writer_.write(path, scene_.cache.remember(key, bytes)); });
+}
+
+void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
+  for (std::size_t v = 0; v < scene_.study.views.size(); ++v) {
+    const auto* camera = std::get_if<Camera>(&scene_.study.views[v].kind);
     if (camera == nullptr) continue;
-    for (std::size_t l = 0; l < study_.lights.size(); ++l) {
-      const auto picture = clock_.measure("displaced picture", [&](const Progress& progress) {
-        return displacedPicture(mesh, scene, *camera, study_.lights[l].direction(), progress);
-      });
-      clock_.measure("writing", [&](const Progress&) {
-        writer_.displaced(path("images", v, l, "displaced"), camera->width, camera->height,
-                          picture);
+    for (std::size_t l = 0; l < scene_.study.lights.size(); ++l) {
+      write(path("images", v, l, "displaced"), scene_.keys.displacedPicture(v, l), [&] {
+        const TracedSurface& traced = surface.get();
+        const auto picture =
+            scene_.clock.measure("displaced picture", [&](const Progress& progress) {
+              return displacedPicture(traced.mesh, traced.scene, *camera,
+                                      scene_.study.lights[l].direction(), progress);
+            });
+        return writer_.displaced(camera->width, camera->height, picture);
       });
     }
   }
 }
 
-void PanelPictures::shadeMask(std::size_t view, std::size_t light, const BaseCase& base,
-                              const Mask& mask, const std::string& name) {
-  const auto rgb = clock_.measure("pictures", [&](const Progress&) {
-    return shade_.render(base.views[view].view, drawingOf(study_, heights_, base, light), mask);
-  });
-  clock_.measure("writing", [&](const Progress&) {
-    writer_.shaded(path("images", view, light, name), mask.width, mask.height, rgb);
-    writer_.mask(path("masks", view, light, name), mask);
+std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t light,
+                                               const BaseCase& base, const Mask& mask) {
+  return scene_.clock.measure("pictures", [&](const Progress&) {
+    if (!shade_) shade_.emplace(scene_.shaders, scene_.study.relief.field.wrap());
+    return shade_->render(base.views[view].view, scene_.drawing(base, light), mask);
   });
 }
 
-PanelRecord PanelPictures::draw(std::size_t view, std::size_t light, const BaseCase& standard,
-                                std::span<const PanelMask> masks) {
+void PanelPictures::writeAnswer(std::size_t view, std::size_t light, const std::string& name,
+                                const Answer& answer) {
+  struct Picture {
+    const char* kind;
+    std::string path;
+    std::function<std::string()> make;
+    ContentKey key = {};
+    std::optional<std::string> bytes = {};
+  };
+  const Mask* mask = nullptr;
+  std::vector<std::uint8_t> rgb;
+  std::vector<Picture> pictures = {
+      {"shaded", path("images", view, light, name),
+       [&] { return writer_.shaded(mask->width, mask->height, rgb); }},
+      {"mask", path("masks", view, light, name), [&] { return writer_.mask(*mask); }}};
+  if (answer.truth != nullptr) {
+    pictures.push_back({"difference", path("images", view, light, name + "_difference"),
+                        [&] { return writer_.difference(*mask, *answer.truth); }});
+  }
+  std::vector<Picture*> missing;
+  for (Picture& picture : pictures) {
+    picture.key = KeyBuilder(picture.kind).add("answer", answer.key).key();
+    picture.bytes = scene_.cache.find<std::string>(picture.key);
+    if (!picture.bytes) missing.push_back(&picture);
+  }
+  if (!missing.empty()) {
+    mask = &answer.mask();
+    rgb = shade(view, light, answer.base, *mask);
+  }
+  scene_.clock.measure("writing", [&](const Progress&) {
+    parallelFor(0, missing.size(), [&](std::size_t i) {
+      missing[i]->bytes = missing[i]->make();
+      scene_.cache.keep(missing[i]->key, *missing[i]->bytes);
+    });
+    for (const Picture& picture : pictures) writer_.write(picture.path, *picture.bytes);
+  });
+}
+
+PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
+                                std::span<const PanelAnswer> answers) {
   using Kind = PictureRecord::Kind;
+  const StudySpec& study = scene_.study;
+  const BaseCase& standard = scene_.standardBase();
   PanelRecord panel;
-  panel.view = study_.views[view].name;
-  panel.light = study_.lights[light].name;
+  panel.view = study.views[view].name;
+  panel.light = study.lights[light].name;
   panel.width = standard.views[view].view.width;
   panel.height = standard.views[view].view.height;
-  for (std::size_t m = 0; m < masks.size(); ++m) {
-    if (masks[m].mask == nullptr) continue;
-    const std::string& label = study_.methods[m].label;
-    shadeMask(view, light, *masks[m].base, *masks[m].mask, methodFiles_[m]);
-    panel.pictures.push_back({Kind::shaded, label, label,
-                              path("images", view, light, methodFiles_[m]),
-                              path("masks", view, light, methodFiles_[m])});
+  for (const PanelAnswer& answer : answers) {
+    const std::string& label = study.methods[answer.place].label;
+    const std::string& name = methodFiles_[answer.place];
+    const BaseCase& base = *answer.method->base;
+    writeAnswer(view, light, name,
+                {answerKey(scene_, *answer.method, view, light), base,
+                 &base.views[view].truths[light].mask, answer.mask});
+    panel.pictures.push_back({Kind::shaded, label, label, path("images", view, light, name),
+                              path("masks", view, light, name)});
   }
-  if (std::holds_alternative<Camera>(study_.views[view].kind)) {
+  if (std::holds_alternative<Camera>(study.views[view].kind)) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
                               path("images", view, light, "displaced")});
   }
-  shadeMask(view, light, standard, standard.views[view].truths[light].mask, "truth");
+  writeAnswer(view, light, "truth",
+              {scene_.keys.truth(standard.choice, view, light), standard, nullptr,
+               [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
   panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
                             path("masks", view, light, "truth")});
-  for (std::size_t m = 0; m < masks.size(); ++m) {
-    if (masks[m].mask == nullptr) continue;
-    const std::string file = path("images", view, light, methodFiles_[m] + "_difference");
-    clock_.measure("writing", [&](const Progress&) {
-      writer_.difference(file, *masks[m].mask, masks[m].base->views[view].truths[light].mask);
-    });
-    const std::string& label = study_.methods[m].label;
-    panel.pictures.push_back({Kind::difference, label, label, file});
+  for (const PanelAnswer& answer : answers) {
+    const std::string& label = study.methods[answer.place].label;
+    panel.pictures.push_back(
+        {Kind::difference, label, label,
+         path("images", view, light, methodFiles_[answer.place] + "_difference")});
   }
   return panel;
 }

@@ -1,59 +1,60 @@
 #pragma once
 
-#include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "render/passes.h"
 #include "study/base_case.h"
+#include "study/method_case.h"
 #include "study/record.h"
+#include "study/run_scene.h"
 #include "study/run_writer.h"
-#include "study/stage_clock.h"
-#include "study/study_file.h"
-#include "truth/micro_scene.h"
+#include "study/truth_stage.h"
 
 namespace gnomon {
 
-/// What a pass needs to draw a base mesh under one of the study's lights.
-Drawing drawingOf(const StudySpec& study, const GpuHeights& heights, const BaseCase& base,
-                  std::size_t light);
-
 /// One method's answer, to be shown in a panel.
-struct PanelMask {
-  const BaseCase* base;
-  const Mask* mask;  ///< null where the method has no answer in this view
+struct PanelAnswer {
+  std::size_t place;  ///< of the method in the study
+  MethodCase* method;
+  /// Its mask, drawn when it is first asked for.
+  std::function<const Mask&()> mask;
 };
 
-/// Makes the pictures of a study's panels and hands them to the writer. Files are named
-/// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those.
+/// Makes the pictures of a study's panels, or takes them from the cache, and hands them to the
+/// writer. Files are named `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced`
+/// for those.
 class PanelPictures {
  public:
-  PanelPictures(const StudySpec& study, const GpuHeights& heights,
-                const std::filesystem::path& shaders, RunWriter& writer, StageClock& clock);
+  PanelPictures(RunScene& scene, RunWriter& writer);
 
   /// The displaced surface by its own rays, for every camera view and light.
-  void drawDisplaced(const MicroMesh& mesh, const MicroScene& scene);
+  void drawDisplaced(SurfaceOnDemand& surface);
 
-  /// One view under one light: every method's shading and mask, the truth's, and the signed
-  /// differences.
-  /// @param standard  the study's own base
-  /// @param masks     one a method, as the study lists them
-  PanelRecord draw(std::size_t view, std::size_t light, const BaseCase& standard,
-                   std::span<const PanelMask> masks);
+  /// One view under one light: the shading and mask of every method that answers, those of the
+  /// truth, and the signed differences.
+  PanelRecord draw(std::size_t view, std::size_t light, std::span<const PanelAnswer> answers);
 
  private:
+  struct Answer;
+
   /// `images/VIEW_LIGHT_NAME.png`, or in another folder.
   [[nodiscard]] std::string path(const char* folder, std::size_t view, std::size_t light,
                                  const std::string& name) const;
-  void shadeMask(std::size_t view, std::size_t light, const BaseCase& base, const Mask& mask,
-                 const std::string& name);
+  void write(const std::string& path, const ContentKey& key,
+             const std::function<std::string()>& bytes);
+  /// Writes an answer's shading and mask, and but for the truth its difference.
+  void writeAnswer(std::size_t view, std::size_t light, const std::string& name,
+                   const Answer& answer);
+  std::vector<std::uint8_t> shade(std::size_t view, std::size_t light, const BaseCase& base,
+                                  const Mask& mask);
 
-  const StudySpec& study_;
-  const GpuHeights& heights_;
-  ShadePass shade_;
+  RunScene& scene_;
   RunWriter& writer_;
-  StageClock& clock_;
+  std::optional<ShadePass> shade_;
   std::vector<std::string> viewFiles_;
   std::vector<std::string> lightFiles_;
   std::vector<std::string> methodFiles_;

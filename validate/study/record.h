@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cache/cache_counts.h"
 #include "compare/counts.h"
 #include "compare/rates.h"
 #include "compare/shadow_length.h"
@@ -89,6 +90,9 @@ struct CostRecord {
   std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
   std::optional<double> frameMs;  ///< median time of one frame of the first camera view
   int passes = 1;                 ///< drawing passes a frame
+  /// The day, "2026-11-21", on which an earlier run on this machine measured `frameMs`; empty if
+  /// this run did.
+  std::string keptSince = {};
 };
 
 struct TimingRecord {
@@ -156,6 +160,7 @@ struct StudyRecord {
       budgets;  ///< a ladder for all lights together, then for each of several
   std::vector<PanelRecord> panels;
   std::uint64_t undefinedSamples = 0;  ///< left out: no frame exists there
+  std::optional<CacheCounts> cache;    ///< none where the run used no cache
 
   /// True unless a threshold failed.
   [[nodiscard]] bool passed() const;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "study/cached_fields.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon {
@@ -34,12 +35,23 @@ std::string reachedText(double wanted, const std::vector<RefinementRecord>& path
                             path.back().microTriangles);
 }
 
+template <typename Stream, SameAs<RefinementRecord> T>
+void fields(Stream& stream, T& level) {
+  stream(level.stepTexels, level.microTriangles, level.flipRate);
+}
+
+/// A surface at the end of a search.
+struct RefinedSurface {
+  std::unique_ptr<const TracedSurface> surface;
+  std::vector<RefinementRecord> path;
+};
+
 class Refinement {
  public:
   explicit Refinement(RunScene& scene)
       : scene_(scene), wanted_(scene.study.truthUncertainty.value()) {}
 
-  TruthSurface run() {
+  RefinedSurface run() {
     for (double step = 1;; step /= 2) {
       auto surface = surfaceAt(step);
       const std::uint64_t triangles = surface->mesh.triangleCount();
@@ -82,19 +94,42 @@ class Refinement {
   ViewTruths coarse_;
 };
 
-}  // namespace
-
-TruthSurface makeTruthSurface(RunScene& scene) {
-  if (scene.study.truthUncertainty) return Refinement(scene).run();
-  return {
-      std::make_unique<const TracedSurface>(scene, scene.study.truth, "micro-mesh", "hierarchy"),
-      {}};
+ContentKey pathKey(const RunScene& scene) {
+  return KeyBuilder("refinement").add("surface", scene.keys.surface()).key();
 }
 
-TruthRecord recordOf(const TruthSurface& made, const StudySpec& study) {
-  TruthRecord truth = sizesOf(*made.surface);
-  truth.wantedUncertainty = study.truthUncertainty;
-  truth.refinement = made.path;
+}  // namespace
+
+TruthSurface::TruthSurface(RunScene& scene) : scene_(scene), surface_([this] { return make(); }) {}
+
+/// Whether it is known how the step was found.
+bool TruthSurface::findPath() {
+  if (!path_.empty()) return true;
+  auto kept = scene_.cache.find<std::vector<RefinementRecord>>(pathKey(scene_));
+  if (kept) path_ = std::move(*kept);
+  return !path_.empty();
+}
+
+std::unique_ptr<const TracedSurface> TruthSurface::make() {
+  MicroMeshSettings settings = scene_.study.truth;
+  if (scene_.study.truthUncertainty) {
+    if (!findPath()) {
+      RefinedSurface refined = Refinement(scene_).run();
+      path_ = std::move(refined.path);
+      scene_.cache.keep(pathKey(scene_), path_);
+      return std::move(refined.surface);
+    }
+    settings.stepTexels = path_.back().stepTexels;
+  }
+  return std::make_unique<const TracedSurface>(scene_, settings, "micro-mesh", "hierarchy");
+}
+
+TruthRecord TruthSurface::record() {
+  TruthRecord truth = sizesOf(scene_, surface_);
+  truth.wantedUncertainty = scene_.study.truthUncertainty;
+  if (!truth.wantedUncertainty) return truth;
+  if (!findPath()) (void)surface_.get();  // whose search leaves it
+  truth.refinement = path_;
   return truth;
 }
 

@@ -1,32 +1,44 @@
 #include "study/run_scene.h"
 
 #include "render/shader_files.h"
-#include "study/panel_pictures.h"
 
 namespace gnomon {
 
-RunScene::RunScene(const StudySpec& of, StageClock& stageClock)
+RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept)
     : study(of),
       clock(stageClock),
+      cache(kept),
       shaders(shaderFolder()),
+      keys(of, gl, shaders),
       surface(clock.measure("surface", [&](const Progress&) { return LimitSurface(of.cage); })),
       heights(of.relief.field),
-      tables(of.relief.field) {}
+      tables(of.relief.field, cache, keys) {}
 
 BaseCase& RunScene::base(MeshChoice choice) {
   const auto found = bases.find(choice);
   if (found != bases.end()) return found->second;
   return clock.measure("samples", [&](const Progress&) -> BaseCase& {
-    return bases.emplace(choice, makeBaseCase(study, surface, choice, shaders)).first->second;
+    return bases.emplace(choice, makeBaseCase(study, surface, choice, shaders, cache, keys))
+        .first->second;
   });
 }
 
 BaseCase& RunScene::standardBase() {
-  return base({DrawnMesh::base, study.baseSubdivisions, study.baseCurvature});
+  return base(standardMesh());
+}
+
+MeshChoice RunScene::standardMesh() const {
+  return {DrawnMesh::base, study.baseSubdivisions, study.baseCurvature};
 }
 
 Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
-  return drawingOf(study, heights, on, light);
+  return {on.gpu,
+          heights,
+          study.relief.field.wrap(),
+          study.relief.space,
+          study.lights[light].direction(),
+          on.volumes ? &*on.volumes : nullptr,
+          &on.texture};
 }
 
 LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_t light) const {

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <map>
 
+#include "cache/cache.h"
 #include "render/gpu_scene.h"
 #include "render/method_pass.h"
 #include "study/base_case.h"
 #include "study/light_field.h"
+#include "study/run_keys.h"
 #include "study/stage_clock.h"
 #include "study/study_file.h"
 #include "study/table_set.h"
@@ -19,11 +21,14 @@ namespace gnomon {
 /// for; references stay valid while the scene lives.
 struct RunScene {
   /// @param clock  of the stages "surface", "samples", "bake" and "tables"; outlives the scene
-  RunScene(const StudySpec& of, StageClock& stageClock);
+  /// @param kept   what earlier runs left; outlives the scene
+  RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept);
 
   const StudySpec& study;
   StageClock& clock;
+  Cache& cache;
   std::filesystem::path shaders;
+  RunKeys keys;
   LimitSurface surface;
   GpuHeights heights;
   TableSet tables;
@@ -33,6 +38,7 @@ struct RunScene {
   BaseCase& base(MeshChoice choice);
   /// The study's own base mesh: the one that is shown and whose truth is tested.
   BaseCase& standardBase();
+  [[nodiscard]] MeshChoice standardMesh() const;
 
   /// What a pass needs to draw a base mesh under one of the study's lights.
   [[nodiscard]] Drawing drawing(const BaseCase& on, std::size_t light) const;

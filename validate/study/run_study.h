@@ -2,6 +2,7 @@
 
 #include "render/gl_context.h"
 #include "study/record.h"
+#include "study/run_scene.h"
 #include "study/run_writer.h"
 #include "study/stage_clock.h"
 #include "study/study_file.h"
@@ -12,8 +13,9 @@ namespace gnomon {
 /// resolution, renders every method at the truth's samples, compares. Masks and pictures go to
 /// `writer`, figures into the record. Claims are left to `judgeClaims`, since some need other
 /// studies of the same run.
-/// @param gl  current on this thread
-StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer,
+/// @param gl    current on this thread
+/// @param kept  what earlier runs left: what is found there is not computed again
+StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
                      const StageProgress& progress = {});
 
 }  // namespace gnomon

@@ -8,8 +8,9 @@
 
 namespace gnomon {
 
-/// Takes the pictures of a run as they are made, so that none has to be kept. Paths are relative to
-/// the run's folder.
+/// Takes the pictures of a run as they are made, so that none has to be kept: makes the bytes of
+/// their files, which a cache may hold, and writes them. Those that make bytes may be called from
+/// several threads at once.
 class RunWriter {
  public:
   RunWriter() = default;
@@ -18,15 +19,18 @@ class RunWriter {
   virtual ~RunWriter() = default;
 
   /// A mask as data, for other programs.
-  virtual void mask(const std::string& path, const Mask& mask) = 0;
+  [[nodiscard]] virtual std::string mask(const Mask& mask) const = 0;
   /// A shaded picture: RGB, 8 bits, row 0 at the top.
-  virtual void shaded(const std::string& path, int width, int height,
-                      const std::vector<std::uint8_t>& rgb) = 0;
+  [[nodiscard]] virtual std::string shaded(int width, int height,
+                                           const std::vector<std::uint8_t>& rgb) const = 0;
   /// Where a candidate errs, and which way.
-  virtual void difference(const std::string& path, const Mask& candidate, const Mask& truth) = 0;
+  [[nodiscard]] virtual std::string difference(const Mask& candidate, const Mask& truth) const = 0;
   /// The displaced surface by its own rays: diffuse light per pixel, 0 to 1, -1 for background.
-  virtual void displaced(const std::string& path, int width, int height,
-                         const std::vector<float>& light) = 0;
+  [[nodiscard]] virtual std::string displaced(int width, int height,
+                                              const std::vector<float>& light) const = 0;
+  /// @param path   relative to the run's folder
+  /// @param bytes  of one of the above
+  virtual void write(const std::string& path, const std::string& bytes) = 0;
 };
 
 }  // namespace gnomon

@@ -1,9 +1,8 @@
 #include "study/spread_stage.h"
 
-#include <map>
+#include <algorithm>
 
-#include "common/parallel.h"
-#include "compare/bins.h"
+#include "study/cached_fields.h"
 #include "study/sample_axes.h"
 
 namespace gnomon {
@@ -20,14 +19,23 @@ double meanUncertainty(const TruthRecord& truth, const std::string& view) {
   return lights > 0 ? sum / lights : truth.uncertainty;
 }
 
+/// By the samples of the study's own base.
+Tiling tilingOf(RunScene& scene, std::size_t view) {
+  const BaseCase& base = scene.standardBase();
+  const ViewCase& shown = base.views[view];
+  KeyBuilder key("tiling");
+  key.add("truth", scene.keys.truth(base.choice, view, 0));
+  return scene.cache.remember(
+      key.key(), [&] { return chooseTiling(shown.truths.front().mask, shown.weights); });
+}
+
 }  // namespace
 
 SpreadStage::SpreadStage(RunScene& scene, std::span<const MethodCase> methods, std::size_t view)
-    : scene_(scene), methods_(methods), view_(view) {
+    : scene_(scene) {
   const StudySpec& study = scene.study;
-  const ViewCase& shown = scene.standardBase().views[view];
   errors_.view = study.views[view].name;
-  errors_.tiling = chooseTiling(shown.truths.front().mask, shown.weights);
+  errors_.tiling = tilingOf(scene, view);
   for (const LightSpec& light : study.lights) errors_.lights.push_back(light.name);
   std::vector<std::vector<Counts>> none;
   for (const SampleAxis& axis : sampleAxes()) none.emplace_back(axis.edges.size() + 1);
@@ -39,34 +47,15 @@ SpreadStage::SpreadStage(RunScene& scene, std::span<const MethodCase> methods, s
   }
 }
 
-void SpreadStage::measure(std::size_t light, const std::vector<std::optional<Mask>>& masks) {
-  scene_.clock.measure("bins", [&](const Progress&) {
-    std::map<const BaseCase*, SampleBins> bins;
-    for (const std::size_t m : answering_) {
-      const BaseCase* base = methods_[m].base;
-      if (bins.contains(base)) continue;
-      bins.emplace(base, binSamples(scene_.surface, scene_.study.relief, base->views[view_].samples,
-                                    scene_.study.lights[light].direction()));
+void SpreadStage::add(std::size_t method, const MethodOutcome& outcome) {
+  const auto found = std::find(answering_.begin(), answering_.end(), method);
+  const auto i = static_cast<std::size_t>(found - answering_.begin());
+  errors_.methods.at(i).lights.push_back(outcome.blocks);
+  for (std::size_t a = 0; a < outcome.bins.size(); ++a) {
+    for (std::size_t b = 0; b < outcome.bins[a].size(); ++b) {
+      counts_[i][a][b] += outcome.bins[a][b];
     }
-    const std::size_t axes = sampleAxes().size();
-    parallelFor(0, answering_.size() * axes, [&](std::size_t i) {
-      const MethodCase& method = methods_[answering_[i / axes]];
-      const ViewCase& seen = method.base->views[view_];
-      std::vector<Counts>& sums = counts_[i / axes][i % axes];
-      const std::vector<Counts> counts =
-          countBins(*masks[answering_[i / axes]], seen.truths[light].mask,
-                    bins.at(method.base)[i % axes], sums.size(), seen.weights);
-      for (std::size_t b = 0; b < sums.size(); ++b) sums[b] += counts[b];
-    });
-  });
-  scene_.clock.measure("confidence", [&](const Progress&) {
-    for (MethodErrors& method : errors_.methods) method.lights.emplace_back();
-    parallelFor(0, answering_.size(), [&](std::size_t i) {
-      const ViewCase& seen = methods_[answering_[i]].base->views[view_];
-      errors_.methods[i].lights.back() = blockErrors(*masks[answering_[i]], seen.truths[light].mask,
-                                                     errors_.tiling.cellSide, seen.weights);
-    });
-  });
+  }
 }
 
 std::vector<BinRecord> SpreadStage::bins() const {

@@ -2,9 +2,23 @@
 
 #include "relief/angle_table.h"
 #include "relief/horizon_ellipses.h"
-#include "truth/surface_horizons.h"
+#include "study/cached_fields.h"
 
 namespace gnomon {
+
+bool keepsHorizons(const HeightField& field, const BakeSettings& settings) {
+  // Beyond this, writing them takes longer than baking, and room from everything else.
+  constexpr double mostBytes = 5e8;
+  return 2 * sizeof(float) * static_cast<double>(field.texels().size()) *
+             static_cast<double>(settings.azimuths) <=
+         mostBytes;
+}
+
+HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSettings& settings,
+                           const Progress& progress) {
+  const auto bake = [&] { return bakeHorizons(field, settings, progress); };
+  return keepsHorizons(field, settings) ? cache.remember(bakeKey(field, settings), bake) : bake();
+}
 
 const HorizonTables& TableSet::bake(const BakeSettings& settings, StageClock& clock) {
   const std::pair key(settings.azimuths, settings.radiusTexels);
@@ -13,7 +27,7 @@ const HorizonTables& TableSet::bake(const BakeSettings& settings, StageClock& cl
   return bakes_
       .emplace(key, clock.measure("bake",
                                   [&](const Progress& progress) {
-                                    return bakeHorizons(field_, settings, progress);
+                                    return keptHorizons(cache_, field_, settings, progress);
                                   }))
       .first->second;
 }
@@ -44,17 +58,12 @@ const GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
   });
 }
 
-const GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const HorizonScene& scene,
-                                         StageClock& clock) {
-  const std::tuple key(spec.settings.azimuths, spec.angleLimit, spec.bits);
+const GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,
+                                         const HorizonShooter& shoot) {
+  const std::pair key(mesh, Key(spec.settings.azimuths, spec.angleLimit, spec.bits));
   const auto found = surfaceAngles_.find(key);
   if (found != surfaceAngles_.end()) return found->second;
-  AngleTable table = clock.measure("surface horizons", [&](const Progress& progress) {
-    return shootHorizons(scene.surface, scene.relief, scene.mesh, scene.scene, scene.texels,
-                         spec.settings.azimuths, spec.angleLimit, progress);
-  });
-  table.originX = scene.origin.x;
-  table.originY = scene.origin.y;
+  const AngleTable table = cache_.remember(keys_.surfaceAngles(mesh, spec), shoot);
   return surfaceAngles_.try_emplace(key, table, spec.bits).first->second;
 }
 
@@ -64,7 +73,8 @@ const GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
   if (found != ellipses_.end()) return found->second;
   const HorizonTables& baked = bake(spec.settings, clock);
   return clock.measure("tables", [&](const Progress&) -> const GpuTable& {
-    const EllipseTable fitted = fitEllipses(baked);
+    const EllipseTable fitted =
+        cache_.remember(keys_.ellipses(spec), [&] { return fitEllipses(baked); });
     return ellipses_
         .try_emplace(key, storeTable(fitted.values, spec.bits), fitted.width, fitted.height,
                      EllipseTable::layers, fitted.wrap)

@@ -1,15 +1,17 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "cache/cache.h"
 #include "relief/horizon_bake.h"
 #include "render/gpu_scene.h"
+#include "study/run_keys.h"
 #include "study/stage_clock.h"
 #include "study/study_file.h"
 #include "surface/sample_grid.h"
-#include "truth/micro_scene.h"
 
 namespace gnomon {
 
@@ -19,29 +21,25 @@ struct TablePair {
   GpuTable distance;
 };
 
-/// What the displaced surface's own horizons are shot on.
-struct HorizonScene {
-  const LimitSurface& surface;
-  const Relief& relief;
-  const MicroMesh& mesh;
-  const MicroScene& scene;
-  const SampleGrid& texels;  ///< the samples at all texel centres of the surface
-  glm::ivec2 origin;         ///< texel coordinates of the grid's lower left corner
-};
+/// Shoots the displaced surface's own horizons.
+using HorizonShooter = std::function<AngleTable()>;
 
-/// The tables that a study's methods ask for: every bake is done once, and stored once for each
-/// number of bits. References stay valid while the set lives.
+/// The tables that a study's methods ask for: every bake is done once, if the cache does not have
+/// it, and stored once for each number of bits. References stay valid while the set lives.
 class TableSet {
  public:
-  explicit TableSet(const HeightField& field) : field_(field) {}
+  /// All must outlive it.
+  TableSet(const HeightField& field, Cache& cache, const RunKeys& keys)
+      : field_(field), cache_(cache), keys_(keys) {}
 
   /// @param clock  of the stages "bake" and "tables"
   const TablePair& tables(const BakeSpec& spec, StageClock& clock);
   /// Horizon angles of the flat relief.
   const GpuAngles& angles(const BakeSpec& spec, StageClock& clock);
-  /// Horizon angles of the displaced surface.
-  const GpuAngles& surfaceAngles(const BakeSpec& spec, const HorizonScene& scene,
-                                 StageClock& clock);
+  /// Horizon angles of the displaced surface, at the texels that a mesh shows.
+  /// @param shoot  asked where there are none yet
+  const GpuAngles& surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,
+                                 const HorizonShooter& shoot);
   /// Elliptical cones of light, fitted to the horizons of the bake.
   const GpuTable& ellipses(const BakeSpec& spec, StageClock& clock);
 
@@ -49,12 +47,21 @@ class TableSet {
   const HorizonTables& bake(const BakeSettings& settings, StageClock& clock);
 
   const HeightField& field_;
+  Cache& cache_;
+  const RunKeys& keys_;
   std::map<std::pair<int, double>, HorizonTables> bakes_;  ///< azimuths, radius
   using Key = std::tuple<int, double, TableBits>;
   std::map<Key, TablePair> stored_;                                         ///< and bits
   std::map<Key, GpuTable> ellipses_;                                        ///< the same
   std::map<std::tuple<int, double, double, TableBits>, GpuAngles> angles_;  ///< and limit
-  std::map<Key, GpuAngles> surfaceAngles_;  ///< azimuths, limit, bits
+  std::map<std::pair<MeshChoice, Key>, GpuAngles> surfaceAngles_;  ///< azimuths, limit, bits
 };
+
+/// Whether a bake is small enough to be kept.
+bool keepsHorizons(const HeightField& field, const BakeSettings& settings);
+
+/// bakeHorizons, or what the cache has of it.
+HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSettings& settings,
+                           const Progress& progress);
 
 }  // namespace gnomon

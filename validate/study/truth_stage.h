@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -31,13 +33,31 @@ using ViewTruths = std::vector<std::vector<Truth>>;
 ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double liftShare,
                              std::string_view stage);
 
-/// What a run reports of the surface that its truth was traced on.
-TruthRecord sizesOf(const TracedSurface& surface);
+/// A displaced surface that is built when it is first asked for: a run whose truth is in the cache
+/// never does.
+class SurfaceOnDemand {
+ public:
+  using Maker = std::function<std::unique_ptr<const TracedSurface>()>;
 
-/// Traces every view of every mesh of the scene under every light.
+  explicit SurfaceOnDemand(Maker make);
+
+  const TracedSurface& get();
+  /// Gives its memory back, until it is asked for again.
+  void release() { surface_.reset(); }
+
+ private:
+  Maker make_;
+  std::unique_ptr<const TracedSurface> surface_;
+};
+
+/// The sizes that a run reports of the surface that its truth is traced on.
+TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface);
+
+/// Traces every view of every mesh of the scene under every light, where the cache does not have
+/// it. The lights of a view are traced together.
 /// @returns the number of samples for which no frame exists
 /// @throws InputError for a view in which no sample has a frame
-std::uint64_t traceTruths(RunScene& scene, const TracedSurface& surface);
+std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 
 /// Traces the standard base's samples once more at half the resolution and half the lift: what
 /// flips is the truth's own error.

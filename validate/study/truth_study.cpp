@@ -12,18 +12,30 @@ StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
   StudyRecord record = startRecord(scene.study, gl);
   scene.standardBase();
   {
-    const TruthSurface made = makeTruthSurface(scene);
-    record.truth = recordOf(made, scene.study);
-    record.undefinedSamples = traceTruths(scene, *made.surface);
-    if (whileTraced) whileTraced(*made.surface);
+    TruthSurface surface(scene);
+    record.truth = surface.record();
+    record.undefinedSamples = traceTruths(scene, surface.onDemand());
+    if (whileTraced) whileTraced(surface.onDemand().get());
   }  // the fine mesh goes before the coarse one comes
   traceUncertainty(scene, record.truth);
   record.timings = scene.clock.timings();
   return record;
 }
 
-StoredHorizons bakeStudyTables(const StudySpec& study, const Progress& progress) {
-  return bakeStoredHorizons(study.relief.field, study.bake.settings, study.bake.bits, progress);
+StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progress& progress) {
+  const HeightField& field = study.relief.field;
+  const BakeSettings& settings = study.bake.settings;
+  if (!keepsHorizons(field, settings)) {
+    return bakeStoredHorizons(field, settings, study.bake.bits, progress);
+  }
+  const HorizonTables tables = keptHorizons(cache, field, settings, progress);
+  return {tables.width,
+          tables.height,
+          tables.azimuths,
+          tables.radiusTexels,
+          tables.wrap,
+          storeTable(tables.horizon, study.bake.bits),
+          storeTable(tables.distance, study.bake.bits)};
 }
 
 CaseNames caseNames(const StudySpec& study) {

@@ -23,7 +23,7 @@ StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
                        const std::function<void(const TracedSurface&)>& whileTraced = {});
 
 /// The study's horizon and distance table as they are stored.
-StoredHorizons bakeStudyTables(const StudySpec& study, const Progress& progress = {});
+StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progress& progress = {});
 
 /// Parts of file names for a study's views and lights, as a run's pictures have them.
 struct CaseNames {

@@ -1,0 +1,39 @@
+#include "cli/cache_command.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "cache/cache_folder.h"
+#include "cli/failure.h"
+#include "common/memory.h"
+#include "report/number_text.h"
+#include "study/run_keys.h"
+
+namespace gnomon {
+
+std::unique_ptr<Cache> openCache(bool isOff) {
+  const std::optional<std::filesystem::path> folder = standardCacheFolder();
+  if (isOff || !folder) return std::make_unique<Cache>();
+  return std::make_unique<Cache>(
+      *folder, limitOf(*folder), programKey(),
+      [](const std::string& why) { fmt::print(stderr, "gnomon: warning: {}\n", why); });
+}
+
+ExitStatus showCache(const CacheRequest& request) {
+  const std::optional<std::filesystem::path> folder = standardCacheFolder();
+  if (!folder) {
+    throw InputError("no place for a cache: GNOMON_CACHE, XDG_CACHE_HOME or HOME expected");
+  }
+  if (request.limit) setLimit(*folder, parseBytes(*request.limit));
+  const std::uint64_t limit = limitOf(*folder);
+  const CacheUsage usage = request.clear || request.limit
+                               ? trimTo(*folder, request.clear ? 0 : limit)
+                               : usageOf(*folder);
+  fmt::print("{}: {} entries, {} of at most {}\n", folder->string(), groupedText(usage.entries),
+             formatBytes(static_cast<double>(usage.bytes)),
+             formatBytes(static_cast<double>(limit)));
+  return ExitStatus::pass;
+}
+
+}  // namespace gnomon

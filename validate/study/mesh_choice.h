@@ -1,0 +1,19 @@
+#pragma once
+
+#include <compare>
+
+#include "render/method.h"
+#include "surface/base_mesh.h"
+
+namespace gnomon {
+
+/// Which mesh: the base mesh or the displaced one, of so many pieces of every face's side.
+struct MeshChoice {
+  DrawnMesh kind = DrawnMesh::base;
+  int subdivisions = 1;
+  CurvatureSource curvature = CurvatureSource::limit;
+
+  friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,82 @@
+#include "study/method_outcome.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "common/parallel.h"
+#include "compare/bins.h"
+#include "compare/boundaries.h"
+#include "study/cast_lengths.h"
+#include "truth/seam_crossing.h"
+
+namespace gnomon {
+namespace {
+
+Counts countRegion(const Mask& mask, const ViewCase& seen, const Truth& truth, Region region) {
+  std::vector<std::uint8_t> selected(mask.size());
+  std::transform(truth.regions.begin(), truth.regions.end(), selected.begin(),
+                 [region](Region r) { return static_cast<std::uint8_t>(r == region); });
+  return countSamples(mask, truth.mask, seen.weights, selected);
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& outcomeRegions() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list = {"all"};
+    for (const Region region : reportedRegions) list.push_back(regionName(region));
+    list.push_back(seamRegion);
+    return list;
+  }();
+  return names;
+}
+
+const OutcomeStage::Shared& OutcomeStage::sharedOf(const BaseCase& base) {
+  const auto found = std::find_if(shared_.begin(), shared_.end(),
+                                  [&](const Shared& shared) { return shared.base == &base; });
+  if (found != shared_.end()) return *found;
+  LightField field = scene_.clock.measure(
+      "compare", [&](const Progress&) { return scene_.lightField(base, view_, light_); });
+  SampleBins bins = scene_.clock.measure("bins", [&](const Progress&) {
+    return binSamples(scene_.surface, scene_.study.relief, base.views[view_].samples,
+                      scene_.study.lights[light_].direction());
+  });
+  shared_.push_back({&base, std::move(field), std::move(bins)});
+  return shared_.back();
+}
+
+MethodOutcome OutcomeStage::compare(const BaseCase& base, const Mask& mask) {
+  const Shared& shared = sharedOf(base);
+  const ViewCase& seen = base.views[view_];
+  const Truth& truth = seen.truths[light_];
+  const std::vector<SampleAxis>& axes = sampleAxes();
+  MethodOutcome outcome;
+  outcome.regions.resize(outcomeRegions().size());
+  outcome.bins.resize(axes.size());
+  std::vector<std::function<void()>> parts;
+  parts.emplace_back(
+      [&] { outcome.regions.front() = countSamples(mask, truth.mask, seen.weights); });
+  for (std::size_t r = 0; r < reportedRegions.size(); ++r) {
+    parts.emplace_back(
+        [&, r] { outcome.regions[r + 1] = countRegion(mask, seen, truth, reportedRegions[r]); });
+  }
+  parts.emplace_back([&] {
+    outcome.regions.back() = countSamples(mask, truth.mask, seen.weights, truth.crossesSeam);
+  });
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    parts.emplace_back([&, a] {
+      outcome.bins[a] =
+          countBins(mask, truth.mask, shared.bins[a], axes[a].edges.size() + 1, seen.weights);
+    });
+  }
+  parts.emplace_back(
+      [&] { outcome.blocks = blockErrors(mask, truth.mask, cellSide_, seen.weights); });
+  scene_.clock.measure("compare", [&](const Progress&) {
+    parallelFor(0, parts.size(), [&](std::size_t i) { parts[i](); });
+    outcome.lengths = castLengths(mask, truth, shared.field);
+    outcome.boundaries = compareBoundaries(mask, truth.mask, seen.layout);
+  });
+  return outcome;
+}
+
+}  // namespace gnomon

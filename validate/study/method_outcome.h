@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "common/mask.h"
+#include "compare/block_errors.h"
+#include "compare/counts.h"
+#include "compare/rates.h"
+#include "compare/shadow_length.h"
+#include "study/base_case.h"
+#include "study/run_scene.h"
+#include "study/sample_axes.h"
+
+namespace gnomon {
+
+/// The regions that results are reported for, in order: "all", those of `reportedRegions`, "seam".
+const std::vector<std::string_view>& outcomeRegions();
+
+/// All that a comparison of one method with the truth gives, in one view under one light.
+struct MethodOutcome {
+  std::vector<Counts> regions;  ///< in the order of outcomeRegions
+  ShadowLengths lengths;
+  std::vector<Metric> boundaries;
+  std::vector<std::vector<Counts>> bins;  ///< [axis][bin], in the order of sampleAxes
+  BlockErrors blocks;                     ///< in the cells of the view's tiling
+};
+
+/// Compares masks with the truth of one view under one light. What all methods on one mesh share is
+/// made once, when the first of them is compared.
+class OutcomeStage {
+ public:
+  /// @param cellSide  of the view's tiling, samples
+  OutcomeStage(RunScene& scene, std::size_t view, std::size_t light, int cellSide)
+      : scene_(scene), view_(view), light_(light), cellSide_(cellSide) {}
+
+  /// @param base  the mesh that the mask's method draws
+  MethodOutcome compare(const BaseCase& base, const Mask& mask);
+
+ private:
+  struct Shared {
+    const BaseCase* base;
+    LightField field;
+    SampleBins bins;
+  };
+  const Shared& sharedOf(const BaseCase& base);
+
+  RunScene& scene_;
+  std::size_t view_;
+  std::size_t light_;
+  int cellSide_;
+  std::vector<Shared> shared_;
+};
+
+}  // namespace gnomon
