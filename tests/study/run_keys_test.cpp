@@ -80,7 +80,9 @@ class RunKeysTest : public TemporaryFolder {
     return keysOf(overrides, shaderFolder());
   }
   Keys keysOf(const std::vector<std::string>& overrides, const fs::path& shaders) {
-    const StudySpec study = readStudy(file("keys.toml"), {.overrides = overrides});
+    StudyOptions options;
+    options.overrides = overrides;
+    const StudySpec study = readStudy(file("keys.toml"), options);
     const RunKeys keys(study, gl_, shaders);
     const MeshChoice base{DrawnMesh::base, study.baseSubdivisions, study.baseCurvature};
     Keys all;
