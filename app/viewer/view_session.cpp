@@ -246,7 +246,11 @@ void ViewSession::takeTruths() {
 
 bool ViewSession::update() {
   noticeChanges();
-  askForScene();
+  try {
+    askForScene();
+  } catch (const Error& error) {  // the study's file is not what it was
+    sceneError_ = error.what();
+  }
   takeScenes();
   if (!hasScene()) return false;
   try {

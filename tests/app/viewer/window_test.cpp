@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "end_to_end/program.h"
-#include "viewer/virtual_display.h"
+#include "app/viewer/virtual_display.h"
 
 namespace gnomon::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "truth/shadow_tracer.h"
-#include "viewer/viewed_study.h"
+#include "app/viewer/viewed_study.h"
 
 namespace gnomon {
 namespace {

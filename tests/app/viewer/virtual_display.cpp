@@ -1,4 +1,4 @@
-#include "viewer/virtual_display.h"
+#include "app/viewer/virtual_display.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

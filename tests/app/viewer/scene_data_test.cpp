@@ -4,7 +4,7 @@
 
 #include "common/error.h"
 #include "viewer/background_worker.h"
-#include "viewer/viewed_study.h"
+#include "app/viewer/viewed_study.h"
 
 namespace gnomon {
 namespace {
