@@ -34,7 +34,7 @@ void progressBar(const WorkStatus& work, const char* idle) {
     const std::string text = fmt::format("{} {:.0f} %", work.stage, 100 * work.share);
     ImGui::ProgressBar(static_cast<float>(work.share), ImVec2(-1, 0), text.c_str());
   } else {
-    ImGui::ProgressBar(1, ImVec2(-1, 0), idle);
+    ImGui::ProgressBar(0, ImVec2(-1, 0), idle);
   }
 }
 
@@ -244,6 +244,7 @@ void ControlPanel::status(const ViewSession& session, const FrameLog& frames) {
   heading("Truth");
   progressBar(session.tracing(), session.isComplete() ? "traced to the last sample" : "waiting");
   note("tracing");
+  if (frames.longestMilliseconds() == 0) return;
   faintText(fmt::format("frame {:.0f} ms, longest {:.0f} ms", frames.lastMilliseconds(),
                         frames.longestMilliseconds()));
 }

@@ -40,8 +40,8 @@ void setColours() {
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.965F, 0.967F, 0.972F, 1);
   style.Colors[ImGuiCol_Border] = ImVec4(0.72F, 0.74F, 0.78F, 1);
   style.Colors[ImGuiCol_FrameBg] = ImVec4(1, 1, 1, 1);
-  style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.35F, 0.45F, 0.62F, 1);
-  style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.35F, 0.45F, 0.62F, 1);
+  style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.62F, 0.71F, 0.85F, 1);
+  style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.62F, 0.71F, 0.85F, 1);
   style.Colors[ImGuiCol_Header] = ImVec4(0.86F, 0.88F, 0.92F, 1);
 }
 

@@ -13,7 +13,7 @@
 namespace gnomon {
 namespace {
 
-constexpr std::array<KeyHelp, 18> keys = {{
+constexpr std::array<KeyHelp, 18> keyHelp = {{
     {"drag", "turn the surface"},
     {"right drag", "move the surface"},
     {"scroll, + \u2212", "nearer, farther"},
@@ -33,10 +33,6 @@ constexpr std::array<KeyHelp, 18> keys = {{
     {"?", "this list"},
     {"Q", "close"},
 }};
-
-bool pressed(int key) {
-  return ImGui::IsKeyPressed(key, false);
-}
 
 Vec2 cursor() {
   const ImVec2 place = ImGui::GetIO().MousePos;
@@ -73,7 +69,7 @@ bool typed(ImWchar letter) {
 }  // namespace
 
 std::span<const KeyHelp> keyList() {
-  return keys;
+  return keyHelp;
 }
 
 void Input::drag(ViewState& state, const WindowLayout& layout) {
@@ -116,7 +112,10 @@ void Input::choose(ViewSession& session, int step) {
   content.shown = labels[static_cast<std::size_t>((now + step + count) % count)];
 }
 
-InputActions Input::press(ViewSession& session) {
+InputActions Input::press(ViewSession& session, std::span<const int> keys) {
+  const auto pressed = [&](int key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
   ViewState& state = session.state();
   PaneContent& content = state.panes.at(static_cast<std::size_t>(activePane_));
   InputActions actions;
@@ -138,10 +137,10 @@ InputActions Input::press(ViewSession& session) {
   if (pressed(GLFW_KEY_TAB)) state.panel = !state.panel;
   if (pressed(GLFW_KEY_R)) session.resetView();
   constexpr double degrees = 1;
-  if (ImGui::IsKeyPressed(GLFW_KEY_LEFT)) state.light = dragged(state.light, -degrees, 0);
-  if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT)) state.light = dragged(state.light, degrees, 0);
-  if (ImGui::IsKeyPressed(GLFW_KEY_UP)) state.light = dragged(state.light, 0, degrees);
-  if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) state.light = dragged(state.light, 0, -degrees);
+  if (pressed(GLFW_KEY_LEFT)) state.light = dragged(state.light, -degrees, 0);
+  if (pressed(GLFW_KEY_RIGHT)) state.light = dragged(state.light, degrees, 0);
+  if (pressed(GLFW_KEY_UP)) state.light = dragged(state.light, 0, degrees);
+  if (pressed(GLFW_KEY_DOWN)) state.light = dragged(state.light, 0, -degrees);
   constexpr double share = 0.02;
   if (typed('[')) state.wipe = std::max(0.0, state.wipe - share);
   if (typed(']')) state.wipe = std::min(1.0, state.wipe + share);
@@ -152,7 +151,8 @@ InputActions Input::press(ViewSession& session) {
   return actions;
 }
 
-InputActions Input::apply(ViewSession& session, const WindowLayout& layout) {
+InputActions Input::apply(ViewSession& session, const WindowLayout& layout,
+                          std::span<const int> keys) {
   const ImGuiIO& io = ImGui::GetIO();
   ViewState& state = session.state();
   const int under = paneUnder(layout, cursor(), state.wipe);
@@ -162,7 +162,7 @@ InputActions Input::apply(ViewSession& session, const WindowLayout& layout) {
   if (io.MouseWheel != 0 && under >= 0 && !io.WantCaptureMouse) {
     state.camera = zoomedBy(state.camera, io.MouseWheel);
   }
-  return io.WantTextInput ? InputActions{} : press(session);
+  return io.WantTextInput ? InputActions{} : press(session, keys);
 }
 
 void drawKeyList(const WindowLayout& layout) {
@@ -170,17 +170,17 @@ void drawKeyList(const WindowLayout& layout) {
   const float line = ImGui::GetTextLineHeight() + 5;
   constexpr float column = 160;
   float widest = 0;
-  for (const auto& [key, text] : keys) {
+  for (const auto& [key, text] : keyHelp) {
     widest = std::max(widest, ImGui::CalcTextSize(text.data(), text.data() + text.size()).x);
   }
-  const ImVec2 size(column + widest + 32, line * static_cast<float>(keys.size()) + 24);
+  const ImVec2 size(column + widest + 32, line * static_cast<float>(keyHelp.size()) + 24);
   const ImVec2 begin(static_cast<float>(layout.pictures.size.x / 2) - size.x / 2,
                      static_cast<float>(layout.pictures.size.y / 2) - size.y / 2);
   const ImVec2 end(begin.x + size.x, begin.y + size.y);
   list.AddRectFilled(begin, end, IM_COL32(255, 255, 255, 244), 6);
   list.AddRect(begin, end, ink::line, 6);
   float y = begin.y + 12;
-  for (const auto& [key, text] : keys) {
+  for (const auto& [key, text] : keyHelp) {
     list.AddText(ImVec2(begin.x + 16, y), ink::text, key.data(), key.data() + key.size());
     list.AddText(ImVec2(begin.x + 16 + column, y), ink::faint, text.data(),
                  text.data() + text.size());

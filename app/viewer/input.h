@@ -25,14 +25,15 @@ struct InputActions {
 class Input {
  public:
   /// @param layout  of the frame that the person has seen
-  InputActions apply(ViewSession& session, const WindowLayout& layout);
+  /// @param keys    that went down, as GLFW numbers them
+  InputActions apply(ViewSession& session, const WindowLayout& layout, std::span<const int> keys);
 
   /// The pane that keys speak of: the one under the cursor last.
   [[nodiscard]] int activePane() const { return activePane_; }
 
  private:
   void drag(ViewState& state, const WindowLayout& layout);
-  InputActions press(ViewSession& session);
+  InputActions press(ViewSession& session, std::span<const int> keys);
   void choose(ViewSession& session, int step);
 
   enum class Drag { none, orbit, pan, light, wipe };

@@ -121,11 +121,12 @@ void runWindow(const ViewRequest& request) {
     // Dear ImGui answers to input within a few frames; then there is time to wait.
     constexpr double pause = 0.1;
     window.readInput(restlessFrames > 0 ? 0 : pause);
+    const std::vector<int> keys = window.takeKeys();
     frames.begin();
     const auto [width, height] = window.size();
     screen.arrange(width, height);
     gui.beginInWindow();
-    const InputActions asked = input.apply(session, screen.layout());
+    const InputActions asked = input.apply(session, screen.layout(), keys);
     screen.arrange(width, height);
     const bool drawn = session.update();
     const SaveActions pressed = screen.describe(frames, said, input.activePane());
@@ -141,7 +142,7 @@ void runWindow(const ViewRequest& request) {
     frames.end(drawn);
     status.write(session, screen.controls().places(), frames, said);
     if (asked.close) break;
-    restlessFrames = drawn || gui.hasInput() ? 3 : std::max(0, restlessFrames - 1);
+    restlessFrames = drawn || !keys.empty() || gui.hasInput() ? 3 : std::max(0, restlessFrames - 1);
   }
   if (request.frames) fmt::print("{}\n", frames.text());
 }

@@ -171,6 +171,10 @@ void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int 
   const bool wipes = state.paneCount == 2;
   const CurvaturePicture* curvature = state.overlays.curvature ? session.curvature() : nullptr;
   if (curvature != nullptr) showCurvature(*curvature);
+  if (state.paneCount == 4) {  // what shows between them
+    list.AddRectFilled(point(layout.pictures.corner),
+                       point(layout.pictures.corner + layout.pictures.size), ink::line);
+  }
   for (std::size_t i = 0; i < static_cast<std::size_t>(state.paneCount); ++i) {
     const PaneRectangle& pane = layout.panes.at(i);
     const double from = wipes && i == 1 ? state.wipe : 0;

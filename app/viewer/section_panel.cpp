@@ -43,11 +43,15 @@ class Plot {
   }
   /// Fills between a curve and the plot's lower border.
   void fill(const std::vector<Vec2>& points, ImU32 colour) const {
+    // Smoothed edges would show as seams between the pieces.
+    const ImDrawListFlags flags = list_.Flags;
+    list_.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const ImVec2 a = at(points[i - 1]);
       const ImVec2 b = at(points[i]);
       list_.AddQuadFilled(a, b, ImVec2(b.x, end_.y), ImVec2(a.x, end_.y), colour);
     }
+    list_.Flags = flags;
   }
   /// A ray that starts at a place and leaves the plot.
   void ray(Vec2 from, Vec2 direction, ImU32 colour, float width) const {
@@ -115,14 +119,16 @@ std::string verdict(bool shadowed) {
 }
 
 struct Entry {
-  ImU32 colour;
+  ImU32 colour;  ///< 0 for what is not drawn
   std::string text;
 };
 
 void drawEntries(ImDrawList& list, ImVec2 at, const std::vector<Entry>& entries) {
   const float line = ImGui::GetTextLineHeight() + 3;
   for (const Entry& entry : entries) {
-    list.AddRectFilled(ImVec2(at.x, at.y + 5), ImVec2(at.x + 12, at.y + 9), entry.colour);
+    if (entry.colour != 0) {
+      list.AddRectFilled(ImVec2(at.x, at.y + 5), ImVec2(at.x + 12, at.y + 9), entry.colour);
+    }
     list.AddText(ImVec2(at.x + 18, at.y - 1), ink::text, entry.text.c_str());
     at.y += line;
   }
@@ -180,7 +186,7 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   const ImVec2 begin(static_cast<float>(layout.pictures.size.x) / 2 - width / 2,
                      static_cast<float>(layout.pictures.size.y) - height - 10);
   const ImVec2 end(begin.x + width, begin.y + height);
-  list.AddRectFilled(begin, end, IM_COL32(255, 255, 255, 240), 6);
+  list.AddRectFilled(begin, end, IM_COL32(255, 255, 255, 255), 6);
   list.AddRect(begin, end, ink::line, 6);
   if (!section_) {
     list.AddText(ImVec2(begin.x + 14, begin.y + 12), ink::faint,
@@ -243,11 +249,12 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
               {{rayColour, fmt::format("light {}", degrees(section.lightSlope))},
                {flatColour, fmt::format("flat {}: {}", degrees(section.here.flat.slope),
                                         verdict(section.here.flat.shadowed))},
-               {correctedColour, fmt::format("(2) {}", degrees(corrected.smallAngle.slope))},
-               {correctedColour, fmt::format("(3) {}", degrees(corrected.bare.slope))},
-               {correctedColour, fmt::format("onoue-2004: {}", verdict(corrected.onoue2004))},
-               {correctedColour, fmt::format("exact {}: {}", degrees(corrected.exact.slope),
-                                             verdict(corrected.onoueExact))},
+               {correctedColour,
+                fmt::format("onoue-2004 {}: {}", degrees(best), verdict(corrected.onoue2004))},
+               {0, fmt::format("by (2) {}, (3) {}", degrees(corrected.smallAngle.slope),
+                               degrees(corrected.bare.slope))},
+               {0, fmt::format("exact {}: {}", degrees(corrected.exact.slope),
+                               verdict(corrected.onoueExact))},
                {truthColour, truth}});
   const ImVec2 notes(begin.x + 2 * column + 18, bottom - 3 * (ImGui::GetTextLineHeight() + 3));
   list.AddText(

@@ -40,6 +40,12 @@ Window::Window(int width, int height, const std::string& title) {
     refuse(why);
   }
   glfwMakeContextCurrent(window_);
+  glfwSetWindowUserPointer(window_, &keys_);
+  // Dear ImGui sets its own callback later and calls this one from there.
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+    if (action == GLFW_RELEASE) return;
+    static_cast<std::vector<int>*>(glfwGetWindowUserPointer(window))->push_back(key);
+  });
   glfwSwapInterval(1);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -29,11 +31,15 @@ class Window {
   void swap();
   /// Reads input; waits for it at most so long, or until `wake` is called.
   void readInput(double seconds);
+  /// The keys that went down since the last call, repetitions included, as GLFW numbers them. None
+  /// is lost, however short, and however long a frame takes.
+  std::vector<int> takeKeys() { return std::exchange(keys_, {}); }
   /// Ends a wait, from any thread.
   static void wake();
 
  private:
   GLFWwindow* window_ = nullptr;
+  std::vector<int> keys_;
 };
 
 }  // namespace gnomon
