@@ -15,6 +15,7 @@
 #include "relief/horizon_bake.h"
 #include "relief/horizon_ellipses.h"
 #include "study/method_outcome.h"
+#include "study/record.h"
 #include "surface/sample_grid.h"
 #include "truth/shadow_tracer.h"
 
@@ -122,6 +123,11 @@ void fields(Stream& stream, T& boundaries) {
       metric.reason = textAt(boundaryReasons(), reason);
     }
   }
+}
+
+template <typename Stream, SameAs<RefinementRecord> T>
+void fields(Stream& stream, T& level) {
+  stream(level.stepTexels, level.microTriangles, level.flipRate);
 }
 
 template <typename Stream, SameAs<MethodOutcome> T>

@@ -35,11 +35,6 @@ std::string reachedText(double wanted, const std::vector<RefinementRecord>& path
                             path.back().microTriangles);
 }
 
-template <typename Stream, SameAs<RefinementRecord> T>
-void fields(Stream& stream, T& level) {
-  stream(level.stepTexels, level.microTriangles, level.flipRate);
-}
-
 /// A surface at the end of a search.
 struct RefinedSurface {
   std::unique_ptr<const TracedSurface> surface;
