@@ -84,8 +84,4 @@ BoxMaxima boxMaxima(const PaddedMap& map, const BoxMaxima& from, BoxSize box, in
   return grow(map, from.highest.data(), from.box, box, rowShift);
 }
 
-double boxMaximaBytes(double mapBytes) {
-  return 1.2 * mapBytes;
-}
-
 }  // namespace gnomon

@@ -27,7 +27,4 @@ struct BoxMaxima {
 BoxMaxima boxMaxima(const PaddedMap& map, BoxSize box, int rowShift);
 BoxMaxima boxMaxima(const PaddedMap& map, const BoxMaxima& from, BoxSize box, int rowShift);
 
-/// Memory of either while it is made, bytes, of a map that takes so many.
-double boxMaximaBytes(double mapBytes);
-
 }  // namespace gnomon
