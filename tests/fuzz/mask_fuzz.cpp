@@ -12,7 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   test::fuzzReader(data + 1, size - 1, extensions[data[0] % extensions.size()],
                    [](const std::filesystem::path& path) {
-                     const MaskPicture picture = readMaskPicture(path, {.threshold = 0.5});
+                     MaskReading reading;
+                     reading.threshold = 0.5;
+                     const MaskPicture picture = readMaskPicture(path, reading);
                      const auto pixels = static_cast<std::size_t>(picture.mask.width) *
                                          static_cast<std::size_t>(picture.mask.height);
                      if (picture.mask.samples.size() != pixels) std::abort();

@@ -328,7 +328,7 @@ TEST(ReadObjErrors, Indices) {
 }
 
 TEST(ReadObj, FacesWithoutTextureCoordinatesHaveNoFrames) {
-  for (const std::string& other :
+  for (const std::string other :
        {"f 2 5 6 3\n", "f 2//1 5//1 6//1 3//1\nvn 0 0 1\n", "f 2 5 3\n"}) {
     const LimitSurface surface(readText(square + "v 2 0 0\nv 2 1 0\n" + squareFace + other));
     const LimitPoint with = surface.evaluate(0, 0.3, 0.6);
