@@ -43,7 +43,9 @@ Window::Window(int width, int height, const std::string& title) {
   glfwSetWindowUserPointer(window_, &keys_);
   // Dear ImGui sets its own callback later and calls this one from there.
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
-    if (action == GLFW_RELEASE) return;
+    // Only arrows repeat: of the others a second press undoes the first.
+    const bool repeats = key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP;
+    if (action == GLFW_RELEASE || (action == GLFW_REPEAT && !repeats)) return;
     static_cast<std::vector<int>*>(glfwGetWindowUserPointer(window))->push_back(key);
   });
   glfwSwapInterval(1);

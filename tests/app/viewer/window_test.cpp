@@ -27,7 +27,7 @@ source = "a test"
 shape = "sphere"
 curvature = 0.02
 size = [48, 48]
-quads = [6, 6]
+quads = [20, 20]
 
 [relief]
 pattern = "columns"
