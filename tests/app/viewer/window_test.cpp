@@ -180,7 +180,9 @@ TEST_F(ViewerWindow, PanesOfEveryKindLookAsTheyDoWithoutADisplay) {
     arguments.insert(arguments.end(), {"--show", content});
   const Outcome outcome = gnomon(arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(differingPixels(saved, folder() / "headless.png"), 0U);
+  // The window system's pictures have another format: where letters and rims are blended, a pixel in
+  // ten thousand may be rounded another way.
+  EXPECT_LE(differingPixels(saved, folder() / "headless.png"), 700U * 500U / 10000U);
   // The control: other contents are other pictures.
   const Outcome other = gnomon({"view", "ball.toml", "--width", "700", "--height", "500",
                                 "--no-panel", "--screenshot", "other.png"});
