@@ -213,7 +213,7 @@ void ControlPanel::parameters(ViewSession& session) {
 
 void ControlPanel::overlays(ViewState& state) {
   heading("Overlays");
-  ImGui::Checkbox("curvature", &state.overlays.curvature);
+  ImGui::Checkbox("curvature##overlay", &state.overlays.curvature);
   note("overlay.curvature");
   ImGui::SameLine();
   ImGui::Checkbox("directions", &state.overlays.directions);
