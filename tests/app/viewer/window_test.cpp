@@ -199,7 +199,7 @@ void expectSameFigures(const json& pane, const json& result) {
 
 TEST_F(ViewerWindow, ASavedStudyReproducesTheFiguresOnTheScreen) {
   DrivenViewer viewer =
-      open({"--show", "max-forsyth", "--show", "onoue-2004", "--width", "800", "--height", "600"});
+      open({"--show", "max-forsyth", "--show", "onoue-2004", "--width", "800", "--height", "700"});
   ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
   const json before = viewer.status();
   viewer.drag(150, 400, 190, 380);
