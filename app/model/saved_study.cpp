@@ -137,7 +137,7 @@ std::vector<std::string> overridesOf(const StudyChanges& changes, const fs::path
 std::string savedStudy(const StudyState& state, const fs::path& target) {
   toml::table study = studyTable(state.file, state.options);
   keepMethods(study, state);
-  for (const char* key : {"sweep", "threshold", "claim", "ladder", "budget"}) study.erase(key);
+  for (const char* key : {"sweep", "threshold", "claim", "ladder"}) study.erase(key);
   movePaths(study, state.file.parent_path(), fs::absolute(target).parent_path());
   if (toml::table* header = study["study"].as_table()) {
     header->insert_or_assign("name", plainName(target.stem().string()));

@@ -61,7 +61,7 @@ struct StudyState {
 ///                        - and _ becoming -: a run of it does not overwrite the study's own;
 ///   `study.ranked`       false: a state is no study of its own in a ranking;
 ///   `[sweep]`            gone: a state is one case, and the value shown is fixed in its key;
-///   `[[threshold]]`, `[[claim]]`, `[[ladder]]`, `[budget]`
+///   `[[threshold]]`, `[[claim]]`, `[[ladder]]`
 ///                        gone: they were chosen for the study's settings, and may name lights,
 ///                        views and methods that the state does not have;
 ///   comments             gone.

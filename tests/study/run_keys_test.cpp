@@ -87,7 +87,7 @@ class RunKeysTest : public TemporaryFolder {
     const MeshChoice base{DrawnMesh::base, study.baseSubdivisions, study.baseCurvature};
     Keys all;
     all["samples"] = keys.samples(base, 0);
-    all["surface"] = keys.surface(study.truth);
+    all["surface"] = keys.surface();
     all["truth"] = keys.truth(base, 0, 0);
     all["displaced"] = keys.displacedPicture(0, 0);
     for (const MethodSpec& spec : study.methods) {

@@ -109,7 +109,7 @@ TEST_F(SavedStudy, OfEverySceneReadsAsTheScene) {
     EXPECT_FALSE(saved.steps.front().ranked);
     EXPECT_TRUE(saved.steps.front().thresholds.empty());
     EXPECT_TRUE(saved.steps.front().claims.empty());
-    EXPECT_TRUE(saved.steps.front().budget.ladders.empty());
+    EXPECT_TRUE(saved.steps.front().ladders.empty());
     // Saved again from there, it is the same to the byte.
     const StudyState again{target, {}, {}, {}, {}};
     EXPECT_EQ(savedStudy(again, target), savedStudy({entry.path(), options, {}, {}, {}}, target));
