@@ -63,7 +63,7 @@ void movePath(toml::table& table, const char* key, const fs::path& from, const f
 
 void movePaths(toml::table& study, const fs::path& from, const fs::path& to) {
   if (toml::table* relief = study["relief"].as_table()) movePath(*relief, "image", from, to);
-  if (toml::table* surface = study["surface"].as_table()) movePath(*surface, "obj", from, to);
+  if (toml::table* surface = study["surface"].as_table()) movePath(*surface, "mesh", from, to);
   toml::array* methods = study["method"].as_array();
   if (methods == nullptr) return;
   for (toml::node& method : *methods) {

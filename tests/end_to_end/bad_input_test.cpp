@@ -17,7 +17,10 @@ using ::testing::StartsWith;
 TEST_F(BadInput, CommandLine) {
   writeSmall();
   for (const Failure& failure : std::vector<Failure>{
-           {"no arguments", {}, 2, {"run, check, compare, bake, truth, export or list", "--help"}},
+           {"no arguments",
+            {},
+            2,
+            {"run, check, compare, bake, truth, export, view, cache or list", "--help"}},
            {"unknown command", {"rnu", "small.toml"}, 2, {"rnu", "not expected"}},
            {"unknown option", {"run", "small.toml", "--fast"}, 2, {"--fast"}},
            {"unknown option before", {"--fast", "run", "small.toml"}, 2, {"--fast"}},
@@ -172,8 +175,8 @@ TEST_F(BadInput, MoreThanMemoryHolds) {
   writeSmall();
   expectFailureWith({"truth.step=1e-7"}, 4, {"truth.step = 1e-07", "needs ", " available"});
   expectFailureWith({"truth.step=1e-300"}, 4, {"truth.step = 1e-300"});
-  expectFailureWith({"bake.radius=1e5", "bake.azimuths=1024"}, 4,
-                    {"bake.azimuths = 1024 and bake.radius = 100000", "needs ", " available"});
+  expectFailureWith({"relief.texels=[4096, 4096]", "bake.radius=100", "bake.azimuths=1024"}, 4,
+                    {"bake.azimuths = 1024 and bake.radius = 100", "needs ", " available"});
   expectFailureWith({"view.0.width=16384", "view.0.height=16384"}, 3,
                     {"view \"camera\": 16384 × 16384 samples found, at most 134217728 expected"});
 }

@@ -337,6 +337,12 @@ TEST_F(ParseToml, AnOverriddenValueHasNoLine) {
               StartsWith("study.toml: relief.height: the string \"tall\" found"));
 }
 
+TEST_F(ParseToml, AnOverrideOnePastTheEndAddsAnEntry) {
+  const toml::table table = parse("[[light]]\nelevation = 60\n", {"light.1.elevation=3"});
+  ASSERT_EQ(table["light"].as_array()->size(), 2U);
+  EXPECT_EQ(table["light"][1]["elevation"].value<int>(), 3);
+}
+
 TEST_F(ParseToml, RefusesOverridesThatLeadNowhere) {
   const std::string text = "a = 1\n[[light]]\nelevation = 60\neye = [1, 2, 3]\n";
   const auto refused = [&](const std::string& change) {
@@ -344,7 +350,8 @@ TEST_F(ParseToml, RefusesOverridesThatLeadNowhere) {
   };
   EXPECT_EQ(refused("a"), "--set a: KEY=VALUE expected, as relief.height=4");
   EXPECT_EQ(refused("=3"), "--set =3: KEY=VALUE expected, as relief.height=4");
-  EXPECT_EQ(refused("light.1.elevation=3"), "--set light.1.elevation=3: there is no `1`");
+  EXPECT_EQ(refused("light.2.elevation=3"), "--set light.2.elevation=3: there is no `2`");
+  EXPECT_EQ(refused("light.0.eye.3.x=3"), "--set light.0.eye.3.x=3: there is no `3`");
   EXPECT_EQ(refused("light.x.elevation=3"), "--set light.x.elevation=3: there is no `x`");
   EXPECT_EQ(refused("light.-1.elevation=3"), "--set light.-1.elevation=3: there is no `-1`");
   EXPECT_EQ(refused("light.0x.elevation=3"), "--set light.0x.elevation=3: there is no `0x`");

@@ -290,7 +290,7 @@ toml::node* child(toml::node& node, const std::string& part) {
   if (array == nullptr || failure != std::errc() || end != part.data() + part.size())
     return nullptr;
   // One past the end is a new entry: an override may add a method, a light or a view.
-  if (index == array->size()) array->push_back(toml::table{});
+  if (index == array->size() && array->is_array_of_tables()) array->push_back(toml::table{});
   return array->get(index);
 }
 

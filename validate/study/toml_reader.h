@@ -109,7 +109,7 @@ class TomlReader {
 
 /// Parses a TOML file and applies overrides.
 /// @param overrides  `key.path=value`, as `relief.height=4` or `light.0.elevation=30`; the value is
-///   TOML, or a string where it is not
+///   TOML, or a string where it is not. An index one past the end of a list of tables adds one.
 /// @throws InputError for a file that is missing or no TOML (with line and column); UsageError for
 ///   an override without `=` or whose path leads into something that is not a table or list
 toml::table parseToml(const std::filesystem::path& path, const std::vector<std::string>& overrides);

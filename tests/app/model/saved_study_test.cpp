@@ -184,7 +184,7 @@ name = "study"
 title = "t"
 source = "s"
 [surface]
-obj = "spot.obj"
+mesh = "spot.obj"
 [relief]
 image = "maps/dem.png"
 height = 2
