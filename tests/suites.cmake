@@ -1,0 +1,21 @@
+# Writes the CTest file of a GoogleTest program, one test a suite:
+#   cmake -D PROGRAM=file -D NAME=component -D PROPERTIES=list -D OUTPUT=file -P suites.cmake
+# A test of its own for every case would start the program some thousand times, and loading what
+# OpenImageIO links takes longer than most cases.
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing
+                COMMAND_ERROR_IS_FATAL ANY)
+# Suites stand at the beginning of a line, "Suite." or "Suite.  # …"; their cases are indented.
+string(REGEX MATCHALL "\n[A-Za-z0-9_/]+\\." heads "\n${listing}")
+if(NOT heads)
+  message(FATAL_ERROR "${PROGRAM}: no suite found")
+endif()
+set(script "")
+foreach(head IN LISTS heads)
+  string(REGEX REPLACE "\n(.*)\\." "\\1" suite "${head}")
+  string(APPEND script "add_test(\"${NAME}.${suite}\" \"${PROGRAM}\" \"--gtest_filter=${suite}.*\")\n")
+  if(PROPERTIES)
+    list(JOIN PROPERTIES " " properties)
+    string(APPEND script "set_tests_properties(\"${NAME}.${suite}\" PROPERTIES ${properties})\n")
+  endif()
+endforeach()
+file(WRITE ${OUTPUT} "${script}")
