@@ -42,10 +42,10 @@ using Keys = std::vector<std::string>;
 
 TEST(SummaryJson, HasEveryKeyInOrder) {
   const ordered_json json = written(recordWithPanel());
-  EXPECT_EQ(keysOf(json), (Keys{"schema", "status", "study", "environment", "truth", "methods",
-                                "results", "confidence", "differences", "bins", "cost", "timings",
-                                "thresholds", "claims", "budget", "panels", "undefined_samples",
-                                "cache"}));
+  EXPECT_EQ(keysOf(json),
+            (Keys{"schema", "status", "study", "environment", "truth", "methods", "results",
+                  "confidence", "differences", "bins", "cost", "timings", "thresholds", "claims",
+                  "budget", "panels", "undefined_samples", "cache"}));
   EXPECT_EQ(json["schema"], "gnomon-summary/1");
   EXPECT_EQ(keysOf(json["study"]), (Keys{"name", "title", "source", "file", "command"}));
   EXPECT_EQ(keysOf(json["environment"]),
@@ -56,8 +56,9 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(keysOf(json["truth"]["flips"][0]),
             (Keys{"view", "light", "flip_rate", "length_error", "boundaries"}));
   EXPECT_EQ(keysOf(json["methods"][0]), (Keys{"label", "name", "title", "citation"}));
-  EXPECT_EQ(keysOf(json["cost"][0]), (Keys{"method", "polygons", "table_bytes", "height_bytes",
-                                           "frame_ms", "passes", "frame_ratio", "frame_kept_since"}));
+  EXPECT_EQ(keysOf(json["cost"][0]),
+            (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms", "passes",
+                  "frame_ratio", "frame_kept_since"}));
   EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
   EXPECT_EQ(keysOf(json["thresholds"][0]), (Keys{"method", "light", "view", "region", "metric",
                                                  "value", "minimum", "maximum", "passed"}));

@@ -213,7 +213,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, check, compare, bake, truth, export, view, cache or list. See gnomon "
+        "a command expected: run, check, compare, bake, truth, export, view, cache or list. See "
+        "gnomon "
         "--help");
   }
   const ThreadLimit limit(threads);

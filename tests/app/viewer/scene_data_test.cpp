@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/viewer/viewed_study.h"
 #include "common/error.h"
 #include "viewer/background_worker.h"
-#include "app/viewer/viewed_study.h"
 
 namespace gnomon {
 namespace {

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "truth/shadow_tracer.h"
 #include "app/viewer/viewed_study.h"
+#include "truth/shadow_tracer.h"
 
 namespace gnomon {
 namespace {

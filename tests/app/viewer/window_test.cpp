@@ -6,8 +6,8 @@
 #include <chrono>
 #include <thread>
 
-#include "end_to_end/program.h"
 #include "app/viewer/virtual_display.h"
+#include "end_to_end/program.h"
 
 namespace gnomon::test {
 namespace {
@@ -180,8 +180,8 @@ TEST_F(ViewerWindow, PanesOfEveryKindLookAsTheyDoWithoutADisplay) {
     arguments.insert(arguments.end(), {"--show", content});
   const Outcome outcome = gnomon(arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  // Masks are the same to the pixel, see below. Of the window's letters and rims, which are blended,
-  // single pixels were seen to differ between a window and a picture without one.
+  // Masks are the same to the pixel, see below. Of the window's letters and rims, which are
+  // blended, single pixels were seen to differ between a window and a picture without one.
   EXPECT_LE(differingPixels(saved, folder() / "headless.png"), 700U * 500U / 10000U);
   // The control: other contents are other pictures.
   const Outcome other = gnomon({"view", "ball.toml", "--width", "700", "--height", "500",
