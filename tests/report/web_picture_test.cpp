@@ -72,17 +72,6 @@ TEST_F(WebPicture, LosesNothingThatOneSeesAndMostOfItsBytes) {
   EXPECT_LT(webPicture(picture, smallQuality).size(), address.size());
 }
 
-TEST_F(WebPicture, ShrinksToTheLongerSide) {
-  const Image small = shrunk(shading(300, 200), 60);
-  EXPECT_EQ(small.width, 60);
-  EXPECT_EQ(small.height, 40);
-  // The mean stays, and so does the middle of a smooth picture.
-  const Image whole = shading(300, 200);
-  EXPECT_NEAR(small.rgb[3 * (60 * 20 + 30)], whole.rgb[3 * (300 * 102 + 152)], 4);
-  EXPECT_EQ(shrunk(whole, 300).rgb, whole.rgb);
-  EXPECT_EQ(shrunk(shading(1000, 1), 10).height, 1);
-}
-
 TEST_F(WebPicture, RefusesWhatWebPCannotHold) {
   EXPECT_THAT(messageOf<InternalError>([] { (void)webPicture(Image{}, 90); }), HasSubstr("0 x 0"));
   EXPECT_THAT(messageOf<InternalError>([] { (void)webPicture(shading(16384, 1), 90); }),

@@ -16,6 +16,7 @@
 #include "report/names.h"
 #include "report/number_text.h"
 #include "report/picture_layers.h"
+#include "report/shrunk_image.h"
 #include "report/web_picture.h"
 
 namespace gnomon {

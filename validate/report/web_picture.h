@@ -23,7 +23,4 @@ std::string dataAddress(std::string_view type, const std::string& bytes);
 ///   takes (16,383)
 std::string webPicture(const Image& image, int quality);
 
-/// The picture with its longer side at most so long.
-Image shrunk(const Image& image, int side);
-
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 namespace gnomon {
 namespace {
 
-LightStep lightStep(const ViewMap& map, const LimitPoint& point, const Vec3& light) {
+LightStep lightStep(const ViewMap& map, const TangentPoint& point, const Vec3& light) {
   constexpr double leastSine = 1e-6;
   const Vec3 normal = outwardNormal(point);
   const double cosine = glm::dot(light, normal);
@@ -38,7 +38,7 @@ LightField makeLightField(const LimitSurface& surface, const RenderView& view,
       [&](std::size_t i) {
         const SurfaceSample& sample = samples.samples[i];
         if (sample.face < 0) return;
-        field.steps[i] = lightStep(map, surface.evaluate(sample.face, sample.s, sample.t), light);
+        field.steps[i] = lightStep(map, surface.tangentPoint(sample.face, sample.s, sample.t), light);
       },
       1024);
   return field;

@@ -16,7 +16,7 @@ struct Surrounding {
   float reach = 0;
 };
 
-Surrounding surroundingOf(const ViewMap& map, const LimitPoint& point) {
+Surrounding surroundingOf(const ViewMap& map, const TangentPoint& point) {
   const Vec3 normal = outwardNormal(point);
   const Vec3 along = glm::normalize(point.ds);
   const Vec3 across = glm::cross(normal, along);
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const View
       [&](std::size_t i) {
         const SurfaceSample& sample = grid.samples[i];
         if (sample.face < 0) return;
-        surroundings[i] = surroundingOf(map, surface.evaluate(sample.face, sample.s, sample.t));
+        surroundings[i] = surroundingOf(map, surface.tangentPoint(sample.face, sample.s, sample.t));
       },
       grain);
   const auto width = static_cast<std::size_t>(grid.width);
@@ -61,7 +61,7 @@ std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const View
 Vec2 meanSteps(const LimitSurface& surface, Vec2 texelsPerUv, int samplesPerSide) {
   Vec2 sum(0);
   for (int face = 0; face < surface.faceCount(); ++face) {
-    const LimitPoint middle = surface.evaluate(face, 0.5, 0.5);
+    const TangentPoint middle = surface.tangentPoint(face, 0.5, 0.5);
     sum += Vec2(glm::length(texelsPerUv * middle.uvDs), glm::length(texelsPerUv * middle.uvDt));
   }
   return sum / (static_cast<double>(surface.faceCount()) * samplesPerSide);

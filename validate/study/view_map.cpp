@@ -10,11 +10,11 @@ ViewMap::ViewMap(const LimitSurface& surface, const RenderView& view)
   if (isAtlas() && !surface.grid()) tileSide_ = samplesPerSide_;
 }
 
-Vec2 ViewMap::image(const LimitPoint& point, const Vec3& tangent) const {
+Vec2 ViewMap::image(const TangentPoint& point, const Vec3& tangent) const {
   return isAtlas() ? imageInAtlas(point, tangent) : imageInCamera(point.position, tangent);
 }
 
-Vec2 ViewMap::imageInAtlas(const LimitPoint& point, const Vec3& tangent) const {
+Vec2 ViewMap::imageInAtlas(const TangentPoint& point, const Vec3& tangent) const {
   const double ss = glm::dot(point.ds, point.ds);
   const double st = glm::dot(point.ds, point.dt);
   const double tt = glm::dot(point.dt, point.dt);

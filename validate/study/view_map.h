@@ -22,10 +22,10 @@ class ViewMap {
   /// Columns and rows (downward) a world unit along a tangent: in a camera view by the Jacobian of
   /// the projection at P, in an atlas by solving for the tangent as a P_s + b P_t, since there
   /// columns run along s and rows against t. Not finite where the view shows no such thing.
-  [[nodiscard]] Vec2 image(const LimitPoint& point, const Vec3& tangent) const;
+  [[nodiscard]] Vec2 image(const TangentPoint& point, const Vec3& tangent) const;
 
  private:
-  [[nodiscard]] Vec2 imageInAtlas(const LimitPoint& point, const Vec3& tangent) const;
+  [[nodiscard]] Vec2 imageInAtlas(const TangentPoint& point, const Vec3& tangent) const;
   [[nodiscard]] Vec2 imageInCamera(const Vec3& position, const Vec3& tangent) const;
 
   const RenderView& view_;

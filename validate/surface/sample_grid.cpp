@@ -21,7 +21,7 @@ std::vector<double> sampleAreas(const LimitSurface& surface, const SampleGrid& g
       [&](std::size_t i) {
         const SurfaceSample& sample = grid.samples[i];
         if (sample.face < 0) return;
-        const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+        const TangentPoint point = surface.tangentPoint(sample.face, sample.s, sample.t);
         areas[i] = glm::length(glm::cross(point.ds, point.dt)) / samplesPerFace;
       },
       1024);

@@ -1,0 +1,119 @@
+#include "report/shrunk_image.h"
+
+#include <OpenImageIO/filter.h>
+#include <OpenImageIO/fmath.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "common/error.h"
+#include "common/parallel.h"
+
+namespace gnomon {
+namespace {
+
+using Colour = std::array<float, 3>;
+
+/// What a place of the shrunk side is made of: neighbouring pixels of the longer one.
+struct Taps {
+  std::vector<std::size_t> pixels;
+  std::vector<float> weights;
+};
+
+class Lanczos {
+ public:
+  Lanczos() : filter_(OIIO::Filter2D::create("lanczos3", width, width)) {
+    if (!filter_) throw InternalError("OpenImageIO: no filter lanczos3");
+  }
+
+  /// Of every place of a side that is shrunk. In single precision, as OpenImageIO has it.
+  [[nodiscard]] std::vector<Taps> tapsOf(int from, int to) const {
+    const auto length = static_cast<float>(from);
+    const float ratio = static_cast<float>(to) / length;
+    const float share = 1.0F / static_cast<float>(to);
+    const int radius = static_cast<int>(std::ceil(width / 2 / ratio));
+    std::vector<Taps> taps(static_cast<std::size_t>(to));
+    for (int place = 0; place < to; ++place) {
+      const float middle = (static_cast<float>(place) + 0.5F) * share * length;
+      const float pixel = std::floor(middle);
+      const float offset = middle - pixel - 0.5F;
+      Taps& of = taps[static_cast<std::size_t>(place)];
+      float sum = 0;
+      for (int i = -radius; i <= radius; ++i) {
+        const int nearest = std::clamp(static_cast<int>(pixel) + i, 0, from - 1);
+        of.pixels.push_back(static_cast<std::size_t>(nearest));
+        of.weights.push_back(filter_->xfilt(ratio * (static_cast<float>(i) - offset)));
+        sum += of.weights.back();
+      }
+      for (float& weight : of.weights) weight /= sum;
+    }
+    return taps;
+  }
+
+ private:
+  struct Destroyer {
+    void operator()(OIIO::Filter2D* filter) const { OIIO::Filter2D::destroy(filter); }
+  };
+  static constexpr float width = 6;
+  std::unique_ptr<OIIO::Filter2D, Destroyer> filter_;
+};
+
+std::vector<Colour> coloursOf(const Image& image) {
+  std::vector<Colour> colours(image.rgb.size() / 3);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    colours[i / 3].at(i % 3) = OIIO::convert_type<std::uint8_t, float>(image.rgb[i]);
+  }
+  return colours;
+}
+
+/// Adds one row of the longer picture to a row of the shrunk one.
+void addRow(const Colour* from, float weight, const std::vector<Taps>& columns,
+            std::vector<Colour>& row) {
+  for (std::size_t x = 0; x < columns.size(); ++x) {
+    const Taps& taps = columns[x];
+    auto [red, green, blue] = row[x];
+    for (std::size_t i = 0; i < taps.weights.size(); ++i) {
+      const float share = weight * taps.weights[i];
+      const Colour& colour = from[taps.pixels[i]];
+      red += share * colour[0];
+      green += share * colour[1];
+      blue += share * colour[2];
+    }
+    row[x] = {red, green, blue};
+  }
+}
+
+}  // namespace
+
+Image shrunk(const Image& image, int side) {
+  const int longest = std::max(image.width, image.height);
+  if (longest <= side) return image;
+  const double share = static_cast<double>(side) / longest;
+  const auto scaled = [&](int length) {
+    return std::max(1, static_cast<int>(std::lround(share * length)));
+  };
+  Image small{scaled(image.width), scaled(image.height), {}};
+  const Lanczos filter;
+  const std::vector<Taps> columns = filter.tapsOf(image.width, small.width);
+  const std::vector<Taps> rows = filter.tapsOf(image.height, small.height);
+  const std::vector<Colour> colours = coloursOf(image);
+  small.rgb.resize(3 * columns.size() * rows.size());
+  // Sums run over the taps in their order: rows, then columns. Where each axis is summed by itself,
+  // some values round to another byte.
+  parallelFor(0, rows.size(), [&](std::size_t y) {
+    std::vector<Colour> row(columns.size(), Colour{});
+    for (std::size_t j = 0; j < rows[y].weights.size(); ++j) {
+      const std::size_t from = rows[y].pixels[j] * static_cast<std::size_t>(image.width);
+      addRow(&colours[from], rows[y].weights[j], columns, row);
+    }
+    for (std::size_t i = 0; i < 3 * row.size(); ++i) {
+      small.rgb[3 * y * row.size() + i] =
+          OIIO::convert_type<float, std::uint8_t>(row[i / 3].at(i % 3));
+    }
+  });
+  return small;
+}
+
+}  // namespace gnomon
