@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "render/gl_context.h"
 
@@ -47,6 +49,52 @@ TEST(FrameTimes, OfSlowFramesStopEarly) {
   };
   EXPECT_GE(medianFrameMilliseconds(draw, 25, FrameClock::wall), 200);
   EXPECT_EQ(drawn, 3);
+}
+
+/// Hands out times one by one, and again from the first.
+class Times {
+ public:
+  explicit Times(std::vector<double> milliseconds) : milliseconds_(std::move(milliseconds)) {}
+  double operator()() { return milliseconds_[taken_++ % milliseconds_.size()]; }
+  /// Without the one that warms up.
+  [[nodiscard]] std::size_t counted() const { return taken_ - 1; }
+
+ private:
+  std::vector<double> milliseconds_;
+  std::size_t taken_ = 0;
+};
+
+double medianOf(Times& times, int frames = 25) {
+  return medianMilliseconds([&times] { return times(); }, frames);
+}
+
+TEST(FrameTimes, EndOnceTheMedianIsKnown) {
+  Times steady({10});
+  EXPECT_EQ(medianOf(steady), 10);
+  EXPECT_EQ(steady.counted(), 9U);
+  // Of nine times the second smallest and the second largest hold the median with 96.1 %: one
+  // outlier at either end says nothing, two do.
+  Times outliers({99, 10, 5, 10, 10, 10, 10, 10, 20, 10});
+  EXPECT_EQ(medianOf(outliers), 10);
+  EXPECT_EQ(outliers.counted(), 9U);
+  Times more({99, 20, 10, 10, 10, 20, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10, 10});
+  EXPECT_EQ(medianOf(more), 10);
+  EXPECT_EQ(more.counted(), 12U);  // where it is the third largest: 96.1 % too
+}
+
+TEST(FrameTimes, GoOnWhileTheMedianIsNotKnownToTwoPercent) {
+  Times within({10.0, 10.19});
+  medianOf(within);
+  EXPECT_EQ(within.counted(), 9U);
+  Times apart({10.0, 10.3});
+  medianOf(apart);
+  EXPECT_EQ(apart.counted(), 25U);
+  Times few({10});
+  medianOf(few, 5);
+  EXPECT_EQ(few.counted(), 5U);
+  Times slow({100});
+  medianOf(slow);
+  EXPECT_EQ(slow.counted(), 4U);
 }
 
 /// What a query answers is the driver's; that it answers without an error, for every frame, is

@@ -59,7 +59,7 @@ TEST(StudyPlots, AreNamedApartAndDrawn) {
 
 TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
   const PlotSheet sheet = binPlot(record(), "elevation", "camera");
-  const std::string pdf = pdfOf(sheet);
+  const std::string pdf = pdfsOf({sheet}).front();
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   EXPECT_THAT(pdf, HasSubstr("%%EOF"));
   EXPECT_THAT(pdf, HasSubstr("/Count 1"));
@@ -67,13 +67,34 @@ TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
   // 1000 pixels at 144 an inch are 500 points; 560 are 280.
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [ 0 0 500 280 ]"));
   ::sleep(1);  // what a date would tell apart
-  EXPECT_EQ(pdf, pdfOf(sheet));
+  EXPECT_EQ(pdf, pdfsOf({sheet}).front());
   EXPECT_EQ(svgOf(sheet), svgOf(sheet));
   EXPECT_THAT(svgOf(sheet), HasSubstr("<title>Error by light over the tangent plane"));
 }
 
+/// One gnuplot draws all: nothing that one plot sets reaches the next.
+TEST(PlotSheet, PdfIsTheSameBesideOthers) {
+  const PlotSheet meddler{
+      "x",
+      "x",
+      "x",
+      300,
+      200,
+      "set logscale xy\nset key off\nset border 15 lc rgb '#ff0000'\nset xrange [2:3]\n"
+      "set format x '%.9f'\nset style data lines\nset multiplot layout 1,2\n"
+      "set encoding iso_8859_1\n"
+      "$bins << EOD\n1 2\nEOD\nplot x\nplot x\nunset multiplot\n"};
+  const PlotSheet sheet = binPlot(record(), "elevation", "camera");
+  const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet};
+  const std::vector<std::string> pdfs = pdfsOf(beside);
+  ASSERT_EQ(pdfs.size(), 4U);
+  for (const std::size_t i : {0U, 1U, 2U, 3U}) {
+    EXPECT_EQ(pdfs[i], pdfsOf({beside[i]}).front()) << i;
+  }
+}
+
 TEST(PlotSheet, ErrorsAreGnuplots) {
-  EXPECT_THROW((void)pdfOf({"x", "x", "x", 100, 100, "plot nosuch$(\n"}), InternalError);
+  EXPECT_THROW((void)pdfsOf({{"x", "x", "x", 100, 100, "plot nosuch$(\n"}}), InternalError);
 }
 
 }  // namespace

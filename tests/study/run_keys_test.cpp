@@ -89,6 +89,7 @@ class RunKeysTest : public TemporaryFolder {
     all["samples"] = keys.samples(base, 0);
     all["surface"] = keys.surface();
     all["truth"] = keys.truth(base, 0, 0);
+    all["bins"] = keys.bins(base, 0, 0);
     all["displaced"] = keys.displacedPicture(0, 0);
     for (const MethodSpec& spec : study.methods) {
       const Method method = readMethod(spec.file);
@@ -113,11 +114,11 @@ class RunKeysTest : public TemporaryFolder {
 };
 
 const char* const everything =
-    "displaced onoue-2004 relief-march samples sloan-cohen-surface surface truth unshadowed";
+    "bins displaced onoue-2004 relief-march samples sloan-cohen-surface surface truth unshadowed";
 
 TEST_F(RunKeysTest, EveryKeyOfAStudyChangesWhatDependsOnIt) {
   const std::string masks = "onoue-2004 relief-march sloan-cohen-surface unshadowed";
-  const std::string drawn = masks + " samples truth";
+  const std::string drawn = masks + " bins samples truth";
   const std::string tables = "onoue-2004 sloan-cohen-surface";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"study.title='Another'", ""},
@@ -153,8 +154,8 @@ TEST_F(RunKeysTest, EveryKeyOfAStudyChangesWhatDependsOnIt) {
       {"view.0.target=[0, 1, 0]", drawn + " displaced"},
       {"view.0.up=[1, 0, 0]", drawn + " displaced"},
       {"view.0.fov=31", drawn + " displaced"},
-      {"light.0.elevation=31", masks + " truth displaced"},
-      {"light.0.azimuth=1", masks + " truth displaced"},
+      {"light.0.elevation=31", masks + " bins truth displaced"},
+      {"light.0.azimuth=1", masks + " bins truth displaced"},
       {"method.0.filter='hardware'", "onoue-2004"},
       {"method.0.bake.azimuths=16", "onoue-2004"},
       {"method.0.base.subdivisions=2", "onoue-2004"},
@@ -173,7 +174,7 @@ TEST_F(RunKeysTest, ShadersEnterByTheirText) {
   EXPECT_EQ(changed(before, keysOf({}, shaders)), namesIn("")) << "where they lie does not matter";
   std::ofstream(shaders / "common/pixel.glsl", std::ios::app) << "// edited\n";
   EXPECT_EQ(changed(before, keysOf({}, shaders)),
-            namesIn("onoue-2004 relief-march samples sloan-cohen-surface truth unshadowed"));
+            namesIn("bins onoue-2004 relief-march samples sloan-cohen-surface truth unshadowed"));
 }
 
 TEST_F(RunKeysTest, AMethodEntersByItsText) {

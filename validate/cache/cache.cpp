@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The whole file; none where it is not there or cannot be read.
-std::optional<std::string> contentOf(const fs::path& path) {
+std::optional<RawBuffer<char>> contentOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return std::nullopt;
   const std::streamoff size = file.tellg();
   if (size < 0) return std::nullopt;
-  std::string content(static_cast<std::size_t>(size), '\0');
+  RawBuffer<char> content(static_cast<std::size_t>(size));
   file.seekg(0);
   file.read(content.data(), size);
   if (!file) return std::nullopt;
@@ -52,16 +52,16 @@ bool Cache::holds(const ContentKey& key) const {
   return isOn() && fs::exists(pathOf(ownKey(key)), failure);
 }
 
-std::optional<std::string> Cache::load(const ContentKey& key) {
+std::optional<Cache::Loaded> Cache::load(const ContentKey& key) {
   if (!isOn()) return std::nullopt;
   const ContentKey own = ownKey(key);
   const fs::path path = pathOf(own);
-  std::optional<std::string> file = contentOf(path);
+  std::optional<RawBuffer<char>> file = contentOf(path);
   if (!file) {
     ++misses_;
     return std::nullopt;
   }
-  const auto content = openedEntry(own, *file);
+  const auto content = openedEntry(own, {file->data(), file->size()});
   ++hits_;
   if (!content) {
     discard(key);
@@ -69,8 +69,7 @@ std::optional<std::string> Cache::load(const ContentKey& key) {
   }
   std::error_code ignored;  // in a folder that cannot be written its age stays
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
-  file->erase(0, file->size() - content->size());
-  return file;
+  return Loaded{std::move(*file), *content};
 }
 
 void Cache::discard(const ContentKey& key) {

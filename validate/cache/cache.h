@@ -7,10 +7,12 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cache/byte_stream.h"
 #include "cache/cache_counts.h"
 #include "cache/content_key.h"
+#include "common/raw_buffer.h"
 
 namespace gnomon {
 
@@ -41,10 +43,10 @@ class Cache {
   /// The value of an entry, counted as a hit or a miss. A damaged entry is removed.
   template <typename Value>
   std::optional<Value> find(const ContentKey& key) {
-    const std::optional<std::string> content = load(key);
-    if (!content) return std::nullopt;
+    const std::optional<Loaded> entry = load(key);
+    if (!entry) return std::nullopt;
     try {
-      return valueOf<Value>(*content);
+      return valueOf<Value>(entry->content);
     } catch (const DamagedBytes&) {
       discard(key);
       return std::nullopt;
@@ -67,7 +69,12 @@ class Cache {
   [[nodiscard]] CacheCounts counts() const { return {hits_, misses_, damaged_}; }
 
  private:
-  std::optional<std::string> load(const ContentKey& key);
+  /// A sound entry.
+  struct Loaded {
+    RawBuffer<char> file;
+    std::string_view content;  ///< of the file
+  };
+  std::optional<Loaded> load(const ContentKey& key);
   void save(const ContentKey& key, const std::string& content);
   /// The key with the program's.
   [[nodiscard]] ContentKey ownKey(const ContentKey& key) const;

@@ -16,6 +16,7 @@
 #include "common/atomic_file.h"
 #include "common/shell_quote.h"
 #include "report/github_annotations.h"
+#include "report/gnuplot.h"
 #include "report/junit.h"
 #include "report/terminal_check.h"
 #include "study/gate_record.h"
@@ -141,8 +142,9 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
   for (Study& study : studies) {
     if (!study.plan) continue;
     try {
-      requirePlots();
+      askGnuplotVersion();  // which it tells while OpenGL starts
       if (!gl) gl = std::make_unique<GlContext>();
+      requirePlots();
       study.part = runPlan(*study.plan, *gl, request.run, cache, records);
     } catch (...) {
       addProblem(study.check, "study");

@@ -10,6 +10,7 @@
 #include "cli/terminal_progress.h"
 #include "common/memory.h"
 #include "relief/table_file.h"
+#include "report/gnuplot.h"
 #include "report/terminal_ranking.h"
 #include "study/truth_study.h"
 
@@ -32,8 +33,9 @@ void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
 
 ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
-  requirePlots();
+  askGnuplotVersion();  // which it tells while OpenGL starts
   const GlContext gl;
+  requirePlots();
   const std::unique_ptr<Cache> cache = openCache(request.noCache);
   if (isRanking(plans)) removeRanking(request);
   Records records;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/error.h"
+#include "common/parallel.h"
 #include "common/vec.h"
 #include "compare/mask_checks.h"
 
@@ -97,16 +98,16 @@ class RunFinder {
             std::span<const std::uint8_t> selected)
       : candidate_(candidate), truth_(truth), field_(field), selected_(selected) {}
 
+  /// In the order of the samples that they start in.
   [[nodiscard]] std::vector<Run> find() const {
+    constexpr std::size_t samplesAtOnce = 1 << 14;
+    std::vector<std::vector<Run>> strips((truth_.size() + samplesAtOnce - 1) / samplesAtOnce);
+    parallelFor(0, strips.size(), [&](std::size_t strip) {
+      const std::size_t first = strip * samplesAtOnce;
+      strips[strip] = findFrom(first, std::min(first + samplesAtOnce, truth_.size()));
+    });
     std::vector<Run> runs;
-    for (std::size_t i = 0; i < truth_.size(); ++i) {
-      if (!isDark(truth_, i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
-      for (int k = 0; k < linesPerRun; ++k) {
-        const Start start{i, lineStart(k)};
-        if (!isStart(start)) continue;
-        if (const auto run = follow(start)) runs.push_back(*run);
-      }
-    }
+    for (const auto& strip : strips) runs.insert(runs.end(), strip.begin(), strip.end());
     return runs;
   }
 
@@ -116,6 +117,20 @@ class RunFinder {
     std::size_t sample;
     Vec2 within;
   };
+
+  /// That start in some of the samples.
+  [[nodiscard]] std::vector<Run> findFrom(std::size_t first, std::size_t end) const {
+    std::vector<Run> runs;
+    for (std::size_t i = first; i < end; ++i) {
+      if (!isDark(truth_, i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
+      for (int k = 0; k < linesPerRun; ++k) {
+        const Start start{i, lineStart(k)};
+        if (!isStart(start)) continue;
+        if (const auto run = follow(start)) runs.push_back(*run);
+      }
+    }
+    return runs;
+  }
 
   [[nodiscard]] Walk walkFrom(const Start& start, Walk::Heading heading) const {
     return {field_, start.sample, start.within, heading};

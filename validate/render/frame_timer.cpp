@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +32,29 @@ double queryMilliseconds(const std::function<void()>& draw, const gl::Query& que
   return static_cast<double>(nanoseconds) * 1e-6;
 }
 
+/// The largest k for which the median lies between the k-th smallest and the k-th largest of so
+/// many times with at least 95 %: below the former, as above the latter, it does with the
+/// probability that a fair coin shows heads less than k times. 0 where there are too few.
+std::size_t rankAroundMedian(std::size_t times) {
+  constexpr double tail = 0.025;
+  double ways = 1;  // to choose `heads` of the times
+  double below = 0;
+  for (std::size_t heads = 0; heads < times; ++heads) {
+    below += ways;
+    if (std::ldexp(below, -static_cast<int>(times)) > tail) return heads;
+    ways *= static_cast<double>(times - heads) / static_cast<double>(heads + 1);
+  }
+  return 0;
+}
+
+bool isMedianKnown(const std::vector<double>& sorted) {
+  constexpr std::size_t fewest = 9;
+  constexpr double width = 0.02;
+  if (sorted.size() < fewest) return false;
+  const std::size_t rank = rankAroundMedian(sorted.size());
+  return sorted[sorted.size() - rank] - sorted[rank - 1] <= width * sorted[sorted.size() / 2];
+}
+
 }  // namespace
 
 FrameClock frameClockOf(std::string_view renderer) {
@@ -46,23 +70,29 @@ std::string_view frameClockName(FrameClock clock) {
   return clock == FrameClock::wall ? "wall clock" : "GL timer queries";
 }
 
-double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FrameClock clock) {
+double medianMilliseconds(const std::function<double()>& frame, int frames) {
   constexpr double enoughMilliseconds = 300;
-  const gl::Query query = gl::makeTimeQuery();
-  std::vector<double> milliseconds;
+  std::vector<double> sorted;
   double total = 0;
-  for (int i = 0; i <= frames; ++i) {
-    const double elapsed =
-        clock == FrameClock::wall ? wallMilliseconds(draw) : queryMilliseconds(draw, query);
-    if (i == 0) continue;  // warms up
-    milliseconds.push_back(elapsed);
+  (void)frame();  // warms up
+  for (int i = 0; i < frames; ++i) {
+    const double elapsed = frame();
+    sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), elapsed), elapsed);
     total += elapsed;
-    if (total > enoughMilliseconds) break;
+    if (total > enoughMilliseconds || isMedianKnown(sorted)) break;
   }
+  return sorted[sorted.size() / 2];
+}
+
+double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FrameClock clock) {
+  const gl::Query query = gl::makeTimeQuery();
+  const double median = medianMilliseconds(
+      [&] {
+        return clock == FrameClock::wall ? wallMilliseconds(draw) : queryMilliseconds(draw, query);
+      },
+      frames);
   throwOnGlError("timing a frame");
-  const auto middle = milliseconds.begin() + static_cast<std::ptrdiff_t>(milliseconds.size() / 2);
-  std::nth_element(milliseconds.begin(), middle, milliseconds.end());
-  return *middle;
+  return median;
 }
 
 }  // namespace gnomon

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "common/parallel.h"
+
 namespace gnomon {
 namespace {
 
@@ -19,13 +21,16 @@ std::uint8_t shadedByte(float reflectance, float light) {
 }  // namespace
 
 Image displacedImage(int width, int height, const std::vector<float>& light) {
-  Image image{width, height, {}};
-  image.rgb.reserve(3 * light.size());
-  for (const float share : light) {
-    for (const float reflectance : albedo) {
-      image.rgb.push_back(share < 0 ? 255 : shadedByte(reflectance, share));
-    }
-  }
+  Image image{width, height, std::vector<std::uint8_t>(albedo.size() * light.size(), 255)};
+  parallelFor(
+      0, light.size(),
+      [&](std::size_t i) {
+        if (light[i] < 0) return;
+        for (std::size_t c = 0; c < albedo.size(); ++c) {
+          image.rgb[albedo.size() * i + c] = shadedByte(albedo[c], light[i]);
+        }
+      },
+      4096);
   return image;
 }
 

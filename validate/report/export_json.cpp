@@ -97,7 +97,7 @@ Json viewJson(RunScene& scene, const StudyRecord& record, const CaseNames& names
   Json json = {{"name", spec.name}, {"width", view.width}, {"height", view.height}};
   if (const auto* camera = std::get_if<Camera>(&spec.kind)) {
     json["type"] = "camera";
-    json["camera"] = cameraJson(*camera, base.mesh);
+    json["camera"] = cameraJson(*camera, base.drawn.get().mesh);
   } else {
     json["type"] = "atlas";
     json["atlas"] = atlasJson(std::get<AtlasSpec>(spec.kind), view);
@@ -168,7 +168,7 @@ std::string exportJson(RunScene& scene, const StudyRecord& record, const Exporte
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
     views.push_back(viewJson(scene, record, names, v));
   }
-  const BaseMesh& base = scene.standardBase().mesh;
+  const BaseMesh& base = scene.standardBase().drawn.get().mesh;
   const Json json = {{"schema", "gnomon-export/1"},
                      {"study", jsonStudy(record)},
                      {"environment", jsonEnvironment(record.environment)},

@@ -1,5 +1,6 @@
 #include "report/gnuplot.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -85,19 +86,65 @@ std::string lastLine(const std::string& text) {
   return text.substr(begin, end + 1 - begin);
 }
 
+/// A gnuplot that works on a script.
+class Running {
+ public:
+  explicit Running(const std::string& script)
+      : in_(scratchFile(script)),
+        out_(scratchFile()),
+        err_(scratchFile()),
+        process_(start(in_.get(), out_.get(), err_.get())) {}
+
+  /// Waits for its end.
+  std::string output() {
+    if (!succeeded(process_)) fail(lastLine(contentOf(err_.get())));
+    return contentOf(out_.get());
+  }
+
+ private:
+  ScratchFile in_, out_, err_;
+  pid_t process_;
+};
+
+Running& versionQuestion() {
+  static Running question(
+      "set print '-'\nprint sprintf('%.1f.%s', GPVAL_VERSION, GPVAL_PATCHLEVEL)\n");
+  return question;
+}
+
+/// Its name in a process that this one starts.
+std::string inheritedName(const ScratchFile& file) {
+  const int number = fileno(file.get());
+  if (::fcntl(number, F_SETFD, 0) < 0) fail(std::strerror(errno));
+  return fmt::format("/dev/fd/{}", number);
+}
+
 }  // namespace
 
 std::string runGnuplot(const std::string& script) {
-  const ScratchFile in = scratchFile(script);
-  const ScratchFile out = scratchFile();
-  const ScratchFile err = scratchFile();
-  if (!succeeded(start(in.get(), out.get(), err.get()))) fail(lastLine(contentOf(err.get())));
-  return contentOf(out.get());
+  return Running(script).output();
+}
+
+std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts) {
+  std::vector<ScratchFile> files;
+  std::string all;
+  for (const std::string& script : scripts) {
+    files.push_back(scratchFile());
+    all += fmt::format("reset session\nset output '{}'\n{}\nunset output\n",
+                       inheritedName(files.back()), script);
+  }
+  (void)runGnuplot(all);
+  std::vector<std::string> drawn;
+  for (const ScratchFile& file : files) drawn.push_back(contentOf(file.get()));
+  return drawn;
+}
+
+void askGnuplotVersion() {
+  (void)versionQuestion();
 }
 
 const std::string& gnuplotVersion() {
-  static const std::string version =
-      runGnuplot("set print '-'\nprint sprintf('%.1f.%s', GPVAL_VERSION, GPVAL_PATCHLEVEL)\n");
+  static const std::string version = versionQuestion().output();
   return version;
 }
 

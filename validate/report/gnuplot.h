@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -9,7 +10,18 @@ namespace gnomon {
 /// @throws InternalError in one line where gnuplot cannot be started or refuses the script
 std::string runGnuplot(const std::string& script);
 
-/// The version of the gnuplot that is there: "5.4.4". Asked once.
+/// What gnuplot draws for each of several scripts, one after the other in one process, whose start
+/// takes longer than most plots. From one to the
+/// next pass only redefined linetypes, and what a terminal itself remembers.
+/// @param scripts  set a terminal, and no output
+/// @throws as runGnuplot
+std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts);
+
+/// Starts a gnuplot that tells its version, so that a missing one shows at once.
+/// @throws InternalError where it cannot be started
+void askGnuplotVersion();
+
+/// The version of the gnuplot that is there: "5.4.4". Asked once; waits for the answer.
 /// @throws as runGnuplot
 const std::string& gnuplotVersion();
 

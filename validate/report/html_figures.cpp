@@ -237,11 +237,18 @@ std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder,
 /// Pictures take long to compress, and none needs another.
 void embedPictures(std::vector<Figure>& figures, const PanelRecord& panel, const fs::path& folder,
                    Cache& cache) {
-  parallelFor(0, figures.size(), [&](std::size_t i) {
-    for (const PictureRecord* picture : figures[i].pictures) {
-      figures[i].html += pictureHtml(*picture, panel, folder, cache);
-    }
+  std::vector<const PictureRecord*> pictures;
+  for (const Figure& figure : figures) {
+    pictures.insert(pictures.end(), figure.pictures.begin(), figure.pictures.end());
+  }
+  std::vector<std::string> embedded(pictures.size());
+  parallelFor(0, pictures.size(), [&](std::size_t i) {
+    embedded[i] = pictureHtml(*pictures[i], panel, folder, cache);
   });
+  std::size_t next = 0;
+  for (Figure& figure : figures) {
+    for (std::size_t i = 0; i < figure.pictures.size(); ++i) figure.html += embedded[next++];
+  }
 }
 
 std::string cssColour(const Rgb& colour) {

@@ -94,10 +94,8 @@ Image maskImage(const Mask& mask) {
 
 Mask maskFromImage(const Image& image) {
   requireWhole(image);
-  Mask mask{image.width, image.height, {}};
-  const std::size_t pixels = image.rgb.size() / 3;
-  mask.samples.reserve(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) mask.samples.push_back(shadeOf(image, i));
+  Mask mask{image.width, image.height, std::vector<Shade>(image.rgb.size() / 3)};
+  for (std::size_t i = 0; i < mask.size(); ++i) mask.samples[i] = shadeOf(image, i);
   return mask;
 }
 

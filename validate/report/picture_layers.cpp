@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "common/error.h"
+#include "common/parallel.h"
 
 namespace gnomon {
 namespace {
@@ -19,26 +21,44 @@ std::uint8_t bitsOf(Shade shade) {
 }
 
 bool sameColour(const Image& a, const Image& b, std::size_t pixel) {
-  return std::equal(a.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel),
-                    a.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel + 3),
-                    b.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+  const std::uint8_t* one = &a.rgb[3 * pixel];
+  const std::uint8_t* other = &b.rgb[3 * pixel];
+  return one[0] == other[0] && one[1] == other[1] && one[2] == other[2];
 }
 
 void copyColour(const Image& from, std::size_t source, Image& to, std::size_t target) {
-  std::copy_n(from.rgb.begin() + static_cast<std::ptrdiff_t>(3 * source), 3,
-              to.rgb.begin() + static_cast<std::ptrdiff_t>(3 * target));
+  const std::uint8_t* colour = &from.rgb[3 * source];
+  std::uint8_t* copy = &to.rgb[3 * target];
+  copy[0] = colour[0];
+  copy[1] = colour[1];
+  copy[2] = colour[2];
+}
+
+/// Calls `body(first, end)` for strips of the pixels, on all threads.
+template <typename Body>
+void forStrips(std::size_t pixels, const Body& body) {
+  constexpr std::size_t strip = 1 << 15;
+  parallelFor(0, (pixels + strip - 1) / strip,
+              [&](std::size_t i) { body(i * strip, std::min((i + 1) * strip, pixels)); });
 }
 
 bool agrees(const PictureLayers& layers, const std::vector<std::uint8_t>& known,
             const Image& shaded, const Mask& mask) {
   if (layers.lit.width != shaded.width || layers.lit.height != shaded.height) return false;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    const std::uint8_t bits = bitsOf(mask.samples[i]);
-    if ((bits & noSample) != (known[i] & noSample)) return false;
-    if ((bits & known[i] & litKnown) != 0 && !sameColour(layers.lit, shaded, i)) return false;
-    if ((bits & known[i] & darkKnown) != 0 && !sameColour(layers.dark, shaded, i)) return false;
-  }
-  return true;
+  std::atomic<bool> isAgreed = true;
+  forStrips(mask.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      const std::uint8_t bits = bitsOf(mask.samples[i]);
+      const bool differs =
+          (bits & noSample) != (known[i] & noSample) ||
+          ((bits & known[i] & litKnown) != 0 && !sameColour(layers.lit, shaded, i)) ||
+          ((bits & known[i] & darkKnown) != 0 && !sameColour(layers.dark, shaded, i));
+      if (!differs) continue;
+      isAgreed = false;
+      return;
+    }
+  });
+  return isAgreed;
 }
 
 void fillUnknown(Image& layer, const std::vector<std::uint8_t>& known, std::uint8_t bit) {
@@ -61,26 +81,30 @@ std::size_t LayerBuilder::add(const Image& shaded, const Mask& mask) {
   if (mesh == meshes_.end()) {
     const Image empty{shaded.width, shaded.height, std::vector<std::uint8_t>(shaded.rgb.size())};
     std::vector<std::uint8_t> known(mask.size());
-    for (std::size_t i = 0; i < mask.size(); ++i) known[i] = bitsOf(mask.samples[i]) & noSample;
+    std::transform(mask.samples.begin(), mask.samples.end(), known.begin(),
+                   [](Shade shade) { return static_cast<std::uint8_t>(bitsOf(shade) & noSample); });
     mesh = meshes_.insert(meshes_.end(), Mesh{{empty, empty}, std::move(known)});
   }
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    const std::uint8_t bits = bitsOf(mask.samples[i]);
-    if ((bits & litKnown) != 0) copyColour(shaded, i, mesh->layers.lit, i);
-    if ((bits & darkKnown) != 0) copyColour(shaded, i, mesh->layers.dark, i);
-    mesh->known[i] |= bits;
-  }
+  forStrips(mask.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      const std::uint8_t bits = bitsOf(mask.samples[i]);
+      if ((bits & litKnown) != 0) copyColour(shaded, i, mesh->layers.lit, i);
+      if ((bits & darkKnown) != 0) copyColour(shaded, i, mesh->layers.dark, i);
+      mesh->known[i] |= bits;
+    }
+  });
   return static_cast<std::size_t>(mesh - meshes_.begin());
 }
 
 std::vector<PictureLayers> LayerBuilder::layers() const {
   std::vector<PictureLayers> all;
-  for (const Mesh& mesh : meshes_) {
-    PictureLayers layers = mesh.layers;
-    fillUnknown(layers.lit, mesh.known, litKnown);
-    fillUnknown(layers.dark, mesh.known, darkKnown);
-    all.push_back(std::move(layers));
-  }
+  for (const Mesh& mesh : meshes_) all.push_back(mesh.layers);
+  parallelFor(0, 2 * all.size(), [&](std::size_t i) {
+    PictureLayers& layers = all[i / 2];
+    const bool isLit = i % 2 == 0;
+    fillUnknown(isLit ? layers.lit : layers.dark, meshes_[i / 2].known,
+                isLit ? litKnown : darkKnown);
+  });
   return all;
 }
 

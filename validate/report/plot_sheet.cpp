@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "report/gnuplot.h"
 
 namespace gnomon {
@@ -27,15 +29,21 @@ std::string svgOf(const PlotSheet& sheet) {
   return cleanSvg(runGnuplot(encoding + terminal + sheet.commands), sheet.title);
 }
 
-std::string pdfOf(const PlotSheet& sheet) {
+std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
   constexpr double pixelsPerInch = 144;
   // gnuplot drops what is left of a point: half a thousandth keeps the last one.
   const auto inches = [](int pixels) { return pixels / pixelsPerInch + 0.0005; };
-  const std::string terminal = fmt::format(
-      "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
-      "fontscale 0.4 linewidth 0.5\n",
-      inches(sheet.width), inches(sheet.height));
-  return withoutDate(runGnuplot(encoding + terminal + sheet.commands));
+  std::vector<std::string> scripts;
+  for (const PlotSheet& sheet : sheets) {
+    const std::string terminal = fmt::format(
+        "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
+        "fontscale 0.4 linewidth 0.5\n",
+        inches(sheet.width), inches(sheet.height));
+    scripts.push_back(encoding + terminal + sheet.commands);
+  }
+  std::vector<std::string> pdfs = drawByGnuplot(scripts);
+  for (std::string& pdf : pdfs) pdf = withoutDate(std::move(pdf));
+  return pdfs;
 }
 
 }  // namespace gnomon

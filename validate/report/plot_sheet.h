@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -14,13 +15,14 @@ struct PlotSheet {
   std::string commands;  ///< gnuplot's, without the terminal
 };
 
-/// The plot as an SVG document. Same sheet, same bytes.
+/// The plot as an SVG document, by a gnuplot of its own: the last colour of one SVG reaches into
+/// the next that the same process draws. Same sheet, same bytes.
 /// @throws InternalError as runGnuplot
 std::string svgOf(const PlotSheet& sheet);
 
-/// The plot as a PDF of one page, for a paper: 1000 pixels are 6.94 inches, text has 7 points. Same
-/// sheet, same bytes.
+/// Plots as PDFs of one page, for a paper: 1000 pixels are 6.94 inches, text has 7 points. Same
+/// sheet, same bytes, whatever is drawn beside it.
 /// @throws InternalError as runGnuplot
-std::string pdfOf(const PlotSheet& sheet);
+std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets);
 
 }  // namespace gnomon

@@ -1,7 +1,11 @@
 #include "report/run_files.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/atomic_file.h"
@@ -37,22 +41,70 @@ ContentKey keyOf(const PlotSheet& sheet, std::string_view format) {
   return key.add("commands", sheet.commands).key();
 }
 
-/// Draws all plots in both formats, as many at a time as there are cores, and writes them.
+/// One plot in one format.
+struct PlotFile {
+  const PlotSheet* sheet;
+  ContentKey key;
+  std::string bytes = {};
+};
+
+struct PlotFormat {
+  std::string_view name;
+  std::vector<std::string> (*write)(const std::vector<PlotSheet>&);
+  std::size_t plotsAtOnce;
+};
+
+constexpr std::array<PlotFormat, 2> plotFormats = {{
+    {"svg", [](const auto& sheets) { return std::vector{svgOf(sheets.front())}; }, 1},
+    // So few that other cores have some, so many that most are spared a start.
+    {"pdf", pdfsOf, 8},
+}};
+
+/// Draws some of the files, and keeps them.
+void draw(std::span<PlotFile* const> wanted, const PlotFormat& format, Cache& cache) {
+  std::vector<PlotSheet> sheets;
+  for (const PlotFile* file : wanted) sheets.push_back(*file->sheet);
+  std::vector<std::string> drawn = format.write(sheets);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    wanted[i]->bytes = std::move(drawn[i]);
+    cache.keep(wanted[i]->key, wanted[i]->bytes);
+  }
+}
+
+/// The plots in one format, drawn where the cache does not have them.
+std::vector<PlotFile> plotFiles(const std::vector<PlotSheet>& sheets, const PlotFormat& format,
+                                Cache& cache) {
+  std::vector<PlotFile> all;
+  for (const PlotSheet& sheet : sheets) all.push_back({&sheet, keyOf(sheet, format.name)});
+  std::vector<PlotFile*> missing;
+  for (PlotFile& file : all) {
+    auto kept = cache.find<std::string>(file.key);
+    if (kept) file.bytes = std::move(*kept);
+    if (!kept) missing.push_back(&file);
+  }
+  const std::size_t parts = (missing.size() + format.plotsAtOnce - 1) / format.plotsAtOnce;
+  parallelFor(0, parts, [&](std::size_t part) {
+    const auto rest = std::span(missing).subspan(part * format.plotsAtOnce);
+    draw(rest.first(std::min(format.plotsAtOnce, rest.size())), format, cache);
+  });
+  return all;
+}
+
+/// Draws all plots in both formats, and writes them.
 std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, const fs::path& folder,
                                   Cache& cache) {
-  std::vector<DrawnPlot> plots(sheets.size());
-  std::vector<std::string> pdfs(sheets.size());
-  parallelFor(0, 2 * sheets.size(), [&](std::size_t i) {
-    const PlotSheet& sheet = sheets[i / 2];
-    if (i % 2 == 0) {
-      plots[i / 2].svg = cache.remember(keyOf(sheet, "svg"), [&] { return svgOf(sheet); });
-    } else {
-      pdfs[i / 2] = cache.remember(keyOf(sheet, "pdf"), [&] { return pdfOf(sheet); });
+  std::array<std::vector<PlotFile>, plotFormats.size()> drawn;
+  parallelFor(0, plotFormats.size(),
+              [&](std::size_t i) { drawn.at(i) = plotFiles(sheets, plotFormats.at(i), cache); });
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    for (const PlotFile& file : drawn.at(i)) {
+      const std::string name = file.sheet->name + "." + std::string(plotFormats.at(i).name);
+      writeTextAtomically(folder / plotFolder / name, file.bytes);
     }
-  });
+  }
+  std::vector<DrawnPlot> plots(sheets.size());
   for (std::size_t i = 0; i < sheets.size(); ++i) {
-    writeTextAtomically(folder / plotFolder / (sheets[i].name + ".svg"), plots[i].svg);
-    writeTextAtomically(folder / plotFolder / (sheets[i].name + ".pdf"), pdfs[i]);
+    plots[i].svg = std::move(drawn.front()[i].bytes);
     plots[i].sheet = std::move(sheets[i]);
   }
   return plots;

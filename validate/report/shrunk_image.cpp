@@ -14,9 +14,11 @@
 namespace gnomon {
 namespace {
 
-using Colour = std::array<float, 3>;
+/// The fourth value is not used: four are what vector units take at once.
+using Colour = std::array<float, 4>;
 
-/// What a place of the shrunk side is made of: neighbouring pixels of the longer one.
+/// What a place of the shrunk side is made of: neighbouring pixels of the longer one, all that have
+/// a weight.
 struct Taps {
   std::vector<std::size_t> pixels;
   std::vector<float> weights;
@@ -42,10 +44,12 @@ class Lanczos {
       Taps& of = taps[static_cast<std::size_t>(place)];
       float sum = 0;
       for (int i = -radius; i <= radius; ++i) {
+        const float weight = filter_->xfilt(ratio * (static_cast<float>(i) - offset));
+        if (weight == 0) continue;
         const int nearest = std::clamp(static_cast<int>(pixel) + i, 0, from - 1);
         of.pixels.push_back(static_cast<std::size_t>(nearest));
-        of.weights.push_back(filter_->xfilt(ratio * (static_cast<float>(i) - offset)));
-        sum += of.weights.back();
+        of.weights.push_back(weight);
+        sum += weight;
       }
       for (float& weight : of.weights) weight /= sum;
     }
@@ -73,15 +77,13 @@ void addRow(const Colour* from, float weight, const std::vector<Taps>& columns,
             std::vector<Colour>& row) {
   for (std::size_t x = 0; x < columns.size(); ++x) {
     const Taps& taps = columns[x];
-    auto [red, green, blue] = row[x];
+    Colour sum = row[x];
     for (std::size_t i = 0; i < taps.weights.size(); ++i) {
       const float share = weight * taps.weights[i];
       const Colour& colour = from[taps.pixels[i]];
-      red += share * colour[0];
-      green += share * colour[1];
-      blue += share * colour[2];
+      for (std::size_t c = 0; c < colour.size(); ++c) sum[c] += share * colour[c];
     }
-    row[x] = {red, green, blue};
+    row[x] = sum;
   }
 }
 

@@ -15,10 +15,9 @@ namespace gnomon {
 namespace {
 
 /// Refuses a view whose samples, truths and masks cannot be held.
-void requireRoom(const StudySpec& study, const RenderView& view, const std::string& name) {
-  const double samples = static_cast<double>(view.width) * view.height;
-  const std::string what =
-      fmt::format("view \"{}\": {} × {} samples", name, view.width, view.height);
+void requireRoom(const StudySpec& study, int width, int height, const std::string& name) {
+  const double samples = static_cast<double>(width) * height;
+  const std::string what = fmt::format("view \"{}\": {} × {} samples", name, width, height);
   // OpenGL drivers count the bytes of a picture in 32 bits; the largest has 8 a sample.
   constexpr double mostSamples = 1 << 27;
   if (samples > mostSamples) {
@@ -42,6 +41,7 @@ bool isEmpty(const SampleGrid& grid) {
 
 /// What is kept of a view.
 struct ChosenSamples {
+  RenderView view;
   SampleGrid samples;
   SampleLayout layout;
   std::vector<double> weights;
@@ -49,7 +49,7 @@ struct ChosenSamples {
 
 template <typename Stream, SameAs<ChosenSamples> T>
 void fields(Stream& stream, T& chosen) {
-  stream(chosen.samples, chosen.layout, chosen.weights);
+  stream(chosen.view, chosen.samples, chosen.layout, chosen.weights);
 }
 
 ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
@@ -59,6 +59,7 @@ ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
         fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
   }
   ChosenSamples chosen;
+  chosen.view = view;
   chosen.layout = makeSampleLayout(surface, study.relief.texelsPerUv(), view, samples);
   if (const auto* atlas = std::get_if<AtlasSpec>(&spec.kind)) {
     chosen.weights = sampleAreas(surface, samples, atlas->samplesPerSide * atlas->samplesPerSide);
@@ -67,51 +68,62 @@ ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
   return chosen;
 }
 
-ViewCase makeViewCase(const StudySpec& study, const LimitSurface& surface, const BaseCase& base,
-                      const SamplesPass& pass, const ViewSpec& spec, Cache& cache,
-                      const ContentKey& key) {
+/// Draws the mesh to see its samples.
+ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
+                            const DrawnBase& drawn, const std::filesystem::path& shaders,
+                            const ViewSpec& spec) {
   const auto* atlas = std::get_if<AtlasSpec>(&spec.kind);
-  ViewCase view;
-  view.view = atlas != nullptr ? atlasView(surface, atlas->samplesPerSide)
-                               : cameraView(std::get<Camera>(spec.kind), base.mesh);
-  requireRoom(study, view.view, spec.name);
-  ChosenSamples chosen = cache.remember(key, [&] {
-    return chooseSamples(study, surface, view.view, pass.render(view.view, base.gpu), spec);
-  });
-  view.samples = std::move(chosen.samples);
-  view.layout = std::move(chosen.layout);
-  view.weights = std::move(chosen.weights);
-  return view;
+  const RenderView view = atlas != nullptr ? atlasView(surface, atlas->samplesPerSide)
+                                           : cameraView(std::get<Camera>(spec.kind), drawn.mesh);
+  return chooseSamples(study, surface, view, SamplesPass(shaders).render(view, drawn.gpu), spec);
 }
 
-BaseCase undisplacedCase(const StudySpec& study, const LimitSurface& surface,
-                         const MeshChoice& choice) {
+void requireRoom(const StudySpec& study, const LimitSurface& surface, const ViewSpec& spec) {
+  if (const auto* camera = std::get_if<Camera>(&spec.kind)) {
+    return requireRoom(study, camera->width, camera->height, spec.name);
+  }
+  const RenderView atlas = atlasView(surface, std::get<AtlasSpec>(spec.kind).samplesPerSide);
+  requireRoom(study, atlas.width, atlas.height, spec.name);
+}
+
+DrawnBase undisplaced(const StudySpec& study, const LimitSurface& surface,
+                      const MeshChoice& choice) {
   BaseMesh mesh =
       makeBaseMesh(surface, study.relief.texelsPerUv(), choice.subdivisions, choice.curvature);
   GpuMesh gpu(mesh);
   const RenderView texture = textureView(mesh);
-  return {choice, std::move(mesh), std::move(gpu), std::nullopt, texture, {}};
+  return {std::move(mesh), std::move(gpu), std::nullopt, texture};
 }
 
-BaseCase displacedCase(const StudySpec& study, const LimitSurface& surface,
-                       const MeshChoice& choice) {
+DrawnBase displaced(const StudySpec& study, const LimitSurface& surface, const MeshChoice& choice) {
   DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, choice.subdivisions);
   GpuMesh gpu(displaced.mesh);
   GpuVolumes volumes(displaced);
   const RenderView texture = textureView(displaced.mesh);
-  return {choice, std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture, {}};
+  return {std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture};
 }
 
 }  // namespace
 
 BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
                       const std::filesystem::path& shaders, Cache& cache, const RunKeys& keys) {
-  BaseCase base = choice.kind == DrawnMesh::displaced ? displacedCase(study, surface, choice)
-                                                      : undisplacedCase(study, surface, choice);
-  const SamplesPass pass(shaders);
+  BaseCase base{choice,
+                OnDemand<DrawnBase>([&study, &surface, choice] {
+                  return choice.kind == DrawnMesh::displaced ? displaced(study, surface, choice)
+                                                             : undisplaced(study, surface, choice);
+                }),
+                {}};
   for (std::size_t v = 0; v < study.views.size(); ++v) {
-    base.views.push_back(
-        makeViewCase(study, surface, base, pass, study.views[v], cache, keys.samples(choice, v)));
+    const ViewSpec& spec = study.views[v];
+    requireRoom(study, surface, spec);
+    ChosenSamples chosen = cache.remember(keys.samples(choice, v), [&] {
+      return chooseSamples(study, surface, base.drawn.get(), shaders, spec);
+    });
+    base.views.push_back({chosen.view,
+                          std::move(chosen.samples),
+                          std::move(chosen.layout),
+                          std::move(chosen.weights),
+                          {}});
   }
   return base;
 }

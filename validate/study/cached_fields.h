@@ -14,6 +14,7 @@
 #include "relief/angle_table.h"
 #include "relief/horizon_bake.h"
 #include "relief/horizon_ellipses.h"
+#include "render/view.h"
 #include "study/method_outcome.h"
 #include "study/record.h"
 #include "surface/sample_grid.h"
@@ -42,6 +43,11 @@ template <typename Stream, SameAs<SampleGrid> T>
 void fields(Stream& stream, T& grid) {
   stream(grid.width, grid.height, grid.samples);
 }
+
+template <>
+inline constexpr bool isPacked<RenderView> = sizeof(RenderView) ==
+                                             sizeof(glm::mat4) + 4 * sizeof(int) +
+                                                 sizeof(RenderView::texelWindow);
 
 template <typename Stream, SameAs<SampleLayout> T>
 void fields(Stream& stream, T& layout) {

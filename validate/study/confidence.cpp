@@ -13,13 +13,19 @@ BlockErrors together(const MethodErrors& method) {
   return sum;
 }
 
-ConfidenceRecord recordOf(const ViewErrors& errors, const std::string& method,
-                          const std::string& light, const BlockErrors& cells) {
-  const ConfidenceInterval confidence = rateConfidence(cells, errors.tiling);
-  return {method,
+/// What one interval is of.
+struct Sample {
+  const std::string* method;
+  std::string light;
+  BlockErrors cells;
+};
+
+ConfidenceRecord recordOf(const ViewErrors& errors, const Sample& of) {
+  const ConfidenceInterval confidence = rateConfidence(of.cells, errors.tiling);
+  return {*of.method,
           errors.view,
-          light,
-          cells.rate(),
+          of.light,
+          of.cells.rate(),
           confidence.interval,
           std::string(confidence.reason),
           confidence.blocks,
@@ -29,14 +35,16 @@ ConfidenceRecord recordOf(const ViewErrors& errors, const std::string& method,
 }  // namespace
 
 std::vector<ConfidenceRecord> confidenceOf(const ViewErrors& errors) {
-  std::vector<ConfidenceRecord> records;
+  std::vector<Sample> samples;
   for (const MethodErrors& method : errors.methods) {
-    records.push_back(recordOf(errors, method.method, std::string(allLights), together(method)));
+    samples.push_back({&method.method, std::string(allLights), together(method)});
     if (method.lights.size() < 2) continue;
     for (std::size_t l = 0; l < method.lights.size(); ++l) {
-      records.push_back(recordOf(errors, method.method, errors.lights[l], method.lights[l]));
+      samples.push_back({&method.method, errors.lights[l], method.lights[l]});
     }
   }
+  std::vector<ConfidenceRecord> records(samples.size());
+  parallelFor(0, records.size(), [&](std::size_t i) { records[i] = recordOf(errors, samples[i]); });
   return records;
 }
 

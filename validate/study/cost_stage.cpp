@@ -64,7 +64,7 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
   const bool isKept = cost.has_value();
   if (!cost) {
     cost.emplace();
-    cost->polygons = method.base->gpu.triangleCount();
+    cost->polygons = method.base->drawn.get().gpu.triangleCount();
     cost->tableBytes = tableBytes(scene, method);
     if (method.method.tables.height) cost->heightBytes = scene.heights.byteCount();
     cost->day = today();

@@ -27,6 +27,11 @@ GpuTables reliefTables(RunScene& scene, const Method& method, const BakeSpec& ba
 
 void compile(RunScene& scene, MethodCase& method) {
   const MethodSpec& spec = *method.spec;
+  const DrawnBase& base = scene.clock.measure(
+      "samples", [&](const Progress&) -> const DrawnBase& { return method.base->drawn.get(); });
+  if (method.method.passes.texture || method.method.tables.surfaceAngles) {
+    requireTextureView(base.texture);
+  }
   MethodPass pass(scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
                   spec.parameters);
   method.compiled.emplace(
@@ -45,8 +50,8 @@ bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
 }
 
 AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
-  const RenderView& plane = method.base->texture;
-  const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->gpu);
+  const RenderView& plane = method.base->drawn.get().texture;
+  const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->drawn.get().gpu);
   const TracedSurface& traced = method.surface->get();
   AngleTable table = scene.clock.measure("surface horizons", [&](const Progress& progress) {
     return shootHorizons(scene.surface, scene.study.relief, traced.mesh, traced.scene, texels,
@@ -64,7 +69,6 @@ MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDeman
   Method method = readMethod(spec.file);
   const ContentKey key = scene.keys.method(spec, method);
   BaseCase& base = scene.base(meshOf(spec, method));
-  if (method.passes.texture || method.tables.surfaceAngles) requireTextureView(base.texture);
   MethodCase prepared{&spec, std::move(method), &base, key, &surface};
   if (!hasAllMasks(scene, prepared)) compile(scene, prepared);
   return prepared;

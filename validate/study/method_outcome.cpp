@@ -38,8 +38,10 @@ const OutcomeStage::Shared& OutcomeStage::sharedOf(const BaseCase& base) {
   LightField field = scene_.clock.measure(
       "compare", [&](const Progress&) { return scene_.lightField(base, view_, light_); });
   SampleBins bins = scene_.clock.measure("bins", [&](const Progress&) {
-    return binSamples(scene_.surface, scene_.study.relief, base.views[view_].samples,
-                      scene_.study.lights[light_].direction());
+    return scene_.cache.remember(scene_.keys.bins(base.choice, view_, light_), [&] {
+      return binSamples(scene_.surface, scene_.study.relief, base.views[view_].samples,
+                        scene_.study.lights[light_].direction());
+    });
   });
   shared_.push_back({&base, std::move(field), std::move(bins)});
   return shared_.back();
@@ -53,7 +55,11 @@ MethodOutcome OutcomeStage::compare(const BaseCase& base, const Mask& mask) {
   MethodOutcome outcome;
   outcome.regions.resize(outcomeRegions().size());
   outcome.bins.resize(axes.size());
+  // The longest first.
   std::vector<std::function<void()>> parts;
+  parts.emplace_back([&] { outcome.lengths = castLengths(mask, truth, shared.field); });
+  parts.emplace_back(
+      [&] { outcome.boundaries = compareBoundaries(mask, truth.mask, seen.layout); });
   parts.emplace_back(
       [&] { outcome.regions.front() = countSamples(mask, truth.mask, seen.weights); });
   for (std::size_t r = 0; r < reportedRegions.size(); ++r) {
@@ -73,8 +79,6 @@ MethodOutcome OutcomeStage::compare(const BaseCase& base, const Mask& mask) {
       [&] { outcome.blocks = blockErrors(mask, truth.mask, cellSide_, seen.weights); });
   scene_.clock.measure("compare", [&](const Progress&) {
     parallelFor(0, parts.size(), [&](std::size_t i) { parts[i](); });
-    outcome.lengths = castLengths(mask, truth, shared.field);
-    outcome.boundaries = compareBoundaries(mask, truth.mask, seen.layout);
   });
   return outcome;
 }

@@ -145,6 +145,10 @@ ContentKey RunKeys::truth(const MeshChoice& choice, std::size_t view, std::size_
   return key.add("radius", study_.bake.settings.radiusTexels).key();
 }
 
+ContentKey RunKeys::bins(const MeshChoice& choice, std::size_t view, std::size_t index) const {
+  return KeyBuilder("bins").add("samples", samples(choice, view)).add("light", light(index)).key();
+}
+
 ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const {
   KeyBuilder key("displaced picture");
   key.add("surface", surface()).add("light", light(index));

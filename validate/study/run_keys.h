@@ -37,6 +37,8 @@ class RunKeys {
   [[nodiscard]] ContentKey surface() const;
   /// The truth of a view on a mesh under one light, traced on the study's micro-mesh.
   [[nodiscard]] ContentKey truth(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
+  /// The bins of a view's samples on every axis, under one light.
+  [[nodiscard]] ContentKey bins(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
   /// The displaced surface by its own rays, in a camera view.
   [[nodiscard]] ContentKey displacedPicture(std::size_t view, std::size_t light) const;
   /// Ellipses fitted to the horizons of a bake.

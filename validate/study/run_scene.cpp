@@ -32,13 +32,14 @@ MeshChoice RunScene::standardMesh() const {
 }
 
 Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
-  return {on.gpu,
+  const DrawnBase& drawn = on.drawn.get();
+  return {drawn.gpu,
           heights,
           study.relief.field.wrap(),
           study.relief.space,
           study.lights[light].direction(),
-          on.volumes ? &*on.volumes : nullptr,
-          &on.texture};
+          drawn.volumes ? &*drawn.volumes : nullptr,
+          &drawn.texture};
 }
 
 LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_t light) const {
