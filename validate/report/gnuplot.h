@@ -11,8 +11,8 @@ namespace gnomon {
 std::string runGnuplot(const std::string& script);
 
 /// What gnuplot draws for each of several scripts, one after the other in one process, whose start
-/// takes longer than most plots. From one to the
-/// next pass only redefined linetypes, and what a terminal itself remembers.
+/// takes longer than most plots. From one to the next pass only redefined linetypes, and what a
+/// terminal itself remembers.
 /// @param scripts  set a terminal, and no output
 /// @throws as runGnuplot
 std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts);

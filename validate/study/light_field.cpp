@@ -38,7 +38,8 @@ LightField makeLightField(const LimitSurface& surface, const RenderView& view,
       [&](std::size_t i) {
         const SurfaceSample& sample = samples.samples[i];
         if (sample.face < 0) return;
-        field.steps[i] = lightStep(map, surface.tangentPoint(sample.face, sample.s, sample.t), light);
+        field.steps[i] =
+            lightStep(map, surface.tangentPoint(sample.face, sample.s, sample.t), light);
       },
       1024);
   return field;
