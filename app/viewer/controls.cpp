@@ -277,7 +277,7 @@ void drawErrors(const ViewSession& session, const WindowLayout& layout) {
   if (errors.empty()) return;
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const float width = static_cast<float>(layout.pictures.size.x) - 40;
-  float height = 16;
+  float height = 12;
   for (const std::string& error : errors) {
     height += ImGui::CalcTextSize(error.c_str(), nullptr, false, width - 24).y + 4;
   }

@@ -7,6 +7,7 @@ namespace gnomon {
 namespace {
 
 constexpr double panelWidth = 312;
+constexpr double sectionHeight = 268;
 
 bool holds(const PaneRectangle& rectangle, Vec2 place) {
   const Vec2 in = place - rectangle.corner;
@@ -15,14 +16,16 @@ bool holds(const PaneRectangle& rectangle, Vec2 place) {
 
 }  // namespace
 
-WindowLayout windowLayout(int width, int height, bool panel, int paneCount) {
-  // A window that is hardly wider than the controls keeps some room for the picture.
-  const double controls = panel ? std::min(panelWidth, std::floor(width * 0.6)) : 0;
+WindowLayout windowLayout(int width, int height, const WindowParts& parts) {
+  // A window that is hardly larger than what stands beside the picture keeps some room for it.
+  const double controls = parts.panel ? std::min(panelWidth, std::floor(width * 0.6)) : 0;
+  const double below = parts.section ? std::min(sectionHeight, std::floor(height * 0.5)) : 0;
   WindowLayout layout;
-  layout.paneCount = paneCount;
+  layout.paneCount = parts.paneCount;
   layout.panel = {{width - controls, 0}, {controls, height}};
-  layout.pictures = {{0, 0}, {std::max(1.0, width - controls), std::max(1, height)}};
-  if (paneCount < 4) {
+  layout.pictures = {{0, 0}, {std::max(1.0, width - controls), std::max(1.0, height - below)}};
+  layout.section = {{0, height - below}, {layout.pictures.size.x, below}};
+  if (parts.paneCount < 4) {
     layout.panes.fill(layout.pictures);
     return layout;
   }

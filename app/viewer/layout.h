@@ -6,16 +6,23 @@
 
 namespace gnomon {
 
+/// What a window shows beside one pane.
+struct WindowParts {
+  bool panel = true;     ///< the controls
+  bool section = false;  ///< the cross-section
+  int paneCount = 1;     ///< 1, 2 or 4
+};
+
 /// Where things are in the window, pixels, y downward.
 struct WindowLayout {
   PaneRectangle panel;                 ///< the controls; without size where they are hidden
+  PaneRectangle section;               ///< the cross-section, below the pictures; likewise
   PaneRectangle pictures;              ///< all panes together
   std::array<PaneRectangle, 4> panes;  ///< of two, both are all of `pictures`
   int paneCount = 1;
 };
 
-/// @param paneCount  1, 2 or 4
-WindowLayout windowLayout(int width, int height, bool panel, int paneCount);
+WindowLayout windowLayout(int width, int height, const WindowParts& parts);
 
 /// The pane under a place of the window; -1 for none.
 /// @param wipe  where the second of two panes begins, share of the width

@@ -34,7 +34,7 @@ class Screen {
   /// Puts the panes where the window has room for them.
   void arrange(int width, int height) {
     ViewState& state = session_.state();
-    layout_ = windowLayout(width, height, state.panel, state.paneCount);
+    layout_ = windowLayout(width, height, {state.panel, state.overlays.section, state.paneCount});
     state.camera.width = static_cast<int>(layout_.panes.front().size.x);
     state.camera.height = static_cast<int>(layout_.panes.front().size.y);
   }
@@ -84,6 +84,15 @@ Image readPicture(int width, int height) {
   return image;
 }
 
+/// The frame that Dear ImGui describes, drawn by itself: a window's own pixels may lack the alpha
+/// and round what is blended another way, and a picture must not depend on the window.
+Image pictureOf(const Gui& gui, int width, int height) {
+  const Target target(width, height, {GL_RGBA8});
+  target.bind();
+  gui.draw(width, height);
+  return readPicture(width, height);
+}
+
 /// Dear ImGui's part in a window.
 class WindowInput {
  public:
@@ -130,14 +139,14 @@ void runWindow(const ViewRequest& request) {
     screen.arrange(width, height);
     const bool drawn = session.update();
     const SaveActions pressed = screen.describe(frames, said, input.activePane());
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    gui.draw(width, height);
     const SaveActions save = both(asked.save, pressed);
     if (save.screenshot) {
-      said = answerOf([&] { return savePicture(session, readPicture(width, height)); });
+      said = answerOf([&] { return savePicture(session, pictureOf(gui, width, height)); });
     }
     if (save.study) said = answerOf([&] { return saveStudyView(session); });
     if (save.masks) said = answerOf([&] { return saveMasks(session); });
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    gui.draw(width, height);
     window.swap();
     frames.end(drawn);
     status.write(session, screen.controls().places(), frames, said);

@@ -29,9 +29,11 @@ void drawPart(ImDrawList& list, const PaneRectangle& rectangle, const PanePictur
                 ImVec2(static_cast<float>(from), top), ImVec2(static_cast<float>(to), 1 - top));
 }
 
+constexpr float chipPadding = 6;
+
 void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<std::string>& lines,
               bool rightAligned, bool active) {
-  constexpr float padding = 6;
+  constexpr float padding = chipPadding;
   const float lineHeight = ImGui::GetTextLineHeight() + 2;
   float width = 0;
   for (const std::string& line : lines)
@@ -59,12 +61,12 @@ std::vector<std::string> labelOf(const ViewSession& session, std::size_t pane, d
   if (const auto& figures = picture.figures) {
     const std::string text = figuresText(*figures);
     const std::size_t cut = text.find(": ");
-    if (width < 560 && cut != std::string::npos) {
-      lines.push_back(text.substr(0, cut));
-      lines.push_back(text.substr(cut + 2));
-    } else {
-      lines.push_back(text);
-    }
+    const auto fits = [&](const std::string& line) {
+      return ImGui::CalcTextSize(line.c_str()).x + 2 * chipPadding <= width;
+    };
+    // A narrow pane has room for the error alone.
+    lines.push_back(fits(text) ? text : text.substr(0, cut));
+    if (!fits(text) && fits(text.substr(cut + 2))) lines.push_back(text.substr(cut + 2));
   }
   if (needsTruth(content) && !isMethod(content.against)) {
     const double share = session.tracedShare(pane);

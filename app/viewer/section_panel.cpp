@@ -118,6 +118,12 @@ std::string verdict(bool shadowed) {
   return shadowed ? "shadow" : "lit";
 }
 
+/// A figure's title; its number alone where there is no room for more.
+void drawTitle(ImDrawList& list, ImVec2 at, float room, const std::string& title) {
+  const bool fits = ImGui::CalcTextSize(title.c_str()).x <= room;
+  list.AddText(at, ink::text, fits ? title.c_str() : title.substr(0, title.find(':')).c_str());
+}
+
 struct Entry {
   ImU32 colour;  ///< 0 for what is not drawn
   std::string text;
@@ -181,13 +187,14 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
 void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, Vec2 cursor) {
   find(session, layout, cursor);
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  const float width = static_cast<float>(std::min(layout.pictures.size.x - 20, 900.0));
-  const float height = static_cast<float>(std::min(layout.pictures.size.y * 0.5, 268.0));
-  const ImVec2 begin(static_cast<float>(layout.pictures.size.x) / 2 - width / 2,
-                     static_cast<float>(layout.pictures.size.y) - height - 10);
-  const ImVec2 end(begin.x + width, begin.y + height);
-  list.AddRectFilled(begin, end, IM_COL32(255, 255, 255, 255), 6);
-  list.AddRect(begin, end, ink::line, 6);
+  const float left = static_cast<float>(layout.section.corner.x);
+  const float upper = static_cast<float>(layout.section.corner.y);
+  const float room = static_cast<float>(layout.section.size.x);
+  const float width = std::min(room, 900.0F);
+  const ImVec2 begin(left + (room - width) / 2, upper);
+  const ImVec2 end(begin.x + width, upper + static_cast<float>(layout.section.size.y));
+  list.AddRectFilled(ImVec2(left, upper), ImVec2(left + room, end.y), IM_COL32(255, 255, 255, 255));
+  list.AddLine(ImVec2(left, upper), ImVec2(left + room, upper), ink::line);
   if (!section_) {
     list.AddText(ImVec2(begin.x + 14, begin.y + 12), ink::faint,
                  "Cross-section: put the cursor on the surface");
@@ -204,7 +211,7 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   const auto& corrected = section.fromTables ? *section.fromTables : section.here;
   const auto slopeRay = [](double slope) { return Vec2(1, slope); };
 
-  list.AddText(ImVec2(begin.x + 14, begin.y + 9), ink::text, "Figure 1: the relief laid flat");
+  drawTitle(list, ImVec2(begin.x + 14, begin.y + 9), column - 14, "Figure 1: the relief laid flat");
   const std::vector<Vec2> flat = upTo(flatRelief(section), reach);
   const Vec2 flatEye(0, section.here.lookups.height);
   const auto [flatLow, flatHigh] = boundsOf(flat, flatEye);
@@ -221,8 +228,8 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   first.dot(flatEye, ink::text);
   list.PopClipRect();
 
-  list.AddText(ImVec2(begin.x + column + 14, begin.y + 9), ink::text,
-               "Figure 2: bent onto the osculating circle");
+  drawTitle(list, ImVec2(begin.x + column + 14, begin.y + 9), column - 14,
+            "Figure 2: bent onto the osculating circle");
   const std::vector<Vec2> bent = upTo(section.bentRelief, reach);
   const auto [bentLow, bentHigh] = boundsOf(bent, section.eye);
   const ImVec2 secondBegin(begin.x + column + 12, top);

@@ -126,6 +126,8 @@ TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
                         std::sqrt(patch.width * patch.height * std::max(std::cos(latitude), 0.0));
     return unit * relief.field.at(texel);
   };
+  const double highest =
+      patch.radius / 96 * std::sqrt(patch.width * patch.height) * relief.field.maximum();
   for (std::size_t i = 0; i < mask.size(); ++i) {
     const SurfaceSample& sample = grid.samples[i];
     const Vec3 place = scene.surface.evaluate(sample.face, sample.s, sample.t).position;
@@ -133,7 +135,9 @@ TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
     bool dark = false;
     for (double s = 0.03; s < 100 && !dark; s += 0.03) {
       const Vec3 point = start + s * light;
-      dark = glm::length(point) - patch.radius < heightUnder(point);
+      const double above = glm::length(point) - patch.radius;
+      if (above > highest && glm::dot(point, light) > 0) break;
+      dark = above < heightUnder(point);
     }
     differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
   }

@@ -45,9 +45,10 @@ class Rays {
                           double grazing = 1e-4) const {
     Mask result{samples.width, samples.height,
                 std::vector<Shade>(samples.samples.size(), Shade::none)};
+    const std::vector<Obstacle> obstacles = obstaclesOf(light);
     parallelFor(0, samples.samples.size(), [&](std::size_t i) {
       if (samples.samples[i].face >= 0) {
-        result.samples[i] = shadeOf(samples.samples[i], light, grazing);
+        result.samples[i] = shadeOf(samples.samples[i], light, obstacles, grazing);
       }
     });
     return result;
@@ -58,12 +59,30 @@ class Rays {
     Vec3 corner, along, across;
   };
 
+  /// A triangle with what all rays of one direction have in common.
+  struct Obstacle {
+    Triangle triangle;
+    Vec3 p;
+    double volume;
+  };
+
+  /// All triangles but those that the direction lies in.
+  [[nodiscard]] std::vector<Obstacle> obstaclesOf(const Vec3& direction) const {
+    std::vector<Obstacle> obstacles;
+    for (const Triangle& t : triangles_) {
+      const Vec3 p = glm::cross(direction, t.across);
+      const double volume = glm::dot(t.along, p);
+      if (std::abs(volume) >= 1e-12) obstacles.push_back({t, p, volume});
+    }
+    return obstacles;
+  }
+
   [[nodiscard]] Vec3 corner(std::size_t triangle, int k) const {
     return mesh_.vertices[mesh_.triangles[3 * triangle + static_cast<std::size_t>(k)]].position;
   }
 
   [[nodiscard]] Shade shadeOf(const SurfaceSample& sample, const Vec3& light,
-                              double grazing) const {
+                              const std::vector<Obstacle>& obstacles, double grazing) const {
     const Vec2 place = Vec2(sample.s, sample.t) * static_cast<double>(cuts_);
     const Vec2 cell = glm::clamp(glm::floor(place), Vec2(0), Vec2(cuts_ - 1));
     const Vec2 in = place - cell;
@@ -87,19 +106,18 @@ class Rays {
     const double shift = 1e-4 * extent_;
     const Vec3 sideways = shift * glm::normalize(own.along);
     const Vec3 upward = shift * glm::normalize(glm::cross(normal, own.along));
-    const bool dark = meets(point + 1e-9 * extent_ * normal, light);
+    const bool dark = meets(obstacles, point + 1e-9 * extent_ * normal, light);
     for (const Vec3& move : {sideways, -sideways, upward, -upward}) {
-      if (meets(point + move + 1e-9 * extent_ * normal, light) != dark) return Shade::none;
+      if (meets(obstacles, point + move + 1e-9 * extent_ * normal, light) != dark)
+        return Shade::none;
     }
     return dark ? Shade::shadowed : Shade::lit;
   }
 
   /// Möller & Trumbore 1997, every triangle of the mesh.
-  [[nodiscard]] bool meets(const Vec3& origin, const Vec3& direction) const {
-    for (const Triangle& t : triangles_) {
-      const Vec3 p = glm::cross(direction, t.across);
-      const double volume = glm::dot(t.along, p);
-      if (std::abs(volume) < 1e-12) continue;
+  [[nodiscard]] static bool meets(const std::vector<Obstacle>& obstacles, const Vec3& origin,
+                                  const Vec3& direction) {
+    for (const auto& [t, p, volume] : obstacles) {
       const Vec3 from = origin - t.corner;
       const double u = glm::dot(from, p) / volume;
       if (u < 0 || u > 1) continue;

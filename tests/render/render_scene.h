@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "relief/angle_table.h"
 #include "relief/displaced_mesh.h"
@@ -54,6 +55,14 @@ class RenderScene {
   [[nodiscard]] Mask answer(const Method& method, const RenderView& view, const Vec3& light,
                             TableFilter filter = TableFilter::exact,
                             const std::map<std::string, double>& parameters = {}) const {
+    return answers(method, view, {light}, filter, parameters).front();
+  }
+
+  /// A mask a light; the shader and its tables are made once.
+  [[nodiscard]] std::vector<Mask> answers(
+      const Method& method, const RenderView& view, const std::vector<Vec3>& lights,
+      TableFilter filter = TableFilter::exact,
+      const std::map<std::string, double>& parameters = {}) const {
     const MethodPass pass(shaderFolder(), method, relief.field.wrap(), filter, parameters);
     GpuTables gpu{&gpuHorizon_, &gpuDistance_};
     std::optional<GpuAngles> angles;
@@ -67,7 +76,9 @@ class RenderScene {
     }
     if (angles) gpu.angles = &*angles;
     if (ellipses) gpu.ellipse = &*ellipses;
-    return pass.render(view, drawing(light), gpu);
+    std::vector<Mask> masks;
+    for (const Vec3& light : lights) masks.push_back(pass.render(view, drawing(light), gpu));
+    return masks;
   }
 
   [[nodiscard]] SampleGrid samples(const RenderView& view) const {

@@ -71,10 +71,11 @@ class Scene {
   }
 
   [[nodiscard]] Errors errors(const RenderScene& on, const std::string& method) const {
-    const RenderView view = atlasView(on.surface, samples_);
+    const std::vector<Mask> masks = on.answers(readMethod(methodFile(shaderFolder(), method)),
+                                               atlasView(on.surface, samples_), lights());
     Errors sum;
     for (std::size_t l = 0; l < truths_.size(); ++l) {
-      const Counts counts = countSamples(on.answer(method, view, lights()[l]), truths_[l]);
+      const Counts counts = countSamples(masks[l], truths_[l]);
       sum.falseShadow += rate(counts, "false_shadow").value.value() / lightCount;
       sum.falseLight += rate(counts, "false_light").value.value() / lightCount;
     }

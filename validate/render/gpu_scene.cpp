@@ -230,17 +230,20 @@ gl::Texture rgbaMaps(const std::vector<float>& shares, int width, int height, in
 
 gl::Texture basisMaps(int azimuths, TableBits bits) {
   constexpr int side = 256;
+  std::vector<double> steps;  // each texel's azimuth, in steps between those of the table
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const double azimuth = std::atan2(2 * (y + 0.5) / side - 1, 2 * (x + 0.5) / side - 1);
+      steps.push_back(azimuth / (2 * pi) * azimuths);
+    }
+  }
   std::vector<float> shares;
-  shares.reserve(std::size_t{side} * side * static_cast<std::size_t>(azimuths));
+  shares.reserve(steps.size() * static_cast<std::size_t>(azimuths));
   for (int k = 0; k < azimuths; ++k) {
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
-        const double azimuth = std::atan2(2 * (y + 0.5) / side - 1, 2 * (x + 0.5) / side - 1);
-        // In steps between azimuths, the shorter way round.
-        const double apart =
-            std::abs(std::remainder(azimuth / (2 * pi) * azimuths - k, double(azimuths)));
-        shares.push_back(static_cast<float>(std::max(0.0, 1 - apart)));
-      }
+    for (const double step : steps) {
+      // The shorter way round.
+      const double apart = std::abs(std::remainder(step - k, double(azimuths)));
+      shares.push_back(static_cast<float>(std::max(0.0, 1 - apart)));
     }
   }
   std::uint64_t ignored = 0;
