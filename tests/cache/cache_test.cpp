@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const ContentKey program = keyOfBytes("a program");
-const ContentKey key = keyOfBytes("an input");
+const ContentKey inputKey = keyOfBytes("an input");
 
 class CacheTest : public TemporaryFolder {
  protected:
@@ -44,44 +44,44 @@ class CacheTest : public TemporaryFolder {
 TEST_F(CacheTest, WhatOneRunComputesAnotherFinds) {
   {
     Cache first(folder(), 1'000'000, program, {});
-    EXPECT_FALSE(first.holds(key));
-    EXPECT_EQ(remembered(first, key, 7), 7);
-    EXPECT_EQ(remembered(first, key, 8), 7);
+    EXPECT_FALSE(first.holds(inputKey));
+    EXPECT_EQ(remembered(first, inputKey, 7), 7);
+    EXPECT_EQ(remembered(first, inputKey, 8), 7);
     expectCounts(first, 1, 1, 0);
   }
   Cache second(folder(), 1'000'000, program, {});
-  EXPECT_TRUE(second.holds(key));
-  EXPECT_EQ(remembered(second, key, 9), 7);
+  EXPECT_TRUE(second.holds(inputKey));
+  EXPECT_EQ(remembered(second, inputKey, 9), 7);
   EXPECT_EQ(computed_, 1);
   expectCounts(second, 1, 0, 0);
 }
 
 TEST_F(CacheTest, AnotherProgramFindsNothing) {
   Cache first(folder(), 1'000'000, program, {});
-  EXPECT_EQ(remembered(first, key, 7), 7);
+  EXPECT_EQ(remembered(first, inputKey, 7), 7);
   Cache other(folder(), 1'000'000, keyOfBytes("another program"), {});
-  EXPECT_EQ(remembered(other, key, 8), 8);
-  EXPECT_EQ(remembered(first, key, 9), 7);
+  EXPECT_EQ(remembered(other, inputKey, 8), 8);
+  EXPECT_EQ(remembered(first, inputKey, 9), 7);
 }
 
 TEST_F(CacheTest, OneThatIsOffKeepsNothing) {
   Cache off;
-  EXPECT_EQ(remembered(off, key, 7), 7);
-  EXPECT_EQ(remembered(off, key, 8), 8);
+  EXPECT_EQ(remembered(off, inputKey, 7), 7);
+  EXPECT_EQ(remembered(off, inputKey, 8), 8);
   expectCounts(off, 0, 0, 0);
 }
 
 TEST_F(CacheTest, ADamagedEntryIsComputedAgain) {
   Cache cache(folder(), 1'000'000, program, {});
-  EXPECT_EQ(remembered(cache, key, 7), 7);
+  EXPECT_EQ(remembered(cache, inputKey, 7), 7);
   std::fstream(onlyEntry(), std::ios::in | std::ios::out).seekp(65).put('!');
-  EXPECT_EQ(remembered(cache, key, 8), 8);
+  EXPECT_EQ(remembered(cache, inputKey, 8), 8);
   expectCounts(cache, 0, 2, 1);
-  EXPECT_EQ(remembered(cache, key, 9), 8);
+  EXPECT_EQ(remembered(cache, inputKey, 9), 8);
   // Another kind of value under the same key, as no sound program writes it.
-  EXPECT_EQ(cache.find<std::string>(key), std::nullopt);
+  EXPECT_EQ(cache.find<std::string>(inputKey), std::nullopt);
   expectCounts(cache, 1, 3, 2);
-  EXPECT_FALSE(cache.holds(key));
+  EXPECT_FALSE(cache.holds(inputKey));
 }
 
 TEST_F(CacheTest, HoldsItsBound) {
@@ -92,8 +92,8 @@ TEST_F(CacheTest, HoldsItsBound) {
       cache.keep(KeyBuilder("test").add("i", i).key(), std::string(900, 'x'));
     }
     // Larger than all that may be kept.
-    cache.keep(key, std::string(30'000, 'x'));
-    EXPECT_FALSE(cache.holds(key));
+    cache.keep(inputKey, std::string(30'000, 'x'));
+    EXPECT_FALSE(cache.holds(inputKey));
     EXPECT_TRUE(cache.holds(KeyBuilder("test").add("i", 99).key()));
   }
   EXPECT_LE(usageOf(folder()).bytes, limit);
@@ -105,8 +105,8 @@ TEST_F(CacheTest, AFolderThatCannotBeWrittenCostsOneWarning) {
   std::vector<std::string> warnings;
   Cache cache(file("taken") / "cache", 1'000'000, program,
               [&](const std::string& text) { warnings.push_back(text); });
-  EXPECT_EQ(remembered(cache, key, 7), 7);
-  EXPECT_EQ(remembered(cache, key, 8), 8);
+  EXPECT_EQ(remembered(cache, inputKey, 7), 7);
+  EXPECT_EQ(remembered(cache, inputKey, 8), 8);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find("taken"), std::string::npos) << warnings[0];
 }

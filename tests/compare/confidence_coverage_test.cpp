@@ -20,7 +20,7 @@ using test::ErrorShape;
 using test::mixed;
 using test::RandomFields;
 
-constexpr int side = 120;
+constexpr int drawnSide = 120;
 constexpr int masks = 400;
 constexpr BootstrapSettings settings{500, 0.95, 1978};
 
@@ -47,7 +47,7 @@ class Coverage {
 };
 
 Mask litEverywhere() {
-  return {side, side, std::vector<Shade>(std::size_t{side} * side, Shade::lit)};
+  return {drawnSide, drawnSide, std::vector<Shade>(std::size_t{drawnSide} * drawnSide, Shade::lit)};
 }
 
 /// A case alone holds within 93 to 97 %, but for what 400 masks can tell.
@@ -88,7 +88,7 @@ class CoverageOfRates : public testing::TestWithParam<double> {};
 TEST_P(CoverageOfRates, Is93To97Percent) {
   const Mask truth = litEverywhere();
   const Tiling tiling = chooseTiling(truth);
-  RandomFields fields(side, GetParam(), 11);
+  RandomFields fields(drawnSide, GetParam(), 11);
   constexpr std::array<double, 3> rates = {0.01, 0.05, 0.2};
   constexpr std::array<std::size_t, 3> lightCounts = {1, 3, 5};
   std::array<Coverage, 18> cases;
@@ -102,7 +102,7 @@ TEST_P(CoverageOfRates, Is93To97Percent) {
       for (const double rate : rates) {
         std::vector<BlockErrors> cells;
         for (const auto& field : ofLights) {
-          const Mask mask = errorMask(field, side, shape, rate);
+          const Mask mask = errorMask(field, drawnSide, shape, rate);
           cells.push_back(blockErrors(mask, truth, tiling.cellSide));
           if (cells.size() > 1) continue;
           const BlockErrors blocks = blockErrors(mask, truth, tiling.blockSide());
@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(FeaturesFromAHundredthToATenthOfTheSide, CoverageOfRate
 TEST(CoverageOfDifferences, Is93To97Percent) {
   const Mask truth = litEverywhere();
   const Tiling tiling = chooseTiling(truth);
-  RandomFields fields(side, 2, 12);
+  RandomFields fields(drawnSide, 2, 12);
   struct Rates {
     double first, second;
   };
@@ -151,7 +151,7 @@ TEST(CoverageOfDifferences, Is93To97Percent) {
       const std::vector<float> b = mixed(ofLight, fields.next(), 0.8);
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const auto cellsOf = [&](const std::vector<float>& field, double rate) {
-          return blockErrors(errorMask(field, side, ErrorShape::blobs, rate), truth,
+          return blockErrors(errorMask(field, drawnSide, ErrorShape::blobs, rate), truth,
                              tiling.cellSide);
         };
         first[i].push_back(cellsOf(a, pairs[i].first));
@@ -178,18 +178,18 @@ TEST(CoverageOfDifferences, Is93To97Percent) {
 TEST(CoverageOfRates, Is93To97PercentBehindASilhouetteAndUnderWeights) {
   Mask truth = litEverywhere();
   std::vector<double> weights(truth.size());
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const auto i = static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x);
+  for (int y = 0; y < drawnSide; ++y) {
+    for (int x = 0; x < drawnSide; ++x) {
+      const auto i = static_cast<std::size_t>(y) * drawnSide + static_cast<std::size_t>(x);
       if (std::hypot(x - 55.0, y - 66.0) > 50) truth.samples[i] = Shade::none;
-      weights[i] = 1 + 3.0 * x / side;
+      weights[i] = 1 + 3.0 * x / drawnSide;
     }
   }
   const Tiling tiling = chooseTiling(truth, weights);
-  RandomFields fields(side, 1.5, 13);
+  RandomFields fields(drawnSide, 1.5, 13);
   Coverage coverage;
   for (int m = 0; m < 3 * masks; ++m) {
-    Mask mask = errorMask(fields.next(), side, ErrorShape::blobs, 0.05);
+    Mask mask = errorMask(fields.next(), drawnSide, ErrorShape::blobs, 0.05);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       if (truth.samples[i] == Shade::none) mask.samples[i] = Shade::none;
     }
@@ -204,12 +204,12 @@ TEST(CoverageOfRates, Is93To97PercentBehindASilhouetteAndUnderWeights) {
 TEST(CoverageOfRates, IsNoLessWhereTheRateDrifts) {
   const Mask truth = litEverywhere();
   const Tiling tiling = chooseTiling(truth);
-  RandomFields fields(side, 1.5, 14);
+  RandomFields fields(drawnSide, 1.5, 14);
   std::vector<float> levels;
   double rate = 0;
-  for (int x = 0; x < side; ++x) {
-    const double here = 0.005 + 0.1 * x / side;
-    rate += here / side;
+  for (int x = 0; x < drawnSide; ++x) {
+    const double here = 0.005 + 0.1 * x / drawnSide;
+    rate += here / drawnSide;
     levels.push_back(static_cast<float>(test::normalAbove(here)));
   }
   Coverage coverage;
@@ -217,7 +217,7 @@ TEST(CoverageOfRates, IsNoLessWhereTheRateDrifts) {
     const std::vector<float> field = fields.next();
     Mask mask = truth;
     for (std::size_t i = 0; i < mask.size(); ++i) {
-      if (field[i] > levels[i % side]) mask.samples[i] = Shade::shadowed;
+      if (field[i] > levels[i % drawnSide]) mask.samples[i] = Shade::shadowed;
     }
     coverage.add(rateConfidence(blockErrors(mask, truth, tiling.cellSide), tiling, settings), rate);
   }

@@ -27,8 +27,8 @@ using test::stepRelief;
 
 using Parameters = std::map<std::string, double>;
 
-Mask with(const RenderScene& scene, const std::string& method, const RenderView& view,
-          const Vec3& light, const Parameters& parameters) {
+Mask answerWith(const RenderScene& scene, const std::string& method, const RenderView& view,
+                const Vec3& light, const Parameters& parameters) {
   return scene.answer(readMethod(methodFile(shaderFolder(), method)), view, light,
                       TableFilter::exact, parameters);
 }
@@ -93,7 +93,8 @@ TEST(PathMethods, FollowTheRayWhereLinesOfTheMapDoNot) {
       const bool dark = rayMeetsRelief(patch, scene.relief.field, place, light);
       exact.samples[i] = dark ? Shade::shadowed : Shade::lit;
     }
-    const double straight = difference(with(scene, "osculating-march", view, light, {}), exact);
+    const double straight =
+        difference(answerWith(scene, "osculating-march", view, light, {}), exact);
     const double bent = difference(scene.answer("geodesic-march", view, light), exact);
     const double resampled = difference(scene.answer("resampled-horizon", view, light), exact);
     EXPECT_GT(shareShadowed(exact), 0.2);
@@ -201,7 +202,7 @@ TEST(PathMethods, OnAPlaneAreTheMarchOnTheCircle) {
   const RenderView view = atlasView(scene.surface, 33);
   for (const Vec3& light : {lightToward(20, 30), lightToward(155, 25), lightToward(290, 20)}) {
     const Mask march =
-        with(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+        answerWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
     // A bump that is highest between crossings is missed: in cells that are saddles.
     EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
     EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
@@ -218,7 +219,7 @@ TEST(PathMethods, OnACylinderAreTheMarchOnTheCircle) {
   const RenderView view = atlasView(scene.surface, 8);
   for (const Vec3& light : {lightToward(0, 40), lightToward(180, 25), lightToward(90, 30)}) {
     const Mask march =
-        with(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+        answerWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
     EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
     EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
     EXPECT_GT(shareShadowed(march), 0.05);
@@ -237,7 +238,7 @@ TEST(PathMethods, AreNeverBlindToAttachedShadows) {
         {"geodesic-march", {{"range", 1}}},
         {"resampled-horizon", {{"range", 1}, {"crossings", 1}, {"search", 0}}}};
     for (const auto& [method, parameters] : few) {
-      const Mask mask = with(scene, method, view, light, parameters);
+      const Mask mask = answerWith(scene, method, view, light, parameters);
       for (std::size_t i = 0; i < mask.size(); ++i) {
         if (turned.samples[i] == Shade::shadowed) {
           ASSERT_EQ(mask.samples[i], Shade::shadowed) << method << " " << i;
@@ -260,7 +261,7 @@ TEST(PathMethods, ResampledHorizonTendsToTheMarchWithItsAzimuths) {
     const RenderScene scene(makeSphere(60, 1, 1, 16, 16), columnRelief(), {azimuths, 64},
                             TableBits::eight, 2);
     const RenderView view = atlasView(scene.surface, 12);
-    return difference(with(scene, "resampled-horizon", view, light, {{"crossings", 1}}),
+    return difference(answerWith(scene, "resampled-horizon", view, light, {{"crossings", 1}}),
                       scene.answer("geodesic-march", view, light));
   };
   const double few = differenceAt(4);
@@ -278,8 +279,8 @@ TEST(PathMethods, ASearchAboutTheBestCandidateFindsMore) {
   const RenderView view = atlasView(scene.surface, 12);
   const Vec3 light = lightToward(20, 25);
   const auto share = [&](double search) {
-    return shareShadowed(
-        with(scene, "resampled-horizon", view, light, {{"crossings", 1}, {"search", search}}));
+    return shareShadowed(answerWith(scene, "resampled-horizon", view, light,
+                                    {{"crossings", 1}, {"search", search}}));
   };
   EXPECT_GT(share(1), share(0));
   EXPECT_GT(share(2), share(1));
@@ -331,7 +332,7 @@ TEST(PathMethods, ResampledHorizonErrsTowardLightAlone) {
     const RenderView view = atlasView(scene.surface, 8);
     for (const Vec3& light : {lightToward(20, 25), lightToward(140, 40)}) {
       const Mask full = scene.answer(dense.read(), view, light);
-      const Mask mask = with(scene, "resampled-horizon", view, light, {{"crossings", 1}});
+      const Mask mask = answerWith(scene, "resampled-horizon", view, light, {{"crossings", 1}});
       EXPECT_LT(shadowedBeyond(mask, full), 5e-4) << azimuths;
       if (azimuths == 4) {
         EXPECT_GT(shadowedBeyond(full, mask), 0.01);

@@ -17,26 +17,26 @@ using test::ShearedPlane;
 using test::shearedPlanes;
 using test::stepRelief;
 
-constexpr int samplesPerSide = 24;  ///< of a face: 3 a texel
+constexpr int planeSamples = 24;  ///< of a face: 3 a texel
 
 /// The last shadowed sample of the atlas's row through the middle of the map, as a place x in
 /// texels; the wall's lee side is toward greater x.
 double shadowsEnd(const Mask& mask, const ShearedPlane& plane) {
   double end = 0;
   for (int face = 0; face < plane.columns; ++face) {
-    for (int i = 0; i < samplesPerSide; ++i) {
+    for (int i = 0; i < planeSamples; ++i) {
       // A cage that is no grid lays its faces out row by row on a square.
-      const int tiles = mask.width / samplesPerSide;
+      const int tiles = mask.width / planeSamples;
       const int cell = 2 * plane.columns + face;
-      const int column = (cell % tiles) * samplesPerSide + i;
-      const int row = mask.height - 1 - ((cell / tiles) * samplesPerSide + samplesPerSide / 2);
+      const int column = (cell % tiles) * planeSamples + i;
+      const int row = mask.height - 1 - ((cell / tiles) * planeSamples + planeSamples / 2);
       const auto index = static_cast<std::size_t>(row * mask.width + column);
       if (mask.samples[index] != Shade::shadowed) continue;
-      const double along = (face + (i + 0.5) / samplesPerSide) / plane.columns * plane.width;
+      const double along = (face + (i + 0.5) / planeSamples) / plane.columns * plane.width;
       end = std::max(end, plane.mirrored() ? plane.width - along : along);
     }
   }
-  return end + 0.5 * plane.width / (plane.columns * samplesPerSide);
+  return end + 0.5 * plane.width / (plane.columns * planeSamples);
 }
 
 struct Case {
@@ -64,7 +64,7 @@ TEST_P(ShearedShadow, EndsWhereTheMetricSays) {
     relief.space = GetParam();
     const RenderScene scene(plane.cage(), relief, {24, 60}, TableBits::thirtyTwo);
     const RenderScene eight(plane.cage(), relief, {8, 60}, TableBits::thirtyTwo);
-    const RenderView view = atlasView(scene.surface, samplesPerSide);
+    const RenderView view = atlasView(scene.surface, planeSamples);
     for (const double azimuth : {180.0, 150.0, 225.0}) {
       const double a = radians(azimuth);  // one of the tables' 24, two of them of Sloan & Cohen's 8
       const double e = radians(35);

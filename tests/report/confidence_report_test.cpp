@@ -31,7 +31,7 @@ DifferenceRecord difference(const std::string& first, const std::string& second,
 }
 
 /// "rough" 10 %, "close" 1.2 %, "best" 1 %.
-StudyRecord record() {
+StudyRecord recordOfThree() {
   StudyRecord made = test::sampleRecord();
   made.confidence = {
       {"rough, \"old\"", "camera", "all", 0.1, Interval{0.08, 0.13}, "", 25, 40},
@@ -48,30 +48,30 @@ StudyRecord record() {
 }
 
 TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
-  const std::vector<ConfidenceRecord> ranked = rankedIn(record(), "camera");
+  const std::vector<ConfidenceRecord> ranked = rankedIn(recordOfThree(), "camera");
   ASSERT_EQ(ranked.size(), 3U);
   EXPECT_EQ(ranked[0].method, "best");
   EXPECT_EQ(ranked[2].light, "all");
-  EXPECT_EQ(confidenceViews(record()), std::vector<std::string>{"camera"});
-  EXPECT_TRUE(rankedIn(record(), "atlas").empty());
+  EXPECT_EQ(confidenceViews(recordOfThree()), std::vector<std::string>{"camera"});
+  EXPECT_TRUE(rankedIn(recordOfThree(), "atlas").empty());
 }
 
 TEST(ConfidenceText, TurnsADifferenceAsAsked) {
-  const auto turned = differenceOf(record(), "camera", "best", "rough, \"old\"");
+  const auto turned = differenceOf(recordOfThree(), "camera", "best", "rough, \"old\"");
   ASSERT_TRUE(turned);
   EXPECT_EQ(turned->first, "best");
   EXPECT_EQ(turned->difference, -0.09);
   EXPECT_EQ(turned->interval->low, -0.115);
   EXPECT_EQ(turned->interval->high, -0.072);
   EXPECT_EQ(turned->verdict, DifferenceVerdict::better);
-  EXPECT_EQ(differenceOf(record(), "camera", "rough, \"old\"", "best")->verdict,
+  EXPECT_EQ(differenceOf(recordOfThree(), "camera", "rough, \"old\"", "best")->verdict,
             DifferenceVerdict::worse);
-  EXPECT_FALSE(differenceOf(record(), "camera", "best", "none"));
-  EXPECT_FALSE(differenceOf(record(), "atlas", "best", "close"));
+  EXPECT_FALSE(differenceOf(recordOfThree(), "camera", "best", "none"));
+  EXPECT_FALSE(differenceOf(recordOfThree(), "atlas", "best", "close"));
 }
 
 TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
-  EXPECT_EQ(verdictText(record(), "camera"),
+  EXPECT_EQ(verdictText(recordOfThree(), "camera"),
             "best is better than rough, \"old\" by 9.00 % of the samples (7.20 to 11.50). best is "
             "not distinguishable from close.");
   EXPECT_EQ(intervalText(Interval{-0.001, 0.02}), "−0.10 to 2.00");
@@ -79,7 +79,7 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   EXPECT_EQ(intervalText(Interval{-1e-7, 0}), "0.00 to 0.00");
   EXPECT_EQ(intervalText(std::nullopt), "–");
   EXPECT_EQ(verdictText(test::sampleRecord(), "camera"), "");
-  StudyRecord many = record();
+  StudyRecord many = recordOfThree();
   for (const char* name : {"a", "b", "c"}) {
     many.confidence.push_back({name, "camera", "all", 0.011, Interval{0, 0.1}, "", 25, 40});
     many.differences.push_back(difference("best", name, -0.001, Interval{-0.002, 0.001},
@@ -87,14 +87,14 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   }
   EXPECT_THAT(verdictText(many, "camera"),
               HasSubstr("best is not distinguishable from a; b; c and 1 more."));
-  EXPECT_THAT(confidenceNote(record(), "camera"),
+  EXPECT_THAT(confidenceNote(recordOfThree(), "camera"),
               HasSubstr("25 blocks of 40 × 40 samples. ≈ not distinguishable from the best: the "
                         "interval of the difference holds 0, or it is within the truth’s "
                         "uncertainty of 0.30 %."));
 }
 
 TEST(ConfidenceJson, HoldsEveryFigure) {
-  const auto json = nlohmann::ordered_json::parse(summaryJson(record()));
+  const auto json = nlohmann::ordered_json::parse(summaryJson(recordOfThree()));
   EXPECT_EQ(json["confidence"][0].dump(),
             R"({"method":"rough, \"old\"","view":"camera","light":"all","error_rate":0.1,)"
             R"("low":0.08,"high":0.13,"reason":null,"blocks":25,"block_side":40})");
@@ -112,13 +112,13 @@ TEST(ConfidenceJson, HoldsEveryFigure) {
             R"("high":10.0,"samples":10,"tp":1.0,"fp":2.0,"fn":3.0,"tn":4.0,"error_rate":0.5,)"
             R"("false_shadow":0.2,"false_light":0.3})");
   EXPECT_EQ(json["bins"][1]["high"], nullptr);
-  StudyRecord broken = record();
+  StudyRecord broken = recordOfThree();
   broken.confidence[0].interval->high = std::numeric_limits<double>::infinity();
   EXPECT_THROW(summaryJson(broken), InternalError);
 }
 
 TEST(BinsCsv, HasARowABin) {
-  EXPECT_EQ(binsCsv(record()),
+  EXPECT_EQ(binsCsv(recordOfThree()),
             "study,method,view,light,axis,low,high,samples,tp,fp,fn,tn,error_rate,false_shadow,"
             "false_light\n"
             "sample,best,camera,all,elevation,,10,10,1,2,3,4,0.5,0.2,0.3\n"
@@ -126,7 +126,7 @@ TEST(BinsCsv, HasARowABin) {
 }
 
 TEST(TerminalConfidence, RanksMethodsWithTheirIntervals) {
-  const std::string text = resultTable(record(), false);
+  const std::string text = resultTable(recordOfThree(), false);
   EXPECT_THAT(text, HasSubstr("Verdict · camera\n"));
   EXPECT_LT(text.find("Verdict"), text.find("camera · elevation 15°")) << "the verdict first";
   std::istringstream lines(text);
@@ -138,19 +138,19 @@ TEST(TerminalConfidence, RanksMethodsWithTheirIntervals) {
   EXPECT_THAT(text, HasSubstr("1.20     0.90 to 1.60      +0.20                – ≈\n"));
   EXPECT_THAT(text, HasSubstr("10.00    8.00 to 13.00      +9.00    7.20 to 11.50\n"));
   EXPECT_THAT(resultTable(test::sampleRecord(), false), Not(HasSubstr("Verdict")));
-  StudyRecord wide = record();
+  StudyRecord wide = recordOfThree();
   wide.confidence[3].method = std::string(300, 'x');
   std::istringstream wideLines(resultTable(wide, false));
   for (std::string line; std::getline(wideLines, line);) EXPECT_LE(displayWidth(line), 100U);
 }
 
 TEST(ConfidenceHtml, HasATableAView) {
-  const std::string html = confidenceSection(record());
+  const std::string html = confidenceSection(recordOfThree());
   EXPECT_THAT(html, HasSubstr("rough, &quot;old&quot;"));
   EXPECT_THAT(html, HasSubstr("0.90 to 1.60"));
   EXPECT_THAT(html, HasSubstr("too few blocks"));
   EXPECT_THAT(html, HasSubstr("close ≈"));
-  EXPECT_THAT(reportHtml(record(), "/none"), HasSubstr(html));
+  EXPECT_THAT(reportHtml(recordOfThree(), "/none"), HasSubstr(html));
   EXPECT_EQ(confidenceSection(test::sampleRecord()), "");
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "report/sample_check.h"
+#include "support/lines.h"
 
 namespace gnomon {
 namespace {
@@ -14,15 +15,8 @@ using test::sampleCheck;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 std::vector<std::string> annotations(const std::vector<CheckRecord>& checks) {
-  return linesOf(githubAnnotations(checks));
+  return test::linesOf(githubAnnotations(checks));
 }
 
 TEST(GithubAnnotations, AreNoneForWhatPassed) {
@@ -45,10 +39,9 @@ TEST(GithubAnnotations, AreALineForEachFaultThenTheNotices) {
                                       "threshold undefined::"));
   EXPECT_THAT(lines.at(3), StartsWith("::error file=reference/sample.json,title=sample%3A "
                                       "reference failed::"));
-  EXPECT_EQ(
-      lines.at(4),
-      "::notice file=scenes/sample.toml,line=30,title=sample%3A notice::the limit on x could "
-      "be tightened");
+  EXPECT_EQ(lines.at(4),
+            "::notice file=scenes/sample.toml,line=30,title=sample%3A notice::the limit on x could "
+            "be tightened");
 }
 
 TEST(GithubAnnotations, EscapeWhatWouldEndAPropertyOrALine) {

@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "report/latex_text.h"
 #include "report/sample_record.h"
+#include "support/lines.h"
 
 namespace gnomon {
 namespace {
@@ -17,19 +18,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-StudyRecord record() {
+StudyRecord recordWithIntervals() {
   StudyRecord made = test::sampleRecord();
   made.confidence = {{"best", "camera", "all", 0.01, Interval{0.0075, 0.0125}, "", 25, 40},
                      {"best", "camera", "elevation 15°", 0.01, Interval{0, 1}, "", 25, 40},
                      {"close", "camera", "all", 0.012, std::nullopt, "too few blocks", 25, 40}};
   return made;
-}
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
 }
 
 /// The cells of a row, split at ampersands that are not escaped.
@@ -46,7 +40,7 @@ std::vector<std::string> latexCells(const std::string& row) {
 }
 
 TEST(TableCsv, HoldsTheRankedTable) {
-  EXPECT_THAT(linesOf(tableCsv(record())),
+  EXPECT_THAT(test::linesOf(tableCsv(recordWithIntervals())),
               ElementsAre("rank,method,error_rate,low,high,uncertainty,same_as_best,false_shadow,"
                           "false_light,iou,bytes,frame_ms",
                           "1,best,0.01,0.0075,0.0125,0.003,0,0.005,0.005,0.9607843137254902,540672,"
@@ -57,7 +51,7 @@ TEST(TableCsv, HoldsTheRankedTable) {
 
 TEST(TableTex, HoldsTheSameInPercent) {
   std::vector<std::vector<std::string>> rows;
-  for (const std::string& line : linesOf(tableTex(record()))) {
+  for (const std::string& line : test::linesOf(tableTex(recordWithIntervals()))) {
     if (line.ends_with("\\\\")) rows.push_back(latexCells(line.substr(0, line.size() - 3)));
   }
   ASSERT_THAT(rows, SizeIs(4));
@@ -71,7 +65,7 @@ TEST(TableTex, HoldsTheSameInPercent) {
 
 /// Braces, environments and math are balanced, and nothing special stands alone.
 TEST(TableTex, IsWellFormedWhateverTheText) {
-  StudyRecord evil = record();
+  StudyRecord evil = recordWithIntervals();
   evil.title = "50 % of {it} & $x_1^2$ # ~ \\end{table} é κ ≈ \n";
   evil.name = "a/b_c%";
   for (ResultRecord& row : evil.results) row.method += "_&%#{";
@@ -105,7 +99,7 @@ TEST(TableTex, IsWellFormedWhateverTheText) {
 }
 
 TEST(TableFiles, RefuseNumbersThatAreNone) {
-  StudyRecord broken = record();
+  StudyRecord broken = recordWithIntervals();
   broken.cost[0].frameMs = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)tableTex(broken), InternalError);
   EXPECT_THROW((void)tableCsv(broken), InternalError);

@@ -6,6 +6,7 @@
 
 #include "report/sample_check.h"
 #include "report/text_width.h"
+#include "support/lines.h"
 
 namespace gnomon {
 namespace {
@@ -16,15 +17,8 @@ using test::sampleGate;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 TEST(CheckTable, HasEveryThresholdWithValueLimitMarginAndVerdict) {
-  const std::vector<std::string> lines = linesOf(checkTable(sampleCheck(), false));
+  const std::vector<std::string> lines = test::linesOf(checkTable(sampleCheck(), false));
   EXPECT_EQ(lines.at(0), "sample (scenes/sample.toml)");
   EXPECT_EQ(lines.at(1),
             "  method        metric      view, light                         value   limit   "
@@ -67,7 +61,7 @@ TEST(CheckTable, FitsATerminalWhateverTheNames) {
     gate.step = "sample/0.0025";
   }
   const std::string text = checkTable(check, false);
-  for (const std::string& line : linesOf(text)) {
+  for (const std::string& line : test::linesOf(text)) {
     if (line.find("gnomon check") != std::string::npos) continue;  // to be copied, so never broken
     EXPECT_LE(displayWidth(line), 100U) << line;
   }

@@ -9,6 +9,7 @@
 
 #include "common/error.h"
 #include "report/sample_record.h"
+#include "support/lines.h"
 
 namespace gnomon {
 namespace {
@@ -26,21 +27,14 @@ std::size_t columnsOf(const std::string& line) {
   return columns;
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 void expectFits(const std::string& text) {
-  for (const std::string& line : linesOf(text)) {
+  for (const std::string& line : test::linesOf(text)) {
     EXPECT_LE(columnsOf(line), 100U) << line;
   }
 }
 
 std::string lineWith(const std::string& text, const std::string& part) {
-  for (const std::string& line : linesOf(text)) {
+  for (const std::string& line : test::linesOf(text)) {
     if (line.find(part) != std::string::npos) return line;
   }
   return "(no line with " + part + ")";

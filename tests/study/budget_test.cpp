@@ -11,7 +11,7 @@ namespace gnomon {
 namespace {
 
 constexpr int side = 40;
-constexpr std::size_t samples = 1600;
+constexpr std::size_t budgetSamples = 1600;
 const Tiling tiling{4, 10};  // 25 blocks of 8 × 8
 
 Mask maskOf(const std::vector<Shade>& shades) {
@@ -20,9 +20,9 @@ Mask maskOf(const std::vector<Shade>& shades) {
 
 /// Lit everywhere but in its last quarter, which only distant occluders shadow.
 Truth madeUpTruth() {
-  Truth truth{maskOf(std::vector<Shade>(samples, Shade::lit)),
-              std::vector<Region>(samples, Region::lit), 0};
-  for (std::size_t i = 1200; i < samples; ++i) {
+  Truth truth{maskOf(std::vector<Shade>(budgetSamples, Shade::lit)),
+              std::vector<Region>(budgetSamples, Region::lit), 0};
+  for (std::size_t i = 1200; i < budgetSamples; ++i) {
     truth.mask.samples[i] = Shade::shadowed;
     truth.regions[i] = Region::distant;
   }
@@ -69,20 +69,20 @@ TEST(Budget, IsWhatEachStepOfAMadeUpLadderChanges) {
   EXPECT_DOUBLE_EQ(budget.total.value, 0.1);
   ASSERT_EQ(budget.causes.size(), 2U);
   EXPECT_EQ(budget.causes[0].name, "even");
-  EXPECT_DOUBLE_EQ(budget.causes[0].forward.value, 80.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.causes[1].forward.value, -20.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.causes[1].backward.value, -40.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.causes[0].backward.value, 100.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.distant.value, 20.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.other.value, 80.0 / samples);
-  EXPECT_DOUBLE_EQ(orderDependence(budget), 20.0 / samples);
+  EXPECT_DOUBLE_EQ(budget.causes[0].forward.value, 80.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.causes[1].forward.value, -20.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.causes[1].backward.value, -40.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.causes[0].backward.value, 100.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.distant.value, 20.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.other.value, 80.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(orderDependence(budget), 20.0 / budgetSamples);
   EXPECT_EQ(budget.blocks, 25U);
   EXPECT_EQ(budget.light, "noon");
   ASSERT_EQ(budget.forward.size(), 3U);
-  EXPECT_DOUBLE_EQ(budget.forward[1].errorRate, 80.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.forward[2].falseLight, 20.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.forward[2].falseShadow, 80.0 / samples);
-  EXPECT_DOUBLE_EQ(budget.backward[1].errorRate, 200.0 / samples);
+  EXPECT_DOUBLE_EQ(budget.forward[1].errorRate, 80.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.forward[2].falseLight, 20.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.forward[2].falseShadow, 80.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(budget.backward[1].errorRate, 200.0 / budgetSamples);
   for (const BudgetCause& cause : budget.causes) {
     for (const BudgetShare* share : {&cause.forward, &cause.backward}) {
       ASSERT_TRUE(share->interval) << share->reason;
@@ -96,7 +96,7 @@ TEST(Budget, PartsAddUpToTheTotal) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uniform(0.1, 2);
   const Truth truth = madeUpTruth();
-  std::vector<double> weights(samples);
+  std::vector<double> weights(budgetSamples);
   for (double& weight : weights) weight = uniform(generator);
   const auto random = [&] {
     Mask mask = truth.mask;

@@ -8,18 +8,19 @@
 namespace gnomon {
 namespace {
 
-constexpr int side = 64;
+constexpr int maskSide = 64;
 
 /// Methods whose errors are the level sets of fields with much in common, under two lights.
 ViewErrors someErrors() {
-  const Mask truth{side, side, std::vector<Shade>(std::size_t{side} * side, Shade::lit)};
+  const Mask truth{maskSide, maskSide,
+                   std::vector<Shade>(std::size_t{maskSide} * maskSide, Shade::lit)};
   ViewErrors errors{"camera", chooseTiling(truth), {"noon", "evening"}, {}};
-  test::RandomFields fields(side, 1, 5);
+  test::RandomFields fields(maskSide, 1, 5);
   const std::vector<float> common = fields.next();
   const auto add = [&](const std::string& method, double noon, double evening) {
     MethodErrors made{method, {}};
     for (const double rate : {noon, evening}) {
-      const Mask mask = test::errorMask(test::mixed(common, fields.next(), 0.7), side,
+      const Mask mask = test::errorMask(test::mixed(common, fields.next(), 0.7), maskSide,
                                         test::ErrorShape::blobs, rate);
       made.lights.push_back(blockErrors(mask, truth, errors.tiling.cellSide));
     }

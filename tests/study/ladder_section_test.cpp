@@ -15,7 +15,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* study = R"([study]
+constexpr const char* ladderStudy = R"([study]
 name = "bumps"
 title = "Columns"
 source = "a test"
@@ -75,7 +75,7 @@ class LadderSection : public TemporaryFolder {
     return readStudy(file("bumps.toml"), options);
   }
   std::string failure(const std::string& section) {
-    std::string message = messageOf<InputError>([&] { (void)read(study + section); });
+    std::string message = messageOf<InputError>([&] { (void)read(ladderStudy + section); });
     const std::string prefix = folder().string() + "/";
     for (std::size_t at = 0; (at = message.find(prefix)) != std::string::npos;) {
       message.erase(at, prefix.size());
@@ -85,7 +85,7 @@ class LadderSection : public TemporaryFolder {
 };
 
 TEST_F(LadderSection, UndoesOneCauseAfterTheOtherBothWays) {
-  const StudySpec spec = read(std::string(study) + ladder);
+  const StudySpec spec = read(std::string(ladderStudy) + ladder);
   ASSERT_EQ(spec.ladders.size(), 1U);
   const LadderSpec& read = spec.ladders.front();
   EXPECT_EQ(read.method, "old");
@@ -112,9 +112,9 @@ TEST_F(LadderSection, UndoesOneCauseAfterTheOtherBothWays) {
 }
 
 TEST_F(LadderSection, GoesWithItsMethod) {
-  EXPECT_EQ(read(std::string(study) + ladder, {{}, {"old"}, false}).ladders.size(), 1U);
+  EXPECT_EQ(read(std::string(ladderStudy) + ladder, {{}, {"old"}, false}).ladders.size(), 1U);
   EXPECT_TRUE(
-      read(std::string(study) + ladder, {{}, {"resampled-horizon"}, false}).ladders.empty());
+      read(std::string(ladderStudy) + ladder, {{}, {"resampled-horizon"}, false}).ladders.empty());
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -159,8 +159,9 @@ TEST_F(LadderSection, RefusesWhatCannotBeAttributed) {
       failure(std::string(ladder) + "\n[[ladder.rung]]\ncause = \"again\"\nset = { bake = { "
                                     "azimuths = 16 } }\n"),
       AllOf(StartsWith("bumps.toml:"), HasSubstr("rungs change the same keys")));
-  const std::string camera = replaced(std::string(study) + ladder, "type = \"atlas\"\nsamples = 8",
-                                      "type = \"camera\"\neye = [0, 0, 90]\nwidth = 8\nheight = 8");
+  const std::string camera =
+      replaced(std::string(ladderStudy) + ladder, "type = \"atlas\"\nsamples = 8",
+               "type = \"camera\"\neye = [0, 0, 90]\nwidth = 8\nheight = 8");
   EXPECT_THAT(messageOf<InputError>([&] { (void)read(camera); }), HasSubstr("type atlas"));
 }
 

@@ -15,7 +15,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* study = R"([study]
+constexpr const char* sweptStudy = R"([study]
 name = "bumps"
 title = "Columns"
 source = "a test"
@@ -69,7 +69,7 @@ class Sweep : public TemporaryFolder {
   /// The error's message, without the folder.
   template <typename ErrorType = InputError>
   std::string failure(const std::string& section, const StudyOptions& options = {}) {
-    std::string message = messageOf<ErrorType>([&] { (void)read(study + section, options); });
+    std::string message = messageOf<ErrorType>([&] { (void)read(sweptStudy + section, options); });
     const std::string prefix = folder().string() + "/";
     for (std::size_t at = 0; (at = message.find(prefix)) != std::string::npos;) {
       message.erase(at, prefix.size());
@@ -82,7 +82,7 @@ class Sweep : public TemporaryFolder {
 };
 
 TEST_F(Sweep, IsOneStudyAValueInTheirOrder) {
-  const StudyPlan plan = read(std::string(study) + sweep);
+  const StudyPlan plan = read(std::string(sweptStudy) + sweep);
   EXPECT_EQ(plan.name, "bumps");
   EXPECT_EQ(plan.title, "Columns");
   ASSERT_TRUE(plan.sweep);
@@ -101,7 +101,7 @@ TEST_F(Sweep, IsOneStudyAValueInTheirOrder) {
 }
 
 TEST_F(Sweep, AFileWithoutOneIsOneStudy) {
-  const StudyPlan plan = read(study);
+  const StudyPlan plan = read(sweptStudy);
   EXPECT_FALSE(plan.sweep);
   ASSERT_EQ(plan.steps.size(), 1U);
   EXPECT_EQ(plan.steps[0].name, "bumps");
@@ -109,23 +109,26 @@ TEST_F(Sweep, AFileWithoutOneIsOneStudy) {
 }
 
 TEST_F(Sweep, TakesAnyKeyThatAnOverrideTakes) {
-  const StudyPlan lights = read(study + section("light.0.elevation", "[20, 60]"));
+  const StudyPlan lights = read(sweptStudy + section("light.0.elevation", "[20, 60]"));
   EXPECT_DOUBLE_EQ(lights.steps[0].lights[0].elevation, radians(20.0));
   EXPECT_DOUBLE_EQ(lights.steps[1].lights[0].elevation, radians(60.0));
   EXPECT_EQ(lights.sweep->axis, "light.0.elevation");
-  const StudyPlan added = read(study + section("bake.azimuths", "[8, 16]"));
+  const StudyPlan added = read(sweptStudy + section("bake.azimuths", "[8, 16]"));
   EXPECT_EQ(added.steps[0].bake.settings.azimuths, 8);
   EXPECT_EQ(added.steps[1].bake.settings.azimuths, 16);
 }
 
 TEST_F(Sweep, KeepsWhatTheCommandLineChanges) {
-  const StudyPlan plan = read(std::string(study) + sweep, {{"bake.azimuths=4"}, {"ours"}, true});
+  const StudyPlan plan =
+      read(std::string(sweptStudy) + sweep, {{"bake.azimuths=4"}, {"ours"}, true});
   for (const StudySpec& step : plan.steps) {
     EXPECT_EQ(step.bake.settings.azimuths, 4);
     EXPECT_EQ(step.methods.size(), 1U);
-    EXPECT_EQ(std::get<AtlasSpec>(step.views[0].kind).samplesPerSide, 3) << "odd, near a quarter of 8";
+    EXPECT_EQ(std::get<AtlasSpec>(step.views[0].kind).samplesPerSide, 3)
+        << "odd, near a quarter of 8";
   }
-  const StudyPlan others = read(std::string(study) + sweep, {{"sweep.values=[1, 3]"}, {}, false});
+  const StudyPlan others =
+      read(std::string(sweptStudy) + sweep, {{"sweep.values=[1, 3]"}, {}, false});
   EXPECT_EQ(others.sweep->values, (std::vector<double>{1, 3}));
 }
 
@@ -184,15 +187,15 @@ TEST_F(Sweep, IsNotBlamedForOtherErrors) {
 
 TEST_F(Sweep, AGainThatGrowsNeedsOne) {
   const std::string claim = "gain_grows = true\n";
-  EXPECT_TRUE(read(study + claim + sweep).steps[2].claims[0].gainGrows);
-  EXPECT_FALSE(read(std::string(study) + sweep).steps[2].claims[0].gainGrows);
+  EXPECT_TRUE(read(sweptStudy + claim + sweep).steps[2].claims[0].gainGrows);
+  EXPECT_FALSE(read(std::string(sweptStudy) + sweep).steps[2].claims[0].gainGrows);
   EXPECT_THAT(failure(claim), StartsWith("bumps.toml:36: claim.0.gain_grows: no [sweep] found"));
   EXPECT_THAT(failure("gain_exceeds = \"other\"\n" + claim + sweep),
               StartsWith("bumps.toml:37: claim.0.gain_grows: `gain_exceeds` found beside it"));
 }
 
 TEST_F(Sweep, RecordHoldsThePlanAndItsSteps) {
-  const StudyPlan plan = read(std::string(study) + sweep);
+  const StudyPlan plan = read(std::string(sweptStudy) + sweep);
   std::vector<StudyRecord> steps(3);
   for (StudyRecord& step : steps) step.claims = {{"Ours is better", "us", Verdict::held, ""}};
   steps[1].thresholds = {{"ours", "l", "v", "all", "error_rate", 0.2, {}, 0.1, false}};

@@ -19,7 +19,7 @@ namespace Bfr = OpenSubdiv::Bfr;
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 
-const char* const spotPath = GNOMON_SCENES "/meshes/spot_control_mesh.obj";
+const char* const spotFile = GNOMON_SCENES "/meshes/spot_control_mesh.obj";
 
 /// A file that lives as long as the object.
 class TemporaryObj {
@@ -48,7 +48,7 @@ Cage readText(const std::string& text) {
   return readObj(file.path());
 }
 
-void expectBad(const std::string& text, const std::vector<std::string>& messages) {
+void expectBadObj(const std::string& text, const std::vector<std::string>& messages) {
   expectInputError([&] { readText(text); }, messages);
 }
 
@@ -131,7 +131,7 @@ TEST(ReadObj, TrianglesForLoop) {
   EXPECT_EQ(cage.faceVertices, (std::vector{0, 1, 2, 0, 2, 3}));
   // For Catmull-Clark they are refined to three quadrilaterals each.
   EXPECT_EQ(readObj(file.path()).faceCount(), 6);
-  expectInputError([] { readObj(spotPath, SubdivisionScheme::loop); },
+  expectInputError([] { readObj(spotFile, SubdivisionScheme::loop); },
                    {"spot_control_mesh.obj:", "has 4 corners", "triangles only"});
 }
 
@@ -154,11 +154,11 @@ TEST(ReadObj, Tags) {
 }
 
 TEST(ReadObj, SpotHasTheFacesItShould) {
-  const RawMesh raw(spotPath);
+  const RawMesh raw(spotFile);
   ASSERT_EQ(raw.positions.size(), 3 * 188u);
   ASSERT_EQ(raw.sizes.size(), 180u);
   EXPECT_EQ(std::count(raw.sizes.begin(), raw.sizes.end(), 4), 160);
-  const Cage cage = readObj(spotPath);
+  const Cage cage = readObj(spotFile);
   EXPECT_EQ(cage.faceCount(), 160 * 4 + 16 * 5 + 4 * 3);
   // Euler: V - E + F is kept by refinement. V' = V + E + F and E = 2 F' / 2 of the corners.
   const auto corners =
@@ -172,7 +172,7 @@ TEST(ReadObj, SpotHasTheFacesItShould) {
 }
 
 TEST(ReadObj, SpotLimitIsThatOfTheUnrefinedCage) {
-  const RawMesh raw(spotPath);
+  const RawMesh raw(spotFile);
   Far::TopologyDescriptor descriptor;
   descriptor.numVertices = static_cast<int>(raw.positions.size() / 3);
   descriptor.numFaces = static_cast<int>(raw.sizes.size());
@@ -188,7 +188,7 @@ TEST(ReadObj, SpotLimitIsThatOfTheUnrefinedCage) {
   options.SetApproxLevelSmooth(9);
   const Bfr::RefinerSurfaceFactory<> factory(*refiner, options);
 
-  const LimitSurface refined(readObj(spotPath));
+  const LimitSurface refined(readObj(spotFile));
   int child = 0;
   double worst = 0;
   double worstNormal = 0;
@@ -303,9 +303,9 @@ TEST(ReadObj, RefiningKeepsTheLimitOfCreases) {
 }
 
 TEST(ReadObjErrors, NoFaces) {
-  expectBad("", {"no faces"});
-  expectBad("# nothing\n\n", {"no faces"});
-  expectBad(square, {"no faces"});
+  expectBadObj("", {"no faces"});
+  expectBadObj("# nothing\n\n", {"no faces"});
+  expectBadObj(square, {"no faces"});
 }
 
 TEST(ReadObjErrors, Unreadable) {
@@ -315,16 +315,16 @@ TEST(ReadObjErrors, Unreadable) {
 }
 
 TEST(ReadObjErrors, Indices) {
-  expectBad(square + "f 1/1 2/2 3/3 5/4\n", {":9:", "face 1", "vertex 5", "1 to 4"});
-  expectBad(square + "f 1/1 2/2 3/3 4/5\n", {":9:", "texture coordinate 5", "1 to 4"});
-  expectBad(square + "f 0/1 2/2 3/3 4/4\n", {":9:", "index 0"});
-  expectBad(square + "f -5/1 2/2 3/3 4/4\n", {":9:", "index -5"});
-  expectBad(square + "f 1/1 2/2 3/3 99999999999/4\n", {":9:", "99999999999"});
-  expectBad(square + "f 1/1 2/2 3/3 2147483647/4\n", {":9:", "vertex 2147483647"});
-  expectBad(square + "f 1/1 2/2 3/3 -2147483648/4\n", {":9:", "-2147483648"});
-  expectBad(square + "f a/1 2/2 3/3 4/4\n", {":9:", "'a'"});
-  expectBad(square + "f 1.5/1 2/2 3/3 4/4\n", {":9:", "'1.5'"});
-  expectBad("f 1/1 2/1 3/1\n", {":1:", "vertex", "none"});
+  expectBadObj(square + "f 1/1 2/2 3/3 5/4\n", {":9:", "face 1", "vertex 5", "1 to 4"});
+  expectBadObj(square + "f 1/1 2/2 3/3 4/5\n", {":9:", "texture coordinate 5", "1 to 4"});
+  expectBadObj(square + "f 0/1 2/2 3/3 4/4\n", {":9:", "index 0"});
+  expectBadObj(square + "f -5/1 2/2 3/3 4/4\n", {":9:", "index -5"});
+  expectBadObj(square + "f 1/1 2/2 3/3 99999999999/4\n", {":9:", "99999999999"});
+  expectBadObj(square + "f 1/1 2/2 3/3 2147483647/4\n", {":9:", "vertex 2147483647"});
+  expectBadObj(square + "f 1/1 2/2 3/3 -2147483648/4\n", {":9:", "-2147483648"});
+  expectBadObj(square + "f a/1 2/2 3/3 4/4\n", {":9:", "'a'"});
+  expectBadObj(square + "f 1.5/1 2/2 3/3 4/4\n", {":9:", "'1.5'"});
+  expectBadObj("f 1/1 2/1 3/1\n", {":1:", "vertex", "none"});
 }
 
 TEST(ReadObj, FacesWithoutTextureCoordinatesHaveNoFrames) {
@@ -341,51 +341,51 @@ TEST(ReadObj, FacesWithoutTextureCoordinatesHaveNoFrames) {
 }
 
 TEST(ReadObjErrors, MissingTextureCoordinates) {
-  expectBad(square + "f 1 2 3 4\n", {"no face has texture coordinates", "unwrap"});
-  expectBad(square + "f 1//1 2//1 3//1 4//1\n", {"unwrap"});
-  expectBad(square + "f 1/1 2/2 3/3 4/\n", {":9:", "4 corners, 3 of them"});
+  expectBadObj(square + "f 1 2 3 4\n", {"no face has texture coordinates", "unwrap"});
+  expectBadObj(square + "f 1//1 2//1 3//1 4//1\n", {"unwrap"});
+  expectBadObj(square + "f 1/1 2/2 3/3 4/\n", {":9:", "4 corners, 3 of them"});
 }
 
 TEST(ReadObjErrors, Numbers) {
   for (const std::string bad : {"nan", "inf", "-inf", "1e999", "x", "1,5", "0x1p3", "--1", "1e"}) {
-    expectBad(square + "v 0 " + bad + " 0\n" + squareFace, {":9:", "coordinate 2", bad});
-    expectBad(square + "vt " + bad + " 0\n" + squareFace, {":9:", "coordinate 1", bad});
+    expectBadObj(square + "v 0 " + bad + " 0\n" + squareFace, {":9:", "coordinate 2", bad});
+    expectBadObj(square + "vt " + bad + " 0\n" + squareFace, {":9:", "coordinate 1", bad});
   }
-  expectBad(square + "v 1 2\n" + squareFace, {":9:", "2 numbers", "3"});
-  expectBad(square + "vt 1\n" + squareFace, {":9:", "1 numbers", "2"});
-  expectBad(square + "v 1e13 0 0\n" + squareFace, {"vertex 5", "1e+13"});
+  expectBadObj(square + "v 1 2\n" + squareFace, {":9:", "2 numbers", "3"});
+  expectBadObj(square + "vt 1\n" + squareFace, {":9:", "1 numbers", "2"});
+  expectBadObj(square + "v 1e13 0 0\n" + squareFace, {"vertex 5", "1e+13"});
 }
 
 TEST(ReadObjErrors, Faces) {
-  expectBad(square + "f 1/1 2/2\n", {":9:", "2 corners"});
-  expectBad(square + "f\n", {":9:", "0 corners"});
-  expectBad(square + squareFace + "f 1/1 2/2 1/1 4/4\n", {":10:", "face 2", "vertex 1 twice"});
+  expectBadObj(square + "f 1/1 2/2\n", {":9:", "2 corners"});
+  expectBadObj(square + "f\n", {":9:", "0 corners"});
+  expectBadObj(square + squareFace + "f 1/1 2/2 1/1 4/4\n", {":10:", "face 2", "vertex 1 twice"});
   std::string many = square + "f";
   for (int i = 0; i < 256; ++i) many += " 1/1";
-  expectBad(many, {":9:", "256 corners"});
+  expectBadObj(many, {":9:", "256 corners"});
 }
 
 TEST(ReadObjErrors, NonManifold) {
-  expectBad(square + squareFace + squareFace, {":10:", "opposite directions"});
-  expectBad(square + "v 0 0 1\nv 1 0 1\nv 0 0 2\nv 1 0 2\n" + squareFace +
-                "f 2/1 1/1 5/1 6/1\nf 2/1 1/1 7/1 8/1\n",
-            {":15:", "vertices 1 and 2"});
-  expectBad(square + "v 2 1 0\nv 2 2 0\nv 1 2 0\n" + squareFace + "f 3/1 5/1 6/1 7/1\n",
-            {"vertex 3", "more than one fan"});
+  expectBadObj(square + squareFace + squareFace, {":10:", "opposite directions"});
+  expectBadObj(square + "v 0 0 1\nv 1 0 1\nv 0 0 2\nv 1 0 2\n" + squareFace +
+                   "f 2/1 1/1 5/1 6/1\nf 2/1 1/1 7/1 8/1\n",
+               {":15:", "vertices 1 and 2"});
+  expectBadObj(square + "v 2 1 0\nv 2 2 0\nv 1 2 0\n" + squareFace + "f 3/1 5/1 6/1 7/1\n",
+               {"vertex 3", "more than one fan"});
 }
 
 TEST(ReadObjErrors, Tags) {
   const std::string mesh = square + squareFace;
-  expectBad(mesh + "t crease 2/1/0 0 2 1\n", {":10:", "0 and 2", "no edge"});
-  expectBad(mesh + "t crease 2/1/0 0 9 1\n", {":10:", "vertex 9", "0 to 3"});
-  expectBad(mesh + "t crease 2/1/0 0 1 nan\n", {":10:", "sharpness"});
-  expectBad(mesh + "t crease 2/1/0 0 1 -1\n", {":10:", "sharpness -1"});
-  expectBad(mesh + "t crease 2/1/0 0 1\n", {":10:", "2/1/0"});
-  expectBad(mesh + "t crease 3/1/0 0 1 2 1\n", {":10:", "3/1/0"});
-  expectBad(mesh + "t crease\n", {":10:"});
-  expectBad(mesh + "t crease 4000000000/4000000000/9 1\n", {":10:"});
-  expectBad(mesh + "t corner 1/1/0 x 1\n", {":10:", "'x'"});
-  expectBad(mesh + "t hole 1/0/0 0\n", {":10:", "'hole'", "crease or corner"});
+  expectBadObj(mesh + "t crease 2/1/0 0 2 1\n", {":10:", "0 and 2", "no edge"});
+  expectBadObj(mesh + "t crease 2/1/0 0 9 1\n", {":10:", "vertex 9", "0 to 3"});
+  expectBadObj(mesh + "t crease 2/1/0 0 1 nan\n", {":10:", "sharpness"});
+  expectBadObj(mesh + "t crease 2/1/0 0 1 -1\n", {":10:", "sharpness -1"});
+  expectBadObj(mesh + "t crease 2/1/0 0 1\n", {":10:", "2/1/0"});
+  expectBadObj(mesh + "t crease 3/1/0 0 1 2 1\n", {":10:", "3/1/0"});
+  expectBadObj(mesh + "t crease\n", {":10:"});
+  expectBadObj(mesh + "t crease 4000000000/4000000000/9 1\n", {":10:"});
+  expectBadObj(mesh + "t corner 1/1/0 x 1\n", {":10:", "'x'"});
+  expectBadObj(mesh + "t hole 1/0/0 0\n", {":10:", "'hole'", "crease or corner"});
 }
 
 TEST(ReadObjErrors, BinaryGarbage) {
@@ -398,7 +398,7 @@ TEST(ReadObjErrors, BinaryGarbage) {
 }
 
 TEST(ReadObjErrors, DamagedFilesNeverDoWorseThanAnInputError) {
-  std::ifstream file(spotPath);
+  std::ifstream file(spotFile);
   std::ostringstream whole;
   whole << file.rdbuf();
   Random random(12);

@@ -47,7 +47,7 @@ Cage readBytes(const std::string& bytes,
   return readPly(file.path(), scheme);
 }
 
-void expectBad(const std::string& bytes, const std::vector<std::string>& messages) {
+void expectBadPly(const std::string& bytes, const std::vector<std::string>& messages) {
   expectInputError([&] { readBytes(bytes); }, messages);
 }
 
@@ -264,75 +264,77 @@ TEST(ReadPly, FormsOfTheSameFile) {
 
 TEST(ReadPlyErrors, Headers) {
   const std::string rest = "element face 0\nend_header\n";
-  expectBad("", {"not a PLY"});
-  expectBad("plywood\n", {":1:", "not a PLY"});
-  expectBad("OFF\n3 1 0\n", {":1:", "not a PLY"});
-  expectBad("ply\n", {"ends here"});
-  expectBad("ply\nelement vertex 3\n", {":2:", "format"});
-  expectBad("ply\nformat text 1.0\n", {":2:", "'text'", "binary_little_endian"});
-  expectBad("ply\nformat ascii 2.0\n", {":2:", "'2.0'", "1.0"});
-  expectBad("ply\nformat ascii\n", {":2:", "2 words"});
-  expectBad(asciiBegin + "element vertex\n", {":3:", "element NAME COUNT"});
-  expectBad(asciiBegin + "element vertex -1\n", {":3:", "'-1'"});
-  expectBad(asciiBegin + "element vertex 99999999999999999999\n", {":3:", "0 or more"});
-  expectBad(asciiBegin + "element vertex 1\nelement vertex 1\n", {":4:", "second time"});
-  expectBad(asciiBegin + "property float x\n", {":3:", "before any element"});
-  expectBad(asciiBegin + "element vertex 1\nproperty half x\n", {":4:", "'half'", "double"});
-  expectBad(asciiBegin + "element vertex 1\nproperty list float int x\n", {":4:", "fractions"});
-  expectBad(asciiBegin + "element vertex 1\nproperty list int x\n", {":4:", "4 words"});
-  expectBad(asciiBegin + "element vertex 1\nproperty int x\nproperty int x\n",
-            {":5:", "'x'", "second time"});
-  expectBad(asciiBegin + "element vertex 3\nend_header\n", {":4:", "without a property"});
-  expectBad(asciiBegin + "vertex 3\n", {":3:", "'vertex'", "end_header"});
-  expectBad(asciiBegin + "element vertex 1\nproperty float x\n", {":4:", "ends here"});
-  expectBad(asciiBegin + rest, {"no element 'vertex'"});
-  expectBad(asciiBegin + "element vertex 0\n" + vertexXyz + "end_header\n", {"no element 'face'"});
-  expectBad(asciiBegin + "element vertex 1\nproperty float x\nproperty float y\n" + rest + "0 0\n",
-            {"no property 'z'"});
-  expectBad(asciiBegin + "element vertex 0\n" + vertexXyz + rest, {"vertex_indices"});
-  expectBad(asciiBegin + "element vertex 0\n" + vertexXyz +
-                "element face 1\nproperty int vertex_indices\nend_header\n0\n",
-            {"no list 'vertex_indices'"});
-  expectBad(asciiBegin + "element vertex 0\n" + vertexXyz +
-                "element face 0\nproperty list uchar int vertex_indices\nend_header\n",
-            {"no faces"});
+  expectBadPly("", {"not a PLY"});
+  expectBadPly("plywood\n", {":1:", "not a PLY"});
+  expectBadPly("OFF\n3 1 0\n", {":1:", "not a PLY"});
+  expectBadPly("ply\n", {"ends here"});
+  expectBadPly("ply\nelement vertex 3\n", {":2:", "format"});
+  expectBadPly("ply\nformat text 1.0\n", {":2:", "'text'", "binary_little_endian"});
+  expectBadPly("ply\nformat ascii 2.0\n", {":2:", "'2.0'", "1.0"});
+  expectBadPly("ply\nformat ascii\n", {":2:", "2 words"});
+  expectBadPly(asciiBegin + "element vertex\n", {":3:", "element NAME COUNT"});
+  expectBadPly(asciiBegin + "element vertex -1\n", {":3:", "'-1'"});
+  expectBadPly(asciiBegin + "element vertex 99999999999999999999\n", {":3:", "0 or more"});
+  expectBadPly(asciiBegin + "element vertex 1\nelement vertex 1\n", {":4:", "second time"});
+  expectBadPly(asciiBegin + "property float x\n", {":3:", "before any element"});
+  expectBadPly(asciiBegin + "element vertex 1\nproperty half x\n", {":4:", "'half'", "double"});
+  expectBadPly(asciiBegin + "element vertex 1\nproperty list float int x\n", {":4:", "fractions"});
+  expectBadPly(asciiBegin + "element vertex 1\nproperty list int x\n", {":4:", "4 words"});
+  expectBadPly(asciiBegin + "element vertex 1\nproperty int x\nproperty int x\n",
+               {":5:", "'x'", "second time"});
+  expectBadPly(asciiBegin + "element vertex 3\nend_header\n", {":4:", "without a property"});
+  expectBadPly(asciiBegin + "vertex 3\n", {":3:", "'vertex'", "end_header"});
+  expectBadPly(asciiBegin + "element vertex 1\nproperty float x\n", {":4:", "ends here"});
+  expectBadPly(asciiBegin + rest, {"no element 'vertex'"});
+  expectBadPly(asciiBegin + "element vertex 0\n" + vertexXyz + "end_header\n",
+               {"no element 'face'"});
+  expectBadPly(
+      asciiBegin + "element vertex 1\nproperty float x\nproperty float y\n" + rest + "0 0\n",
+      {"no property 'z'"});
+  expectBadPly(asciiBegin + "element vertex 0\n" + vertexXyz + rest, {"vertex_indices"});
+  expectBadPly(asciiBegin + "element vertex 0\n" + vertexXyz +
+                   "element face 1\nproperty int vertex_indices\nend_header\n0\n",
+               {"no list 'vertex_indices'"});
+  expectBadPly(asciiBegin + "element vertex 0\n" + vertexXyz +
+                   "element face 0\nproperty list uchar int vertex_indices\nend_header\n",
+               {"no faces"});
 }
 
 TEST(ReadPlyErrors, Text) {
   const auto text = [](const std::string& face) { return twoSquares("u", "v", face); };
-  expectBad(text("4 4 5 6"), {":21:", "'vertex_indices'", "of 4 values", "line holds 3"});
-  expectBad(text("4 4 5 6 7 8"), {":21:", "1 values more", "'face'"});
-  expectBad(text("4 4 5 6 x"), {":21:", "'x'", "type int"});
-  expectBad(text("4 4 5 6 7.5"), {":21:", "'7.5'"});
-  expectBad(text("300 4 5 6 7"), {":21:", "'300'", "uchar"});
-  expectBad(text("-1 4 5 6 7"), {":21:", "'-1'"});
-  expectBad(text("4 4 5 6 -7"), {":21:", "vertex index -7"});
-  expectBad(text("4 4 5 6 8"), {":21: face 1", "vertex 8", "0 to 7"});
-  expectBad(text("2 4 5"), {":21: face 1", "2 corners"});
-  expectBad(text("0"), {":21: face 1", "0 corners"});
-  expectBad(text("4 1 5 6 4"), {":21: face 1", "vertex 1 twice"});  // 1 and 4 are one
-  expectBad(text("4 0 1 2 3"), {":21:", "opposite directions"});
-  expectBad(text(""), {"row 1", "'face'", "2 rows"});
-  expectBad(text("4 4 5 6 7\n4 4 5 6 7"), {"10 bytes after the last row"});
-  expectBad(asciiBegin + "element vertex 1\n" + vertexXyz +
-                "element face 0\nproperty list uchar int vertex_indices\nend_header\n0 nan 0\n",
-            {":10:", "'y'", "finite"});
-  expectBad(asciiBegin + "element vertex 1\n" + vertexXyz +
-                "element face 0\nproperty list uchar int vertex_indices\nend_header\n0 0\n",
-            {":10:", "none for property 'z'"});
+  expectBadPly(text("4 4 5 6"), {":21:", "'vertex_indices'", "of 4 values", "line holds 3"});
+  expectBadPly(text("4 4 5 6 7 8"), {":21:", "1 values more", "'face'"});
+  expectBadPly(text("4 4 5 6 x"), {":21:", "'x'", "type int"});
+  expectBadPly(text("4 4 5 6 7.5"), {":21:", "'7.5'"});
+  expectBadPly(text("300 4 5 6 7"), {":21:", "'300'", "uchar"});
+  expectBadPly(text("-1 4 5 6 7"), {":21:", "'-1'"});
+  expectBadPly(text("4 4 5 6 -7"), {":21:", "vertex index -7"});
+  expectBadPly(text("4 4 5 6 8"), {":21: face 1", "vertex 8", "0 to 7"});
+  expectBadPly(text("2 4 5"), {":21: face 1", "2 corners"});
+  expectBadPly(text("0"), {":21: face 1", "0 corners"});
+  expectBadPly(text("4 1 5 6 4"), {":21: face 1", "vertex 1 twice"});  // 1 and 4 are one
+  expectBadPly(text("4 0 1 2 3"), {":21:", "opposite directions"});
+  expectBadPly(text(""), {"row 1", "'face'", "2 rows"});
+  expectBadPly(text("4 4 5 6 7\n4 4 5 6 7"), {"10 bytes after the last row"});
+  expectBadPly(asciiBegin + "element vertex 1\n" + vertexXyz +
+                   "element face 0\nproperty list uchar int vertex_indices\nend_header\n0 nan 0\n",
+               {":10:", "'y'", "finite"});
+  expectBadPly(asciiBegin + "element vertex 1\n" + vertexXyz +
+                   "element face 0\nproperty list uchar int vertex_indices\nend_header\n0 0\n",
+               {":10:", "none for property 'z'"});
 }
 
 TEST(ReadPlyErrors, TextureCoordinates) {
   const std::string begin = asciiBegin + "element vertex 4\n" + vertexXyz +
                             "element face 1\nproperty list uchar int vertex_indices\n";
   const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-  expectBad(begin + "end_header\n" + vertices + "4 0 1 2 3\n", {"unwrap"});
+  expectBadPly(begin + "end_header\n" + vertices + "4 0 1 2 3\n", {"unwrap"});
   const std::string own = begin + "property list uchar float texcoord\nend_header\n" + vertices;
-  expectBad(own + "4 0 1 2 3 0\n", {"unwrap"});
-  expectBad(own + "4 0 1 2 3 6 0 0 1 0 1 1\n", {":15:", "6 values", "4 corners"});
-  expectBad(own + "4 0 1 2 3 8 0 0 1 0 1 1 0 inf\n", {":15:", "'texcoord'", "finite"});
+  expectBadPly(own + "4 0 1 2 3 0\n", {"unwrap"});
+  expectBadPly(own + "4 0 1 2 3 6 0 0 1 0 1 1\n", {":15:", "6 values", "4 corners"});
+  expectBadPly(own + "4 0 1 2 3 8 0 0 1 0 1 1 0 inf\n", {":15:", "'texcoord'", "finite"});
   // One of a pair is none.
-  expectBad(twoSquares("u", "t", "4 4 5 6 7"), {"unwrap"});
+  expectBadPly(twoSquares("u", "t", "4 4 5 6 7"), {"unwrap"});
 }
 
 TEST(ReadPlyErrors, Bytes) {
@@ -340,23 +342,23 @@ TEST(ReadPlyErrors, Bytes) {
     SCOPED_TRACE(format);
     const std::string whole = plyOf(openGrid(2, 1), format);
     EXPECT_EQ(readBytes(whole).faceCount(), 2);
-    expectBad(whole.substr(0, whole.size() - 1), {"element 'face'", "row 1", "byte", "'mark'"});
-    expectBad(whole + "x", {"1 bytes after the last row"});
+    expectBadPly(whole.substr(0, whole.size() - 1), {"element 'face'", "row 1", "byte", "'mark'"});
+    expectBadPly(whole + "x", {"1 bytes after the last row"});
     // The last face's count of corners lies five bytes and four corners before the end.
     std::string count = whole;
     count.replace(count.size() - 1 - 4 * 4 - 4, 4, "\x7f\x7f\x7f\x7f");
-    expectBad(count, {"element 'face'", "row 1", "2139062143 values", "holds 4"});
+    expectBadPly(count, {"element 'face'", "row 1", "2139062143 values", "holds 4"});
     std::string negative = whole;
     negative.replace(negative.size() - 1 - 4 * 4 - 4, 4, "\xff\xff\xff\xff");
-    expectBad(negative, {"-1 values"});
+    expectBadPly(negative, {"-1 values"});
     std::string vertex = whole;
     vertex.replace(vertex.size() - 1 - 4, 4, "\xff\xff\xff\xff");
-    expectBad(vertex, {"vertex index 4294967295"});
+    expectBadPly(vertex, {"vertex index 4294967295"});
   }
   // Rows without end: refused where the bytes end, nothing is allocated for them.
   std::string endless = plyOf(openGrid(2, 1), formats[1]);
   endless.replace(endless.find("vertex 6"), 8, "vertex 9999999999999");
-  expectBad(endless, {"element 'vertex'", "ends"});
+  expectBadPly(endless, {"element 'vertex'", "ends"});
 }
 
 TEST(ReadPlyErrors, CutAnywhere) {

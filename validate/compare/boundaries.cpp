@@ -13,7 +13,7 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t tolerances = boundaryTolerances.size();
-constexpr double percentile = 0.95;
+constexpr double gapShare = 0.95;
 
 bool isWithin(double distance, double tolerance) {
   return distance <= tolerance * (1 + 1e-9);
@@ -191,7 +191,7 @@ double percentileGap(std::vector<Gap> gaps) {
   for (const Gap& gap : gaps) {
     length += gap.length;
     // Up to rounding, so that the order of the sum does not matter.
-    if (length >= percentile * all * (1 - 1e-12)) return gap.distance;
+    if (length >= gapShare * all * (1 - 1e-12)) return gap.distance;
   }
   return gaps.back().distance;
 }

@@ -105,13 +105,13 @@ class Highest {
 };
 
 /// A stretch of the profile inside one cell.
-struct Stretch {
+struct CellStretch {
   ProfilePoint from, to;
   double bend;  ///< C
 };
 
 /// Offers the slope's extremum inside a stretch, at r = √((A - h₀) / C): a maximum where A < h₀.
-void offerInside(const Stretch& stretch, double start, Highest& highest) {
+void offerInside(const CellStretch& stretch, double start, Highest& highest) {
   if (!(stretch.bend < 0)) return;
   const auto [near, far, c] = stretch;
   const double b = (far.height - near.height) / (far.distance - near.distance) -

@@ -15,7 +15,7 @@ constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double smallAngle = 1e-8;
 
 /// Of 1 + κh: no bump in a bowl reaches the circle's centre.
-constexpr double least = 1e-3;
+constexpr double leastGround = 1e-3;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ double unreducedHorizon(const HorizonLookups& at) {
   const double angle = at.curvature * at.reach;
   if (std::abs(angle) > pi / 2) return nothing;
   // Above and below divided by R + h = (1 + κh) / κ; 2 sin(γ/2) cos(γ/2) = sin γ.
-  const double ground = std::max(1 + at.curvature * at.height, least);
+  const double ground = std::max(1 + at.curvature * at.height, leastGround);
   const double shrink = std::abs(angle) < smallAngle ? 1 : angle / std::tan(angle);
   return at.slope / ground * shrink - std::tan(angle / 2);
 }
@@ -36,7 +36,7 @@ double osculatingHorizon(const HorizonLookups& at) {
   const double angle = at.curvature * at.reach;
   if (std::abs(angle) > pi / 2) return nothing;
   // With cos γ = 1 - 2 sin²(γ/2), to have no difference of two numbers near 1.
-  const double peak = std::max(1 + at.curvature * (at.height + at.slope * at.reach), least);
+  const double peak = std::max(1 + at.curvature * (at.height + at.slope * at.reach), leastGround);
   const double stretch = std::abs(angle) < smallAngle ? 1 : angle / std::sin(angle);
   return at.slope / peak * stretch - std::tan(angle / 2);
 }

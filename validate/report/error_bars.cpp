@@ -10,7 +10,7 @@ namespace gnomon {
 namespace {
 
 /// Of the drawing, which is stretched over its cell.
-constexpr double width = 1000;
+constexpr double barsWidth = 1000;
 
 class Bar {
  public:
@@ -32,12 +32,12 @@ class Bar {
     return fmt::format(
         "<svg class=\"error\" viewBox=\"0 0 {} 16\" preserveAspectRatio=\"none\" "
         "aria-hidden=\"true\">{}</svg>",
-        width, content_);
+        barsWidth, content_);
   }
 
  private:
   [[nodiscard]] double place(double error) const {
-    return width * std::clamp(requireFinite(error, "error_rate") / scale_, 0.0, 1.0);
+    return barsWidth * std::clamp(requireFinite(error, "error_rate") / scale_, 0.0, 1.0);
   }
 
   double scale_;

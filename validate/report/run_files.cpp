@@ -28,9 +28,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The last two are where plots lay before they had a folder.
-constexpr std::array files = {"summary.json", "report.html",  "metrics.csv", "bins.csv",
-                              "sweep.csv",    "frontier.csv", "budget.csv",  "table.csv",
-                              "table.tex",    "sweep.svg",    "frontier.svg"};
+constexpr std::array runFiles = {"summary.json", "report.html",  "metrics.csv", "bins.csv",
+                                 "sweep.csv",    "frontier.csv", "budget.csv",  "table.csv",
+                                 "table.tex",    "sweep.svg",    "frontier.svg"};
 constexpr const char* plotFolder = "plots";
 
 /// Fonts are the one thing that it does not hold: they are the system's, and change no figure.
@@ -114,7 +114,7 @@ std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, const fs::path&
 
 void removeRunFiles(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* name : files) fs::remove(folder / name, ignored);
+  for (const char* name : runFiles) fs::remove(folder / name, ignored);
   std::vector<fs::path> plots;
   for (const auto& entry : fs::directory_iterator(folder / plotFolder, ignored)) {
     const std::string kind = entry.path().extension().string();

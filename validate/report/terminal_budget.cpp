@@ -12,7 +12,6 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t shareWidth = 11;
-constexpr std::size_t markWidth = 2;
 constexpr std::size_t intervalWidth = 17;
 constexpr std::size_t nameWidth =
     terminalWidth - terminalIndent - 2 * (shareWidth + markWidth + intervalWidth);

@@ -19,8 +19,8 @@ constexpr std::size_t mostMethod = 24;
 constexpr std::size_t verdictWidth = 11;
 
 using Cells = std::array<std::string, 7>;
-using Widths = std::array<std::size_t, 7>;
-enum Column : std::size_t { method, metric, place, value, limit, margin, verdict };
+using CheckWidths = std::array<std::size_t, 7>;
+enum CheckColumn : std::size_t { method, metric, place, value, limit, margin, verdict };
 
 std::string anyOr(const std::string& name) {
   return name.empty() ? "any" : name;
@@ -45,26 +45,26 @@ Cells cellsOf(const GateRecord& gate) {
 }
 
 /// Each column as wide as its widest cell; the method's, then the place's cut to what is left.
-Widths widthsOf(const std::vector<Cells>& rows) {
-  Widths widths{};
+CheckWidths widthsOf(const std::vector<Cells>& rows) {
+  CheckWidths widths{};
   for (const Cells& cells : rows) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       widths[i] = std::max(widths[i], displayWidth(cells[i]));
     }
   }
-  widths[Column::method] = std::min(widths[Column::method], mostMethod);
-  widths[Column::verdict] = verdictWidth;
+  widths[CheckColumn::method] = std::min(widths[CheckColumn::method], mostMethod);
+  widths[CheckColumn::verdict] = verdictWidth;
   std::size_t taken = terminalIndent + 2 * (widths.size() - 1);
-  for (std::size_t i = 0; i < widths.size(); ++i) taken += i == Column::place ? 0 : widths[i];
+  for (std::size_t i = 0; i < widths.size(); ++i) taken += i == CheckColumn::place ? 0 : widths[i];
   const std::size_t room = taken < terminalWidth ? terminalWidth - taken : 1;
-  widths[Column::place] = std::min(widths[Column::place], room);
+  widths[CheckColumn::place] = std::min(widths[CheckColumn::place], room);
   return widths;
 }
 
-std::string rowText(const Cells& cells, const Widths& widths) {
+std::string rowText(const Cells& cells, const CheckWidths& widths) {
   std::string row(terminalIndent, ' ');
-  for (std::size_t i = 0; i < Column::verdict; ++i) {
-    const bool number = i >= Column::value;
+  for (std::size_t i = 0; i < CheckColumn::verdict; ++i) {
+    const bool number = i >= CheckColumn::value;
     row += (number ? fitRight(cells[i], widths[i]) : fitLeft(cells[i], widths[i])) + "  ";
   }
   return row;
@@ -97,12 +97,12 @@ void appendTable(TerminalPage& page, const std::vector<const GateRecord*>& gates
   std::vector<Cells> rows = {
       {"method", "metric", "view, light", "value", "limit", "margin", "verdict"}};
   for (const GateRecord* gate : gates) rows.push_back(cellsOf(*gate));
-  const Widths widths = widthsOf(rows);
-  page.line(rowText(rows.front(), widths) + rows.front()[Column::verdict]);
+  const CheckWidths widths = widthsOf(rows);
+  page.line(rowText(rows.front(), widths) + rows.front()[CheckColumn::verdict]);
   for (std::size_t i = 0; i < gates.size(); ++i) {
     const Cells& cells = rows[i + 1];
     page.line(rowText(cells, widths) +
-              page.styled(cells[Column::verdict], verdictColour(gates[i]->verdict)));
+              page.styled(cells[CheckColumn::verdict], verdictColour(gates[i]->verdict)));
   }
 }
 

@@ -16,7 +16,6 @@ namespace {
 constexpr std::size_t rateWidth = 8;
 constexpr std::size_t intervalWidth = 17;
 constexpr std::size_t differenceWidth = 11;
-constexpr std::size_t markWidth = 2;
 constexpr std::size_t nameWidth =
     terminalWidth - terminalIndent - rateWidth - 2 * intervalWidth - differenceWidth - markWidth;
 

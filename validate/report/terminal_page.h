@@ -13,6 +13,8 @@ namespace gnomon {
 constexpr std::size_t terminalWidth = 100;
 /// By how much a table's rows stand in.
 constexpr std::size_t terminalIndent = 2;
+/// Room for a mark behind a figure, as " ≈".
+constexpr std::size_t markWidth = 2;
 
 /// Text for a terminal, line by line.
 class TerminalPage {

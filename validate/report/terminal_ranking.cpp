@@ -16,18 +16,18 @@ constexpr std::size_t numberWidth = 8;
 constexpr std::size_t countWidth = 10;
 constexpr std::size_t gap = 2;
 
-struct Widths {
+struct RankingWidths {
   std::size_t method;
   std::size_t study;
 };
 
 /// The two names share what the numbers leave, the study having at most what its longest name
 /// needs.
-Widths widthsFor(const std::vector<RankedOverStudies>& methods) {
+RankingWidths widthsFor(const std::vector<RankedOverStudies>& methods) {
   constexpr std::size_t mark = 2;
   constexpr std::size_t room =
       terminalWidth - terminalIndent - rankWidth - 3 * numberWidth - countWidth - 2 * gap - mark;
-  Widths widths{displayWidth("method"), displayWidth("worst on")};
+  RankingWidths widths{displayWidth("method"), displayWidth("worst on")};
   for (const RankedOverStudies& method : methods) {
     widths.method = std::max(widths.method, displayWidth(labelWithName(method)));
     widths.study = std::max(widths.study, displayWidth(method.worstStudy));
@@ -37,7 +37,7 @@ Widths widthsFor(const std::vector<RankedOverStudies>& methods) {
   return widths;
 }
 
-std::string rowText(const Widths& widths, const std::string& rank, const std::string& method,
+std::string rowText(const RankingWidths& widths, const std::string& rank, const std::string& method,
                     const std::string& mean, const std::string& worst, const std::string& on,
                     const std::string& studies, const std::string& uncertainty) {
   return std::string(terminalIndent, ' ') + fitLeft(rank, rankWidth) +
@@ -46,7 +46,8 @@ std::string rowText(const Widths& widths, const std::string& rank, const std::st
          fitRight(studies, countWidth) + std::string(gap, ' ') + fitRight(uncertainty, numberWidth);
 }
 
-std::string methodRow(const Widths& widths, const RankedOverStudies& method, std::size_t studies) {
+std::string methodRow(const RankingWidths& widths, const RankedOverStudies& method,
+                      std::size_t studies) {
   return rowText(widths, method.rank ? fmt::format("{}", *method.rank) : "–", labelWithName(method),
                  percentText(method.meanError), percentText(method.worstError), method.worstStudy,
                  fmt::format("{} of {}", method.studies, studies),
@@ -68,7 +69,7 @@ void appendLeader(TerminalPage& page, const RankedOverStudies& method,
 std::string rankingOverStudies(std::span<const StudyMeans> studies, bool colours) {
   TerminalPage page(colours);
   const std::vector<RankedOverStudies> methods = rankOverStudies(studies);
-  const Widths widths = widthsFor(methods);
+  const RankingWidths widths = widthsFor(methods);
   page.heading(fmt::format("Methods over {} studies", studies.size()));
   page.paragraph(
       "Error rate in percent, each study with the same weight. ≈ not distinguishable from the "

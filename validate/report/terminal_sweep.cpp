@@ -18,13 +18,13 @@ constexpr std::size_t leastNumber = 9;
 constexpr std::size_t mostNumber = 26;  // the longest text of a number, and a space
 
 /// How wide the labels and the figures are.
-struct Widths {
+struct SweepWidths {
   std::size_t label = 0;
   std::size_t number = leastNumber;
 };
 
-Widths widthsFor(const SweepRecord& sweep, const std::vector<std::string>& labels) {
-  Widths widths;
+SweepWidths widthsFor(const SweepRecord& sweep, const std::vector<std::string>& labels) {
+  SweepWidths widths;
   for (const std::string& label : labels) {
     widths.label = std::min(mostLabel, std::max(widths.label, displayWidth(label)));
   }
@@ -37,7 +37,7 @@ Widths widthsFor(const SweepRecord& sweep, const std::vector<std::string>& label
 
 /// One row of the table; `text(i)` is the cell of value i, for those from `first` to before `last`.
 template <typename Text>
-std::string rowText(const Widths& widths, const std::string& label, std::size_t first,
+std::string rowText(const SweepWidths& widths, const std::string& label, std::size_t first,
                     std::size_t last, const Text& text) {
   std::string row = std::string(terminalIndent, ' ') + fitLeft(label, widths.label);
   for (std::size_t i = first; i < last; ++i) row += fitRight(text(i), widths.number);
@@ -52,7 +52,7 @@ void appendValues(TerminalPage& page, const SweepRecord& sweep) {
   for (const MethodMeans& method : studyMeans(sweep).methods) labels.push_back(method.label);
   std::vector<std::string> all = labels;
   all.emplace_back(truth);
-  const Widths widths = widthsFor(sweep, all);
+  const SweepWidths widths = widthsFor(sweep, all);
   const std::size_t columns = (terminalWidth - terminalIndent - widths.label) / widths.number;
   for (std::size_t first = 0; first < steps.size(); first += columns) {
     const std::size_t last = std::min(steps.size(), first + columns);

@@ -23,24 +23,23 @@ namespace {
 constexpr std::size_t lightWidth = 16;
 constexpr std::size_t lightsInOwnBlocks = 3;
 
-struct Column {
+struct MetricColumn {
   std::string_view metric;
   std::string_view title;
   std::size_t width;
   std::string (*text)(std::optional<double>) = percentText;
 };
 
-constexpr std::array<Column, 6> columns = {{{"error_rate", "error", 8},
-                                            {"false_shadow", "false shadow", 14},
-                                            {"false_light", "false light", 13},
-                                            {"iou", "IoU", 9},
-                                            {"ber", "BER", 9},
-                                            {"shadow_length_ratio", "length", 9, ratioText}}};
-constexpr std::size_t markWidth = 2;
+constexpr std::array<MetricColumn, 6> columns = {{{"error_rate", "error", 8},
+                                                  {"false_shadow", "false shadow", 14},
+                                                  {"false_light", "false light", 13},
+                                                  {"iou", "IoU", 9},
+                                                  {"ber", "BER", 9},
+                                                  {"shadow_length_ratio", "length", 9, ratioText}}};
 
 constexpr std::size_t labelRoom() {
   std::size_t width = terminalWidth - terminalIndent - markWidth;
-  for (const Column& column : columns) width -= column.width;
+  for (const MetricColumn& column : columns) width -= column.width;
   return width;
 }
 
@@ -58,14 +57,14 @@ std::string nameCells(const NameWidths& widths, std::string_view light, std::str
 
 std::string tableHead(const NameWidths& widths) {
   std::string head = nameCells(widths, "light", "method");
-  for (const Column& column : columns) head += fitRight(column.title, column.width);
+  for (const MetricColumn& column : columns) head += fitRight(column.title, column.width);
   return head;
 }
 
 std::string tableRow(const NameWidths& widths, std::string_view light, const ResultRecord& result,
                      bool closeToBest) {
   std::string row = nameCells(widths, light, result.method);
-  for (const Column& column : columns) {
+  for (const MetricColumn& column : columns) {
     row += fitRight(column.text(metricOf(result, column.metric).value), column.width);
   }
   return closeToBest ? row + " ≈" : row;

@@ -19,11 +19,11 @@ using test::randomRelief;
 using test::RenderScene;
 using test::shareShadowed;
 
-using Verdict = std::function<bool(const SectionHorizons&)>;
+using LitInSection = std::function<bool(const SectionHorizons&)>;
 
 /// Share of a view's samples where the section and the shader differ.
 double differingShare(const RenderScene& scene, const RenderView& view, const std::string& method,
-                      const Verdict& verdict) {
+                      const LitInSection& verdict) {
   const SectionTables tables{
       scene.horizon,
       scene.distance,
