@@ -141,7 +141,9 @@ void runWindow(const ViewRequest& request) {
     const SaveActions pressed = screen.describe(frames, said, input.activePane());
     const SaveActions save = both(asked.save, pressed);
     if (save.screenshot) {
-      said = answerOf([&] { return savePicture(session, pictureOf(gui, width, height)); });
+      // Clang 14 captures no structured bindings by reference.
+      said = answerOf(
+          [&, w = width, h = height] { return savePicture(session, pictureOf(gui, w, h)); });
     }
     if (save.study) said = answerOf([&] { return saveStudyView(session); });
     if (save.masks) said = answerOf([&] { return saveMasks(session); });

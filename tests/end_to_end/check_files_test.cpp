@@ -167,9 +167,8 @@ TEST_F(CheckFiles, ANoticeTellsOfALimitThatCouldBeTightened) {
   writeStudy("a", easy);
   const Outcome outcome = gnomon({"check", "a.toml", "--github"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out,
-              HasSubstr("::notice file=a.toml,line=44,title=a%3A notice::the limit on "
-                        "error_rate of max-forsyth could be tightened: at most 0.9"));
+  EXPECT_THAT(outcome.out, HasSubstr("::notice file=a.toml,line=44,title=a%3A notice::the limit on "
+                                     "error_rate of max-forsyth could be tightened: at most 0.9"));
 }
 
 }  // namespace

@@ -127,9 +127,8 @@ std::vector<Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, const Bas
   const auto keyOf = [&](std::size_t light) { return scene.keys.truth(base.choice, view, light); };
   KeptLights<Truth> kept = findLights<Truth>(scene, keyOf);
   if (!kept.missing.empty()) {
-    std::vector<Truth> traced =
-        traceWithSeams(scene, surface.get(), base.views[view].samples,
-                       some(settingsOf(scene, standardLift), kept.missing));
+    std::vector<Truth> traced = traceWithSeams(scene, surface.get(), base.views[view].samples,
+                                               some(settingsOf(scene, standardLift), kept.missing));
     for (std::size_t i = 0; i < traced.size(); ++i) {
       scene.cache.keep(keyOf(kept.missing[i]), traced[i]);
       kept.values[kept.missing[i]] = std::move(traced[i]);
