@@ -521,7 +521,7 @@ TEST(Boundaries, ScaleWithTheUnit) {
     s.layout.columnStep *= 2;
     s.layout.rowStep *= 2;
     const Values doubled = valuesOf(s.candidate, s.truth, s.layout);
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
       RC_ASSERT(found[i].has_value() == doubled[i].has_value());
       if (found[i]) RC_ASSERT(*doubled[i] == 2 * *found[i]);
     }

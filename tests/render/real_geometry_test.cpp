@@ -30,7 +30,7 @@ using test::TracedScene;
 class Rays {
  public:
   explicit Rays(const DisplacedScene& scene, int subdivisions)
-      : scene_(scene), mesh_(scene.displaced.mesh), cuts_(subdivisions) {
+      : mesh_(scene.displaced.mesh), cuts_(subdivisions) {
     for (std::size_t i = 0; i < mesh_.triangleCount(); ++i) {
       const Vec3 a = corner(i, 0);
       triangles_.push_back({a, corner(i, 1) - a, corner(i, 2) - a});
@@ -129,7 +129,6 @@ class Rays {
     return false;
   }
 
-  const DisplacedScene& scene_;
   const BaseMesh& mesh_;
   int cuts_;
   double extent_ = 0;
