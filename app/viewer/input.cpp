@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "model/orbit.h"
 #include "viewer/gui.h"
@@ -13,6 +15,8 @@
 namespace gnomon {
 namespace {
 
+/// Keys and what they do.
+using KeyHelp = std::pair<std::string_view, std::string_view>;
 constexpr std::array<KeyHelp, 18> keyHelp = {{
     {"drag", "turn the surface"},
     {"right drag", "move the surface"},
@@ -67,10 +71,6 @@ bool typed(ImWchar letter) {
 }
 
 }  // namespace
-
-std::span<const KeyHelp> keyList() {
-  return keyHelp;
-}
 
 void Input::drag(ViewState& state, const WindowLayout& layout) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -174,8 +174,10 @@ void drawKeyList(const WindowLayout& layout) {
     widest = std::max(widest, ImGui::CalcTextSize(text.data(), text.data() + text.size()).x);
   }
   const ImVec2 size(column + widest + 32, line * static_cast<float>(keyHelp.size()) + 24);
-  const ImVec2 begin(static_cast<float>(layout.pictures.size.x / 2) - size.x / 2,
-                     static_cast<float>(layout.pictures.size.y / 2) - size.y / 2);
+  // Over the middle of the pictures, but never cut off at the left or above.
+  const double high = layout.pictures.size.y + layout.section.size.y;
+  const ImVec2 begin(std::max(4.F, static_cast<float>(layout.pictures.size.x - size.x) / 2),
+                     std::max(4.F, static_cast<float>(high - size.y) / 2));
   const ImVec2 end(begin.x + size.x, begin.y + size.y);
   list.AddRectFilled(begin, end, IM_COL32(255, 255, 255, 244), 6);
   list.AddRect(begin, end, ink::line, 6);

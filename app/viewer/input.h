@@ -1,18 +1,10 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-#include <utility>
-
 #include "viewer/controls.h"
 #include "viewer/layout.h"
 #include "viewer/view_session.h"
 
 namespace gnomon {
-
-/// Keys and what they do, as the list of keys shows them.
-using KeyHelp = std::pair<std::string_view, std::string_view>;
-std::span<const KeyHelp> keyList();
 
 /// What keys ask for beside changes of the state.
 struct InputActions {

@@ -33,13 +33,12 @@ constexpr float chipPadding = 6;
 
 void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<std::string>& lines,
               bool rightAligned, bool active) {
-  constexpr float padding = chipPadding;
   const float lineHeight = ImGui::GetTextLineHeight() + 2;
   float width = 0;
   for (const std::string& line : lines)
     width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
-  width = std::min(width + 2 * padding, static_cast<float>(widest));
-  const float height = lineHeight * static_cast<float>(lines.size()) + 2 * padding - 2;
+  width = std::min(width + 2 * chipPadding, static_cast<float>(widest));
+  const float height = lineHeight * static_cast<float>(lines.size()) + 2 * chipPadding - 2;
   ImVec2 begin = point(corner);
   if (rightAligned) begin.x -= width;
   const ImVec2 end(begin.x + width, begin.y + height);
@@ -47,8 +46,9 @@ void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<st
   if (active) list.AddRect(begin, end, ink::line, 4);
   list.PushClipRect(begin, end, true);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    list.AddText(ImVec2(begin.x + padding, begin.y + padding + lineHeight * static_cast<float>(i)),
-                 i == 0 ? ink::text : ink::faint, lines[i].c_str());
+    list.AddText(
+        ImVec2(begin.x + chipPadding, begin.y + chipPadding + lineHeight * static_cast<float>(i)),
+        i == 0 ? ink::text : ink::faint, lines[i].c_str());
   }
   list.PopClipRect();
 }
@@ -79,6 +79,10 @@ ImU32 colourOf(const Rgb& colour) {
   return IM_COL32(colour[0], colour[1], colour[2], 255);
 }
 
+float differenceLegendHeight() {
+  return ImGui::GetTextLineHeight() + 10;
+}
+
 /// What the colours of a difference mean.
 void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool rightAligned) {
   constexpr std::array entries = {std::pair(DifferenceColours::falseShadow, "false shadow"),
@@ -86,7 +90,7 @@ void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool righ
   constexpr float square = 11;
   float width = 8;
   for (const auto& [colour, text] : entries) width += square + 18 + ImGui::CalcTextSize(text).x;
-  const float height = ImGui::GetTextLineHeight() + 10;
+  const float height = differenceLegendHeight();
   ImVec2 at = point(pane.corner +
                     Vec2(rightAligned ? pane.size.x - width - 10 : 10, pane.size.y - height - 10));
   list.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ink::chip, 4);
@@ -99,12 +103,14 @@ void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool righ
   }
 }
 
+/// Above the line in which the legends of differences stand.
 void drawCurvatureLegend(ImDrawList& list, const PaneRectangle& pictures, double largest) {
   constexpr float width = 200;
   constexpr float bar = 10;
   const float height = 2 * ImGui::GetTextLineHeight() + bar + 18;
   const ImVec2 begin =
-      point(pictures.corner + Vec2((pictures.size.x - width) / 2, pictures.size.y - height - 10));
+      point(pictures.corner + Vec2((pictures.size.x - width) / 2,
+                                   pictures.size.y - height - differenceLegendHeight() - 20));
   list.AddRectFilled(begin, ImVec2(begin.x + width, begin.y + height), ink::chip, 4);
   list.AddText(ImVec2(begin.x + 8, begin.y + 4), ink::text, "κ along the light, 1/world");
   constexpr int steps = 46;

@@ -4,13 +4,13 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "common/error.h"
 #include "compare/masks.h"
+#include "support/error_messages.h"
 
 namespace gnomon {
 namespace {
@@ -32,15 +32,6 @@ bool sameBits(const Counts& a, const Counts& b) {
   return a.truePositive == b.truePositive && a.falsePositive == b.falsePositive &&
          a.falseNegative == b.falseNegative && a.trueNegative == b.trueNegative &&
          a.samples == b.samples;
-}
-
-std::string messageOf(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(no InputError)";
 }
 
 TEST(Counts, ByHand) {
@@ -163,7 +154,7 @@ TEST(Counts, RefusesWeightsThatAreNoAreas) {
 }
 
 TEST(Counts, RefusesMasksOfDifferentSizes) {
-  EXPECT_EQ(messageOf([] { countSamples(row("..."), row("..")); }),
+  EXPECT_EQ(messageOf<InputError>([] { countSamples(row("..."), row("..")); }),
             "candidate mask: 3 x 1 samples, but the truth has 2 x 1");
   Mask turned = row("......");
   turned.width = 2;
@@ -190,7 +181,7 @@ TEST(Counts, RefusesASampleThatOnlyOneMaskHas) {
   EXPECT_THROW(countSamples(row(". "), row("..")), InputError);
   Mask truth{2, 2, {Shade::lit, Shade::lit, Shade::lit, Shade::none}};
   Mask candidate{2, 2, std::vector<Shade>(4, Shade::lit)};
-  EXPECT_NE(messageOf([&] { countSamples(candidate, truth); }).find("column 1, row 1"),
+  EXPECT_NE(messageOf<InputError>([&] { countSamples(candidate, truth); }).find("column 1, row 1"),
             std::string::npos);
   const std::vector<std::uint8_t> elsewhere = {1, 1, 1, 0};
   EXPECT_EQ(countSamples(candidate, truth, {}, elsewhere).samples, 3U);

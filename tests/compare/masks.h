@@ -56,4 +56,15 @@ inline Comparison arbitraryComparison() {
   return c;
 }
 
+/// The picture with its rows as columns.
+inline Mask transposed(const Mask& mask) {
+  Mask turned{mask.height, mask.width, {}};
+  for (int x = 0; x < mask.width; ++x) {
+    for (int y = 0; y < mask.height; ++y) {
+      turned.samples.push_back(mask.samples[static_cast<std::size_t>(y * mask.width + x)]);
+    }
+  }
+  return turned;
+}
+
 }  // namespace gnomon::test

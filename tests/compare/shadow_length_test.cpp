@@ -455,19 +455,9 @@ TEST(ShadowLength, OfTheTruthItselfIsOneEverywhere) {
   }));
 }
 
-Mask transposed(const Mask& mask) {
-  Mask turned{mask.height, mask.width, {}};
-  for (int row = 0; row < mask.width; ++row) {
-    for (int column = 0; column < mask.height; ++column) {
-      turned.samples.push_back(mask.samples[static_cast<std::size_t>(column * mask.width + row)]);
-    }
-  }
-  return turned;
-}
-
 /// A quarter turn: what was on the right is at the bottom.
 Mask quarterTurned(const Mask& mask) {
-  Mask turned = transposed(mask);
+  Mask turned = test::transposed(mask);
   for (int row = 0; row < turned.height; ++row) {
     const auto begin = turned.samples.begin() + row * turned.width;
     std::reverse(begin, begin + turned.width);

@@ -13,7 +13,7 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-Baseline sample() {
+Baseline sampleBaseline() {
   return {
       "sample",
       false,
@@ -37,15 +37,15 @@ class BaselineFile : public TemporaryFolder {
     return message.substr(std::min(prefix.size(), message.size()));
   }
   std::string failureWith(const char* pointer, const nlohmann::json& value) {
-    nlohmann::json json = nlohmann::json::parse(baselineJson(sample()));
+    nlohmann::json json = nlohmann::json::parse(baselineJson(sampleBaseline()));
     json.at(nlohmann::json::json_pointer(pointer)) = value;
     return failure(json.dump());
   }
 };
 
 TEST_F(BaselineFile, IsReadBackAsItWas) {
-  const Baseline baseline = read(baselineJson(sample()));
-  EXPECT_EQ(baselineJson(baseline), baselineJson(sample()));
+  const Baseline baseline = read(baselineJson(sampleBaseline()));
+  EXPECT_EQ(baselineJson(baseline), baselineJson(sampleBaseline()));
   EXPECT_EQ(baseline.study, "sample");
   EXPECT_FALSE(baseline.quick);
   EXPECT_EQ(baseline.environment.glRenderer, "a \"renderer\"");
@@ -54,19 +54,19 @@ TEST_F(BaselineFile, IsReadBackAsItWas) {
   ASSERT_EQ(baseline.entries.size(), 2U);
   EXPECT_EQ(baseline.entries.at(0).light, "elevation 30°");
   EXPECT_EQ(baseline.entries.at(1).value, 1.0 / 3) << "to the last bit";
-  Baseline quick = sample();
+  Baseline quick = sampleBaseline();
   quick.quick = true;
   EXPECT_TRUE(read(baselineJson(quick)).quick);
 }
 
 TEST_F(BaselineFile, HasALineForEachValueAndNothingOfTheMachine) {
-  const std::string text = baselineJson(sample());
+  const std::string text = baselineJson(sampleBaseline());
   EXPECT_THAT(text,
               HasSubstr("\n    {\"study\":\"sample/1\",\"method\":\"a, b\",\"view\":\"camera\","
                         "\"light\":\"elevation 30°\",\"metric\":\"error_rate\",\"value\":0.1,"
                         "\"spread\":0.0125,\"tolerance\":0.025},\n"));
   EXPECT_THAT(text, EndsWith("]\n}\n"));
-  Baseline elsewhere = sample();
+  Baseline elsewhere = sampleBaseline();
   elsewhere.environment.threads = 1;
   elsewhere.environment.cpu = "another";
   elsewhere.environment.frameClock = "GL timer queries";
@@ -74,13 +74,13 @@ TEST_F(BaselineFile, HasALineForEachValueAndNothingOfTheMachine) {
 }
 
 TEST_F(BaselineFile, ThatIsNoJsonIsRefusedWithItsLine) {
-  std::string text = baselineJson(sample());
+  std::string text = baselineJson(sampleBaseline());
   const std::size_t at = text.find("\"values\"");
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
   text.insert(at, "?");
   EXPECT_THAT(failure(text), HasSubstr("sample.json:" + std::to_string(line) + ": no JSON: "));
   EXPECT_THAT(failure(""), HasSubstr("sample.json:1: no JSON: "));
-  EXPECT_THAT(failure(baselineJson(sample()).substr(0, 300)), HasSubstr(": no JSON: "));
+  EXPECT_THAT(failure(baselineJson(sampleBaseline()).substr(0, 300)), HasSubstr(": no JSON: "));
   EXPECT_THAT(failure("{\"values\": 1e999}"), HasSubstr(": no JSON: "));
 }
 
@@ -114,7 +114,7 @@ TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
 }
 
 TEST(BaselineJson, RefusesWhatIsNoNumber) {
-  Baseline baseline = sample();
+  Baseline baseline = sampleBaseline();
   baseline.entries.at(0).value = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)baselineJson(baseline), InternalError);
 }

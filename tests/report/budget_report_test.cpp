@@ -48,7 +48,7 @@ BudgetRecord budgetOf(const std::string& method, const std::string& light) {
   return budget;
 }
 
-StudyRecord record() {
+StudyRecord recordWithBudgets() {
   StudyRecord made = test::sampleRecord();
   for (const char* light : {"all", "low", "high"}) {
     made.budgets.push_back(budgetOf("close", light));
@@ -73,7 +73,7 @@ TEST(BudgetText, SaysHowMuchTheOrderMoves) {
 }
 
 TEST(BudgetFiles, HoldEveryFigure) {
-  const nlohmann::json summary = nlohmann::json::parse(summaryJson(record()));
+  const nlohmann::json summary = nlohmann::json::parse(summaryJson(recordWithBudgets()));
   ASSERT_EQ(summary.at("budget").size(), 6U);
   const nlohmann::json& json = summary.at("budget").at(0);
   EXPECT_EQ(json.at("method"), "close");
@@ -98,7 +98,7 @@ TEST(BudgetFiles, HoldEveryFigure) {
 }
 
 TEST(BudgetFiles, CsvHasARowAPart) {
-  const std::string csv = budgetCsv(record());
+  const std::string csv = budgetCsv(recordWithBudgets());
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 6);
   EXPECT_THAT(csv, HasSubstr("\nclose,atlas,all,total,0.05,0.049,0.052000000000000005,1,0.05,"));
   EXPECT_THAT(csv, HasSubstr("\n\"rough, \"\"old\"\"\",atlas,low,formula,0.005,"));
@@ -138,7 +138,7 @@ TEST(BudgetBars, DrawEveryShareWhereItBelongs) {
 }
 
 TEST(BudgetBars, KeyNamesEveryPartOnceWithAColourOfItsOwn) {
-  const StudyRecord made = record();
+  const StudyRecord made = recordWithBudgets();
   const std::vector<BudgetPart> parts = budgetParts(made.budgets);
   ASSERT_EQ(parts.size(), 5U);
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -157,7 +157,7 @@ TEST(BudgetBars, DrawAMethodWithoutErrors) {
 }
 
 TEST(BudgetHtml, IsASectionOfTheReport) {
-  const std::string html = reportHtml(record(), ".");
+  const std::string html = reportHtml(recordWithBudgets(), ".");
   EXPECT_THAT(html,
               AllOf(HasSubstr("<section id=\"budget\">"), HasSubstr("Where the error comes from"),
                     HasSubstr("map &lt;interpolation&gt;"), HasSubstr("float &amp; all"),
@@ -173,7 +173,7 @@ TEST(BudgetHtml, IsASectionOfTheReport) {
 }
 
 TEST(BudgetTerminal, FitsTheTerminal) {
-  StudyRecord made = record();
+  StudyRecord made = recordWithBudgets();
   made.budgets[0].causes[0].name = std::string(80, 'x');
   made.budgets[0].causes[0].forward.interval = {-0.123, -0.111};
   const std::string table = resultTable(made, false);

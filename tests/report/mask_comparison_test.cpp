@@ -19,7 +19,7 @@ using ::testing::Not;
 const Mask mask{2, 2, {Shade::lit, Shade::shadowed, Shade::none, Shade::lit}};
 
 /// A third of the pixels wrong; iou is not defined.
-MaskComparison sample() {
+MaskComparison sampleComparison() {
   MaskComparison comparison{{"mine.exr", mask, 3}, {"truth.png", mask, 0}};
   comparison.width = comparison.height = 2;
   comparison.withoutSample = 1;
@@ -33,7 +33,7 @@ MaskGate atMost(const char* metric, double maximum) {
 }
 
 TEST(MaskComparison, GatesHoldAtTheLimitAndFailBeyondAndWhereUndefined) {
-  MaskComparison comparison = sample();
+  MaskComparison comparison = sampleComparison();
   comparison.gates = judged({atMost("error_rate", 1.0 / 3)}, comparison.metrics);
   EXPECT_TRUE(comparison.passed());
   comparison.gates = judged({{"error_rate", 1.0 / 3, std::nullopt}}, comparison.metrics);
@@ -50,7 +50,7 @@ TEST(MaskComparison, GatesHoldAtTheLimitAndFailBeyondAndWhereUndefined) {
 }
 
 TEST(MaskComparison, JsonHoldsWhatWasFound) {
-  MaskComparison comparison = sample();
+  MaskComparison comparison = sampleComparison();
   comparison.gates = judged({atMost("error_rate", 0.1), atMost("iou", 1)}, comparison.metrics);
   const auto json = nlohmann::json::parse(maskComparisonJson(comparison));
   EXPECT_EQ(json.at("schema"), "gnomon-comparison/1");
@@ -73,7 +73,7 @@ TEST(MaskComparison, JsonHoldsWhatWasFound) {
 }
 
 TEST(MaskComparison, TableFitsTheTerminalAndSaysWhy) {
-  MaskComparison comparison = sample();
+  MaskComparison comparison = sampleComparison();
   comparison.candidate.file = std::string(150, 'm') + ".exr";
   comparison.gates = judged({atMost("error_rate", 0.1), atMost("iou", 1)}, comparison.metrics);
   const std::string table = maskComparisonTable(comparison, false);
@@ -89,7 +89,7 @@ TEST(MaskComparison, TableFitsTheTerminalAndSaysWhy) {
 }
 
 TEST(MaskComparison, ADifferenceIsNeverRoundedAway) {
-  MaskComparison comparison = sample();
+  MaskComparison comparison = sampleComparison();
   comparison.metrics = {{"iou", 1 - 1e-9, {}}, {"error_rate", 1e-9, {}}};
   EXPECT_THAT(maskComparisonTable(comparison, false),
               AllOf(HasSubstr("0.999999999"), HasSubstr("1e-09")));

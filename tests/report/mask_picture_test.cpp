@@ -22,9 +22,9 @@ using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 
-constexpr Shade lit = Shade::lit;
-constexpr Shade dark = Shade::shadowed;
-constexpr Shade none = Shade::none;
+constexpr Shade isLit = Shade::lit;
+constexpr Shade isDark = Shade::shadowed;
+constexpr Shade isNone = Shade::none;
 constexpr float grey = 128.0F / 255.0F;
 
 class MaskPictures : public TemporaryFolder {
@@ -44,7 +44,7 @@ class MaskPictures : public TemporaryFolder {
     return message;
   }
   const std::vector<float> values_ = {1, 0, grey, 0, 1, 1};
-  const std::vector<Shade> shades_ = {lit, dark, none, dark, lit, lit};
+  const std::vector<Shade> shades_ = {isLit, isDark, isNone, isDark, isLit, isLit};
 };
 
 TEST_F(MaskPictures, GivesBackWhatGnomonWrites) {
@@ -72,7 +72,7 @@ TEST_F(MaskPictures, ReadsEveryFormatThatHoldsTheValues) {
   const std::vector<std::uint32_t> flags = {1, 0, 0, 0, 1, 1};
   ASSERT_TRUE(out->write_image(TypeDesc::UINT32, flags.data()));
   ASSERT_TRUE(out->close());
-  EXPECT_THAT(shadesOf("flags.exr"), ElementsAre(lit, dark, dark, dark, lit, lit));
+  EXPECT_THAT(shadesOf("flags.exr"), ElementsAre(isLit, isDark, isDark, isDark, isLit, isLit));
 }
 
 TEST_F(MaskPictures, ThreeEqualChannelsAreOneAndOthersMustBeNamed) {
@@ -92,7 +92,7 @@ TEST_F(MaskPictures, ThreeEqualChannelsAreOneAndOthersMustBeNamed) {
   test::writePicture(file("two.exr"), {3, 1, {"diffuse", "shadow"}, {9, 1, 9, 0, 9, 1}});
   EXPECT_THAT(refusal("two.exr"), HasSubstr("channels diffuse, shadow found"));
   EXPECT_THAT(readMaskPicture(file("two.exr"), {"shadow", {}}).mask.samples,
-              ElementsAre(lit, dark, lit));
+              ElementsAre(isLit, isDark, isLit));
 }
 
 TEST_F(MaskPictures, FindsAChannelInALaterPart) {
@@ -107,15 +107,15 @@ TEST_F(MaskPictures, FindsAChannelInALaterPart) {
   ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, shadow.data()));
   ASSERT_TRUE(out->close());
   EXPECT_THAT(readMaskPicture(file("parts.exr"), {"shadow", {}}).mask.samples,
-              ElementsAre(dark, lit, dark));
+              ElementsAre(isDark, isLit, isDark));
 }
 
 TEST_F(MaskPictures, NoCoverMeansNoSample) {
   const std::vector<float> pixels = {1, 1, 0, 1, 0, 0, 1, 0, 0, 1, 1, 1};
   test::writePicture(file("cover.exr"), {3, 2, {"Y", "A"}, pixels});
-  EXPECT_THAT(shadesOf("cover.exr"), ElementsAre(lit, dark, none, none, dark, lit));
+  EXPECT_THAT(shadesOf("cover.exr"), ElementsAre(isLit, isDark, isNone, isNone, isDark, isLit));
   test::writePicture(file("cover.png"), {3, 2, {"Y", "A"}, pixels, OIIO::TypeDesc::UINT8});
-  EXPECT_THAT(shadesOf("cover.png"), ElementsAre(lit, dark, none, none, dark, lit));
+  EXPECT_THAT(shadesOf("cover.png"), ElementsAre(isLit, isDark, isNone, isNone, isDark, isLit));
 }
 
 TEST_F(MaskPictures, PartialCoverNeedsAThresholdAndIsDividedOut) {
@@ -124,7 +124,7 @@ TEST_F(MaskPictures, PartialCoverNeedsAThresholdAndIsDividedOut) {
   EXPECT_THAT(refusal("soft.exr"), AllOf(HasSubstr("3 of 3 pixels are neither"),
                                          HasSubstr("with alpha 0.6"), HasSubstr("--binarise")));
   const MaskPicture picture = readMaskPicture(file("soft.exr"), {{}, 0.5});
-  EXPECT_THAT(picture.mask.samples, ElementsAre(lit, none, dark));
+  EXPECT_THAT(picture.mask.samples, ElementsAre(isLit, isNone, isDark));
   EXPECT_EQ(picture.binarised, 3U);
   // PNG holds colours beside alpha, unmultiplied.
   OIIO::ImageSpec spec(3, 1, 2, OIIO::TypeDesc::UINT8);
@@ -132,7 +132,7 @@ TEST_F(MaskPictures, PartialCoverNeedsAThresholdAndIsDividedOut) {
   spec.attribute("oiio:UnassociatedAlpha", 1);
   test::writePicture(file("soft.png"), spec, {1, 0.6F, 1, 0.3F, 0.4F, 0.6F});
   EXPECT_THAT(readMaskPicture(file("soft.png"), {{}, 0.5}).mask.samples,
-              ElementsAre(lit, none, dark));
+              ElementsAre(isLit, isNone, isDark));
 }
 
 TEST_F(MaskPictures, AThresholdPartsEveryValueOfASoftMask) {
@@ -141,9 +141,10 @@ TEST_F(MaskPictures, AThresholdPartsEveryValueOfASoftMask) {
                                          HasSubstr("first 0.9 at column 0, row 0")));
   const MaskPicture picture = readMaskPicture(file("soft.exr"), {{}, 0.5});
   // The grey is a value like others here, since the picture is no mask of three values.
-  EXPECT_THAT(picture.mask.samples, ElementsAre(lit, dark, lit, lit, dark, lit));
+  EXPECT_THAT(picture.mask.samples, ElementsAre(isLit, isDark, isLit, isLit, isDark, isLit));
   EXPECT_EQ(picture.binarised, 4U);
-  EXPECT_THAT(shadesOf("soft.exr", {{}, 0.51}), ElementsAre(lit, dark, dark, dark, dark, lit));
+  EXPECT_THAT(shadesOf("soft.exr", {{}, 0.51}),
+              ElementsAre(isLit, isDark, isDark, isDark, isDark, isLit));
 }
 
 TEST_F(MaskPictures, GreyIsGnomonsAndNoOther) {
@@ -156,9 +157,10 @@ TEST_F(MaskPictures, GreyIsGnomonsAndNoOther) {
 
 TEST_F(MaskPictures, InvertsAndTurns) {
   test::writePicture(file("m.exr"), {3, 2, {"Y"}, values_});
-  EXPECT_THAT(shadesOf("m.exr", {{}, {}, true}), ElementsAre(dark, lit, none, lit, dark, dark));
+  EXPECT_THAT(shadesOf("m.exr", {{}, {}, true}),
+              ElementsAre(isDark, isLit, isNone, isLit, isDark, isDark));
   EXPECT_THAT(shadesOf("m.exr", {{}, {}, false, true}),
-              ElementsAre(dark, lit, lit, lit, dark, none));
+              ElementsAre(isDark, isLit, isLit, isLit, isDark, isNone));
 }
 
 TEST_F(MaskPictures, ThePictureIsTheDisplayWindow) {
@@ -169,11 +171,11 @@ TEST_F(MaskPictures, ThePictureIsTheDisplayWindow) {
   spec.full_width = 3;
   spec.full_height = 2;
   test::writePicture(file("window.exr"), spec, {1, 0, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0});
-  EXPECT_THAT(shadesOf("window.exr"), ElementsAre(none, none, none, none, lit, dark));
+  EXPECT_THAT(shadesOf("window.exr"), ElementsAre(isNone, isNone, isNone, isNone, isLit, isDark));
   // The display begins within the data.
   spec.x = spec.y = -1;
   test::writePicture(file("overscan.exr"), spec, {0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 0});
-  EXPECT_THAT(shadesOf("overscan.exr"), ElementsAre(lit, dark, lit, lit, lit, dark));
+  EXPECT_THAT(shadesOf("overscan.exr"), ElementsAre(isLit, isDark, isLit, isLit, isLit, isDark));
 }
 
 TEST_F(MaskPictures, RefusesWhatIsNotFiniteThresholdOrNot) {

@@ -21,7 +21,7 @@ BinRecord bin(const std::string& method, const std::string& view, std::optional<
 }
 
 /// "best" has all four bins, "close" not the first; in the third none has a sample.
-StudyRecord record() {
+StudyRecord plottedRecord() {
   StudyRecord made = test::sampleRecord();
   made.bins = {bin("best", "camera", {}, 0, 5, 100),    bin("best", "camera", 0, 10, 20, 200),
                bin("best", "camera", 20, {}, 7, 700),   bin("close", "camera", 0, 10, 50, 200),
@@ -30,7 +30,7 @@ StudyRecord record() {
 }
 
 TEST(BinPlot, DrawsEachBinsErrorAtItsPlace) {
-  const std::string script = binPlot(record(), "elevation", "camera").commands;
+  const std::string script = binPlot(plottedRecord(), "elevation", "camera").commands;
   EXPECT_THAT(script, HasSubstr("$m0 << EOD\n0 5\n1 10\n2 1\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$m1 << EOD\n0 NaN\n1 25\n2 10\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("set xtics ('0' 0.5, '10…20' 1.5)\n"));
@@ -41,14 +41,14 @@ TEST(BinPlot, DrawsEachBinsErrorAtItsPlace) {
 }
 
 TEST(BinPlot, NamesTheViewsOfAnAxis) {
-  EXPECT_THAT(binAxes(record()), ElementsAre("elevation"));
-  EXPECT_THAT(binViews(record(), "elevation"), ElementsAre("camera", "atlas"));
-  EXPECT_TRUE(binViews(record(), "nosuch").empty());
+  EXPECT_THAT(binAxes(plottedRecord()), ElementsAre("elevation"));
+  EXPECT_THAT(binViews(plottedRecord(), "elevation"), ElementsAre("camera", "atlas"));
+  EXPECT_TRUE(binViews(plottedRecord(), "nosuch").empty());
 }
 
 TEST(StudyPlots, AreNamedApartAndDrawn) {
   std::vector<std::string> names;
-  for (const PlotSheet& sheet : studyPlots(record())) {
+  for (const PlotSheet& sheet : studyPlots(plottedRecord())) {
     names.push_back(sheet.name);
     EXPECT_FALSE(sheet.about.empty());
     EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
@@ -58,7 +58,7 @@ TEST(StudyPlots, AreNamedApartAndDrawn) {
 }
 
 TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
-  const PlotSheet sheet = binPlot(record(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
   const std::string pdf = pdfsOf({sheet}).front();
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   EXPECT_THAT(pdf, HasSubstr("%%EOF"));
@@ -84,7 +84,7 @@ TEST(PlotSheet, PdfIsTheSameBesideOthers) {
       "set format x '%.9f'\nset style data lines\nset multiplot layout 1,2\n"
       "set encoding iso_8859_1\n"
       "$bins << EOD\n1 2\nEOD\nplot x\nplot x\nunset multiplot\n"};
-  const PlotSheet sheet = binPlot(record(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
   const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet};
   const std::vector<std::string> pdfs = pdfsOf(beside);
   ASSERT_EQ(pdfs.size(), 4U);

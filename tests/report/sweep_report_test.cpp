@@ -35,7 +35,7 @@ StudyRecord step(const std::vector<std::pair<std::string, double>>& errors, doub
 }
 
 /// Values out of order: 0.5, 0.25, 1. "flat" 2, 4 and 8 percent, "curved" 1, 1 and 3.
-SweepRecord sample() {
+SweepRecord sampleSweep() {
   SweepRecord sweep;
   sweep.name = "bumps";
   sweep.title = "Bumps & <dents>";
@@ -59,7 +59,7 @@ ThresholdRecord failedGate() {
 // ---- figures
 
 TEST(SweepMeans, AreMeansOverTheSteps) {
-  const StudyMeans study = studyMeans(sample());
+  const StudyMeans study = studyMeans(sampleSweep());
   EXPECT_EQ(study.name, "bumps");
   EXPECT_TRUE(study.passed);
   ASSERT_EQ(study.methods.size(), 2U);
@@ -73,7 +73,7 @@ TEST(SweepMeans, AreMeansOverTheSteps) {
 }
 
 TEST(SweepMeans, AreNoneWhereAStepHasNone) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   for (ResultRecord& row : sweep.steps[1].results) {
     if (row.method == "flat") row.counts = {};
   }
@@ -82,7 +82,7 @@ TEST(SweepMeans, AreNoneWhereAStepHasNone) {
 }
 
 TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   sweep.steps[1].thresholds = {failedGate()};
   const std::vector<StudyMeans> studies = {studyMeans(sweep), studyMeans(step({{"flat", 10}}, 0))};
   EXPECT_FALSE(studies[0].passed);
@@ -95,7 +95,7 @@ TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
 // ---- files
 
 TEST(SweepCsv, HasARowAMethodAndValue) {
-  EXPECT_EQ(sweepCsv(sample()),
+  EXPECT_EQ(sweepCsv(sampleSweep()),
             "value,method,error_rate,false_shadow,false_light,uncertainty\n"
             "0.5,flat,0.02,0.01,0.01,0.002\n0.5,curved,0.01,0.005,0.005,0.002\n"
             "0.25,flat,0.04,0.02,0.02,0.001\n0.25,curved,0.01,0.005,0.005,0.001\n"
@@ -103,7 +103,7 @@ TEST(SweepCsv, HasARowAMethodAndValue) {
 }
 
 TEST(SweepJson, HoldsTheSweep) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   sweep.steps[2].thresholds = {failedGate()};
   const auto json = nlohmann::json::parse(sweepJson(sweep));
   EXPECT_EQ(json["schema"], "gnomon-sweep/1");
@@ -128,7 +128,7 @@ TEST(SweepJson, HoldsTheSweep) {
 // ---- plot
 
 TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
-  const std::string script = sweepPlot(sample()).commands;
+  const std::string script = sweepPlot(sampleSweep()).commands;
   EXPECT_THAT(script, HasSubstr("$truth << EOD\n0.25 0.1\n0.5 0.2\n1 0.3\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$e0 << EOD\n0.25 4\n0.5 2\n1 8\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$s1 << EOD\n0.25 0.5\n0.5 0.5\n1 1.5\nEOD\n"));
@@ -136,7 +136,7 @@ TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
 }
 
 TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
   EXPECT_THAT(sweepPlot(sweep).commands, HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
   EXPECT_THAT(svgOf(sweepPlot(sweep)), HasSubstr("</svg>"));
@@ -165,7 +165,7 @@ std::vector<double> pointHeights(const std::string& svg, const std::string& colo
 }
 
 TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
-  const std::string svg = svgOf(sweepPlot(sample()));
+  const std::string svg = svgOf(sweepPlot(sampleSweep()));
   // The axis goes from 0 at the bottom; flat is 4, 2, 8 percent, curved 1, 1, 3.
   const auto flat = pointHeights(svg, "  0, 114, 178");
   const auto curved = pointHeights(svg, "213,  94,   0");
@@ -180,11 +180,11 @@ TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
 }
 
 TEST(SweepPlot, SameSweepSameBytes) {
-  EXPECT_EQ(svgOf(sweepPlot(sample())), svgOf(sweepPlot(sample())));
+  EXPECT_EQ(svgOf(sweepPlot(sampleSweep())), svgOf(sweepPlot(sampleSweep())));
 }
 
 TEST(SweepPlot, DrawsWhateverTheLabels) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   sweep.axis = "it's `date` {/x}_2 \\ \"";
   for (StudyRecord& record : sweep.steps) {
     for (int i = 0; i < 9; ++i) {
@@ -209,7 +209,7 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
 // ---- page
 
 TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   sweep.steps[0].thresholds = {failedGate()};
   sweep.steps[0].thresholds[0].passed = true;
   sweep.steps[2].thresholds = {failedGate()};
@@ -229,7 +229,7 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
 // ---- terminal
 
 TEST(SweepTable, HasAColumnAValue) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   sweep.steps[2].thresholds = {failedGate()};
   const std::string text = sweepTable(sweep, false);
   EXPECT_THAT(text, HasSubstr("               0.5     0.25        1\n"
@@ -242,7 +242,7 @@ TEST(SweepTable, HasAColumnAValue) {
 }
 
 TEST(SweepTable, FitsHoweverManyTheValues) {
-  SweepRecord sweep = sample();
+  SweepRecord sweep = sampleSweep();
   for (int i = 0; i < 40; ++i) {
     sweep.values.push_back(-1.0 / (3 + i) * 1e-300);
     sweep.steps.push_back(step({{std::string(80, 'm'), 5}}, 0.001));

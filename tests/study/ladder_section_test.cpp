@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "support/error_messages.h"
+#include "support/replaced.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon {
@@ -117,15 +118,9 @@ TEST_F(LadderSection, GoesWithItsMethod) {
       read(std::string(ladderStudy) + ladder, {{}, {"resampled-horizon"}, false}).ladders.empty());
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 TEST_F(LadderSection, ErrorsNameFileLineAndKey) {
   const auto with = [&](const std::string& from, const std::string& to) {
-    return failure(replaced(ladder, from, to));
+    return failure(test::replaced(ladder, from, to));
   };
   EXPECT_EQ(
       with("\"old\"", "\"older\""),
@@ -160,8 +155,8 @@ TEST_F(LadderSection, RefusesWhatCannotBeAttributed) {
                                     "azimuths = 16 } }\n"),
       AllOf(StartsWith("bumps.toml:"), HasSubstr("rungs change the same keys")));
   const std::string camera =
-      replaced(std::string(ladderStudy) + ladder, "type = \"atlas\"\nsamples = 8",
-               "type = \"camera\"\neye = [0, 0, 90]\nwidth = 8\nheight = 8");
+      test::replaced(std::string(ladderStudy) + ladder, "type = \"atlas\"\nsamples = 8",
+                     "type = \"camera\"\neye = [0, 0, 90]\nwidth = 8\nheight = 8");
   EXPECT_THAT(messageOf<InputError>([&] { (void)read(camera); }), HasSubstr("type atlas"));
 }
 

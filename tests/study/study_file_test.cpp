@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "support/error_messages.h"
+#include "support/replaced.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon {
@@ -55,12 +56,6 @@ name = "onoue-2004"
 label = "ours"
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 class StudyFile : public TemporaryFolder {
  protected:
   StudySpec read(const std::string& text, const StudyOptions& options = {}) {
@@ -84,7 +79,7 @@ class StudyFile : public TemporaryFolder {
     return failure(plainStudy, {std::move(overrides), {}, false});
   }
   std::string failureOf(const std::string& from, const std::string& to) {
-    return failure(replaced(plainStudy, from, to));
+    return failure(test::replaced(plainStudy, from, to));
   }
 };
 

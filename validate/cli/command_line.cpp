@@ -13,6 +13,7 @@
 #include "cli/compare_command.h"
 #include "cli/export_command.h"
 #include "cli/failure.h"
+#include "cli/list_option.h"
 #include "cli/run_command.h"
 #include "cli/view_command.h"
 #include "common/error.h"
@@ -64,15 +65,6 @@ std::string joinedCommand(int argc, char** argv) {
   std::string text = "gnomon";
   for (int i = 1; i < argc; ++i) text += " " + shellQuoted(argv[i]);
   return text;
-}
-
-/// An option that may be repeated.
-CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std::string>& values,
-                     const std::string& about, const char* type) {
-  return command.add_option(name, values, about)
-      ->type_name(type)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void addStudyOptions(CLI::App& command, RunRequest& request) {
@@ -213,9 +205,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, check, compare, bake, truth, export, view, cache or list. See "
-        "gnomon "
-        "--help");
+        "a command expected: run, check, compare, bake, truth, export, view, cache or list. "
+        "See gnomon --help");
   }
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.

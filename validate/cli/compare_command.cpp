@@ -18,7 +18,7 @@
 namespace gnomon {
 namespace {
 
-constexpr const char* examples = R"(
+constexpr const char* compareExamples = R"(
 White is lit, black shadowed; Gnomon's grey (128) and alpha 0 mean no sample. Pixels count alike.
 Gates take any metric of the table; one that is not defined fails.
 
@@ -129,7 +129,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
       ->add_option("--difference", request.difference,
                    "Write the signed difference: orange false shadow, blue false light")
       ->type_name("FILE.png");
-  command->footer(examples);
+  command->footer(compareExamples);
   return command;
 }
 

@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/list_option.h"
+
 namespace gnomon {
 namespace {
 
-constexpr const char* examples = R"(
+constexpr const char* viewExamples = R"(
 Drag turns the surface, L and drag moves the light, ? lists all keys. What is saved goes to
 OUT/NAME/view. A pane shows a method, truth, displaced, or a difference, as onoue-2004:truth.
 
@@ -14,14 +16,6 @@ Examples:
   gnomon view scenes/figure8.toml --show onoue-2004 --show onoue-2004:truth
   gnomon view scenes/figure8.toml --show max-forsyth --show onoue-2004 --show displaced --show truth
   gnomon view scenes/figure8.toml --overlay section --cursor 420,330 --screenshot view.png)";
-
-CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std::string>& values,
-                     const std::string& about, const char* type) {
-  return command.add_option(name, values, about)
-      ->type_name(type)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
 
 }  // namespace
 
@@ -61,7 +55,7 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
   view->add_option("--status", request.status,
                    "Keep a JSON file of what is on the screen, for scripts that drive the window")
       ->type_name("FILE");
-  view->footer(examples);
+  view->footer(viewExamples);
   return view;
 }
 

@@ -11,13 +11,14 @@
 #include "report/number_text.h"
 
 namespace gnomon {
-namespace {
 
 const CostRecord* costOf(const StudyRecord& record, std::string_view label) {
   const auto found = std::find_if(record.cost.begin(), record.cost.end(),
                                   [&](const CostRecord& cost) { return cost.method == label; });
   return found == record.cost.end() ? nullptr : &*found;
 }
+
+namespace {
 
 /// The cost of the method of that name, of several as `frameRatio` chooses.
 const CostRecord* costOfNamed(const StudyRecord& record, std::string_view name) {

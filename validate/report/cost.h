@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "study/record.h"
 
@@ -9,6 +10,9 @@ namespace gnomon {
 
 /// The method that frame times are set against: the flat horizon map.
 constexpr std::string_view costReference = "max-forsyth";
+
+/// The cost of the method with that label; none where it has none.
+const CostRecord* costOf(const StudyRecord& record, std::string_view label);
 
 /// A method's frame time over that of the method named `costReference` in the same run (of several,
 /// the one with that label, or else the first). None where either was not timed.

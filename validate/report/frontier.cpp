@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "report/cost.h"
 #include "report/csv_text.h"
 #include "report/gnuplot.h"
 #include "report/number_text.h"
@@ -15,12 +16,6 @@
 
 namespace gnomon {
 namespace {
-
-const CostRecord* costOf(const StudyRecord& record, const std::string& label) {
-  const auto found = std::find_if(record.cost.begin(), record.cost.end(),
-                                  [&](const CostRecord& cost) { return cost.method == label; });
-  return found == record.cost.end() ? nullptr : &*found;
-}
 
 bool hasChoice(const std::vector<FrontierPoint>& points) {
   std::map<std::string, std::set<double>> memories;

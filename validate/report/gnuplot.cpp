@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "common/error.h"
 #include "report/html_text.h"
@@ -95,9 +96,15 @@ class Running {
         err_(scratchFile()),
         process_(start(in_.get(), out_.get(), err_.get())) {}
 
-  /// Waits for its end.
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running() {
+    if (process_ > 0) ::waitpid(process_, nullptr, 0);
+  }
+
+  /// Waits for its end. Once.
   std::string output() {
-    if (!succeeded(process_)) fail(lastLine(contentOf(err_.get())));
+    if (!succeeded(std::exchange(process_, 0))) fail(lastLine(contentOf(err_.get())));
     return contentOf(out_.get());
   }
 

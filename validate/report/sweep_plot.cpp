@@ -15,10 +15,10 @@
 namespace gnomon {
 namespace {
 
-using Figure = std::optional<double> MethodMeans::*;
+using MeanFigure = std::optional<double> MethodMeans::*;
 
 struct Panel {
-  Figure figure;
+  MeanFigure figure;
   const char* name;  ///< of its data, as a suffix
   const char* title;
   std::array<double, 4> margins;  ///< as shares of the page: left, right, bottom, top
@@ -57,7 +57,7 @@ std::string percentData(std::optional<double> share) {
   return share ? exactText(100 * *share) : "NaN";
 }
 
-std::string lineData(const Series& series, const std::string& method, Figure figure) {
+std::string lineData(const Series& series, const std::string& method, MeanFigure figure) {
   std::string rows;
   for (std::size_t i = 0; i < series.values.size(); ++i) {
     const MethodMeans* means = findMeans(series.steps[i], method);

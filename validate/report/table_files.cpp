@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "report/cost.h"
 #include "report/csv_text.h"
 #include "report/latex_text.h"
 #include "report/number_text.h"
@@ -12,12 +13,6 @@
 
 namespace gnomon {
 namespace {
-
-const CostRecord* costOf(const StudyRecord& record, const std::string& label) {
-  const auto found = std::find_if(record.cost.begin(), record.cost.end(),
-                                  [&](const CostRecord& cost) { return cost.method == label; });
-  return found == record.cost.end() ? nullptr : &*found;
-}
 
 std::uint64_t bytesOf(const CostRecord& cost) {
   return cost.tableBytes + cost.heightBytes;

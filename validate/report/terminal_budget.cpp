@@ -12,15 +12,14 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t shareWidth = 11;
-constexpr std::size_t intervalWidth = 17;
-constexpr std::size_t nameWidth =
+constexpr std::size_t budgetNameWidth =
     terminalWidth - terminalIndent - 2 * (shareWidth + markWidth + intervalWidth);
 
 std::string rowText(const std::string& name, const std::string& cells) {
-  return std::string(terminalIndent, ' ') + fitLeft(name, nameWidth) + cells;
+  return std::string(terminalIndent, ' ') + fitLeft(name, budgetNameWidth) + cells;
 }
 
-std::string shareCells(const BudgetShare& share) {
+std::string shareColumns(const BudgetShare& share) {
   return fitRight(signedPercent(share.value), shareWidth) +
          fitLeft(share.distinguishable ? "" : " ≈", markWidth) +
          fitRight(intervalText(share.interval), intervalWidth);
@@ -40,10 +39,10 @@ void appendBudget(TerminalPage& page, const BudgetRecord& budget) {
   page.paragraph(budget.method + ": " + orderText(budget));
   page.line(head());
   for (const BudgetCause& cause : budget.causes) {
-    page.line(rowText(cause.name, shareCells(cause.forward) + shareCells(cause.backward)));
+    page.line(rowText(cause.name, shareColumns(cause.forward) + shareColumns(cause.backward)));
   }
-  page.line(rowText("left: distant occluders", shareCells(budget.distant)));
-  page.line(rowText("left: other", shareCells(budget.other)));
+  page.line(rowText("left: distant occluders", shareColumns(budget.distant)));
+  page.line(rowText("left: other", shareColumns(budget.other)));
 }
 
 }  // namespace

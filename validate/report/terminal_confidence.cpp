@@ -14,16 +14,15 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t rateWidth = 8;
-constexpr std::size_t intervalWidth = 17;
 constexpr std::size_t differenceWidth = 11;
-constexpr std::size_t nameWidth =
+constexpr std::size_t confidenceNameWidth =
     terminalWidth - terminalIndent - rateWidth - 2 * intervalWidth - differenceWidth - markWidth;
 
 std::string rowText(std::string_view method, std::string_view rate, std::string_view interval,
                     std::string_view difference, std::string_view ofDifference) {
-  return std::string(terminalIndent, ' ') + fitLeft(method, nameWidth) + fitRight(rate, rateWidth) +
-         fitRight(interval, intervalWidth) + fitRight(difference, differenceWidth) +
-         fitRight(ofDifference, intervalWidth);
+  return std::string(terminalIndent, ' ') + fitLeft(method, confidenceNameWidth) +
+         fitRight(rate, rateWidth) + fitRight(interval, intervalWidth) +
+         fitRight(difference, differenceWidth) + fitRight(ofDifference, intervalWidth);
 }
 
 std::string rowOf(const StudyRecord& record, const ConfidenceRecord& row, const std::string& best) {

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "compare/boundaries.h"
+
+namespace gnomon::test {
+
+/// A mask that is dark where `isDark(x, y)` says so.
+inline Mask drawn(int width, int height, const std::function<bool(int, int)>& isDark) {
+  Mask mask{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      mask.samples.push_back(isDark(x, y) ? Shade::shadowed : Shade::lit);
+    }
+  }
+  return mask;
+}
+
+/// The place of a metric among the boundary metrics.
+inline std::size_t placeOf(std::string_view name) {
+  const auto& names = boundaryMetricNames();
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// The values in the order of their names.
+using Values = std::vector<std::optional<double>>;
+
+inline Values valuesOf(const Mask& candidate, const Mask& truth, const SampleLayout& layout = {}) {
+  Values values;
+  for (const Metric& metric : compareBoundaries(candidate, truth, layout)) {
+    values.push_back(metric.value);
+  }
+  return values;
+}
+
+inline void expectAlike(const Values& found, const Values& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_EQ(found[i].has_value(), expected[i].has_value()) << boundaryMetricNames()[i];
+    if (!found[i]) continue;
+    EXPECT_NEAR(*found[i], *expected[i], 1e-12) << boundaryMetricNames()[i];
+  }
+}
+
+}  // namespace gnomon::test
