@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
 
 #include "relief/horizon_ellipses.h"
 
@@ -30,7 +31,7 @@ SceneKeys keysOf(const fs::path& file, const StudyOptions& options) {
   return keys;
 }
 
-TableImage imageOf(const std::vector<float>& values, const HorizonTables& baked, TableBits bits) {
+TableImage imageOf(std::span<const float> values, const HorizonTables& baked, TableBits bits) {
   return {storeTable(values, bits), baked.width, baked.height, baked.azimuths, baked.wrap};
 }
 

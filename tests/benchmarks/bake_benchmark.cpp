@@ -25,7 +25,7 @@
 #include "common/vec.h"
 #include "relief/height_field.h"
 #include "relief/horizon_bake.h"
-#include "relief/horizon_rows.h"
+#include "relief/tile_kernel.h"
 #include "relief/stored_bake.h"
 
 namespace {

@@ -11,7 +11,7 @@ namespace {
 
 using test::stepRelief;
 
-HorizonTables tableOf(std::vector<float> slopes) {
+HorizonTables tableOf(RawVector<float> slopes) {
   HorizonTables tables;
   tables.width = static_cast<int>(slopes.size());
   tables.height = 1;

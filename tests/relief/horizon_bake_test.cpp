@@ -14,6 +14,7 @@
 
 #include "common/error.h"
 #include "relief/horizon_truth.h"
+#include "relief/tile_notes.h"
 #include "support/error_messages.h"
 
 namespace gnomon {
@@ -59,6 +60,11 @@ TEST(HorizonBake, IsTheSupremumOnMapsOfAnyShape) {
   expectExact(noise(67, 2, Wrap::repeat), {8, 5});
   expectExact(noise(130, 1, Wrap::clamp), {4, 5});
   expectExact(noise(6, 6, Wrap::repeat), {1, 5});
+}
+
+TEST(HorizonBake, IsTheSupremumOnMapsOfSeveralTiles) {
+  expectExact(noise(TexelTile::width + 3, TexelTile::height + 1, Wrap::repeat), {5, 9});
+  expectExact(noise(2, 2 * TexelTile::height + 7, Wrap::clamp), {6, 70.5});
 }
 
 TEST(HorizonBake, AHighOffsetCostsNoPrecision) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "relief/horizon_bake.h"
-#include "relief/horizon_rows.h"
+#include "relief/tile_kernel.h"
 #include "relief/horizon_truth.h"
 
 namespace gnomon {

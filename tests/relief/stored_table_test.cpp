@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -49,7 +50,7 @@ TEST_P(StoredTableOf, TheExtremesAreExact) {
         {-1e30F, 1e-10F},
         {0.F, 77.7F},
         {-std::numeric_limits<float>::max(), std::numeric_limits<float>::max()}}) {
-    const StoredTable table = storeTable({low, high, low}, GetParam());
+    const StoredTable table = storeTable(std::array{low, high, low}, GetParam());
     EXPECT_EQ(table.value(0), low);
     EXPECT_EQ(table.value(1), high);
     EXPECT_EQ(table.value(2), low);
@@ -58,7 +59,7 @@ TEST_P(StoredTableOf, TheExtremesAreExact) {
 
 TEST_P(StoredTableOf, ConstantAndEmptyTablesWork) {
   for (const float constant : {0.F, -3.25F, 1e30F}) {
-    const StoredTable table = storeTable({constant, constant}, GetParam());
+    const StoredTable table = storeTable(std::array{constant, constant}, GetParam());
     EXPECT_EQ(table.value(0), constant);
     EXPECT_EQ(table.value(1), constant);
   }
@@ -73,7 +74,7 @@ TEST_P(StoredTableOf, TakesTheBitsItSays) {
 TEST_P(StoredTableOf, RefusesWhatIsNotFinite) {
   for (const float bad : {NAN, INFINITY, -INFINITY}) {
     EXPECT_THAT(messageOf<InputError>([&] {
-                  storeTable({1, 2, bad}, GetParam());
+                  storeTable(std::array{1.F, 2.F, bad}, GetParam());
                 }),
                 HasSubstr("entry 2"));
   }
@@ -90,7 +91,7 @@ TEST(StoredTable, ThirtyTwoBitsKeepTheFloats) {
 }
 
 TEST(StoredTable, CodesAreWhatTheFormulaSays) {
-  const StoredTable table = storeTable({0, 255, 17.4F, 17.6F}, TableBits::eight);
+  const StoredTable table = storeTable(std::array<float, 4>{0, 255, 17.4F, 17.6F}, TableBits::eight);
   EXPECT_EQ(table.bytes, (std::vector<std::uint8_t>{0, 255, 17, 18}));
 }
 

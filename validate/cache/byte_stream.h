@@ -65,8 +65,8 @@ class ByteWriter {
     put(value.has_value());
     if (value) put(*value);
   }
-  template <typename T>
-  void put(const std::vector<T>& values) {
+  template <typename T, typename Allocator>
+  void put(const std::vector<T, Allocator>& values) {
     putSize(values.size());
     if constexpr (PlainValue<T>) {
       append(values.data(), values.size() * sizeof(T));
@@ -124,8 +124,8 @@ class ByteReader {
     value.reset();
     if (isThere) get(value.emplace());
   }
-  template <typename T>
-  void get(std::vector<T>& values) {
+  template <typename T, typename Allocator>
+  void get(std::vector<T, Allocator>& values) {
     if constexpr (PlainValue<T>) {
       values.resize(getSize(sizeof(T)));
       const std::size_t size = values.size() * sizeof(T);

@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The whole file; none where it is not there or cannot be read.
-std::optional<RawBuffer<char>> contentOf(const fs::path& path) {
+std::optional<RawVector<char>> contentOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return std::nullopt;
   const std::streamoff size = file.tellg();
   if (size < 0) return std::nullopt;
-  RawBuffer<char> content(static_cast<std::size_t>(size));
+  RawVector<char> content(static_cast<std::size_t>(size));
   file.seekg(0);
   file.read(content.data(), size);
   if (!file) return std::nullopt;
@@ -56,7 +56,7 @@ std::optional<Cache::Loaded> Cache::load(const ContentKey& key) {
   if (!isOn()) return std::nullopt;
   const ContentKey own = ownKey(key);
   const fs::path path = pathOf(own);
-  std::optional<RawBuffer<char>> file = contentOf(path);
+  std::optional<RawVector<char>> file = contentOf(path);
   if (!file) {
     ++misses_;
     return std::nullopt;

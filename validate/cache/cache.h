@@ -12,7 +12,7 @@
 #include "cache/byte_stream.h"
 #include "cache/cache_counts.h"
 #include "cache/content_key.h"
-#include "common/raw_buffer.h"
+#include "common/raw_vector.h"
 
 namespace gnomon {
 
@@ -71,7 +71,7 @@ class Cache {
  private:
   /// A sound entry.
   struct Loaded {
-    RawBuffer<char> file;
+    RawVector<char> file;
     std::string_view content;  ///< of the file
   };
   std::optional<Loaded> load(const ContentKey& key);

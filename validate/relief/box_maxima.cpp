@@ -52,7 +52,7 @@ BoxMaxima grow(const PaddedMap& map, const float* values, BoxSize from, BoxSize 
   const auto stride = static_cast<std::size_t>(map.stride);
   const auto rowStep = std::ptrdiff_t{1} << rowShift;
   const auto rows = static_cast<std::size_t>((map.rows + rowStep - 1) / rowStep);
-  RawBuffer<float> wide(stride * static_cast<std::size_t>(map.rows));
+  RawVector<float> wide(stride * static_cast<std::size_t>(map.rows));
   // The rows that `rowIn` names.
   const auto first = static_cast<std::size_t>(map.wrap == Wrap::repeat ? map.marginY : 0);
   const auto count = static_cast<std::size_t>(map.wrap == Wrap::repeat ? map.height : map.rows);
@@ -60,7 +60,7 @@ BoxMaxima grow(const PaddedMap& map, const float* values, BoxSize from, BoxSize 
     std::vector<float> buffer;
     widenRow(map, values + y * stride, from.width, box.width, buffer, wide.data() + y * stride);
   });
-  BoxMaxima result{box, rowShift, RawBuffer<float>(stride * rows)};
+  BoxMaxima result{box, rowShift, RawVector<float>(stride * rows)};
   const int tall = box.height + static_cast<int>(rowStep) - 1;
   parallelFor(0, rows, [&](std::size_t j) {
     float* out = result.highest.data() + j * stride;

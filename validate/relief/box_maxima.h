@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "common/raw_buffer.h"
+#include "common/raw_vector.h"
 #include "relief/padded_map.h"
 
 namespace gnomon {
@@ -19,7 +19,7 @@ struct BoxSize {
 struct BoxMaxima {
   BoxSize box;
   int rowShift = 0;
-  RawBuffer<float> highest;  ///< [row >> rowShift][column], rows as long as the map's
+  RawVector<float> highest;  ///< [row >> rowShift][column], rows as long as the map's
 };
 
 /// The map's own heights as boxes of one node, to start from; then larger boxes from smaller ones.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <vector>
-
 #include "common/progress.h"
+#include "common/raw_vector.h"
 #include "relief/height_field.h"
 
 namespace gnomon {
@@ -24,8 +23,8 @@ struct HorizonTables {
   int azimuths = 0;
   double radiusTexels = 0;
   Wrap wrap = Wrap::repeat;
-  std::vector<float> horizon;
-  std::vector<float> distance;
+  RawVector<float> horizon;
+  RawVector<float> distance;
 };
 
 /// Exact suprema of the bilinear function (up to float rounding): along a ray inside one cell h is

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,7 @@
 #include "relief/box_maxima.h"
 #include "relief/padded_map.h"
 #include "relief/ray_crossings.h"
+#include "relief/tile_kernel.h"
 
 namespace gnomon {
 namespace {
@@ -57,30 +60,46 @@ Classes classesOf(const std::vector<AzimuthPlan>& plans) {
   return classes;
 }
 
-/// Cuts a map into tiles: what a thread takes at once.
-class Tiling {
+/// Cuts a map into strips of tiles along its rows or columns, whichever is nearer to the rays'
+/// direction: most of what the rays of a tile meet, those of the next one meet again.
+class Strips {
  public:
-  Tiling(int width, int height)
-      : width_(width),
-        height_(height),
-        across_((width + HorizonTile::width - 1) / HorizonTile::width) {}
+  Strips(int width, int height, Vec2 direction)
+      : width_(width), height_(height), upright_(std::abs(direction.y) > std::abs(direction.x)) {}
 
-  [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(across_) *
-           static_cast<std::size_t>((height_ + HorizonTile::height - 1) / HorizonTile::height);
-  }
-  [[nodiscard]] TexelTile tile(std::size_t index) const {
-    const int left =
-        static_cast<int>(index % static_cast<std::size_t>(across_)) * HorizonTile::width;
-    const int bottom =
-        static_cast<int>(index / static_cast<std::size_t>(across_)) * HorizonTile::height;
-    return {left, bottom, std::min(left + HorizonTile::width, width_),
-            std::min(bottom + HorizonTile::height, height_)};
+  [[nodiscard]] std::size_t count() const { return upright_ ? columns() : rows(); }
+  [[nodiscard]] std::size_t tiles() const { return upright_ ? rows() : columns(); }
+  [[nodiscard]] TexelTile tile(std::size_t strip, std::size_t index) const {
+    const int left = static_cast<int>(upright_ ? strip : index) * TexelTile::width;
+    const int bottom = static_cast<int>(upright_ ? index : strip) * TexelTile::height;
+    return {left, bottom, std::min(left + TexelTile::width, width_),
+            std::min(bottom + TexelTile::height, height_)};
   }
 
  private:
-  int width_, height_, across_;
+  [[nodiscard]] std::size_t columns() const { return parts(width_, TexelTile::width); }
+  [[nodiscard]] std::size_t rows() const { return parts(height_, TexelTile::height); }
+  static std::size_t parts(int whole, int part) {
+    return static_cast<std::size_t>((whole + part - 1) / part);
+  }
+
+  int width_, height_;
+  bool upright_;
 };
+
+/// A strip of the map for one azimuth: what a thread takes at once.
+struct Task {
+  std::size_t azimuth, strip;
+};
+
+std::vector<Task> tasksOf(const std::vector<std::size_t>& azimuths,
+                          const std::vector<Strips>& strips) {
+  std::vector<Task> tasks;
+  for (const std::size_t m : azimuths) {
+    for (std::size_t s = 0; s < strips[m].count(); ++s) tasks.push_back({m, s});
+  }
+  return tasks;
+}
 
 /// Counts what is done and reports it, one call at a time.
 class Counter {
@@ -105,7 +124,8 @@ void checkBake(const HeightField& field, const BakeSettings& settings, double ta
   checkSettings(settings);
   checkHeights(field);
   const double bytes = tableBytes + boundedMapBytes * paddedMapBytes(field, settings.radiusTexels) +
-                       azimuthPlanBytes(settings.radiusTexels) * settings.azimuths;
+                       azimuthPlanBytes(settings.radiusTexels) * settings.azimuths +
+                       tileNotesBytes(settings.radiusTexels) * std::thread::hardware_concurrency();
   requireMemory(
       bytes, fmt::format("bake.azimuths = {} and bake.radius = {} on a map of {} x {} "
                          "texels",
@@ -120,18 +140,28 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
     plans[m] = planAzimuth(azimuthDirection(static_cast<int>(m), settings.azimuths),
                            settings.radiusTexels, map);
   });
-  const Tiling tiling(field.width(), field.height());
-  Counter counter(progress, tiling.count() * plans.size());
+  std::vector<Strips> strips;
+  for (const AzimuthPlan& plan : plans) {
+    strips.emplace_back(field.width(), field.height(), plan.direction);
+  }
+  Counter counter(progress, strips.front().count() * strips.front().tiles() * plans.size());
   for (const auto& [boxes, members] : classesOf(plans)) {
     const BoxMaxima groups = boxMaxima(map, boxes.first, 0);
     const BoxMaxima bundles = boxMaxima(map, groups, boxes.second, bundleRowShift);
-    parallelFor(0, members.size() * tiling.count(), [&, &members = members](std::size_t index) {
-      const std::size_t m = members[index / tiling.count()];
-      HorizonTile baked{static_cast<int>(m), tiling.tile(index % tiling.count()), {}, {}};
-      bakeTile({map, plans[m], groups, bundles}, baked.tile, HorizonTile::width,
-               baked.horizon.data(), baked.distance.data());
-      sink(baked);
-      counter.add();
+    const std::vector<Task> tasks = tasksOf(members, strips);
+    parallelFor(0, tasks.size(), [&](std::size_t index) {
+      const auto [m, strip] = tasks[index];
+      const AzimuthBake bake{map, plans[m], groups, bundles};
+      const auto notes = std::make_unique<TileNotes>();
+      const auto baked = std::make_unique<HorizonTile>();
+      baked->azimuth = static_cast<int>(m);
+      for (std::size_t t = 0; t < strips[m].tiles(); ++t) {
+        baked->tile = strips[m].tile(strip, t);
+        bakeTile(bake, baked->tile, *notes, TexelTile::width, baked->horizon.data(),
+                 baked->distance.data());
+        sink(*baked);
+        counter.add();
+      }
     });
   }
 }

@@ -7,17 +7,16 @@
 #include "common/progress.h"
 #include "relief/height_field.h"
 #include "relief/horizon_bake.h"
-#include "relief/horizon_rows.h"
+#include "relief/tile_notes.h"
 
 namespace gnomon {
 
 /// The horizons of a part of one azimuth: what a thread bakes at once.
 struct HorizonTile {
-  static constexpr int width = 128, height = 32;  ///< of all but those at the map's edges
   int azimuth = 0;
   TexelTile tile;
-  /// [y - bottom][x - left], rows `width` apart.
-  std::array<float, width * height> horizon, distance;
+  /// [y - bottom][x - left], rows TexelTile::width apart.
+  std::array<float, TexelTile::texels> horizon, distance;
 };
 
 /// Calls `take(entry, from, count)` for each row of a tile: `count` values from index `from` of the
@@ -29,7 +28,7 @@ void forEachRow(const HorizonTile& baked, int mapWidth, int mapHeight, const Tak
     const auto row = static_cast<std::size_t>(baked.azimuth) * static_cast<std::size_t>(mapHeight) +
                      static_cast<std::size_t>(y);
     take(row * static_cast<std::size_t>(mapWidth) + static_cast<std::size_t>(tile.left),
-         static_cast<std::size_t>(y - tile.bottom) * HorizonTile::width,
+         static_cast<std::size_t>(y - tile.bottom) * TexelTile::width,
          static_cast<std::size_t>(tile.right - tile.left));
   }
 }

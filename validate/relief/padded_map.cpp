@@ -95,8 +95,8 @@ PaddedMap padMap(const HeightField& field, double radius) {
   map.maximum = static_cast<float>(highest - middle);
   map.tolerance = 0x1p-20F * static_cast<float>(highest - lowest);
   const auto texels = static_cast<std::size_t>(map.stride * map.rows);
-  map.heights = RawBuffer<float>(texels);
-  map.twists = RawBuffer<float>(texels);
+  map.heights = RawVector<float>(texels);
+  map.twists = RawVector<float>(texels);
   fillHeights(field, middle, map);
   fillTwists(map);
   return map;

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "common/raw_buffer.h"
+#include "common/raw_vector.h"
 #include "relief/height_field.h"
 #include "relief/ray_crossings.h"
 
@@ -21,9 +21,9 @@ struct PaddedMap {
   std::ptrdiff_t stride = 0;  ///< texels from one row to the next
   std::ptrdiff_t rows = 0;
   std::ptrdiff_t marginX = 0, marginY = 0;
-  RawBuffer<float> heights;
+  RawVector<float> heights;
   /// h00 - h10 - h01 + h11 of the cell right of and above each texel: what bends a ray's profile.
-  RawBuffer<float> twists;
+  RawVector<float> twists;
   float maximum = 0;  ///< highest texel
   float lowestTwist = 0, highestTwist = 0;
   /// 2⁻²⁰ (highest - lowest): slopes count as equal unless they differ by more than this over their

@@ -22,7 +22,7 @@ Entry entryAt(const std::vector<std::uint8_t>& bytes, std::size_t entry) {
   return value;
 }
 
-void checkFinite(const std::vector<float>& values) {
+void checkFinite(std::span<const float> values) {
   const auto bad =
       std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
   if (bad == values.end()) return;
@@ -70,7 +70,7 @@ StoredTable emptyTable(std::size_t entries, TableBits bits, float low, float hig
   return {bits, low, high, std::vector<std::uint8_t>(entries * static_cast<std::size_t>(bits) / 8)};
 }
 
-StoredTable storeTable(const std::vector<float>& values, TableBits bits) {
+StoredTable storeTable(std::span<const float> values, TableBits bits) {
   checkFinite(values);
   float low = 0;
   float high = 0;

@@ -31,7 +31,7 @@ struct StoredTable {
 /// no entry is off by more than half a step, (high - low) / (2^bits - 1) / 2. Distances are never
 /// negative, so a distance of 0 (attached shadow) is stored exactly. No values: low = high = 0.
 /// @throws InputError if a value is not finite, naming its index
-StoredTable storeTable(const std::vector<float>& values, TableBits bits);
+StoredTable storeTable(std::span<const float> values, TableBits bits);
 
 /// A table of so many entries, all bytes 0, for values from `low` to `high`.
 StoredTable emptyTable(std::size_t entries, TableBits bits, float low, float high);

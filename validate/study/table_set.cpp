@@ -1,5 +1,7 @@
 #include "study/table_set.h"
 
+#include <span>
+
 #include "relief/angle_table.h"
 #include "relief/horizon_ellipses.h"
 #include "study/cached_fields.h"
@@ -38,7 +40,7 @@ const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
   if (found != stored_.end()) return found->second;
   const HorizonTables& baked = bake(spec.settings, clock);
   return clock.measure("tables", [&](const Progress&) -> const TablePair& {
-    const auto store = [&](const std::vector<float>& values) {
+    const auto store = [&](std::span<const float> values) {
       return GpuTable(storeTable(values, spec.bits), baked.width, baked.height, baked.azimuths,
                       baked.wrap);
     };
