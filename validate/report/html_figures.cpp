@@ -234,21 +234,30 @@ std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder,
   return html.empty() ? "" : "<div class=\"layers\" hidden>\n" + html + "</div>\n";
 }
 
-/// Pictures take long to compress, and none needs another.
-void embedPictures(std::vector<Figure>& figures, const PanelRecord& panel, const fs::path& folder,
-                   Cache& cache) {
+/// Embeds the layers that they are composed of, and the figures' pictures, each for its own figure.
+/// All take long to compress, and none needs another.
+/// @return the layers
+std::string embedPictures(std::vector<Figure>& figures, const PanelRecord& panel,
+                          const fs::path& folder, Cache& cache) {
   std::vector<const PictureRecord*> pictures;
   for (const Figure& figure : figures) {
     pictures.insert(pictures.end(), figure.pictures.begin(), figure.pictures.end());
   }
+  std::string layers;
   std::vector<std::string> embedded(pictures.size());
-  parallelFor(0, pictures.size(), [&](std::size_t i) {
-    embedded[i] = pictureHtml(*pictures[i], panel, folder, cache);
+  // The layers first: they take the longest.
+  parallelFor(0, pictures.size() + 1, [&](std::size_t i) {
+    if (i == 0) {
+      layers = embeddedLayers(figures, folder, cache);
+    } else {
+      embedded[i - 1] = pictureHtml(*pictures[i - 1], panel, folder, cache);
+    }
   });
   std::size_t next = 0;
   for (Figure& figure : figures) {
     for (std::size_t i = 0; i < figure.pictures.size(); ++i) figure.html += embedded[next++];
   }
+  return layers;
 }
 
 std::string cssColour(const Rgb& colour) {
@@ -273,8 +282,7 @@ std::string differenceLegend() {
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
                          const fs::path& folder, Cache& cache) {
   std::vector<Figure> figures = figuresOf(panel);
-  const std::string layers = embeddedLayers(figures, folder, cache);
-  embedPictures(figures, panel, folder, cache);
+  const std::string layers = embedPictures(figures, panel, folder, cache);
   std::string html = fmt::format(
       "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n",
       escapeHtml(panel.view), escapeHtml(panel.light), panel.width, panel.height);
