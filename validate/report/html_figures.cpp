@@ -18,6 +18,7 @@
 #include "report/picture_layers.h"
 #include "report/shrunk_image.h"
 #include "report/web_picture.h"
+#include "study/cached_fields.h"
 
 namespace gnomon {
 namespace {
@@ -185,12 +186,20 @@ std::string layerAddress(const Image& layer, Cache& cache) {
   return cache.remember(key.key(), [&] { return webPicture(layer, fineQuality); });
 }
 
+/// A mask of a file. It is kept, since the layers of many pictures are made anew after one of them
+/// has changed.
+Mask maskOfFile(const fs::path& path, Cache& cache) {
+  KeyBuilder key("mask of a picture");
+  key.add("file", keyOfFile(path));
+  return cache.remember(key.key(), [&] { return maskFromImage(readImage(path)); });
+}
+
 Layers splitShadings(const std::vector<Figure*>& figures, const fs::path& folder, Cache& cache) {
   std::vector<Image> shadings(figures.size());
   std::vector<Mask> masks(figures.size());
   parallelFor(0, figures.size(), [&](std::size_t i) {
     const PictureRecord& picture = *figures[i]->pictures.front();
-    masks[i] = maskFromImage(readImage(folder / picture.mask));
+    masks[i] = maskOfFile(folder / picture.mask, cache);
     shadings[i] = readImage(folder / picture.path);
   });
   LayerBuilder builder;
