@@ -11,6 +11,8 @@
 
 #include "common/error.h"
 #include "compare/boundary_values.h"
+#include "compare/contour.h"
+#include "compare/mask_checks.h"
 #include "compare/masks.h"
 
 namespace gnomon {
@@ -225,6 +227,33 @@ TEST(Boundaries, CarryTheirNames) {
     EXPECT_EQ(metrics[i].name, boundaryMetricNames()[i]);
     EXPECT_TRUE(metrics[i].value && metrics[i].reason.empty());
   }
+}
+
+/// Long stretches alike, with sides at their ends and just beside every 64th column.
+TEST(Boundaries, EverySideOfAWideMaskIsOfItsContour) {
+  const int width = 200;
+  Mask mask{width, 3, {}};
+  for (int row = 0; row < mask.height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const bool isDark = column == 0 || column == 63 + row || column >= 128 + row;
+      const bool isSeen = column != 150;
+      mask.samples.push_back(!isSeen ? Shade::none : isDark ? Shade::shadowed : Shade::lit);
+    }
+  }
+  const auto shade = [&](int row, int column) {
+    return mask.samples[static_cast<std::size_t>(row * width + column)];
+  };
+  std::vector<int> sides;
+  for (int halfRow = 0; halfRow < 2 * mask.height - 1; ++halfRow) {
+    const int below = halfRow % 2;
+    for (int column = 0; column < width - 1 + below; ++column) {
+      const Shade a = shade(halfRow / 2, column);
+      const Shade b = shade(halfRow / 2 + below, column + 1 - below);
+      if (a != b && isAnswer(a) && isAnswer(b)) sides.push_back(2 * column + 1 - below);
+    }
+  }
+  EXPECT_EQ(contourOf(mask, mask, {1, 1, 0, {}}).columns, sides);
+  EXPECT_GT(sides.size(), 15U);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(FrameTimes, AreTheMedianOfTheFramesAfterTheFirst) {
     std::this_thread::sleep_for(std::chrono::milliseconds(drawn == 0 || drawn == 2 ? 60 : 5));
     ++drawn;
   };
-  const double median = medianFrameMilliseconds(draw, 5, FrameClock::wall);
+  const double median = medianFrameMilliseconds(draw, 5, FirstFrame::warmsUp, FrameClock::wall);
   EXPECT_EQ(drawn, 6);
   EXPECT_GE(median, 5);
   EXPECT_LT(median, 60);
@@ -47,7 +47,7 @@ TEST(FrameTimes, OfSlowFramesStopEarly) {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     ++drawn;
   };
-  EXPECT_GE(medianFrameMilliseconds(draw, 25, FrameClock::wall), 200);
+  EXPECT_GE(medianFrameMilliseconds(draw, 25, FirstFrame::warmsUp, FrameClock::wall), 200);
   EXPECT_EQ(drawn, 3);
 }
 
@@ -56,6 +56,7 @@ class Times {
  public:
   explicit Times(std::vector<double> milliseconds) : milliseconds_(std::move(milliseconds)) {}
   double operator()() { return milliseconds_[taken_++ % milliseconds_.size()]; }
+  [[nodiscard]] std::size_t taken() const { return taken_; }
   /// Without the one that warms up.
   [[nodiscard]] std::size_t counted() const { return taken_ - 1; }
 
@@ -65,7 +66,7 @@ class Times {
 };
 
 double medianOf(Times& times, int frames = 25) {
-  return medianMilliseconds([&times] { return times(); }, frames);
+  return medianMilliseconds([&times] { return times(); }, frames, FirstFrame::warmsUp);
 }
 
 TEST(FrameTimes, EndOnceTheMedianIsKnown) {
@@ -97,12 +98,19 @@ TEST(FrameTimes, GoOnWhileTheMedianIsNotKnownToTwoPercent) {
   EXPECT_EQ(slow.counted(), 4U);
 }
 
+TEST(FrameTimes, OfWarmFramesCountTheFirst) {
+  Times times({30, 10, 20});
+  EXPECT_EQ(medianMilliseconds([&times] { return times(); }, 3, FirstFrame::isWarm), 20);
+  EXPECT_EQ(times.taken(), 3U);
+}
+
 /// What a query answers is the driver's; that it answers without an error, for every frame, is
 /// ours.
 TEST(FrameTimes, ByTimerQueriesAreNotNegative) {
   const GlContext gl;
   int drawn = 0;
-  EXPECT_GE(medianFrameMilliseconds([&drawn] { ++drawn; }, 3, FrameClock::query), 0);
+  EXPECT_GE(
+      medianFrameMilliseconds([&drawn] { ++drawn; }, 3, FirstFrame::warmsUp, FrameClock::query), 0);
   EXPECT_EQ(drawn, 4);
 }
 

@@ -84,6 +84,34 @@ TEST(LimitFace, OtherFacesAreTheSurfaceItself) {
   expectRowsOf(creasedGrid(), 1e-12);
 }
 
+void expectSecondDerivatives(const LimitPoint& value, const LimitPoint& expected,
+                             double tolerance) {
+  expectNear(value.dss, expected.dss, tolerance, "dss");
+  expectNear(value.dst, expected.dst, tolerance, "dst");
+  expectNear(value.dtt, expected.dtt, tolerance, "dtt");
+}
+
+TEST(LimitFace, HasTheSurfacesSecondDerivatives) {
+  for (const Cage& cage : {randomSpline(), bentGrid(), cubeCage(), triangles()}) {
+    const LimitSurface surface(cage);
+    const auto count = static_cast<std::size_t>(surface.faceCount());
+    const std::vector<LimitFace> faces =
+        limitFaces(surface, count * parameters.size() * parameters.size());
+    ASSERT_EQ(faces.size(), count);
+    for (int face = 0; face < surface.faceCount(); ++face) {
+      const double tolerance = surface.isBicubic(face) ? 1e-11 : 0;
+      for (const double s : parameters) {
+        for (const double t : parameters) {
+          const LimitPoint value = faces[static_cast<std::size_t>(face)].evaluate(s, t);
+          const LimitPoint expected = surface.evaluate(face, s, t);
+          expectSame(value, expected, tolerance);
+          expectSecondDerivatives(value, expected, tolerance);
+        }
+      }
+    }
+  }
+}
+
 TEST(LimitFace, ForFewPointsItIsTheSurfaceItself) {
   const LimitSurface surface(randomSpline());
   std::vector<TangentPoint> points(parameters.size());

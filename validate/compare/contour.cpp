@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -46,13 +47,18 @@ class Sides {
     const bool isBelow = halfRow % 2 == 1;
     if (isBelow && endsTile(row)) return;
     const std::size_t count = isBelow ? width_ : width_ - 1;
-    for (std::size_t column = 0; column < count; ++column) {
-      const std::size_t i = row * width_ + column;
-      const std::size_t j = isBelow ? i + width_ : i + 1;
-      if (mask_.samples[i] == mask_.samples[j] || !hasAnswers(i) || !hasAnswers(j)) continue;
-      if (isBroken(i, isBelow ? breakBelow : breakRight)) continue;
-      if (!isBelow && endsTile(column)) continue;
-      act(static_cast<int>(2 * column + (isBelow ? 0 : 1)));
+    // Most samples are as their neighbours are, which shows fastest for many at once.
+    constexpr std::size_t atOnce = 64;
+    for (std::size_t first = 0; first < count; first += atOnce) {
+      const std::size_t end = std::min(first + atOnce, count);
+      const Shade* samples = &mask_.samples[row * width_ + first];
+      if (std::memcmp(samples, samples + (isBelow ? width_ : 1), end - first) == 0) continue;
+      for (std::size_t column = first; column < end; ++column) {
+        const std::size_t i = row * width_ + column;
+        if (isSide(i, isBelow ? i + width_ : i + 1, isBelow)) {
+          act(static_cast<int>(2 * column + (isBelow ? 0 : 1)));
+        }
+      }
     }
   }
 
@@ -61,6 +67,11 @@ class Sides {
   }
 
  private:
+  /// Between a sample and the one to its right or below.
+  [[nodiscard]] bool isSide(std::size_t i, std::size_t j, bool isBelow) const {
+    return mask_.samples[i] != mask_.samples[j] && hasAnswers(i) && hasAnswers(j) &&
+           !isBroken(i, isBelow ? breakBelow : breakRight) && (isBelow || !endsTile(i % width_));
+  }
   [[nodiscard]] bool hasAnswers(std::size_t i) const {
     return isAnswer(mask_.samples[i]) && isAnswer(other_.samples[i]);
   }

@@ -123,6 +123,7 @@ class RunFinder {
     std::vector<Run> runs;
     for (std::size_t i = first; i < end; ++i) {
       if (!isDark(truth_, i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
+      if (!isBesideLit(i)) continue;
       for (int k = 0; k < linesPerRun; ++k) {
         const Start start{i, lineStart(k)};
         if (!isStart(start)) continue;
@@ -134,6 +135,25 @@ class RunFinder {
 
   [[nodiscard]] Walk walkFrom(const Start& start, Walk::Heading heading) const {
     return {field_, start.sample, start.within, heading};
+  }
+
+  /// Whether a step back from anywhere in a sample may lead into one that the truth lights: few
+  /// dark samples lie so, and the others need none of their lines looked at.
+  [[nodiscard]] bool isBesideLit(std::size_t i) const {
+    const auto width = static_cast<std::size_t>(field_.width);
+    const Vec2 centre(static_cast<double>(i % width), static_cast<double>(i / width));
+    // Lines start less than half a sample from the centre.
+    const Vec2 first = glm::floor(centre - Vec2(field_.steps[i].away));
+    for (const double row : {first.y, first.y + 1}) {
+      for (const double column : {first.x, first.x + 1}) {
+        const bool isSeen = row >= 0 && column >= 0 && row < field_.height && column < field_.width;
+        if (isSeen && !isDark(truth_, static_cast<std::size_t>(row) * width +
+                                          static_cast<std::size_t>(column))) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   [[nodiscard]] bool isStart(const Start& start) const {

@@ -70,11 +70,11 @@ std::string_view frameClockName(FrameClock clock) {
   return clock == FrameClock::wall ? "wall clock" : "GL timer queries";
 }
 
-double medianMilliseconds(const std::function<double()>& frame, int frames) {
+double medianMilliseconds(const std::function<double()>& frame, int frames, FirstFrame first) {
   constexpr double enoughMilliseconds = 300;
   std::vector<double> sorted;
   double total = 0;
-  (void)frame();  // warms up
+  if (first == FirstFrame::warmsUp) (void)frame();
   for (int i = 0; i < frames; ++i) {
     const double elapsed = frame();
     sorted.insert(std::upper_bound(sorted.begin(), sorted.end(), elapsed), elapsed);
@@ -84,13 +84,14 @@ double medianMilliseconds(const std::function<double()>& frame, int frames) {
   return sorted[sorted.size() / 2];
 }
 
-double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FrameClock clock) {
+double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FirstFrame first,
+                               FrameClock clock) {
   const gl::Query query = gl::makeTimeQuery();
   const double median = medianMilliseconds(
       [&] {
         return clock == FrameClock::wall ? wallMilliseconds(draw) : queryMilliseconds(draw, query);
       },
-      frames);
+      frames, first);
   throwOnGlError("timing a frame");
   return median;
 }

@@ -19,7 +19,14 @@ FrameClock frameClockOf(std::string_view renderer);
 /// As reports say it: "wall clock" or "GL timer queries".
 std::string_view frameClockName(FrameClock clock);
 
-/// Median of the times of frames, after one that warms up, which is left out. They end
+/// Whether the first frame of several would be slower than the others: compiled for the state that
+/// it is drawn in, and given its memory.
+enum class FirstFrame {
+  warmsUp,  ///< it is drawn before the others, and left out
+  isWarm,   ///< the same has been drawn before
+};
+
+/// Median of the times of frames. They end
 ///   once the median is known: the interval between two of the sorted times that holds it with 95 %
 ///     whatever the times' distribution (order statistics, by the binomial; nine times are the
 ///     fewest of which it leaves the outermost out) is no wider than 2 % of it;
@@ -30,11 +37,12 @@ std::string_view frameClockName(FrameClock clock);
 /// Where what disturbs them lasts over several frames, times resemble their neighbours and it holds
 /// the median less often, in 80 % and less.
 /// @param frame  draws one and returns its time, milliseconds
-double medianMilliseconds(const std::function<double()>& frame, int frames);
+double medianMilliseconds(const std::function<double()>& frame, int frames, FirstFrame first);
 
 /// The same of the frames that `draw` draws.
 /// @param draw  issues the GL commands of one frame; a context is current
 /// @throws InternalError where GL recorded an error
-double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FrameClock clock);
+double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FirstFrame first,
+                               FrameClock clock);
 
 }  // namespace gnomon

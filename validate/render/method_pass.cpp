@@ -289,9 +289,10 @@ Mask MethodPass::render(const RenderView& view, const Drawing& drawing,
 }
 
 double MethodPass::frameMilliseconds(const RenderView& view, const Drawing& drawing,
-                                     const GpuTables& tables, int frames, FrameClock clock) const {
+                                     const GpuTables& tables, int frames, FirstFrame first,
+                                     FrameClock clock) const {
   const Frame frame(*this, view, drawing, tables);
-  return medianFrameMilliseconds([&] { frame.draw(); }, frames, clock);
+  return medianFrameMilliseconds([&] { frame.draw(); }, frames, first, clock);
 }
 
 }  // namespace gnomon

@@ -45,7 +45,7 @@ class MethodPass {
 
   /// Median time of one frame, all its passes, milliseconds: see medianFrameMilliseconds.
   [[nodiscard]] double frameMilliseconds(const RenderView& view, const Drawing& drawing,
-                                         const GpuTables& tables, int frames,
+                                         const GpuTables& tables, int frames, FirstFrame first,
                                          FrameClock clock) const;
 
   /// Bytes of the textures that its passes fill and read again in every frame.

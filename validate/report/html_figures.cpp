@@ -18,6 +18,7 @@
 #include "report/picture_layers.h"
 #include "report/shrunk_image.h"
 #include "report/web_picture.h"
+#include "study/cached_fields.h"
 
 namespace gnomon {
 namespace {
@@ -185,12 +186,20 @@ std::string layerAddress(const Image& layer, Cache& cache) {
   return cache.remember(key.key(), [&] { return webPicture(layer, fineQuality); });
 }
 
+/// A mask of a file. It is kept, since the layers of many pictures are made anew after one of them
+/// has changed.
+Mask maskOfFile(const fs::path& path, Cache& cache) {
+  KeyBuilder key("mask of a picture");
+  key.add("file", keyOfFile(path));
+  return cache.remember(key.key(), [&] { return maskFromImage(readImage(path)); });
+}
+
 Layers splitShadings(const std::vector<Figure*>& figures, const fs::path& folder, Cache& cache) {
   std::vector<Image> shadings(figures.size());
   std::vector<Mask> masks(figures.size());
   parallelFor(0, figures.size(), [&](std::size_t i) {
     const PictureRecord& picture = *figures[i]->pictures.front();
-    masks[i] = maskFromImage(readImage(folder / picture.mask));
+    masks[i] = maskOfFile(folder / picture.mask, cache);
     shadings[i] = readImage(folder / picture.path);
   });
   LayerBuilder builder;
@@ -234,21 +243,30 @@ std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder,
   return html.empty() ? "" : "<div class=\"layers\" hidden>\n" + html + "</div>\n";
 }
 
-/// Pictures take long to compress, and none needs another.
-void embedPictures(std::vector<Figure>& figures, const PanelRecord& panel, const fs::path& folder,
-                   Cache& cache) {
+/// Embeds the layers that they are composed of, and the figures' pictures, each for its own figure.
+/// All take long to compress, and none needs another.
+/// @return the layers
+std::string embedPictures(std::vector<Figure>& figures, const PanelRecord& panel,
+                          const fs::path& folder, Cache& cache) {
   std::vector<const PictureRecord*> pictures;
   for (const Figure& figure : figures) {
     pictures.insert(pictures.end(), figure.pictures.begin(), figure.pictures.end());
   }
+  std::string layers;
   std::vector<std::string> embedded(pictures.size());
-  parallelFor(0, pictures.size(), [&](std::size_t i) {
-    embedded[i] = pictureHtml(*pictures[i], panel, folder, cache);
+  // The layers first: they take the longest.
+  parallelFor(0, pictures.size() + 1, [&](std::size_t i) {
+    if (i == 0) {
+      layers = embeddedLayers(figures, folder, cache);
+    } else {
+      embedded[i - 1] = pictureHtml(*pictures[i - 1], panel, folder, cache);
+    }
   });
   std::size_t next = 0;
   for (Figure& figure : figures) {
     for (std::size_t i = 0; i < figure.pictures.size(); ++i) figure.html += embedded[next++];
   }
+  return layers;
 }
 
 std::string cssColour(const Rgb& colour) {
@@ -273,8 +291,7 @@ std::string differenceLegend() {
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
                          const fs::path& folder, Cache& cache) {
   std::vector<Figure> figures = figuresOf(panel);
-  const std::string layers = embeddedLayers(figures, folder, cache);
-  embedPictures(figures, panel, folder, cache);
+  const std::string layers = embedPictures(figures, panel, folder, cache);
   std::string html = fmt::format(
       "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n",
       escapeHtml(panel.view), escapeHtml(panel.light), panel.width, panel.height);

@@ -87,10 +87,11 @@ std::size_t LayerBuilder::add(const Image& shaded, const Mask& mask) {
   }
   forStrips(mask.size(), [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      const std::uint8_t bits = bitsOf(mask.samples[i]);
+      // What is known it agrees with; where there is no sample, only the first picture is known.
+      const int bits = bitsOf(mask.samples[i]) & ~mesh->known[i];
       if ((bits & litKnown) != 0) copyColour(shaded, i, mesh->layers.lit, i);
       if ((bits & darkKnown) != 0) copyColour(shaded, i, mesh->layers.dark, i);
-      mesh->known[i] |= bits;
+      mesh->known[i] = static_cast<std::uint8_t>(mesh->known[i] | bits);
     }
   });
   return static_cast<std::size_t>(mesh - meshes_.begin());

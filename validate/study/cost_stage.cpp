@@ -70,10 +70,11 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
     cost->day = today();
     if (view) {
       const CompiledMethod& ready = compiled(scene, method);
+      const FirstFrame first = ready.hasDrawn ? FirstFrame::isWarm : FirstFrame::warmsUp;
       cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass.frameMilliseconds(method.base->views[*view].view,
                                             scene.drawing(*method.base, 0), ready.tables, frames,
-                                            clock_);
+                                            first, clock_);
       });
     }
     scene.cache.keep(key, *cost);

@@ -108,7 +108,9 @@ Mask answerOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t
   const ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
   Mask mask = scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
-    return ready.pass.render(seen.view, scene.drawing(*method.base, light), ready.tables);
+    Mask drawn = ready.pass.render(seen.view, scene.drawing(*method.base, light), ready.tables);
+    method.compiled->hasDrawn = true;
+    return drawn;
   });
   const Mask& truth = seen.truths[light].mask;
   for (std::size_t i = 0; i < mask.size(); ++i) {

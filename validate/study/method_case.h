@@ -16,6 +16,7 @@ namespace gnomon {
 struct CompiledMethod {
   MethodPass pass;
   GpuTables tables;
+  bool hasDrawn = false;  ///< a mask: a frame needs no other to warm up
 };
 
 /// A method of a study with the mesh that it draws. Its shader is compiled and its tables are baked

@@ -6,6 +6,7 @@
 #include "common/parallel.h"
 #include "compare/bins.h"
 #include "surface/curvature.h"
+#include "surface/limit_face.h"
 
 namespace gnomon {
 namespace {
@@ -78,13 +79,15 @@ SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const S
                       const Vec3& light) {
   const std::vector<SampleAxis>& axes = sampleAxes();
   for (const SampleAxis& axis : axes) requireEdges(axis.edges);
+  const std::vector<LimitFace> faces = limitFaces(surface, samples.samples.size());
   SampleBins bins(axes.size(), std::vector<std::uint8_t>(samples.samples.size(), noBin));
   parallelFor(
       0, samples.samples.size(),
       [&](std::size_t i) {
         const SurfaceSample& sample = samples.samples[i];
         if (sample.face < 0) return;
-        const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+        const LimitPoint point =
+            faces[static_cast<std::size_t>(sample.face)].evaluate(sample.s, sample.t);
         const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
         if (!frame.defined) return;
         const AxisSample seen = axisSample(point, frame, relief, light);

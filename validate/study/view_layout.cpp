@@ -6,6 +6,7 @@
 
 #include "common/parallel.h"
 #include "study/view_map.h"
+#include "surface/limit_face.h"
 
 namespace gnomon {
 namespace {
@@ -31,6 +32,7 @@ bool isBreak(const Surrounding& a, const Surrounding& b) {
 
 std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const ViewMap& map,
                                          const SampleGrid& grid) {
+  const std::vector<LimitFace> faces = limitFaces(surface, grid.samples.size());
   std::vector<Surrounding> surroundings(grid.samples.size());
   constexpr std::size_t grain = 1024;
   parallelFor(
@@ -38,7 +40,8 @@ std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const View
       [&](std::size_t i) {
         const SurfaceSample& sample = grid.samples[i];
         if (sample.face < 0) return;
-        surroundings[i] = surroundingOf(map, surface.tangentPoint(sample.face, sample.s, sample.t));
+        const LimitFace& face = faces[static_cast<std::size_t>(sample.face)];
+        surroundings[i] = surroundingOf(map, face.at(sample.s, sample.t));
       },
       grain);
   const auto width = static_cast<std::size_t>(grid.width);

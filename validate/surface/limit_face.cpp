@@ -18,10 +18,15 @@ Vec3 slopeAt(const std::array<Vec3, 4>& cubic, double x) {
   return cubic[1] + x * (2.0 * cubic[2] + x * (3.0 * cubic[3]));
 }
 
+/// The second derivative.
+Vec3 bendAt(const std::array<Vec3, 4>& cubic, double x) {
+  return 2.0 * cubic[2] + x * (6.0 * cubic[3]);
+}
+
 }  // namespace
 
 LimitFace::LimitFace(const LimitSurface& surface, int face, std::size_t points)
-    : surface_(surface), face_(face), bicubic_(points > 10 && surface.isBicubic(face)) {
+    : surface_(&surface), face_(face), bicubic_(points > 10 && surface.isBicubic(face)) {
   if (!bicubic_) return;
   const std::array corners = {surface.evaluate(face, 0, 0), surface.evaluate(face, 1, 0),
                               surface.evaluate(face, 1, 1), surface.evaluate(face, 0, 1)};
@@ -44,10 +49,22 @@ TangentPoint LimitFace::at(double s, double t) const {
   return point;
 }
 
+LimitPoint LimitFace::evaluate(double s, double t) const {
+  if (!bicubic_) return surface_->evaluate(face_, s, t);
+  Cubic curve, curveDt, curveDtt;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Cubic alongT = {rows_[0][i], rows_[1][i], rows_[2][i], rows_[3][i]};
+    curve[i] = valueAt(alongT, t);
+    curveDt[i] = slopeAt(alongT, t);
+    curveDtt[i] = bendAt(alongT, t);
+  }
+  return {at(s, t), bendAt(curve, s), slopeAt(curveDt, s), valueAt(curveDtt, s)};
+}
+
 void LimitFace::row(double t, std::span<const double> s, std::span<TangentPoint> points) const {
   if (!bicubic_) {
     for (std::size_t k = 0; k < s.size(); ++k) {
-      points[k] = surface_.tangentPoint(face_, s[k], t);
+      points[k] = surface_->tangentPoint(face_, s[k], t);
     }
     return;
   }
@@ -68,6 +85,16 @@ void LimitFace::row(double t, std::span<const double> s, std::span<TangentPoint>
                  uvDs,
                  (1 - x) * (uv3 - uv0) + x * (uv2 - uv1)};
   }
+}
+
+std::vector<LimitFace> limitFaces(const LimitSurface& surface, std::size_t points) {
+  const auto count = static_cast<std::size_t>(surface.faceCount());
+  std::vector<LimitFace> faces;
+  faces.reserve(count);
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    faces.emplace_back(surface, face, points / count);
+  }
+  return faces;
 }
 
 }  // namespace gnomon

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "surface/limit_surface.h"
 
@@ -23,6 +24,9 @@ class LimitFace {
   /// The point at (s, t).
   [[nodiscard]] TangentPoint at(double s, double t) const;
 
+  /// The same with second derivatives: agrees with LimitSurface::evaluate to rounding.
+  [[nodiscard]] LimitPoint evaluate(double s, double t) const;
+
   /// Points of one row of parameters: points[k] is at (s[k], t).
   /// @param points  as many as there are parameters
   void row(double t, std::span<const double> s, std::span<TangentPoint> points) const;
@@ -30,11 +34,16 @@ class LimitFace {
  private:
   using Cubic = std::array<Vec3, 4>;  ///< coefficients of 1, x, x², x³
 
-  const LimitSurface& surface_;
+  const LimitSurface* surface_;
   int face_;
   bool bicubic_;
   std::array<Cubic, 4> rows_{};  ///< [j][i]: coefficient of s^i t^j
   std::array<Vec2, 4> uvs_{};    ///< at the corners (0,0), (1,0), (1,1), (0,1)
 };
+
+/// All faces of a surface, as they are numbered.
+/// @param surface  outlives them
+/// @param points   how many will be asked for, of all faces together
+std::vector<LimitFace> limitFaces(const LimitSurface& surface, std::size_t points);
 
 }  // namespace gnomon
