@@ -25,8 +25,8 @@
 #include "common/vec.h"
 #include "relief/height_field.h"
 #include "relief/horizon_bake.h"
-#include "relief/tile_kernel.h"
 #include "relief/stored_bake.h"
+#include "relief/tile_kernel.h"
 
 namespace {
 using gnomon::HeightField;

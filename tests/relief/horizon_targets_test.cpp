@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "relief/horizon_bake.h"
-#include "relief/tile_kernel.h"
 #include "relief/horizon_truth.h"
+#include "relief/tile_kernel.h"
 
 namespace gnomon {
 namespace {
