@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <cstdlib>
-#include <future>
 #include <system_error>
 
 #include "common/error.h"
@@ -49,18 +48,6 @@ const ImageLibrary& load() {
 const ImageLibrary& imageLibrary() {
   static const ImageLibrary& library = load();
   return library;
-}
-
-void loadImageLibraryMeanwhile() {
-  // Waited for where it is first used, by the static above, and at the latest when the process
-  // ends.
-  static const std::future<void> loading = std::async(std::launch::async, [] {
-    try {
-      imageLibrary();
-    } catch (const InternalError&) {
-      // Tried again and told where it is used.
-    }
-  });
 }
 
 }  // namespace gnomon

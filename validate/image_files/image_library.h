@@ -50,8 +50,4 @@ class ImageLibrary {
 /// @throws InternalError where it cannot be loaded
 const ImageLibrary& imageLibrary();
 
-/// Begins to load it on another thread, for who is going to need it. Where it cannot be loaded,
-/// imageLibrary() tells.
-void loadImageLibraryMeanwhile();
-
 }  // namespace gnomon
