@@ -1,8 +1,8 @@
 # Writes the CTest file of a GoogleTest program, one test a suite:
 #   cmake -D PROGRAM=file -D NAME=component -D FIRST=suites -D PROPERTIES=list -D OUTPUT=file
 #         -P suites.cmake
-# A test of its own for every case would start the program some thousand times, and loading what
-# OpenImageIO links takes longer than most cases.
+# A test of its own for every case would start the programs some thousand times, and what they link
+# takes longer to load than most cases.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing
                 COMMAND_ERROR_IS_FATAL ANY)

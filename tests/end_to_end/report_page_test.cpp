@@ -11,7 +11,6 @@
 namespace gnomon::test {
 namespace {
 
-using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -201,10 +200,10 @@ TEST_F(ReportPage, WipesBlinksAndComposesTheRunsOwnMasks) {
 TEST_F(ReportPage, DifferenceIsTheErrorThatTheSummaryHas) {
   Browser browser(folder());
   openAndFocus(browser, page());
-  const json record = summary("small");
+  const nlohmann::json record = summary("small");
   const auto expectShares = [&](const std::string& light, const std::string& method) {
-    const json row = resultOf(record, method, light, "camera");
-    const auto percent = [](const json& share) {
+    const nlohmann::json row = resultOf(record, method, light, "camera");
+    const auto percent = [](const nlohmann::json& share) {
       std::array<char, 32> digits{};
       std::snprintf(digits.data(), digits.size(), "%.2f %%", 100 * share.get<double>());
       return std::string(digits.data());
@@ -271,15 +270,15 @@ TEST_F(ReportPage, FitsAPhoneAndPaper) {
   Browser browser(folder());
   openAndFocus(browser, page(), 375);
   EXPECT_EQ(browser.evaluate("document.scrollingElement.scrollWidth"), 375);
-  const json wide = browser.evaluate(
+  const nlohmann::json wide = browser.evaluate(
       "[...document.querySelectorAll('body *')].filter((e) => !e.closest('.scroll, .stage, "
       ".unseen') "
       "&& e.getBoundingClientRect().right > 376).map((e) => e.tagName + '.' + e.className)");
-  EXPECT_EQ(wide, json::array());
+  EXPECT_EQ(wide, nlohmann::json::array());
   EXPECT_GE(browser.evaluate("Math.min(...[...document.querySelectorAll('.viewer button')].map("
                              "(b) => b.getBoundingClientRect().height))"),
             24);
-  const json printed = browser.call("Page.printToPDF", {{"printBackground", true}});
+  const nlohmann::json printed = browser.call("Page.printToPDF", {{"printBackground", true}});
   EXPECT_THAT(printed.at("data").get<std::string>(), StartsWith("JVBERi0"));  // %PDF-
   browser.call("Emulation.setEmulatedMedia", {{"media", "print"}});
   EXPECT_EQ(browser.evaluate("getComputedStyle(document.querySelector('#compare')).display"),

@@ -1,11 +1,10 @@
 #include "study/study_file.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <array>
 #include <fstream>
 
 #include "common/error.h"
+#include "image_files/image_library.h"
 #include "support/error_messages.h"
 #include "support/replaced.h"
 #include "support/temporary_folder.h"
@@ -143,12 +142,12 @@ TEST_F(StudyFile, EveryShapeAndPatternCanBeAskedFor) {
 }
 
 TEST_F(StudyFile, ReadsAHeightImageBesideIt) {
-  const fs::path path = file("map.tif");
-  const auto image = OIIO::ImageOutput::create("tiff");
-  ASSERT_TRUE(image && image->open(path.string(), OIIO::ImageSpec(2, 1, 1, OIIO::TypeDesc::FLOAT)));
   const std::array<float, 2> heights = {0.25F, 1.0F};
-  ASSERT_TRUE(image->write_image(OIIO::TypeDesc::FLOAT, heights.data()) && image->close());
-  const StudySpec study = readWith({R"(relief={image="map.tif", height=8, height_space="world"})"});
+  const auto image =
+      imageLibrary().createExr(file("map.exr"), {2, 1, {"Y"}, NumberType::float32, {}});
+  image->writeRows(0, 1, NumberType::float32, heights.data());
+  image->close();
+  const StudySpec study = readWith({R"(relief={image="map.exr", height=8, height_space="world"})"});
   EXPECT_EQ(study.relief.field.width(), 2);
   EXPECT_EQ(study.relief.field.texel(0, 0), 2);
   EXPECT_EQ(study.relief.field.texel(1, 0), 8);

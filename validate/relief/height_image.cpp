@@ -1,6 +1,5 @@
 #include "relief/height_image.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,55 +14,52 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/one_line.h"
-#include "relief/exr_limit.h"
+#include "image_files/image_error.h"
+#include "image_files/image_library.h"
 
 namespace gnomon {
 namespace {
 namespace fs = std::filesystem;
 
-std::unique_ptr<OIIO::ImageInput> openImage(const fs::path& path) {
+std::unique_ptr<ImageReader> openImage(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) {
     throw InputError(fmt::format("{}: no such file, an image was expected", path.string()));
   }
-  // Heights are data: a colour channel must not come multiplied by the image's alpha.
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  limitExrSize();
-  auto image = OIIO::ImageInput::open(path.string(), &wishes);
-  if (!image) {
-    throw InputError(fmt::format("{}: not an image that can be read: {}", path.string(),
-                                 oneLine(OIIO::geterror())));
+  try {
+    return imageLibrary().open(path);
+  } catch (const ImageError& error) {
+    throw InputError(
+        fmt::format("{}: not an image that can be read: {}", path.string(), oneLine(error.what())));
   }
-  return image;
 }
 
-void checkSpec(const fs::path& path, const OIIO::ImageSpec& spec, int channel) {
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep) {
+void checkFacts(const fs::path& path, const ImageFacts& facts, int channel) {
+  const auto [width, height] = std::pair(facts.data.width, facts.data.height);
+  if (width < 1 || height < 1 || facts.depth > 1 || facts.isDeep) {
     throw InputError(fmt::format("{}: {} x {} x {} {}pixels, a flat image expected", path.string(),
-                                 spec.width, spec.height, spec.depth, spec.deep ? "deep " : ""));
+                                 width, height, facts.depth, facts.isDeep ? "deep " : ""));
   }
-  if (channel < 0 || channel >= spec.nchannels) {
+  if (channel < 0 || channel >= facts.channelCount()) {
     throw InputError(fmt::format("{}: no channel {}, the image has 0 to {}", path.string(), channel,
-                                 spec.nchannels - 1));
+                                 facts.channelCount() - 1));
   }
   // The library may hold a converted copy of the image beside the channel and the map.
-  const double pixels = static_cast<double>(spec.width) * spec.height;
-  requireMemory(
-      pixels * (2 * sizeof(float) + static_cast<double>(spec.pixel_bytes(true))),
-      fmt::format("{}: an image of {} x {} pixels", path.string(), spec.width, spec.height));
+  const double pixels = static_cast<double>(width) * height;
+  requireMemory(pixels * (2 * sizeof(float) + static_cast<double>(facts.bytesAPixel)),
+                fmt::format("{}: an image of {} x {} pixels", path.string(), width, height));
 }
 
 /// The image's rows from the top.
-std::vector<float> readChannel(const fs::path& path, OIIO::ImageInput& image,
-                               const OIIO::ImageSpec& spec, int channel) {
-  std::vector<float> pixels(static_cast<std::size_t>(spec.width) *
-                            static_cast<std::size_t>(spec.height));
-  // The TIFF reader answers true for a file that is cut off, but keeps its error.
-  if (!image.read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, pixels.data()) ||
-      image.has_error()) {
+std::vector<float> readChannel(const fs::path& path, ImageReader& image, const ImageFacts& facts,
+                               int channel) {
+  std::vector<float> pixels(static_cast<std::size_t>(facts.data.width) *
+                            static_cast<std::size_t>(facts.data.height));
+  try {
+    image.read(channel, channel + 1, NumberType::float32, pixels.data());
+  } catch (const ImageError& error) {
     throw InputError(
-        fmt::format("{}: its pixels cannot be read: {}", path.string(), oneLine(image.geterror())));
+        fmt::format("{}: its pixels cannot be read: {}", path.string(), oneLine(error.what())));
   }
   return pixels;
 }
@@ -72,13 +68,13 @@ std::vector<float> readChannel(const fs::path& path, OIIO::ImageInput& image,
 
 HeightField readHeightImage(const fs::path& path, int channel, double height, Wrap wrap) {
   const auto image = openImage(path);
-  const OIIO::ImageSpec spec = image->spec();
-  checkSpec(path, spec, channel);
-  const std::vector<float> pixels = readChannel(path, *image, spec, channel);
+  const ImageFacts facts = image->facts();
+  checkFacts(path, facts, channel);
+  const std::vector<float> pixels = readChannel(path, *image, facts, channel);
 
   std::vector<float> texels(pixels.size());
-  const auto width = static_cast<std::size_t>(spec.width);
-  const auto rows = static_cast<std::size_t>(spec.height);
+  const auto width = static_cast<std::size_t>(facts.data.width);
+  const auto rows = static_cast<std::size_t>(facts.data.height);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t x = 0; x < width; ++x) {
       const auto value = static_cast<float>(pixels[row * width + x] * height);
@@ -90,7 +86,7 @@ HeightField readHeightImage(const fs::path& path, int channel, double height, Wr
       texels[(rows - 1 - row) * width + x] = value;
     }
   }
-  return {spec.width, spec.height, std::move(texels), wrap};
+  return {facts.data.width, facts.data.height, std::move(texels), wrap};
 }
 
 }  // namespace gnomon

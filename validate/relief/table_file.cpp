@@ -1,9 +1,9 @@
 #include "relief/table_file.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -18,7 +18,8 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/one_line.h"
-#include "relief/exr_limit.h"
+#include "image_files/image_error.h"
+#include "image_files/image_library.h"
 
 namespace gnomon {
 namespace {
@@ -33,14 +34,14 @@ constexpr int rowsAtOnce = 16;      // what EXR's zip compression packs together
 
 /// How one entry of a table lies in the file. Converted by hand, since the image library scales
 /// integers when it converts them.
-OIIO::TypeDesc pixelType(TableBits bits) {
-  if (bits == TableBits::sixteen) return OIIO::TypeDesc::UINT32;
-  return bits == TableBits::eight ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+NumberType pixelType(TableBits bits) {
+  if (bits == TableBits::sixteen) return NumberType::uint32;
+  return bits == TableBits::eight ? NumberType::half : NumberType::float32;
 }
 
 /// How it lies in the buffers handed to the image library: 32 bits each.
-OIIO::TypeDesc bufferType(TableBits bits) {
-  return bits == TableBits::sixteen ? OIIO::TypeDesc::UINT32 : OIIO::TypeDesc::FLOAT;
+NumberType bufferType(TableBits bits) {
+  return bits == TableBits::sixteen ? NumberType::uint32 : NumberType::float32;
 }
 
 std::size_t bytesAnEntry(TableBits bits) {
@@ -121,27 +122,22 @@ void checkConsistent(const fs::path& path, const StoredHorizons& tables) {
   }
 }
 
-OIIO::ImageSpec specOf(const StoredHorizons& tables) {
-  OIIO::ImageSpec spec(tables.width, tables.height, 2 * tables.azimuths,
-                       pixelType(tables.horizon.bits));
+ExrDescription describe(const StoredHorizons& tables) {
+  ExrDescription exr{tables.width, tables.height, {}, pixelType(tables.horizon.bits), {}};
   for (int c = 0; c < 2 * tables.azimuths; ++c) {
     const Channel channel{c < tables.azimuths, c % tables.azimuths};
-    spec.channelnames[static_cast<std::size_t>(c)] = channelName(channel);
+    exr.channels.push_back(channelName(channel));
   }
-  spec.alpha_channel = spec.z_channel = -1;
-  spec.attribute("compression", "zip");
-  // The writer would put in the time: the same tables are the same bytes.
-  spec.attribute("DateTime", "1970:01:01 00:00:00");
-  spec.attribute("gnomon:azimuths", tables.azimuths);
-  // As text, since EXR metadata of this library holds no doubles.
-  spec.attribute("gnomon:radiusTexels", fmt::format("{}", tables.radiusTexels));
-  spec.attribute("gnomon:wrap", tables.wrap == Wrap::repeat ? "repeat" : "clamp");
-  spec.attribute("gnomon:bits", static_cast<int>(tables.horizon.bits));
-  spec.attribute("gnomon:horizonLow", tables.horizon.low);
-  spec.attribute("gnomon:horizonHigh", tables.horizon.high);
-  spec.attribute("gnomon:distanceLow", tables.distance.low);
-  spec.attribute("gnomon:distanceHigh", tables.distance.high);
-  return spec;
+  exr.attributes["gnomon:azimuths"] = tables.azimuths;
+  // As text, since EXR metadata of OpenImageIO holds no doubles.
+  exr.attributes["gnomon:radiusTexels"] = fmt::format("{}", tables.radiusTexels);
+  exr.attributes["gnomon:wrap"] = tables.wrap == Wrap::repeat ? "repeat" : "clamp";
+  exr.attributes["gnomon:bits"] = static_cast<int>(tables.horizon.bits);
+  exr.attributes["gnomon:horizonLow"] = tables.horizon.low;
+  exr.attributes["gnomon:horizonHigh"] = tables.horizon.high;
+  exr.attributes["gnomon:distanceLow"] = tables.distance.low;
+  exr.attributes["gnomon:distanceHigh"] = tables.distance.high;
+  return exr;
 }
 
 /// The image's rows [top, top + rows) from the tables, channels innermost. The image's first row is
@@ -161,57 +157,59 @@ void gatherRows(const StoredHorizons& tables, int top, int rows, std::vector<std
   }
 }
 
-void writePixels(const fs::path& path, OIIO::ImageOutput& image, const StoredHorizons& tables) {
-  const OIIO::TypeDesc type = bufferType(tables.horizon.bits);
+void writePixels(ImageWriter& image, const StoredHorizons& tables) {
+  const NumberType type = bufferType(tables.horizon.bits);
   std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * 2 *
                                     static_cast<std::size_t>(tables.azimuths) * rowsAtOnce);
   for (int top = 0; top < tables.height; top += rowsAtOnce) {
     const int rows = std::min(rowsAtOnce, tables.height - top);
     gatherRows(tables, top, rows, buffer);
-    if (!image.write_scanlines(top, top + rows, 0, type, buffer.data())) {
-      refuse(path, "cannot be written: " + image.geterror());
-    }
+    image.writeRows(top, top + rows, type, buffer.data());
   }
 }
 
-int readInt(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& name) {
-  const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeDesc::INT);
-  if (!found) refuse(path, fmt::format("no attribute {}: not tables that Gnomon wrote", name));
-  return found->get_int();
+std::unique_ptr<ImageReader> openTables(const fs::path& path) {
+  try {
+    return imageLibrary().open(path);
+  } catch (const ImageError& error) {
+    refuse(path, std::string("not an EXR that can be read: ") + error.what());
+  }
 }
 
-float readFloat(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& name) {
-  const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeDesc::FLOAT);
-  if (!found) refuse(path, fmt::format("no attribute {}: not tables that Gnomon wrote", name));
-  const float value = found->get_float();
+/// An attribute of exactly this type.
+template <typename Value>
+Value readAttribute(const fs::path& path, const ImageFacts& facts, const std::string& name) {
+  const auto found = facts.attributes.find(name);
+  const Value* value =
+      found == facts.attributes.end() ? nullptr : std::get_if<Value>(&found->second);
+  if (!value) refuse(path, fmt::format("no attribute {}: not tables that Gnomon wrote", name));
+  return *value;
+}
+
+float readFloat(const fs::path& path, const ImageFacts& facts, const std::string& name) {
+  const auto value = readAttribute<float>(path, facts, name);
   if (!std::isfinite(value)) refuse(path, fmt::format("{} is {}, not finite", name, value));
   return value;
 }
 
-std::string readText(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& name) {
-  const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeDesc::STRING);
-  if (!found) refuse(path, fmt::format("no attribute {}: not tables that Gnomon wrote", name));
-  return found->get_string();
-}
-
-TableBits readBits(const fs::path& path, const OIIO::ImageSpec& spec) {
-  const int bits = readInt(path, spec, "gnomon:bits");
+TableBits readBits(const fs::path& path, const ImageFacts& facts) {
+  const int bits = readAttribute<int>(path, facts, "gnomon:bits");
   if (bits != 8 && bits != 16 && bits != 32) {
     refuse(path, fmt::format("gnomon:bits is {}, 8, 16 or 32 expected", bits));
   }
   return static_cast<TableBits>(bits);
 }
 
-Wrap readWrap(const fs::path& path, const OIIO::ImageSpec& spec) {
-  const std::string wrap = readText(path, spec, "gnomon:wrap");
+Wrap readWrap(const fs::path& path, const ImageFacts& facts) {
+  const std::string wrap = readAttribute<std::string>(path, facts, "gnomon:wrap");
   if (wrap != "repeat" && wrap != "clamp") {
     refuse(path, fmt::format("gnomon:wrap is '{}', repeat or clamp expected", wrap));
   }
   return wrap == "repeat" ? Wrap::repeat : Wrap::clamp;
 }
 
-double readRadius(const fs::path& path, const OIIO::ImageSpec& spec) {
-  const std::string text = readText(path, spec, "gnomon:radiusTexels");
+double readRadius(const fs::path& path, const ImageFacts& facts) {
+  const std::string text = readAttribute<std::string>(path, facts, "gnomon:radiusTexels");
   const char* end = text.data() + text.size();
   double radius = 0;
   const auto parsed = std::from_chars(text.data(), end, radius);
@@ -221,12 +219,12 @@ double readRadius(const fs::path& path, const OIIO::ImageSpec& spec) {
   return radius;
 }
 
-StoredTable readRange(const fs::path& path, const OIIO::ImageSpec& spec, TableBits bits,
+StoredTable readRange(const fs::path& path, const ImageFacts& facts, TableBits bits,
                       const std::string& name) {
   StoredTable table;
   table.bits = bits;
-  table.low = readFloat(path, spec, fmt::format("gnomon:{}Low", name));
-  table.high = readFloat(path, spec, fmt::format("gnomon:{}High", name));
+  table.low = readFloat(path, facts, fmt::format("gnomon:{}Low", name));
+  table.high = readFloat(path, facts, fmt::format("gnomon:{}High", name));
   if (table.low > table.high) {
     refuse(path, fmt::format("gnomon:{}Low is {}, at most gnomon:{}High = {} expected", name,
                              table.low, name, table.high));
@@ -235,37 +233,39 @@ StoredTable readRange(const fs::path& path, const OIIO::ImageSpec& spec, TableBi
 }
 
 /// Everything but the entries.
-StoredHorizons readHeader(const fs::path& path, const OIIO::ImageSpec& spec) {
+StoredHorizons readHeader(const fs::path& path, const ImageFacts& facts) {
   StoredHorizons tables;
-  tables.azimuths = readInt(path, spec, "gnomon:azimuths");
-  tables.radiusTexels = readRadius(path, spec);
-  tables.wrap = readWrap(path, spec);
-  const TableBits bits = readBits(path, spec);
-  tables.horizon = readRange(path, spec, bits, "horizon");
-  tables.distance = readRange(path, spec, bits, "distance");
-  tables.width = spec.width;
-  tables.height = spec.height;
+  tables.azimuths = readAttribute<int>(path, facts, "gnomon:azimuths");
+  tables.radiusTexels = readRadius(path, facts);
+  tables.wrap = readWrap(path, facts);
+  const TableBits bits = readBits(path, facts);
+  tables.horizon = readRange(path, facts, bits, "horizon");
+  tables.distance = readRange(path, facts, bits, "distance");
+  tables.width = facts.data.width;
+  tables.height = facts.data.height;
   if (tables.azimuths < 1 || tables.azimuths > mostAzimuths ||
-      spec.nchannels != 2 * tables.azimuths || spec.width < 1 || spec.height < 1 ||
-      spec.depth > 1 || spec.deep) {
+      facts.channelCount() != 2 * tables.azimuths || tables.width < 1 || tables.height < 1 ||
+      facts.depth > 1 || facts.isDeep) {
     refuse(path, fmt::format("{} x {} pixels with {} channels for gnomon:azimuths = {}, two flat "
                              "channels an azimuth expected",
-                             spec.width, spec.height, spec.nchannels, tables.azimuths));
+                             tables.width, tables.height, facts.channelCount(), tables.azimuths));
   }
-  if (spec.format != pixelType(bits) || !spec.channelformats.empty()) {
-    refuse(path, fmt::format("pixels are {}, {} expected for gnomon:bits = {}", spec.format.c_str(),
-                             pixelType(bits).c_str(), static_cast<int>(bits)));
+  const std::string expected = nameOf(pixelType(bits));
+  if (std::any_of(facts.channelNumbers.begin(), facts.channelNumbers.end(),
+                  [&](const std::string& found) { return found != expected; })) {
+    refuse(path, fmt::format("pixels are {}, {} expected for gnomon:bits = {}", facts.numbers,
+                             expected, static_cast<int>(bits)));
   }
   return tables;
 }
 
 /// Which table entry each of the file's channels holds: the image library may reorder them.
-std::vector<Channel> channelsOf(const fs::path& path, const OIIO::ImageSpec& spec, int azimuths) {
-  std::vector<Channel> channels(static_cast<std::size_t>(spec.nchannels));
+std::vector<Channel> channelsOf(const fs::path& path, const ImageFacts& facts, int azimuths) {
+  std::vector<Channel> channels(facts.channels.size());
   for (const bool isDistance : {false, true}) {
     for (int m = 0; m < azimuths; ++m) {
       const std::string name = channelName({isDistance, m});
-      const int found = spec.channelindex(name);
+      const int found = facts.channel(name);
       if (found < 0) refuse(path, fmt::format("no channel {}", name));
       channels[static_cast<std::size_t>(found)] = {isDistance, m};
     }
@@ -291,21 +291,28 @@ void scatterRows(const fs::path& path, const std::vector<std::uint32_t>& buffer,
   }
 }
 
-void readPixels(const fs::path& path, OIIO::ImageInput& image, const OIIO::ImageSpec& spec,
+void readPixels(const fs::path& path, ImageReader& image, const ImageFacts& facts,
                 StoredHorizons& tables) {
-  const std::vector<Channel> channels = channelsOf(path, spec, tables.azimuths);
-  const OIIO::TypeDesc type = bufferType(tables.horizon.bits);
+  const std::vector<Channel> channels = channelsOf(path, facts, tables.azimuths);
+  const NumberType type = bufferType(tables.horizon.bits);
   std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * channels.size() *
                                     rowsAtOnce);
   for (int top = 0; top < tables.height; top += rowsAtOnce) {
     const int rows = std::min(rowsAtOnce, tables.height - top);
-    // Scanlines are counted from the data window's own origin.
-    if (!image.read_scanlines(0, 0, spec.y + top, spec.y + top + rows, 0, 0, spec.nchannels, type,
-                              buffer.data())) {
-      refuse(path, "its pixels cannot be read: " + image.geterror());
+    try {
+      image.readRows(top, top + rows, type, buffer.data());
+    } catch (const ImageError& error) {
+      refuse(path, std::string("its pixels cannot be read: ") + error.what());
     }
     scatterRows(path, buffer, top, rows, channels, tables);
   }
+}
+
+bool isExrName(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".exr";
 }
 
 double bytesToHold(const StoredHorizons& tables) {
@@ -319,34 +326,31 @@ double bytesToHold(const StoredHorizons& tables) {
 
 void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
   checkConsistent(path, tables);
+  if (!isExrName(path)) refuse(path, "a name that ends in .exr expected");
   writeAtomically(path, [&](const fs::path& temporary) {
-    const auto image = OIIO::ImageOutput::create(temporary.string());
-    if (!image || image->format_name() != std::string("openexr")) {
-      refuse(path, "a name that ends in .exr expected");
+    try {
+      const auto image = imageLibrary().createExr(temporary, describe(tables));
+      writePixels(*image, tables);
+      image->close();
+    } catch (const ImageError& error) {
+      refuse(path, std::string("cannot be written: ") + error.what());
     }
-    if (!image->open(temporary.string(), specOf(tables))) {
-      refuse(path, "cannot be written: " + image->geterror());
-    }
-    writePixels(path, *image, tables);
-    if (!image->close()) refuse(path, "cannot be written: " + image->geterror());
   });
 }
 
 StoredHorizons readHorizons(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) refuse(path, "no such file, tables in EXR expected");
-  limitExrSize();
-  const auto image = OIIO::ImageInput::open(path.string());
-  if (!image) refuse(path, "not an EXR that can be read: " + OIIO::geterror());
-  const OIIO::ImageSpec spec = image->spec();
-  StoredHorizons tables = readHeader(path, spec);
+  const auto image = openTables(path);
+  const ImageFacts facts = image->facts();
+  StoredHorizons tables = readHeader(path, facts);
   requireMemory(bytesToHold(tables),
                 fmt::format("{}: tables of {} x {} texels and {} azimuths", path.string(),
                             tables.width, tables.height, tables.azimuths));
   const std::size_t entries = entryIndex(tables, tables.azimuths, 0, 0);
   tables.horizon.bytes.resize(entries * bytesAnEntry(tables.horizon.bits));
   tables.distance.bytes.resize(entries * bytesAnEntry(tables.distance.bits));
-  readPixels(path, *image, spec, tables);
+  readPixels(path, *image, facts, tables);
   return tables;
 }
 

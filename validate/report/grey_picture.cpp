@@ -1,6 +1,5 @@
 #include "report/grey_picture.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -13,7 +12,8 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/one_line.h"
-#include "relief/exr_limit.h"
+#include "image_files/image_error.h"
+#include "image_files/image_library.h"
 
 namespace gnomon {
 namespace {
@@ -23,103 +23,100 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("{}: {}", path.string(), oneLine(why)));
 }
 
-std::unique_ptr<OIIO::ImageInput> openPicture(const fs::path& path) {
+std::unique_ptr<ImageReader> openPicture(const fs::path& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) refuse(path, "no such file, an image was expected");
-  limitExrSize();
-  // What was written unmultiplied stays so: the library would round the product to a file's bits.
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  auto image = OIIO::ImageInput::open(path.string(), &wishes);
-  if (!image) refuse(path, "not an image that can be read: " + OIIO::geterror());
-  return image;
+  try {
+    return imageLibrary().open(path);
+  } catch (const ImageError& error) {
+    refuse(path, std::string("not an image that can be read: ") + error.what());
+  }
 }
 
-/// What is read of a file: neighbouring channels of one of its parts.
+/// What is read of a file: neighbouring channels of the part gone to.
 struct Choice {
-  OIIO::ImageSpec spec;
-  int part = 0;
+  ImageFacts facts;
   std::vector<int> colours;  ///< one, or three that must agree
   int alpha = -1;            ///< none
   int first = 0;             ///< of all channels read
   int count = 1;             ///< of all channels read
 };
 
-Choice chosen(OIIO::ImageSpec spec, int part, std::vector<int> colours, int alpha) {
+Choice chosen(ImageFacts facts, std::vector<int> colours, int alpha) {
   std::vector<int> all = colours;
   if (alpha >= 0) all.push_back(alpha);
   const auto [least, most] = std::minmax_element(all.begin(), all.end());
   const int first = *least;
   const int count = *most - first + 1;
-  return {std::move(spec), part, std::move(colours), alpha, first, count};
+  return {std::move(facts), std::move(colours), alpha, first, count};
 }
 
-Choice namedChannel(const fs::path& path, OIIO::ImageInput& image, const std::string& channel) {
+Choice namedChannel(const fs::path& path, ImageReader& image, const std::string& channel) {
   std::vector<std::string> found;
-  for (int part = 0; image.seek_subimage(part, 0); ++part) {
-    const OIIO::ImageSpec spec = image.spec();
-    const int index = spec.channelindex(channel);
-    if (index >= 0) return chosen(spec, part, {index}, -1);
-    found.insert(found.end(), spec.channelnames.begin(), spec.channelnames.end());
+  for (int part = 0; image.goTo(part); ++part) {
+    const ImageFacts facts = image.facts();
+    const int index = facts.channel(channel);
+    if (index >= 0) return chosen(facts, {index}, -1);
+    found.insert(found.end(), facts.channels.begin(), facts.channels.end());
   }
   refuse(path, fmt::format("no channel \"{}\", it has {}", channel, fmt::join(found, ", ")));
 }
 
-Choice onlyChannel(const fs::path& path, const OIIO::ImageSpec& spec) {
+Choice onlyChannel(const fs::path& path, const ImageFacts& facts) {
   std::vector<int> colours;
-  for (int c = 0; c < spec.nchannels; ++c) {
-    if (c != spec.alpha_channel && c != spec.z_channel) colours.push_back(c);
+  for (int c = 0; c < facts.channelCount(); ++c) {
+    if (c != facts.alpha && c != facts.z) colours.push_back(c);
   }
   if (colours.size() == 1 || colours.size() == 3) {
-    return chosen(spec, 0, colours, spec.alpha_channel);
+    return chosen(facts, colours, facts.alpha);
   }
   refuse(path,
          fmt::format("channels {} found, one or three beside alpha expected: name one of them",
-                     fmt::join(spec.channelnames, ", ")));
+                     fmt::join(facts.channels, ", ")));
 }
 
-void requireFlat(const fs::path& path, const OIIO::ImageSpec& spec) {
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep) {
-    refuse(path, fmt::format("{} × {} × {} {}pixels found, a flat image expected", spec.width,
-                             spec.height, spec.depth, spec.deep ? "deep " : ""));
+void requireFlat(const fs::path& path, const ImageFacts& facts) {
+  if (facts.data.width < 1 || facts.data.height < 1 || facts.depth > 1 || facts.isDeep) {
+    refuse(path, fmt::format("{} × {} × {} {}pixels found, a flat image expected", facts.data.width,
+                             facts.data.height, facts.depth, facts.isDeep ? "deep " : ""));
   }
-  const int orientation = spec.get_int_attribute("Orientation", 1);
-  if (orientation != 1) {
+  if (facts.orientation != 1) {
     refuse(path, fmt::format("its Orientation is {}, upright pixels (1) expected: turn the picture",
-                             orientation));
+                             facts.orientation));
   }
 }
 
 /// Integers of 32 bits are counts or flags, not shares of their largest value.
 bool isPlainInteger(const Choice& choice) {
-  const auto type = choice.spec.channelformat(choice.colours.front());
-  return type.basetype == OIIO::TypeDesc::UINT32 || type.basetype == OIIO::TypeDesc::INT32;
+  const std::string& type =
+      choice.facts.channelNumbers[static_cast<std::size_t>(choice.colours.front())];
+  return type == "uint" || type == "int";
 }
 
 /// The channels chosen, beside each other, of every pixel of the data window.
-std::vector<float> readChannels(const fs::path& path, OIIO::ImageInput& image,
-                                const Choice& choice) {
-  const OIIO::ImageSpec& spec = choice.spec;
-  const double pixels = static_cast<double>(spec.width) * spec.height;
+std::vector<float> readChannels(const fs::path& path, ImageReader& image, const Choice& choice) {
+  const ImageFacts& facts = choice.facts;
+  const auto [width, height] = std::pair(facts.data.width, facts.data.height);
+  const double pixels = static_cast<double>(width) * height;
   requireMemory(
-      pixels * (sizeof(float) * (choice.count + 2.0) + static_cast<double>(spec.pixel_bytes(true))),
-      fmt::format("{}: an image of {} × {} pixels", path.string(), spec.width, spec.height));
-  const auto count = spec.image_pixels() * static_cast<std::size_t>(choice.count);
+      pixels * (sizeof(float) * (choice.count + 2.0) + static_cast<double>(facts.bytesAPixel)),
+      fmt::format("{}: an image of {} × {} pixels", path.string(), width, height));
+  const auto count = facts.pixelCount * static_cast<std::size_t>(choice.count);
   std::vector<float> values(count);
-  const auto read = [&](OIIO::TypeDesc type, void* out) {
-    // The TIFF reader answers true for a file that is cut off, but keeps its error.
-    if (!image.read_image(choice.part, 0, choice.first, choice.first + choice.count, type, out) ||
-        image.has_error()) {
-      refuse(path, "its pixels cannot be read: " + image.geterror());
+  const auto read = [&](NumberType type, void* out) {
+    try {
+      image.read(choice.first, choice.first + choice.count, type, out);
+    } catch (const ImageError& error) {
+      refuse(path, std::string("its pixels cannot be read: ") + error.what());
     }
   };
   if (isPlainInteger(choice)) {
     std::vector<std::uint32_t> integers(count);
-    read(OIIO::TypeDesc::UINT32, integers.data());
+    read(NumberType::uint32, integers.data());
     std::transform(integers.begin(), integers.end(), values.begin(),
                    [](std::uint32_t v) { return static_cast<float>(v); });
   } else {
-    read(OIIO::TypeDesc::FLOAT, values.data());
+    read(NumberType::float32, values.data());
   }
   return values;
 }
@@ -132,23 +129,21 @@ struct Window {
   [[nodiscard]] std::int64_t below() const { return y + height; }
 };
 
-Window dataWindow(const OIIO::ImageSpec& spec) {
-  return {spec.x, spec.y, spec.width, spec.height};
+Window windowOf(const ImageWindow& window) {
+  return {window.x, window.y, window.width, window.height};
 }
 
 /// The data's, where the file has none.
-Window displayWindow(const OIIO::ImageSpec& spec) {
-  if (spec.full_width < 1 || spec.full_height < 1) return dataWindow(spec);
-  return {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+Window displayWindow(const ImageFacts& facts) {
+  const bool has = facts.display.width >= 1 && facts.display.height >= 1;
+  return windowOf(has ? facts.display : facts.data);
 }
 
 /// One pixel of the channels chosen.
 class PixelReader {
  public:
   PixelReader(const fs::path& path, const Choice& choice)
-      : path_(path),
-        choice_(choice),
-        associated_(choice.spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0) {}
+      : path_(path), choice_(choice), associated_(!choice.facts.hasPlainAlpha) {}
 
   [[nodiscard]] float alpha(const float* pixel) const {
     return choice_.alpha < 0 ? 1.0F : pixel[choice_.alpha - choice_.first];
@@ -176,8 +171,8 @@ class PixelReader {
 
 GreyPicture placeInWindow(const fs::path& path, const Choice& choice,
                           const std::vector<float>& data) {
-  const Window from = dataWindow(choice.spec);
-  const Window to = displayWindow(choice.spec);
+  const Window from = windowOf(choice.facts.data);
+  const Window to = displayWindow(choice.facts);
   const double pixels = static_cast<double>(to.width) * static_cast<double>(to.height);
   requireMemory(2 * sizeof(float) * pixels, fmt::format("{}: a display window of {} × {} pixels",
                                                         path.string(), to.width, to.height));
@@ -203,10 +198,11 @@ GreyPicture placeInWindow(const fs::path& path, const Choice& choice,
 
 GreyPicture readGreyPicture(const fs::path& path, const std::string& channel) {
   const auto image = openPicture(path);
-  requireFlat(path, image->spec());
+  const ImageFacts facts = image->facts();
+  requireFlat(path, facts);
   const Choice choice =
-      channel.empty() ? onlyChannel(path, image->spec()) : namedChannel(path, *image, channel);
-  requireFlat(path, choice.spec);
+      channel.empty() ? onlyChannel(path, facts) : namedChannel(path, *image, channel);
+  requireFlat(path, choice.facts);
   return placeInWindow(path, choice, readChannels(path, *image, choice));
 }
 

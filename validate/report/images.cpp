@@ -1,7 +1,5 @@
 #include "report/images.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 
 #include <memory>
@@ -9,6 +7,8 @@
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "common/memory.h"
+#include "image_files/image_error.h"
+#include "image_files/image_library.h"
 
 namespace gnomon {
 namespace {
@@ -121,16 +121,11 @@ Image differenceImage(const Mask& candidate, const Mask& truth) {
 std::string pngOf(const Image& image) {
   requireWhole(image);
   if (image.rgb.empty()) throw InternalError("PNG: an image without pixels");
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
-  if (!output) throw InternalError("OpenImageIO: no writer for PNG: " + OIIO::geterror());
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-  const bool written = output->set_ioproxy(&memory) && output->open("picture.png", spec) &&
-                       output->write_image(OIIO::TypeDesc::UINT8, image.rgb.data()) &&
-                       output->close();
-  if (!written) throw InternalError("OpenImageIO: PNG cannot be written: " + output->geterror());
-  return {bytes.begin(), bytes.end()};
+  try {
+    return imageLibrary().png(image.width, image.height, image.rgb.data());
+  } catch (const ImageError& error) {
+    throw InternalError(fmt::format("OpenImageIO: PNG cannot be written: {}", error.what()));
+  }
 }
 
 void writePng(const std::filesystem::path& path, const Image& image) {
@@ -138,21 +133,21 @@ void writePng(const std::filesystem::path& path, const Image& image) {
 }
 
 Image readImage(const std::filesystem::path& path) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  if (!input) refuse(path, "cannot be read", OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.nchannels != 1 && spec.nchannels != 3) {
-    refuse(path, "1 or 3 channels expected", fmt::format("{} found", spec.nchannels));
+  try {
+    const std::unique_ptr<ImageReader> reader = imageLibrary().open(path);
+    const ImageFacts facts = reader->facts();
+    const int channels = facts.channelCount();
+    if (channels != 1 && channels != 3) {
+      refuse(path, "1 or 3 channels expected", fmt::format("{} found", channels));
+    }
+    requireMemory(4 * static_cast<double>(facts.pixelCount) * channels, path.string());
+    std::vector<std::uint8_t> values(facts.pixelCount * facts.channels.size());
+    reader->read(0, channels, NumberType::uint8, values.data());
+    if (channels == 1) values = threeChannels(values);
+    return {facts.data.width, facts.data.height, std::move(values)};
+  } catch (const ImageError& error) {
+    refuse(path, "cannot be read", error.what());
   }
-  requireMemory(4 * static_cast<double>(spec.image_pixels()) * spec.nchannels, path.string());
-  std::vector<std::uint8_t> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  // The TIFF reader answers true for a file that is cut off, but keeps its error.
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, values.data()) ||
-      input->has_error()) {
-    refuse(path, "cannot be read", input->geterror());
-  }
-  if (spec.nchannels == 1) values = threeChannels(values);
-  return {spec.width, spec.height, std::move(values)};
 }
 
 }  // namespace gnomon

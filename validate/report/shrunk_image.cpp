@@ -1,15 +1,16 @@
 #include "report/shrunk_image.h"
 
-#include <OpenImageIO/filter.h>
-#include <OpenImageIO/fmath.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <cstdint>
 
 #include "common/error.h"
 #include "common/parallel.h"
+#include "image_files/image_error.h"
+#include "image_files/image_library.h"
 
 namespace gnomon {
 namespace {
@@ -24,50 +25,61 @@ struct Taps {
   std::vector<float> weights;
 };
 
-class Lanczos {
- public:
-  Lanczos() : filter_(OIIO::Filter2D::create("lanczos3", width, width)) {
-    if (!filter_) throw InternalError("OpenImageIO: no filter lanczos3");
+std::vector<float> lanczosWeights(float width, const std::vector<float>& distances) {
+  try {
+    return imageLibrary().lanczos3(width, distances);
+  } catch (const ImageError& error) {
+    throw InternalError(fmt::format("OpenImageIO: {}", error.what()));
   }
+}
 
-  /// Of every place of a side that is shrunk. In single precision, as OpenImageIO has it.
-  [[nodiscard]] std::vector<Taps> tapsOf(int from, int to) const {
-    const auto length = static_cast<float>(from);
-    const float ratio = static_cast<float>(to) / length;
-    const float share = 1.0F / static_cast<float>(to);
-    const int radius = static_cast<int>(std::ceil(width / 2 / ratio));
-    std::vector<Taps> taps(static_cast<std::size_t>(to));
-    for (int place = 0; place < to; ++place) {
-      const float middle = (static_cast<float>(place) + 0.5F) * share * length;
-      const float pixel = std::floor(middle);
-      const float offset = middle - pixel - 0.5F;
-      Taps& of = taps[static_cast<std::size_t>(place)];
-      float sum = 0;
-      for (int i = -radius; i <= radius; ++i) {
-        const float weight = filter_->xfilt(ratio * (static_cast<float>(i) - offset));
-        if (weight == 0) continue;
-        const int nearest = std::clamp(static_cast<int>(pixel) + i, 0, from - 1);
-        of.pixels.push_back(static_cast<std::size_t>(nearest));
-        of.weights.push_back(weight);
-        sum += weight;
-      }
-      for (float& weight : of.weights) weight /= sum;
+/// Of every place of a side that is shrunk. In single precision, as OpenImageIO has it.
+std::vector<Taps> tapsOf(int from, int to) {
+  constexpr float width = 6;
+  const auto length = static_cast<float>(from);
+  const float ratio = static_cast<float>(to) / length;
+  const float share = 1.0F / static_cast<float>(to);
+  const int radius = static_cast<int>(std::ceil(width / 2 / ratio));
+  std::vector<Taps> taps(static_cast<std::size_t>(to));
+  for (int place = 0; place < to; ++place) {
+    const float middle = (static_cast<float>(place) + 0.5F) * share * length;
+    const float pixel = std::floor(middle);
+    const float offset = middle - pixel - 0.5F;
+    std::vector<float> distances;
+    for (int i = -radius; i <= radius; ++i) {
+      distances.push_back(ratio * (static_cast<float>(i) - offset));
     }
-    return taps;
+    const std::vector<float> weights = lanczosWeights(width, distances);
+    Taps& of = taps[static_cast<std::size_t>(place)];
+    float sum = 0;
+    for (int i = -radius; i <= radius; ++i) {
+      const float weight = weights[static_cast<std::size_t>(i + radius)];
+      if (weight == 0) continue;
+      const int nearest = std::clamp(static_cast<int>(pixel) + i, 0, from - 1);
+      of.pixels.push_back(static_cast<std::size_t>(nearest));
+      of.weights.push_back(weight);
+      sum += weight;
+    }
+    for (float& weight : of.weights) weight /= sum;
   }
+  return taps;
+}
 
- private:
-  struct Destroyer {
-    void operator()(OIIO::Filter2D* filter) const { OIIO::Filter2D::destroy(filter); }
-  };
-  static constexpr float width = 6;
-  std::unique_ptr<OIIO::Filter2D, Destroyer> filter_;
-};
+/// From 0…255 to 0…1 and back, as OpenImageIO does it.
+float shareOf(std::uint8_t value) {
+  return static_cast<float>(value) * (1.0F / 255.0F);
+}
+
+std::uint8_t byteOf(float share) {
+  const float scaled = share * 255.0F;
+  const float rounded = scaled + (scaled < 0 ? -0.5F : 0.5F);
+  return static_cast<std::uint8_t>(std::clamp(rounded, 0.0F, 255.0F));
+}
 
 std::vector<Colour> coloursOf(const Image& image) {
   std::vector<Colour> colours(image.rgb.size() / 3);
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    colours[i / 3].at(i % 3) = OIIO::convert_type<std::uint8_t, float>(image.rgb[i]);
+    colours[i / 3].at(i % 3) = shareOf(image.rgb[i]);
   }
   return colours;
 }
@@ -97,9 +109,8 @@ Image shrunk(const Image& image, int side) {
     return std::max(1, static_cast<int>(std::lround(share * length)));
   };
   Image small{scaled(image.width), scaled(image.height), {}};
-  const Lanczos filter;
-  const std::vector<Taps> columns = filter.tapsOf(image.width, small.width);
-  const std::vector<Taps> rows = filter.tapsOf(image.height, small.height);
+  const std::vector<Taps> columns = tapsOf(image.width, small.width);
+  const std::vector<Taps> rows = tapsOf(image.height, small.height);
   const std::vector<Colour> colours = coloursOf(image);
   small.rgb.resize(3 * columns.size() * rows.size());
   // Sums run over the taps in their order: rows, then columns. Where each axis is summed by itself,
@@ -111,8 +122,7 @@ Image shrunk(const Image& image, int side) {
       addRow(&colours[from], rows[y].weights[j], columns, row);
     }
     for (std::size_t i = 0; i < 3 * row.size(); ++i) {
-      small.rgb[3 * y * row.size() + i] =
-          OIIO::convert_type<float, std::uint8_t>(row[i / 3].at(i % 3));
+      small.rgb[3 * y * row.size() + i] = byteOf(row[i / 3].at(i % 3));
     }
   });
   return small;

@@ -1,8 +1,9 @@
-// A program of someone else's: curvature of a sphere and a mask comparison through the installed
-// libraries.
+// A program of someone else's: curvature of a sphere, a mask comparison and a picture through the
+// installed libraries.
 
 #include <compare/counts.h>
 #include <compare/rates.h>
+#include <report/images.h>
 #include <surface/curvature.h>
 #include <surface/shapes.h>
 #include <truth/micro_scene.h>
@@ -15,6 +16,7 @@ int main() {
   const gnomon::Mask candidate{2, 1, {gnomon::Shade::lit, gnomon::Shade::lit}};
   const auto error = gnomon::rate(gnomon::countSamples(candidate, truth), "error_rate").value;
   const bool right = std::abs(curvature * 50 - 1) < 1e-3 && error && *error == 0.5 &&
-                     !gnomon::MicroScene::embreeVersion().empty();
+                     !gnomon::MicroScene::embreeVersion().empty() &&
+                     gnomon::pngOf(gnomon::maskImage(truth)).starts_with("\x89PNG");
   return right ? 0 : 1;
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "image_files/image_reader.h"
+
+namespace gnomon {
+
+/// For the module alone: as ImageLibrary::open.
+std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path);
+
+}  // namespace gnomon
