@@ -98,7 +98,8 @@ TEST(ImageLibrary, EncodesPicturesInMemory) {
   const std::vector<std::uint8_t> rgb(3 * 4 * 2, 200);
   EXPECT_EQ(imageLibrary().png(4, 2, rgb.data()).substr(1, 3), "PNG");
   EXPECT_EQ(imageLibrary().webp(4, 2, rgb.data(), 90).substr(8, 4), "WEBP");
-  EXPECT_THROW((void)imageLibrary().webp(20000, 1, rgb.data(), 90), ImageError);
+  const std::vector<std::uint8_t> tooWide(3 * 20000);
+  EXPECT_THROW((void)imageLibrary().webp(20000, 1, tooWide.data(), 90), ImageError);
 }
 
 TEST(ImageLibrary, HasALanczosFilterOfThreeLobes) {
