@@ -4,7 +4,7 @@
 
 namespace gnomon {
 
-/// An image that OpenImageIO cannot read or write, in its words. These do not name the file and may
+/// An image that a library cannot read or write, in its words. These do not name the file and may
 /// be of several lines or of none: who asked for the image says the rest.
 class ImageError : public std::runtime_error {
  public:

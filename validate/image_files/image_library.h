@@ -11,7 +11,7 @@
 
 namespace gnomon {
 
-/// OpenImageIO, as far as it is used here. It links some 250 libraries, and to load them takes
+/// OpenImageIO, as far as it is used here, and libwebp. It links some 250 libraries, and to load them takes
 /// longer than many a command: so all that knows it is a module, which is loaded when it is needed.
 class ImageLibrary {
  public:

@@ -7,6 +7,7 @@
 #include "image_files/exr_writer.h"
 #include "image_files/file_reader.h"
 #include "image_files/image_error.h"
+#include "image_files/webp_encoder.h"
 
 namespace gnomon {
 namespace {
@@ -46,9 +47,7 @@ class OpenImageIO : public ImageLibrary {
 
   [[nodiscard]] std::string webp(int width, int height, const std::uint8_t* rgb,
                                  int quality) const override {
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("Compression", "webp:" + std::to_string(quality));
-    return encoded("webp", spec, rgb);
+    return webPBytes(width, height, rgb, quality);
   }
 
   [[nodiscard]] std::vector<float> lanczos3(float width,

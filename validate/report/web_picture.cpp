@@ -25,7 +25,7 @@ std::string webPicture(const Image& image, int quality) {
     return dataAddress("image/webp",
                        imageLibrary().webp(image.width, image.height, image.rgb.data(), quality));
   } catch (const ImageError& error) {
-    throw InternalError(fmt::format("OpenImageIO: WebP cannot be written: {}", error.what()));
+    throw InternalError(fmt::format("WebP cannot be written: {}", error.what()));
   }
 }
 
