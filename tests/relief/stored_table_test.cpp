@@ -91,7 +91,8 @@ TEST(StoredTable, ThirtyTwoBitsKeepTheFloats) {
 }
 
 TEST(StoredTable, CodesAreWhatTheFormulaSays) {
-  const StoredTable table = storeTable(std::array<float, 4>{0, 255, 17.4F, 17.6F}, TableBits::eight);
+  const StoredTable table =
+      storeTable(std::array<float, 4>{0, 255, 17.4F, 17.6F}, TableBits::eight);
   EXPECT_EQ(table.bytes, (std::vector<std::uint8_t>{0, 255, 17, 18}));
 }
 

@@ -11,8 +11,9 @@
 
 namespace gnomon {
 
-/// OpenImageIO, as far as it is used here, and libwebp. It links some 250 libraries, and to load them takes
-/// longer than many a command: so all that knows it is a module, which is loaded when it is needed.
+/// OpenImageIO, as far as it is used here, and libwebp. It links some 250 libraries, and to load
+/// them takes longer than many a command: so all that knows it is a module, which is loaded when it
+/// is needed.
 class ImageLibrary {
  public:
   ImageLibrary() = default;

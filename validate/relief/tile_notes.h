@@ -42,12 +42,12 @@ struct TileNotes {
   // Lists of a turn. Vectors are as long as any turn needed; what is in them the counts say.
   std::array<std::uint32_t, TexelTile::texels> turn, active, open;  ///< vectors
   std::vector<std::uint8_t> foreseen;  ///< [vector][bundle]: a bit for each group taken as a guess
-  RawVector<Visit> visits;         ///< to be taken next
-  RawVector<Visit> kept;           ///< taken, and high enough to matter perhaps
-  RawVector<float> slopes;         ///< [kept][tap of the group][lane]
-  RawVector<float> highest;        ///< [kept][lane]: of the group's slopes
-  RawVector<std::uint32_t> high;   ///< indices of `kept`
-  RawVector<CellVisit> cells;      ///< that may hold a peak
+  RawVector<Visit> visits;             ///< to be taken next
+  RawVector<Visit> kept;               ///< taken, and high enough to matter perhaps
+  RawVector<float> slopes;             ///< [kept][tap of the group][lane]
+  RawVector<float> highest;            ///< [kept][lane]: of the group's slopes
+  RawVector<std::uint32_t> high;       ///< indices of `kept`
+  RawVector<CellVisit> cells;          ///< that may hold a peak
   RawVector<std::uint32_t> peakVectors;
   RawVector<float> peaks;  ///< [peak][0: slope, 1: r][lane]
   std::size_t turnCount = 0, keptCount = 0, peakCount = 0;
