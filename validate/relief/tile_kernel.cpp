@@ -8,8 +8,9 @@
 #include <cstdint>
 #include <limits>
 
-// This file is compiled once for each of these instruction sets; the processor that runs it
-// decides.
+// This file is compiled once for each instruction set that gives other code here; the processor
+// that runs it decides. SSSE3 has no wider vectors than SSE4, which all such processors but the
+// oldest have, and AVX3_DL adds to AVX-512 only instructions that are not used here.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "relief/tile_kernel.cpp"
@@ -367,6 +368,7 @@ void roomForPeaks(TileNotes& notes, std::size_t count) {
 }
 
 HWY_INLINE void takePeaks(Tile& at) {
+  // Where no cell can hold a peak, no slope is high enough.
   const std::size_t high = findHigh(at, [](const Stretch& group) {
     return group.peakRoom > 0 ? group.tolerance + group.peakRoom : -never;
   });
