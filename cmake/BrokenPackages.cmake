@@ -38,29 +38,3 @@ if(NOT TARGET gnomon::xxhash)
     IMPORTED_LOCATION ${XXHASH_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${XXHASH_INCLUDE_DIR})
 endif()
-
-# OpenEXR's names parts of itself that Debian keeps in other packages.
-if(NOT TARGET gnomon::OpenEXR)
-  find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
-  find_path(OPENEXR_INCLUDE_DIR OpenEXR/ImfHeader.h REQUIRED)
-  find_library(OPENEXR_LIBRARY OpenEXR REQUIRED)
-  add_library(gnomon::OpenEXR UNKNOWN IMPORTED)
-  set_target_properties(gnomon::OpenEXR PROPERTIES
-    IMPORTED_LOCATION ${OPENEXR_LIBRARY}
-    INTERFACE_INCLUDE_DIRECTORIES
-      "${OPENEXR_INCLUDE_DIR};${OPENEXR_INCLUDE_DIR}/OpenEXR;${IMATH_INCLUDE_DIR}")
-endif()
-
-# OpenImageIO's package configuration insists on files of other Debian packages (its tools), and so
-# does that of Imath, whose headers it needs.
-if(NOT TARGET gnomon::OpenImageIO)
-  find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
-  find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
-  find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
-  find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
-  add_library(gnomon::OpenImageIO UNKNOWN IMPORTED)
-  set_target_properties(gnomon::OpenImageIO PROPERTIES
-    IMPORTED_LOCATION ${OPENIMAGEIO_LIBRARY}
-    INTERFACE_INCLUDE_DIRECTORIES "${OPENIMAGEIO_INCLUDE_DIR};${IMATH_INCLUDE_DIR}"
-    INTERFACE_LINK_LIBRARIES ${OPENIMAGEIO_UTIL_LIBRARY})
-endif()

@@ -13,6 +13,7 @@ find_package(tinyobjloader REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(hwy REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/ImagePackages.cmake)
 
 # Dear ImGui ships a pkg-config file only; only the viewer needs it, so it is not installed.
 find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
