@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 // This file is compiled once for each instruction set that gives other code here; the processor
 // that runs it decides. SSSE3 has no wider vectors than SSE4, which all such processors but the
@@ -17,65 +16,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "relief/tile_peaks_inl.h"
+#include "relief/tile_vectors_inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace gnomon {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 namespace {
-
-using Lanes = hn::ScalableTag<float>;
-using Floats = hn::Vec<Lanes>;
-using Index = std::uint32_t;
-constexpr Lanes lanes;
-
-constexpr std::size_t groupTaps = AzimuthPlan::groupTaps;
-constexpr std::size_t bundleGroups = AzimuthPlan::bundleGroups;
-static_assert(bundleGroups == 8, "TileNotes::foreseen has a bit for each");
-constexpr float never = std::numeric_limits<float>::infinity();
-constexpr float farthest = std::numeric_limits<float>::max();  ///< times 0 it is still 0
-
-/// Lengthens a list to some count where it is shorter.
-template <typename T>
-HWY_INLINE T* roomFor(RawVector<T>& list, std::size_t count) {
-  if (list.size() < count) list.resize(count);
-  return list.data();
-}
-
-HWY_INLINE Floats load(const float* values, std::size_t vector) {
-  return hn::Load(lanes, values + vector * hn::Lanes(lanes));
-}
-
-HWY_INLINE void store(Floats value, float* values, std::size_t vector) {
-  hn::Store(value, lanes, values + vector * hn::Lanes(lanes));
-}
-
-/// A tile of one azimuth, its texels in vectors, row by row.
-struct Tile {
-  const AzimuthBake& bake;
-  const AzimuthPlan& plan;
-  TileNotes& notes;
-  std::size_t across, rows;  ///< vectors in a row, rows
-
-  [[nodiscard]] HWY_INLINE const float* heights(std::size_t vector) const {
-    return bake.map.heights.data() + notes.offset[vector];
-  }
-  [[nodiscard]] HWY_INLINE const float* twists(std::size_t vector) const {
-    return bake.map.twists.data() + notes.offset[vector];
-  }
-  [[nodiscard]] HWY_INLINE Floats height(std::size_t vector) const {
-    return load(notes.height.data(), vector);
-  }
-  /// Height less what keeps roundings from hiding an equal.
-  [[nodiscard]] HWY_INLINE Floats reach(std::size_t vector) const {
-    return hn::Sub(height(vector), hn::Set(lanes, 2 * bake.map.tolerance));
-  }
-  [[nodiscard]] HWY_INLINE Floats best(std::size_t vector) const {
-    return load(notes.best.data(), vector);
-  }
-  HWY_INLINE void raise(std::size_t vector, Floats slope) {
-    store(hn::Max(best(vector), slope), notes.best.data(), vector);
-  }
-};
 
 Tile openTile(const AzimuthBake& bake, const TexelTile& tile, TileNotes& notes) {
   const PaddedMap& map = bake.map;
@@ -129,13 +76,6 @@ void openTurn(Tile& at, std::size_t firstRow, std::size_t step) {
 }
 
 // --- groups of taps -----------------------------------------------------------------------------
-
-HWY_INLINE Floats slopeAt(const float* heights, Floats height, const Tap& tap) {
-  const Floats from = hn::LoadU(lanes, heights + tap.from);
-  const Floats to = hn::LoadU(lanes, heights + tap.to);
-  const Floats h = hn::Add(from, hn::Mul(hn::Set(lanes, tap.share), hn::Sub(to, from)));
-  return hn::Mul(hn::Sub(h, height), hn::Set(lanes, tap.inverseDistance));
-}
 
 /// Finds the slopes of groups, and keeps those that may attain a horizon at a tap or beside one.
 HWY_NOINLINE void takeGroups(Tile& at, std::size_t count) {
@@ -267,119 +207,6 @@ HWY_INLINE void sweep(Tile& at) {
   }
 }
 
-/// Indices of the kept groups that come within some room of a horizon.
-template <typename Room>
-HWY_INLINE std::size_t findHigh(Tile& at, const Room& roomOf) {
-  TileNotes& notes = at.notes;
-  Index* high = roomFor(notes.high, notes.keptCount);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < notes.keptCount; ++i) {
-    const Visit visit = notes.kept[i];
-    const Floats room = hn::Set(lanes, roomOf(at.plan.groups[visit.group]));
-    const Floats least = hn::Sub(at.best(visit.vector), room);
-    high[count] = static_cast<Index>(i);
-    count += hn::AllFalse(lanes, hn::Ge(load(notes.highest.data(), i), least)) ? 0 : 1;
-  }
-  return count;
-}
-
-// --- peaks --------------------------------------------------------------------------------------
-
-/// The slope where the ray enters the cell before a tap; at the start that of the tap itself, for
-/// the first cell has no peak.
-HWY_INLINE Floats slopeBefore(const Tile& at, std::size_t vector, std::size_t tap) {
-  const Tap& before = at.plan.taps[tap > 0 ? tap - 1 : 0];
-  return slopeAt(at.heights(vector), at.height(vector), before);
-}
-
-/// The peak of the slope inside a cell that is entered at r₀ with slope s₀: with a the derivative
-/// of the height there, C = -c its bend and w = a - s₀, x = r - r₀ solves c x² + 2 c r₀ x = r₀ w,
-/// and the slope at it is s₀ + c x² / r₀.
-HWY_INLINE void takePeak(Tile& at, const CellPath& path, Floats before, std::size_t vector) {
-  TileNotes& notes = at.notes;
-  const float* corner = at.heights(vector) + path.cell;
-  const Vec2 e = at.plan.direction;
-  const Floats h00 = hn::LoadU(lanes, corner);
-  const Floats alongX = hn::Sub(hn::LoadU(lanes, corner + 1), h00);
-  const Floats alongY = hn::Sub(hn::LoadU(lanes, corner + at.bake.map.stride), h00);
-  const Floats twist = hn::LoadU(lanes, at.twists(vector) + path.cell);
-  const Floats gradientX = hn::Add(alongX, hn::Mul(twist, hn::Set(lanes, path.v)));
-  const Floats gradientY = hn::Add(alongY, hn::Mul(twist, hn::Set(lanes, path.u)));
-  const Floats gradient = hn::Add(hn::Mul(gradientX, hn::Set(lanes, static_cast<float>(e.x))),
-                                  hn::Mul(gradientY, hn::Set(lanes, static_cast<float>(e.y))));
-  const Floats climb = hn::Sub(gradient, before);
-  const Floats bend = hn::Mul(twist, hn::Set(lanes, path.bend));
-  const Floats enter = hn::Set(lanes, path.enter);
-  const Floats fall = hn::Mul(bend, enter);
-  const Floats x =
-      hn::Div(hn::Mul(enter, climb), hn::Add(fall, hn::Sqrt(hn::Mul(fall, hn::Add(fall, climb)))));
-  const Floats zero = hn::Zero(lanes);
-  const auto inside = hn::And(hn::And(hn::Gt(bend, zero), hn::Gt(climb, zero)),
-                              hn::Lt(x, hn::Set(lanes, path.length)));
-  const Floats peak =
-      hn::Add(before, hn::Mul(hn::Mul(bend, hn::Mul(x, x)), hn::Set(lanes, path.inverseEnter)));
-  const Floats slope = hn::IfThenElse(inside, peak, hn::Set(lanes, -never));
-  const std::size_t p = notes.peakCount++;
-  notes.peakVectors[p] = static_cast<Index>(vector);
-  store(slope, notes.peaks.data(), 2 * p);
-  store(hn::IfThenElse(inside, hn::Add(enter, x), enter), notes.peaks.data(), 2 * p + 1);
-  at.raise(vector, slope);
-}
-
-/// Whether a cell may hold a peak that equals or exceeds a horizon, given the slopes at its ends: a
-/// quarter of the bulge above the higher one must reach it, and they must differ by less than the
-/// bulge.
-HWY_INLINE bool mayPeak(const Tile& at, const CellPath& path, std::size_t vector, Floats before,
-                        Floats after, Floats least) {
-  const Floats twist = hn::LoadU(lanes, at.twists(vector) + path.cell);
-  const Floats bulge = hn::Mul(twist, hn::Set(lanes, path.quarterBulge));
-  const auto reaches = hn::Ge(hn::Add(hn::Max(before, after), bulge), least);
-  const Floats bend = hn::Mul(bulge, hn::Set(lanes, 4.F));
-  return !hn::AllFalse(lanes, hn::And(reaches, hn::Gt(bend, hn::Abs(hn::Sub(after, before)))));
-}
-
-/// Lists the cells of high groups that may hold a peak.
-HWY_NOINLINE std::size_t findPeakCells(Tile& at, std::size_t high) {
-  TileNotes& notes = at.notes;
-  CellVisit* cells = roomFor(notes.cells, high * groupTaps);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < high; ++i) {
-    const std::size_t index = notes.high[i];
-    const Visit visit = notes.kept[index];
-    const std::size_t tap = visit.group * groupTaps;
-    const CellPath* paths = at.plan.cells.data() + tap;
-    const float* slopes = notes.slopes.data() + index * groupTaps * hn::Lanes(lanes);
-    const Floats tolerance = hn::Set(lanes, at.plan.groups[visit.group].tolerance);
-    const Floats least = hn::Sub(at.best(visit.vector), tolerance);
-    Floats before = slopeBefore(at, visit.vector, tap);
-    for (std::size_t k = 0; k < groupTaps; ++k) {
-      const Floats after = load(slopes, k);
-      cells[count] = {visit.vector, static_cast<Index>(tap + k)};
-      count += mayPeak(at, paths[k], visit.vector, before, after, least) ? 1 : 0;
-      before = after;
-    }
-  }
-  return count;
-}
-
-void roomForPeaks(TileNotes& notes, std::size_t count) {
-  roomFor(notes.peakVectors, notes.peakCount + count);
-  roomFor(notes.peaks, 2 * (notes.peakCount + count) * hn::Lanes(lanes));
-}
-
-HWY_INLINE void takePeaks(Tile& at) {
-  // Where no cell can hold a peak, no slope is high enough.
-  const std::size_t high = findHigh(at, [](const Stretch& group) {
-    return group.peakRoom > 0 ? group.tolerance + group.peakRoom : -never;
-  });
-  const std::size_t count = findPeakCells(at, high);
-  roomForPeaks(at.notes, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const CellVisit cell = at.notes.cells[i];
-    takePeak(at, at.plan.cells[cell.tap], slopeBefore(at, cell.vector, cell.tap), cell.vector);
-  }
-}
-
 // --- ends of rays -------------------------------------------------------------------------------
 
 /// The slope at the end of the ray inside a cell, r = D.
@@ -430,11 +257,6 @@ HWY_INLINE std::size_t takeEnds(Tile& at) {
 
 // --- distances ----------------------------------------------------------------------------------
 
-/// Lets `distance` be r where a slope there equals the horizon and nothing nearer does.
-HWY_INLINE void offer(Floats slope, Floats r, Floats least, Floats& distance) {
-  distance = hn::IfThenElse(hn::Ge(slope, least), hn::Min(distance, r), distance);
-}
-
 HWY_INLINE void offerStartsAndEnds(Tile& at, std::size_t ends) {
   TileNotes& notes = at.notes;
   const Floats startTolerance = hn::Set(lanes, at.bake.map.tolerance);
@@ -471,20 +293,6 @@ HWY_NOINLINE void offerTaps(Tile& at) {
             hn::Sub(best, hn::Set(lanes, taps[k].tolerance)), distance);
     }
     store(distance, notes.distance.data(), visit.vector);
-  }
-}
-
-HWY_INLINE void offerPeaks(Tile& at) {
-  TileNotes& notes = at.notes;
-  const Floats tolerance = hn::Set(lanes, at.bake.map.tolerance);
-  for (std::size_t p = 0; p < notes.peakCount; ++p) {
-    const std::size_t v = notes.peakVectors[p];
-    const Floats slope = load(notes.peaks.data(), 2 * p);
-    const Floats r = load(notes.peaks.data(), 2 * p + 1);
-    const Floats room = hn::Div(tolerance, hn::Max(r, hn::Set(lanes, 1.F)));
-    Floats distance = load(notes.distance.data(), v);
-    offer(slope, r, hn::Sub(at.best(v), room), distance);
-    store(distance, notes.distance.data(), v);
   }
 }
 
