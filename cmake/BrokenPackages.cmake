@@ -39,6 +39,16 @@ if(NOT TARGET gnomon::xxhash)
     INTERFACE_INCLUDE_DIRECTORIES ${XXHASH_INCLUDE_DIR})
 endif()
 
+# Debian's libwebp-dev has no file for CMake.
+if(NOT TARGET gnomon::WebP)
+  find_path(WEBP_INCLUDE_DIR webp/encode.h REQUIRED)
+  find_library(WEBP_LIBRARY webp REQUIRED)
+  add_library(gnomon::WebP UNKNOWN IMPORTED)
+  set_target_properties(gnomon::WebP PROPERTIES
+    IMPORTED_LOCATION ${WEBP_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${WEBP_INCLUDE_DIR})
+endif()
+
 # OpenEXR's names parts of itself that Debian keeps in other packages.
 if(NOT TARGET gnomon::OpenEXR)
   find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)

@@ -12,6 +12,7 @@ find_package(pugixml REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(hwy REQUIRED)
+find_package(ZLIB REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
 
 # Dear ImGui ships a pkg-config file only; only the viewer needs it, so it is not installed.
