@@ -49,6 +49,11 @@ struct PanelPictures::Mesh {
   struct Colours {
     std::vector<std::uint8_t> lit;
     std::vector<std::uint8_t> dark;
+
+    template <typename Stream, SameAs<Colours> T>
+    friend void fields(Stream& stream, T& colours) {
+      stream(colours.lit, colours.dark);
+    }
   };
 
   std::size_t layers;  ///< place among the panel's
@@ -128,11 +133,13 @@ std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t lig
 
 PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light,
                                              const BaseCase& base, PanelRecord& panel) {
-  Mesh mesh{0, OnDemand<Mesh::Colours>([this, view, light, &base] {
-              return Mesh::Colours{shade(view, light, base, Shade::lit),
-                                   shade(view, light, base, Shade::shadowed)};
-            })};
   const ContentKey key = scene_.keys.layers(base.choice, view, light);
+  Mesh mesh{0, OnDemand<Mesh::Colours>([this, key, view, light, &base] {
+              return scene_.cache.remember(KeyBuilder("colours").add("layers", key).key(), [&] {
+                return Mesh::Colours{shade(view, light, base, Shade::lit),
+                                     shade(view, light, base, Shade::shadowed)};
+              });
+            })};
   const LayersRecord layers = scene_.cache.remember(key, [&] {
     const Mesh::Colours& colours = mesh.colours.get();
     return scene_.clock.measure("writing", [&](const Progress&) {
