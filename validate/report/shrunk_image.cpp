@@ -115,8 +115,8 @@ float orderedSum(const Image& image, const Taps& row, const Taps& column, std::s
   return sum;
 }
 
-/// Whether this sum and one in another order round to the same byte. Terms sum up to less than 2, so
-/// that each sum is off by less than an epsilon for every term.
+/// Whether this sum and one in another order round to the same byte. Terms sum up to less than 2,
+/// so that each sum is off by less than an epsilon for every term.
 bool isSameInAnyOrder(float sum, std::size_t terms) {
   const float room = 2 * std::numeric_limits<float>::epsilon() * static_cast<float>(terms);
   return byteOf(sum - room) == byteOf(sum + room);

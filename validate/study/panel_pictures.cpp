@@ -51,8 +51,8 @@ struct PanelPictures::Mesh {
     std::vector<std::uint8_t> dark;
 
     template <typename Stream, SameAs<Colours> T>
-    friend void fields(Stream& stream, T& colours) {
-      stream(colours.lit, colours.dark);
+    friend void fields(Stream& stream, T& both) {
+      stream(both.lit, both.dark);
     }
   };
 
