@@ -38,3 +38,13 @@ if(NOT TARGET gnomon::xxhash)
     IMPORTED_LOCATION ${XXHASH_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${XXHASH_INCLUDE_DIR})
 endif()
+
+# Debian's libwebp-dev has no file for CMake.
+if(NOT TARGET gnomon::WebP)
+  find_path(WEBP_INCLUDE_DIR webp/encode.h REQUIRED)
+  find_library(WEBP_LIBRARY webp REQUIRED)
+  add_library(gnomon::WebP UNKNOWN IMPORTED)
+  set_target_properties(gnomon::WebP PROPERTIES
+    IMPORTED_LOCATION ${WEBP_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${WEBP_INCLUDE_DIR})
+endif()

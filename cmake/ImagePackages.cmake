@@ -2,7 +2,7 @@
 # its pictures back: what is installed does not need their headers.
 
 # OpenEXR's package configuration names parts of itself that Debian keeps in other packages, and so
-# does that of Imath, whose headers both of the first two need.
+# does that of Imath, whose headers both need.
 find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
 find_path(OPENEXR_INCLUDE_DIR OpenEXR/ImfHeader.h REQUIRED)
 find_library(OPENEXR_LIBRARY OpenEXR REQUIRED)
@@ -21,11 +21,3 @@ set_target_properties(gnomon::OpenImageIO PROPERTIES
   IMPORTED_LOCATION ${OPENIMAGEIO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES "${OPENIMAGEIO_INCLUDE_DIR};${IMATH_INCLUDE_DIR}"
   INTERFACE_LINK_LIBRARIES ${OPENIMAGEIO_UTIL_LIBRARY})
-
-# Debian's libwebp-dev has no file for CMake.
-find_path(WEBP_INCLUDE_DIR webp/encode.h REQUIRED)
-find_library(WEBP_LIBRARY webp REQUIRED)
-add_library(gnomon::WebP UNKNOWN IMPORTED)
-set_target_properties(gnomon::WebP PROPERTIES
-  IMPORTED_LOCATION ${WEBP_LIBRARY}
-  INTERFACE_INCLUDE_DIRECTORIES ${WEBP_INCLUDE_DIR})

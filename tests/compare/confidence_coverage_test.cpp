@@ -109,7 +109,8 @@ TEST_P(CoverageOfRates, Is93To97Percent) {
           percentiles.add({percentileInterval(blocks), {}, 0}, rate);
         }
         for (const std::size_t lights : lightCounts) {
-          cases[which++].add(rateConfidence(together(cells, lights), tiling, settings), rate);
+          cases[which++].add(rateConfidence(together(cells, lights), tiling, Bootstrap(settings)),
+                             rate);
         }
       }
     }
@@ -159,9 +160,9 @@ TEST(CoverageOfDifferences, Is93To97Percent) {
       }
     }
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      cases[i].add(
-          differenceConfidence(together(first[i], 3), together(second[i], 3), tiling, settings),
-          pairs[i].first - pairs[i].second);
+      cases[i].add(differenceConfidence(together(first[i], 3), together(second[i], 3), tiling,
+                                        Bootstrap(settings)),
+                   pairs[i].first - pairs[i].second);
     }
   }
   Coverage all;
@@ -193,8 +194,9 @@ TEST(CoverageOfRates, Is93To97PercentBehindASilhouetteAndUnderWeights) {
     for (std::size_t i = 0; i < mask.size(); ++i) {
       if (truth.samples[i] == Shade::none) mask.samples[i] = Shade::none;
     }
-    coverage.add(
-        rateConfidence(blockErrors(mask, truth, tiling.cellSide, weights), tiling, settings), 0.05);
+    coverage.add(rateConfidence(blockErrors(mask, truth, tiling.cellSide, weights), tiling,
+                                Bootstrap(settings)),
+                 0.05);
   }
   EXPECT_GE(coverage.share(), 0.93);
   EXPECT_LE(coverage.share(), 0.97);
@@ -219,7 +221,9 @@ TEST(CoverageOfRates, IsNoLessWhereTheRateDrifts) {
     for (std::size_t i = 0; i < mask.size(); ++i) {
       if (field[i] > levels[i % drawnSide]) mask.samples[i] = Shade::shadowed;
     }
-    coverage.add(rateConfidence(blockErrors(mask, truth, tiling.cellSide), tiling, settings), rate);
+    coverage.add(
+        rateConfidence(blockErrors(mask, truth, tiling.cellSide), tiling, Bootstrap(settings)),
+        rate);
   }
   EXPECT_GE(coverage.share(), 0.95);
 }

@@ -82,6 +82,22 @@ TEST(RateConfidence, OfIndependentSamplesIsStudentsT) {
   EXPECT_LT(ratio, 2.131 * 1.12);
 }
 
+TEST(RateConfidence, IsTheSameWhereDrawsAreShared) {
+  const Bootstrap shared;
+  for (const int cells : {16, 8, 12, 16}) {  // a side: other numbers of blocks
+    const Mask truth = litEverywhere(96, 96);
+    RandomFields fields(96, 0.1, 5);
+    const Mask mask = errorMask(fields.next(), 96, ErrorShape::blobs, 0.1);
+    const BlockErrors errors = blockErrors(mask, truth, 96 / cells);
+    const Tiling tiling{96 / cells, cells};
+    const ConfidenceInterval own = rateConfidence(errors, tiling);
+    const ConfidenceInterval same = rateConfidence(errors, tiling, shared);
+    ASSERT_TRUE(own.interval);
+    EXPECT_EQ(own.interval->low, same.interval->low);
+    EXPECT_EQ(own.interval->high, same.interval->high);
+  }
+}
+
 TEST(RateConfidence, IsTheSameEachTimeAndWhateverTheWeightsScale) {
   Case c = independentCase(64, 0.1, 3);
   const ConfidenceInterval first = rateConfidence(c.cells, c.tiling);
@@ -94,8 +110,9 @@ TEST(RateConfidence, IsTheSameEachTimeAndWhateverTheWeightsScale) {
   const ConfidenceInterval scaled = rateConfidence(c.cells, c.tiling);
   EXPECT_DOUBLE_EQ(scaled.interval->low, first.interval->low);
   EXPECT_DOUBLE_EQ(scaled.interval->high, first.interval->high);
-  EXPECT_GT(width(rateConfidence(c.cells, c.tiling, {1000, 0.99, 1978})), width(first));
-  EXPECT_NE(rateConfidence(c.cells, c.tiling, {1000, 0.95, 1}).interval->low, first.interval->low);
+  EXPECT_GT(width(rateConfidence(c.cells, c.tiling, Bootstrap({1000, 0.99, 1978}))), width(first));
+  EXPECT_NE(rateConfidence(c.cells, c.tiling, Bootstrap({1000, 0.95, 1})).interval->low,
+            first.interval->low);
 }
 
 /// Rows and columns of background change nothing: empty blocks are not drawn.
@@ -231,8 +248,8 @@ TEST(DifferenceConfidence, RefusesWhatIsNotOneView) {
   const Case a = independentCase(64, 0.1, 13);
   EXPECT_THROW(rateConfidence(a.cells, {1, 5}), InternalError);
   EXPECT_THROW(rateConfidence(a.cells, {1, 0}), InternalError);
-  EXPECT_THROW(rateConfidence(a.cells, a.tiling, {0, 0.95, 1}), InternalError);
-  EXPECT_THROW(rateConfidence(a.cells, a.tiling, {100, 1, 1}), InternalError);
+  EXPECT_THROW(rateConfidence(a.cells, a.tiling, Bootstrap({0, 0.95, 1})), InternalError);
+  EXPECT_THROW(rateConfidence(a.cells, a.tiling, Bootstrap({100, 1, 1})), InternalError);
   const BlockErrors other{std::vector<double>(8, 1), std::vector<double>(8, 2)};
   EXPECT_THROW(differenceConfidence(a.cells, other, a.tiling), InternalError);
 }

@@ -5,6 +5,7 @@
 namespace gnomon::test {
 namespace {
 
+namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -37,6 +38,13 @@ TEST_F(ImageModule, IsNotNeededForWhatReadsNoImage) {
   EXPECT_EQ(gnomon({"list"}, none).status, 0);
   EXPECT_EQ(gnomon({"cache"}, none).status, 0);
   EXPECT_EQ(gnomon({"run", "missing.toml"}, none).status, 3);
+}
+
+TEST_F(ImageModule, IsNotNeededForARunThatReadsNoImage) {
+  write("small.toml", smallStudy());
+  const Outcome outcome = gnomon({"run", "small.toml"}, {"GNOMON_IMAGE_MODULE=/nonexistent"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(file("out/small/report.html")));
 }
 
 // The loader lists what it would load in place of running the program.

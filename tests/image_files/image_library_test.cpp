@@ -94,24 +94,5 @@ TEST_F(ImageFile, ThatIsMissingOrDamagedIsAnError) {
                ImageError);
 }
 
-TEST(ImageLibrary, EncodesPicturesInMemory) {
-  const std::vector<std::uint8_t> rgb(3 * 4 * 2, 200);
-  EXPECT_EQ(imageLibrary().png(4, 2, rgb.data()).substr(1, 3), "PNG");
-  EXPECT_EQ(imageLibrary().webp(4, 2, rgb.data(), 90).substr(8, 4), "WEBP");
-  const std::vector<std::uint8_t> tooWide(3 * 20000);
-  EXPECT_THROW((void)imageLibrary().webp(20000, 1, tooWide.data(), 90), ImageError);
-}
-
-TEST(ImageLibrary, HasALanczosFilterOfThreeLobes) {
-  const std::vector<float> weights = imageLibrary().lanczos3(6, {0, 0.5F, 1, 1.5F, 2, 3, 3.5F});
-  EXPECT_EQ(weights[0], 1);
-  EXPECT_NEAR(weights[1], 0.6079, 1e-3);
-  EXPECT_NEAR(weights[2], 0, 1e-3);
-  EXPECT_NEAR(weights[3], -0.1351, 1e-3);
-  EXPECT_NEAR(weights[4], 0, 1e-3);
-  EXPECT_NEAR(weights[5], 0, 1e-3);
-  EXPECT_EQ(weights[6], 0);
-}
-
 }  // namespace
 }  // namespace gnomon

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <random>
+
 #include "common/error.h"
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
@@ -29,6 +32,36 @@ TEST(AtlasView, HasEverySampleOfARegularGridOnce) {
       EXPECT_NEAR(sample.t, (up % side + 0.5) / side, 2e-6);
     }
   }
+}
+
+// What a mask shows at a pixel depends on nothing but the mask there.
+TEST(ShadePass, APictureIsComposedOfThoseAllLitAndAllShadowed) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          TableBits::eight, 2);
+  Camera camera;
+  camera.eye = {40, -60, 200};
+  camera.target = {0, 0, 50};
+  camera.width = 160;
+  camera.height = 120;
+  const RenderView view = cameraView(camera, scene.mesh);
+  const ShadePass pass(shaderFolder(), scene.relief.field.wrap());
+  const auto shaded = [&](const std::vector<Shade>& samples) {
+    return pass.render(view, scene.drawing(glm::normalize(Vec3(1, 1, 2))), {160, 120, samples});
+  };
+  constexpr std::size_t pixels = 160 * 120;
+  std::minstd_rand random(3);
+  std::vector<Shade> mixed(pixels);
+  for (Shade& shade : mixed)
+    shade = std::array{Shade::lit, Shade::shadowed, Shade::none}[random() % 3];
+  const auto lit = shaded(std::vector<Shade>(pixels, Shade::lit));
+  const auto dark = shaded(std::vector<Shade>(pixels, Shade::shadowed));
+  auto composed = lit;
+  for (std::size_t i = 0; i < 3 * pixels; ++i) {
+    if (mixed[i / 3] == Shade::shadowed) composed[i] = dark[i];
+  }
+  EXPECT_NE(lit, dark);
+  EXPECT_EQ(shaded(mixed), composed);
 }
 
 TEST(AtlasView, AreasSumToTheSurfacesArea) {

@@ -1,6 +1,6 @@
 #include "report/report_html.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::sampleRecord;
+using ::testing::ElementsAre;
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
@@ -64,7 +65,9 @@ class ReportHtml : public testing::Test {
     const std::string path = "images/" + std::to_string(++pictures_) + ".png";
     const auto grey = static_cast<std::uint8_t>(pictures_);
     writePng(folder_ / path, Image{1, 1, {grey, grey, grey}});
-    return {kind, method, "Caption <" + method + ">", path};
+    const std::string embedded =
+        kind == PictureRecord::Kind::difference ? "" : "picture " + std::to_string(pictures_);
+    return {kind, method, "Caption <" + method + ">", path, "", embedded};
   }
 
   StudyRecord recordWithPanel() {
@@ -124,23 +127,20 @@ TEST_F(ReportHtml, EmbedsEveryDifferenceByteForByteAndAnyOtherPictureOnce) {
               isDifference ? 1 : 0)
         << picture.path;
   }
-  EXPECT_EQ(embedded(html, "webp").size(), 4U);
+  EXPECT_THAT(embedded(html, "webp"),
+              ElementsAre("picture 1", "picture 2", "picture 4", "picture 3"));
 }
 
-TEST_F(ReportHtml, PicturesWithMasksBecomeLayersOfTheirMesh) {
+TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
   StudyRecord record = recordWithPanel();
-  const Mask shadowed{1, 1, {Shade::shadowed}};
-  const Mask lit{1, 1, {Shade::lit}};
-  writePng(folder_ / "lit.png", maskImage(lit));
-  writePng(folder_ / "shadowed.png", maskImage(shadowed));
-  // Two shadings that differ where both are lit are of two meshes; the third, in shadow, agrees
-  // with the first.
-  record.panels[0].pictures[0].mask = "lit.png";
-  record.panels[0].pictures[1].mask = "lit.png";
-  record.panels[0].pictures[3].mask = "shadowed.png";
+  PanelRecord& panel = record.panels[0];
+  writePng(folder_ / "shadowed.png", maskImage(Mask{1, 1, {Shade::shadowed}}));
+  panel.layers = {{"lit 0", "dark 0"}, {"lit 1", "dark 1"}};
+  panel.pictures[0].layers = 0;
+  panel.pictures[1].layers = 1;
+  panel.pictures[3].layers = 0;
+  panel.pictures[3].mask = "shadowed.png";
   const std::string html = reportHtml(record, folder_);
-  EXPECT_EQ(count(html, "<img class=\"lit\""), 2U);
-  EXPECT_EQ(count(html, "<img class=\"dark\""), 2U);
   EXPECT_EQ(count(html, "<img class=\"truth\" data-mesh=\"0\""), 1U);
   EXPECT_TRUE(holds(html,
                     "data-name=\"Caption &lt;best&gt;\" data-rate=\"error 1.00\u202f%\" "
@@ -148,6 +148,15 @@ TEST_F(ReportHtml, PicturesWithMasksBecomeLayersOfTheirMesh) {
   EXPECT_EQ(count(html, " whole\""), 1U) << "the displaced surface";
   const auto exact = embedded(html, "png");
   EXPECT_EQ(std::count(exact.begin(), exact.end(), readFile(folder_ / "shadowed.png")), 1);
+  for (const std::size_t mesh : {0U, 1U}) {
+    for (const std::string kind : {"lit", "dark"}) {
+      const std::string image =
+          "<img class=\"" + kind + "\" data-mesh=\"" + std::to_string(mesh) + "\"";
+      ASSERT_EQ(count(html, image), 1U) << image;
+      EXPECT_EQ(embedded(html.substr(html.find(image)), "webp").front(),
+                kind + " " + std::to_string(mesh));
+    }
+  }
 }
 
 TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
@@ -274,12 +283,10 @@ TEST_F(ReportHtml, SmallRecordsDoNotStopIt) {
 
 TEST_F(ReportHtml, RefusesWhatItCannotShow) {
   StudyRecord record = recordWithPanel();
-  fs::remove(folder_ / record.panels[0].pictures[0].path);
+  const fs::path difference = folder_ / record.panels[0].pictures[4].path;
+  fs::remove(difference);
   EXPECT_THROW(reportHtml(record, folder_), InputError);
-  writeTextAtomically(folder_ / record.panels[0].pictures[0].path, "GIF89a");
-  EXPECT_THROW(reportHtml(record, folder_), InputError);
-  record = recordWithPanel();
-  writeTextAtomically(folder_ / record.panels[0].pictures[4].path, "GIF89a");
+  writeTextAtomically(difference, "GIF89a");
   EXPECT_THROW(reportHtml(record, folder_), InternalError);
   record = sampleRecord();
   record.cost[0].frameMs = std::numeric_limits<double>::quiet_NaN();

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "common/error.h"
 #include "compare/mask_checks.h"
@@ -111,16 +110,13 @@ void requireSettings(const BootstrapSettings& settings) {
 }
 
 /// t* of one resample, whose sum is not known before all its blocks are.
-double studentised(const std::vector<PairedBlock>& blocks, Draws& draws,
-                   std::vector<std::size_t>& drawn, double difference) {
+double studentised(const std::vector<PairedBlock>& blocks, std::span<const std::uint32_t> drawn,
+                   double difference) {
   PairedBlock sum;
-  for (std::size_t& k : drawn) {
-    k = draws.next();
-    sum += blocks[k];
-  }
+  for (const std::uint32_t k : drawn) sum += blocks[k];
   const PairedRates rates(sum);
   double squares = 0;
-  for (const std::size_t k : drawn) {
+  for (const std::uint32_t k : drawn) {
     const double deviation = rates.deviation(blocks[k]);
     squares += deviation * deviation;
   }
@@ -131,12 +127,13 @@ double studentised(const std::vector<PairedBlock>& blocks, Draws& draws,
 }
 
 std::vector<double> sortedResamples(const std::vector<PairedBlock>& blocks,
-                                    const BootstrapSettings& settings) {
+                                    const Bootstrap& bootstrap) {
   const double difference = PairedRates(sumOf(blocks)).difference();
-  Draws draws(settings.seed, blocks.size());
-  std::vector<std::size_t> drawn(blocks.size());
-  std::vector<double> values(static_cast<std::size_t>(settings.resamples));
-  for (double& value : values) value = studentised(blocks, draws, drawn, difference);
+  const std::span<const std::uint32_t> draws = bootstrap.draws(blocks.size());
+  std::vector<double> values(draws.size() / blocks.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = studentised(blocks, draws.subspan(i * blocks.size(), blocks.size()), difference);
+  }
   std::sort(values.begin(), values.end());
   return values;
 }
@@ -165,6 +162,17 @@ double effectiveBlocks(const Mask& view, std::span<const double> weights, int si
 
 }  // namespace
 
+const std::vector<std::uint32_t>& Bootstrap::draws(std::size_t blocks) const {
+  const std::lock_guard lock(drawing_);
+  std::vector<std::uint32_t>& drawn = draws_[blocks];
+  if (drawn.empty()) {
+    drawn.resize(static_cast<std::size_t>(settings_.resamples) * blocks);
+    Draws draws(settings_.seed, blocks);
+    for (std::uint32_t& k : drawn) k = static_cast<std::uint32_t>(draws.next());
+  }
+  return drawn;
+}
+
 Tiling chooseTiling(const Mask& view, std::span<const double> weights) {
   requireSameView(view, view);
   requireOnePerSample(weights.size(), view.size(), "weight");
@@ -177,9 +185,9 @@ Tiling chooseTiling(const Mask& view, std::span<const double> weights) {
 }
 
 ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErrors& second,
-                                        const Tiling& tiling, const BootstrapSettings& settings) {
+                                        const Tiling& tiling, const Bootstrap& bootstrap) {
   requireCells(first, second, tiling);
-  requireSettings(settings);
+  requireSettings(bootstrap.settings());
   const std::vector<PairedBlock> blocks = blocksOf(first, second, tiling.columns, 2);
   if (blocks.size() < leastBlocks) {
     return {{}, "the view has too few blocks of samples", blocks.size()};
@@ -196,8 +204,8 @@ ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErr
   if (!(whole > 0)) return {Interval{difference, difference}, {}, blocks.size()};
   const double halved = standardError(blocksOf(first, second, tiling.columns, 1));
   const double error = whole * std::clamp(2 - halved / whole, 1.0, largestCorrection);
-  const std::vector<double> resamples = sortedResamples(blocks, settings);
-  const double tail = (1 - settings.confidence) / 2;
+  const std::vector<double> resamples = sortedResamples(blocks, bootstrap);
+  const double tail = (1 - bootstrap.settings().confidence) / 2;
   const Interval interval{difference - error * percentile(resamples, 1 - tail),
                           difference - error * percentile(resamples, tail)};
   if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) {
@@ -207,9 +215,9 @@ ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErr
 }
 
 ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling,
-                                  const BootstrapSettings& settings) {
+                                  const Bootstrap& bootstrap) {
   const BlockErrors none{std::vector<double>(cells.wrong.size()), cells.weight};
-  ConfidenceInterval confidence = differenceConfidence(cells, none, tiling, settings);
+  ConfidenceInterval confidence = differenceConfidence(cells, none, tiling, bootstrap);
   const bool isRight =
       std::all_of(cells.wrong.begin(), cells.wrong.end(), [](double wrong) { return wrong == 0; });
   if (isRight || (!confidence.interval && confidence.blocks >= leastBlocks)) {

@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "common/mask.h"
 #include "compare/block_errors.h"
@@ -26,6 +29,24 @@ struct BootstrapSettings {
   int resamples = 1000;
   double confidence = 0.95;
   std::uint64_t seed = 1978;
+};
+
+/// The draws of a bootstrap. They depend on nothing but the settings and the number of blocks: what
+/// takes many intervals of one view draws once. Several threads may use it at once.
+class Bootstrap {
+ public:
+  Bootstrap() : Bootstrap(BootstrapSettings{}) {}
+  explicit Bootstrap(const BootstrapSettings& settings) : settings_(settings) {}
+
+  [[nodiscard]] const BootstrapSettings& settings() const { return settings_; }
+  /// Which blocks each resample holds, one resample after the other: as many as there are.
+  /// @param blocks  1 or more
+  [[nodiscard]] const std::vector<std::uint32_t>& draws(std::size_t blocks) const;
+
+ private:
+  BootstrapSettings settings_;
+  mutable std::mutex drawing_;
+  mutable std::map<std::size_t, std::vector<std::uint32_t>> draws_;  ///< by the number of blocks
 };
 
 /// Confidence intervals of error rates, and of their differences, from the masks of one view.
@@ -95,7 +116,7 @@ Tiling chooseTiling(const Mask& view, std::span<const double> weights = {});
 /// @throws InternalError where cells do not fill the tiling's columns, or for settings
 ///   without a resample or with a confidence outside 0 to 1
 ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling,
-                                  const BootstrapSettings& settings = {});
+                                  const Bootstrap& bootstrap = Bootstrap());
 
 /// The 95 % interval of first.rate() - second.rate(). The same blocks are drawn for both, so that
 /// what they have in common cancels. Both may have other weights, or samples in other blocks: two
@@ -105,6 +126,6 @@ ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling
 /// @throws InternalError as rateConfidence, or where they differ in number
 ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErrors& second,
                                         const Tiling& tiling,
-                                        const BootstrapSettings& settings = {});
+                                        const Bootstrap& bootstrap = Bootstrap());
 
 }  // namespace gnomon

@@ -1,19 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "image_files/image_reader.h"
 #include "image_files/image_writer.h"
 
 namespace gnomon {
 
-/// OpenImageIO, as far as it is used here, and libwebp. It links some 250 libraries, and to load
-/// them takes longer than many a command: so all that knows it is a module, which is loaded when it
-/// is needed.
+/// OpenImageIO, as far as it is used here. It links some 250 libraries, and to load them takes
+/// longer than many a command: so all that knows it is a module, which is loaded when it is needed.
 class ImageLibrary {
  public:
   ImageLibrary() = default;
@@ -29,20 +25,6 @@ class ImageLibrary {
   /// @throws ImageError
   [[nodiscard]] virtual std::unique_ptr<ImageWriter> createExr(
       const std::filesystem::path& path, const ExrDescription& description) const = 0;
-
-  /// A picture of three 8-bit values a pixel as the bytes of a PNG.
-  /// @throws ImageError
-  [[nodiscard]] virtual std::string png(int width, int height, const std::uint8_t* rgb) const = 0;
-  /// The same as a WebP.
-  /// @param quality  0 to 100
-  /// @throws ImageError
-  [[nodiscard]] virtual std::string webp(int width, int height, const std::uint8_t* rgb,
-                                         int quality) const = 0;
-
-  /// The filter "lanczos3", three lobes over a width, at distances from its middle.
-  /// @throws ImageError where there is none
-  [[nodiscard]] virtual std::vector<float> lanczos3(float width,
-                                                    const std::vector<float>& distances) const = 0;
 };
 
 /// The library. The first call loads it: the file that the environment's GNOMON_IMAGE_MODULE names,

@@ -26,6 +26,8 @@ std::string webPBytes(int width, int height, const std::uint8_t* rgb, int qualit
     throw ImageError("libwebp is of another version than the one this was built for");
   }
   const std::unique_ptr<WebPPicture, decltype(&WebPPictureFree)> freed(&picture, WebPPictureFree);
+  constexpr int littleEffort = 2;
+  config.method = littleEffort;
   std::string bytes;
   picture.width = width;
   picture.height = height;

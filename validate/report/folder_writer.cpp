@@ -3,6 +3,8 @@
 #include "common/atomic_file.h"
 #include "report/displaced_image.h"
 #include "report/images.h"
+#include "report/shrunk_image.h"
+#include "report/web_picture.h"
 
 namespace gnomon {
 
@@ -10,8 +12,8 @@ std::string FolderWriter::mask(const Mask& mask) const {
   return pngOf(maskImage(mask));
 }
 
-std::string FolderWriter::shaded(int width, int height,
-                                 const std::vector<std::uint8_t>& rgb) const {
+std::string FolderWriter::picture(int width, int height,
+                                  const std::vector<std::uint8_t>& rgb) const {
   return pngOf(Image{width, height, rgb});
 }
 
@@ -19,8 +21,16 @@ std::string FolderWriter::difference(const Mask& candidate, const Mask& truth) c
   return pngOf(differenceImage(candidate, truth));
 }
 
-std::string FolderWriter::displaced(int width, int height, const std::vector<float>& light) const {
-  return pngOf(displacedImage(width, height, light));
+std::string FolderWriter::embedded(int width, int height, const std::vector<std::uint8_t>& rgb,
+                                   EmbeddedSize size) const {
+  const Image image{width, height, rgb};
+  return size == EmbeddedSize::small ? webPicture(shrunk(image, smallSide), smallQuality)
+                                     : webPicture(image, fineQuality);
+}
+
+std::vector<std::uint8_t> FolderWriter::displaced(int width, int height,
+                                                  const std::vector<float>& light) const {
+  return displacedImage(width, height, light).rgb;
 }
 
 void FolderWriter::write(const std::string& path, const std::string& bytes) {

@@ -8,17 +8,19 @@
 
 namespace gnomon {
 
-/// Writes the pictures of a run into its folder, as PNG files.
+/// Writes the pictures of a run into its folder, as PNG files; what a page embeds is WebP.
 class FolderWriter : public RunWriter {
  public:
   explicit FolderWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   [[nodiscard]] std::string mask(const Mask& mask) const override;
-  [[nodiscard]] std::string shaded(int width, int height,
-                                   const std::vector<std::uint8_t>& rgb) const override;
+  [[nodiscard]] std::string picture(int width, int height,
+                                    const std::vector<std::uint8_t>& rgb) const override;
   [[nodiscard]] std::string difference(const Mask& candidate, const Mask& truth) const override;
-  [[nodiscard]] std::string displaced(int width, int height,
-                                      const std::vector<float>& light) const override;
+  [[nodiscard]] std::string embedded(int width, int height, const std::vector<std::uint8_t>& rgb,
+                                     EmbeddedSize size) const override;
+  [[nodiscard]] std::vector<std::uint8_t> displaced(int width, int height,
+                                                    const std::vector<float>& light) const override;
   void write(const std::string& path, const std::string& bytes) override;
 
  private:

@@ -3,22 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
-#include "common/parallel.h"
 #include "compare/rates.h"
 #include "report/cases.h"
 #include "report/html_text.h"
 #include "report/images.h"
 #include "report/names.h"
 #include "report/number_text.h"
-#include "report/picture_layers.h"
-#include "report/shrunk_image.h"
 #include "report/web_picture.h"
-#include "study/cached_fields.h"
 
 namespace gnomon {
 namespace {
@@ -26,15 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view truthMethod = "truth";
-/// Of the small pictures: the page shows them at a quarter of its width, on paper at two inches.
-constexpr int smallSide = 600;
 
 /// The pictures that share one caption, the shading first.
 struct Figure {
   std::string method;
   std::vector<const PictureRecord*> pictures;
-  std::optional<std::size_t> mesh = std::nullopt;  ///< whose layers its shading is composed of
-  std::string html = {};                           ///< its pictures
 };
 
 bool has(const Figure& figure, PictureRecord::Kind kind) {
@@ -76,35 +67,20 @@ std::string pngAddress(const fs::path& path) {
   return dataAddress("image/png", bytes);
 }
 
-ContentKey keyOfFile(const fs::path& path) {
-  return keyOfBytes(readFile(path));
-}
-
-/// A picture of a file as WebP: in full, or small.
-std::string webAddress(const fs::path& path, bool isSmall, Cache& cache) {
-  KeyBuilder key("web picture");
-  key.add("file", keyOfFile(path)).add("small", isSmall);
-  return cache.remember(key.key(), [&] {
-    return isSmall ? webPicture(shrunk(readImage(path), smallSide), smallQuality)
-                   : webPicture(readImage(path), fineQuality);
-  });
-}
-
 std::string alternativeText(const PictureRecord& picture) {
   const bool difference = picture.kind == PictureRecord::Kind::difference;
   return difference ? picture.method + ": signed difference from the truth" : picture.caption;
 }
 
-/// A shading that can be composed again is embedded small, a difference as it is, since the viewer
-/// reads masks from it, and any other picture in full.
+/// A difference is embedded as it is, since the viewer reads masks from it.
 std::string pictureHtml(const PictureRecord& picture, const PanelRecord& panel,
-                        const fs::path& folder, Cache& cache) {
-  const fs::path path = folder / picture.path;
+                        const fs::path& folder) {
   const bool isDifference = picture.kind == PictureRecord::Kind::difference;
-  const bool isSmall = !isDifference && !picture.mask.empty();
-  const std::string address = isDifference ? pngAddress(path) : webAddress(path, isSmall, cache);
+  const bool isWhole = !isDifference && !picture.layers;
+  const std::string address = isDifference ? pngAddress(folder / picture.path)
+                                           : dataAddress("image/webp", picture.embedded);
   return fmt::format("<img class=\"{}{}\" alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">\n",
-                     pictureKindName(picture.kind), isDifference || isSmall ? "" : " whole",
+                     pictureKindName(picture.kind), isWhole ? " whole" : "",
                      escapeHtml(alternativeText(picture)), panel.width, panel.height, address);
 }
 
@@ -143,14 +119,19 @@ std::string captionHtml(const Figure& figure, std::size_t index, const Rate& rat
 }
 
 std::string figureHtml(const StudyRecord& record, const PanelRecord& panel, const Figure& figure,
-                       std::size_t index) {
+                       std::size_t index, const fs::path& folder) {
   const Rate rate = rateOf(record, {panel.view, panel.light}, figure.method);
-  const std::string mesh = figure.mesh ? fmt::format(" data-mesh=\"{}\"", *figure.mesh) : "";
+  const PictureRecord& first = *figure.pictures.front();
+  const std::string layers = first.layers ? fmt::format(" data-mesh=\"{}\"", *first.layers) : "";
+  std::string pictures;
+  for (const PictureRecord* picture : figure.pictures) {
+    pictures += pictureHtml(*picture, panel, folder);
+  }
   return fmt::format(
       "<figure data-method=\"{}\" data-letter=\"{}\" data-name=\"{}\" data-rate=\"{}\"{}>\n{}{}"
       "</figure>\n",
-      escapeHtml(figure.method), letters(index), escapeHtml(figure.pictures.front()->caption),
-      escapeHtml(rate.text), mesh, figure.html, captionHtml(figure, index, rate));
+      escapeHtml(figure.method), letters(index), escapeHtml(first.caption), escapeHtml(rate.text),
+      layers, pictures, captionHtml(figure, index, rate));
 }
 
 std::string layerHtml(std::string_view kind, std::size_t mesh, const std::string& address) {
@@ -158,115 +139,18 @@ std::string layerHtml(std::string_view kind, std::size_t mesh, const std::string
                      address);
 }
 
-/// The figures whose shadings are taken apart.
-std::vector<Figure*> layeredFigures(std::vector<Figure>& figures) {
-  std::vector<Figure*> layered;
-  for (Figure& figure : figures) {
-    const bool answers =
-        figure.method == truthMethod || has(figure, PictureRecord::Kind::difference);
-    if (!figure.pictures.front()->mask.empty() && answers) layered.push_back(&figure);
-  }
-  return layered;
-}
-
-/// The layers of some shadings, embedded, and whose mesh each of the shadings is.
-struct Layers {
-  std::vector<std::uint64_t> meshes;
-  std::vector<std::string> lit, dark;
-};
-
-template <typename Stream, SameAs<Layers> T>
-void fields(Stream& stream, T& layers) {
-  stream(layers.meshes, layers.lit, layers.dark);
-}
-
-std::string layerAddress(const Image& layer, Cache& cache) {
-  KeyBuilder key("layer");
-  key.add("width", layer.width).add("height", layer.height).add("rgb", layer.rgb);
-  return cache.remember(key.key(), [&] { return webPicture(layer, fineQuality); });
-}
-
-/// A mask of a file. It is kept, since the layers of many pictures are made anew after one of them
-/// has changed.
-Mask maskOfFile(const fs::path& path, Cache& cache) {
-  KeyBuilder key("mask of a picture");
-  key.add("file", keyOfFile(path));
-  return cache.remember(key.key(), [&] { return maskFromImage(readImage(path)); });
-}
-
-Layers splitShadings(const std::vector<Figure*>& figures, const fs::path& folder, Cache& cache) {
-  std::vector<Image> shadings(figures.size());
-  std::vector<Mask> masks(figures.size());
-  parallelFor(0, figures.size(), [&](std::size_t i) {
-    const PictureRecord& picture = *figures[i]->pictures.front();
-    masks[i] = maskOfFile(folder / picture.mask, cache);
-    shadings[i] = readImage(folder / picture.path);
-  });
-  LayerBuilder builder;
-  Layers layers;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    layers.meshes.push_back(builder.add(shadings[i], masks[i]));
-  }
-  const std::vector<PictureLayers> split = builder.layers();
-  layers.lit.resize(split.size());
-  layers.dark.resize(split.size());
-  parallelFor(0, 2 * split.size(), [&](std::size_t i) {
-    const std::size_t mesh = i / 2;
-    const bool isLit = i % 2 == 0;
-    (isLit ? layers.lit : layers.dark)[mesh] =
-        layerAddress(isLit ? split[mesh].lit : split[mesh].dark, cache);
-  });
-  return layers;
-}
-
-/// Splits the figures' shadings into layers, and embeds these and the truth's mask.
-std::string embeddedLayers(std::vector<Figure>& figures, const fs::path& folder, Cache& cache) {
-  const std::vector<Figure*> layered = layeredFigures(figures);
-  KeyBuilder key("layers");
-  for (const Figure* figure : layered) {
-    key.add("shading", keyOfFile(folder / figure->pictures.front()->path));
-    key.add("mask", keyOfFile(folder / figure->pictures.front()->mask));
-  }
-  const Layers layers =
-      cache.remember(key.key(), [&] { return splitShadings(layered, folder, cache); });
+/// What shadings are composed of: the layers, and the truth's mask.
+std::string layersHtml(const PanelRecord& panel, const fs::path& folder) {
   std::string html;
-  for (std::size_t i = 0; i < layered.size(); ++i) {
-    Figure& figure = *layered[i];
-    figure.mesh = layers.meshes.at(i);
-    if (figure.method == truthMethod) {
-      html += layerHtml("truth", *figure.mesh, pngAddress(folder / figure.pictures.front()->mask));
-    }
+  for (const PictureRecord& picture : panel.pictures) {
+    if (picture.method != truthMethod || !picture.layers) continue;
+    html += layerHtml("truth", *picture.layers, pngAddress(folder / picture.mask));
   }
-  for (std::size_t i = 0; i < layers.lit.size(); ++i) {
-    html += layerHtml("lit", i, layers.lit[i]) + layerHtml("dark", i, layers.dark[i]);
+  for (std::size_t i = 0; i < panel.layers.size(); ++i) {
+    html += layerHtml("lit", i, dataAddress("image/webp", panel.layers[i].lit)) +
+            layerHtml("dark", i, dataAddress("image/webp", panel.layers[i].dark));
   }
   return html.empty() ? "" : "<div class=\"layers\" hidden>\n" + html + "</div>\n";
-}
-
-/// Embeds the layers that they are composed of, and the figures' pictures, each for its own figure.
-/// All take long to compress, and none needs another.
-/// @return the layers
-std::string embedPictures(std::vector<Figure>& figures, const PanelRecord& panel,
-                          const fs::path& folder, Cache& cache) {
-  std::vector<const PictureRecord*> pictures;
-  for (const Figure& figure : figures) {
-    pictures.insert(pictures.end(), figure.pictures.begin(), figure.pictures.end());
-  }
-  std::string layers;
-  std::vector<std::string> embedded(pictures.size());
-  // The layers first: they take the longest.
-  parallelFor(0, pictures.size() + 1, [&](std::size_t i) {
-    if (i == 0) {
-      layers = embeddedLayers(figures, folder, cache);
-    } else {
-      embedded[i - 1] = pictureHtml(*pictures[i - 1], panel, folder, cache);
-    }
-  });
-  std::size_t next = 0;
-  for (Figure& figure : figures) {
-    for (std::size_t i = 0; i < figure.pictures.size(); ++i) figure.html += embedded[next++];
-  }
-  return layers;
 }
 
 std::string cssColour(const Rgb& colour) {
@@ -289,19 +173,18 @@ std::string differenceLegend() {
 }  // namespace
 
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
-                         const fs::path& folder, Cache& cache) {
-  std::vector<Figure> figures = figuresOf(panel);
-  const std::string layers = embedPictures(figures, panel, folder, cache);
+                         const fs::path& folder) {
+  const std::vector<Figure> figures = figuresOf(panel);
   std::string html = fmt::format(
       "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n",
       escapeHtml(panel.view), escapeHtml(panel.light), panel.width, panel.height);
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    html += figureHtml(record, panel, figures[i], i);
+    html += figureHtml(record, panel, figures[i], i, folder);
   }
   const bool signedOnes = std::any_of(figures.begin(), figures.end(), [](const Figure& figure) {
     return has(figure, PictureRecord::Kind::difference);
   });
-  return html + layers + "</div>\n" + (signedOnes ? differenceLegend() : "");
+  return html + layersHtml(panel, folder) + "</div>\n" + (signedOnes ? differenceLegend() : "");
 }
 
 std::string differenceProperties() {

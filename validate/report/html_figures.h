@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <string>
 
-#include "cache/cache.h"
 #include "study/record.h"
 
 namespace gnomon {
@@ -11,11 +10,11 @@ namespace gnomon {
 /// The pictures of one case as lettered figures, one a method, in the order of the record: the
 /// shading, under it the signed difference (or, for the truth, the displaced surface as one sees
 /// it), and a caption with the method's error rate; below them what the colours of the differences
-/// mean. Pictures are embedded as base64; `folder` is where their paths start. What embedding makes
-/// of the same pictures is kept in the cache.
-/// @throws InputError if a picture cannot be read, InternalError if it is no PNG
+/// mean. Pictures are embedded as base64; `folder` is where their paths start.
+/// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
+///   PNG
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
-                         const std::filesystem::path& folder, Cache& cache);
+                         const std::filesystem::path& folder);
 
 /// CSS properties --false-shadow, --false-light, --both-lit, --both-shadowed: the colours that the
 /// difference pictures hold.

@@ -2,13 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <memory>
-
 #include "common/atomic_file.h"
 #include "common/error.h"
-#include "common/memory.h"
 #include "image_files/image_error.h"
-#include "image_files/image_library.h"
+#include "image_files/png_encoder.h"
 
 namespace gnomon {
 namespace {
@@ -58,31 +55,6 @@ Rgb differenceColour(Shade candidate, Shade truth) {
   return truth == Shade::lit ? DifferenceColours::falseShadow : DifferenceColours::falseLight;
 }
 
-Shade shadeOf(const Image& image, std::size_t pixel) {
-  const Rgb colour{image.rgb[3 * pixel], image.rgb[3 * pixel + 1], image.rgb[3 * pixel + 2]};
-  if (colour == MaskColours::lit) return Shade::lit;
-  if (colour == MaskColours::shadowed) return Shade::shadowed;
-  if (colour == MaskColours::none) return Shade::none;
-  const auto width = static_cast<std::size_t>(image.width);
-  throw InputError(
-      fmt::format("mask image: column {}, row {} is ({}, {}, {}), but white (lit), black "
-                  "(shadowed) or 128 grey "
-                  "(no sample) was expected",
-                  pixel % width, pixel / width, colour[0], colour[1], colour[2]));
-}
-
-[[noreturn]] void refuse(const std::filesystem::path& path, const char* what,
-                         const std::string& why) {
-  throw InputError(fmt::format("{}: {}: {}", path.string(), what, why));
-}
-
-std::vector<std::uint8_t> threeChannels(const std::vector<std::uint8_t>& grey) {
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(3 * grey.size());
-  for (const std::uint8_t value : grey) rgb.insert(rgb.end(), 3, value);
-  return rgb;
-}
-
 }  // namespace
 
 Image maskImage(const Mask& mask) {
@@ -90,13 +62,6 @@ Image maskImage(const Mask& mask) {
   Image image = emptyImage(mask);
   for (const Shade shade : mask.samples) append(image, maskColour(shade));
   return image;
-}
-
-Mask maskFromImage(const Image& image) {
-  requireWhole(image);
-  Mask mask{image.width, image.height, std::vector<Shade>(image.rgb.size() / 3)};
-  for (std::size_t i = 0; i < mask.size(); ++i) mask.samples[i] = shadeOf(image, i);
-  return mask;
 }
 
 Image differenceImage(const Mask& candidate, const Mask& truth) {
@@ -122,32 +87,14 @@ std::string pngOf(const Image& image) {
   requireWhole(image);
   if (image.rgb.empty()) throw InternalError("PNG: an image without pixels");
   try {
-    return imageLibrary().png(image.width, image.height, image.rgb.data());
+    return pngBytes(image.width, image.height, image.rgb.data());
   } catch (const ImageError& error) {
-    throw InternalError(fmt::format("OpenImageIO: PNG cannot be written: {}", error.what()));
+    throw InternalError(fmt::format("PNG: {}", error.what()));
   }
 }
 
 void writePng(const std::filesystem::path& path, const Image& image) {
   writeTextAtomically(path, pngOf(image));
-}
-
-Image readImage(const std::filesystem::path& path) {
-  try {
-    const std::unique_ptr<ImageReader> reader = imageLibrary().open(path);
-    const ImageFacts facts = reader->facts();
-    const int channels = facts.channelCount();
-    if (channels != 1 && channels != 3) {
-      refuse(path, "1 or 3 channels expected", fmt::format("{} found", channels));
-    }
-    requireMemory(4 * static_cast<double>(facts.pixelCount) * channels, path.string());
-    std::vector<std::uint8_t> values(facts.pixelCount * facts.channels.size());
-    reader->read(0, channels, NumberType::uint8, values.data());
-    if (channels == 1) values = threeChannels(values);
-    return {facts.data.width, facts.data.height, std::move(values)};
-  } catch (const ImageError& error) {
-    refuse(path, "cannot be read", error.what());
-  }
 }
 
 }  // namespace gnomon

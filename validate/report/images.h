@@ -12,7 +12,7 @@ namespace gnomon {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// The colours of a mask picture. Exact, so that a mask can be read back.
+/// The colours of a mask picture. Exact, so that a mask can be read back: see mask_picture.h.
 struct MaskColours {
   static constexpr Rgb lit{255, 255, 255};
   static constexpr Rgb shadowed{0, 0, 0};
@@ -34,10 +34,6 @@ struct DifferenceColours {
 /// @throws InternalError if the mask's samples do not fill its width × height
 Image maskImage(const Mask& mask);
 
-/// The inverse of maskImage.
-/// @throws InputError naming the first pixel that has none of the three colours
-Mask maskFromImage(const Image& image);
-
 /// Where a candidate differs from the truth, and in which direction.
 /// @throws InputError if the sizes differ or only one of the two has a sample somewhere
 Image differenceImage(const Mask& candidate, const Mask& truth);
@@ -51,11 +47,5 @@ std::string pngOf(const Image& image);
 /// @throws InputError when the file cannot be written, InternalError for an image without pixels or
 ///   one whose values do not fill its width × height
 void writePng(const std::filesystem::path& path, const Image& image);
-
-/// Reads a picture of any format that OpenImageIO knows, as 8 bits a channel; a grey one gets
-/// three equal channels.
-/// @throws InputError naming the file when it cannot be read or has neither 1 nor 3 channels,
-///   MemoryError when it would not fit
-Image readImage(const std::filesystem::path& path);
 
 }  // namespace gnomon

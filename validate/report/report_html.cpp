@@ -125,11 +125,11 @@ std::string caseTables(const StudyRecord& record, const Case& which) {
 }
 
 std::string caseSection(const StudyRecord& record, const Case& which, std::size_t number,
-                        const std::filesystem::path& folder, Cache& cache) {
+                        const std::filesystem::path& folder) {
   std::string content;
   for (const PanelRecord& panel : record.panels) {
     if (Case{panel.view, panel.light} != which) continue;
-    content += panelFigures(record, panel, folder, cache);
+    content += panelFigures(record, panel, folder);
   }
   content += caseTables(record, which);
   return htmlSection(fmt::format("case-{}", number),
@@ -243,7 +243,7 @@ std::string navigation(const std::vector<Case>& cases) {
 }  // namespace
 
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       std::span<const DrawnPlot> plots, Cache& cache) {
+                       std::span<const DrawnPlot> plots) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
   const bool hasPictures = !record.panels.empty();
@@ -253,19 +253,13 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
                      htmlClaims(record.claims) + thresholdSection(record) +
                      (hasPictures ? std::string(viewerMarkup()) : "") + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    html += caseSection(record, cases[i], i + 1, folder, cache);
+    html += caseSection(record, cases[i], i + 1, folder);
   }
   html += confidenceSection(record) + plotSection(plots) + budgetSection(record) +
           costSection(record) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record) + "</main>\n";
   if (hasPictures) html += "<script>" + std::string(viewerScript()) + "</script>\n";
   return html + "</body>\n</html>\n";
-}
-
-std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       std::span<const DrawnPlot> plots) {
-  Cache off;
-  return reportHtml(record, folder, plots, off);
 }
 
 }  // namespace gnomon

@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 
-#include "cache/cache.h"
 #include "report/study_plots.h"
 #include "study/record.h"
 
@@ -16,12 +15,9 @@ namespace gnomon {
 /// does it cost, how far can the truth be trusted, how is it run again.
 /// @param folder  the run's folder: where the paths of the pictures start
 /// @param plots   embedded, in this order
-/// @param cache   keeps what embedding makes of pictures
-/// @throws InputError if a picture cannot be read, InternalError for a number that is not finite
-std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       std::span<const DrawnPlot> plots, Cache& cache);
-
-/// The same, without a cache.
+/// @throws InputError if a difference or the truth's mask cannot be read, InternalError for one
+/// that
+///   is no PNG, or a number that is not finite
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
                        std::span<const DrawnPlot> plots = {});
 

@@ -132,7 +132,7 @@ void writeRunFiles(const StudyRecord& record, const fs::path& folder, Cache& cac
   if (!points.empty()) writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
   if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
   const std::vector<DrawnPlot> plots = writePlots(studyPlots(record), folder, cache);
-  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plots, cache));
+  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plots));
   writeTextAtomically(folder / "summary.json", summaryJson(record));
 }
 

@@ -17,7 +17,7 @@ void removeRunFiles(const std::filesystem::path& folder);
 /// Writes a study's: metrics.csv, bins.csv, frontier.csv, budget.csv (where there are any),
 /// table.csv, table.tex, plots/NAME.svg and .pdf, report.html, and last summary.json, so that its
 /// presence says that the run is whole.
-/// @param cache  keeps plots, and what embedding makes of pictures
+/// @param cache  keeps plots
 /// @throws InputError for a file that cannot be written or a picture that cannot be read;
 ///   InternalError as the writers
 void writeRunFiles(const StudyRecord& record, const std::filesystem::path& folder, Cache& cache);

@@ -8,7 +8,6 @@ namespace gnomon {
 /// beyond the border are those of its nearest pixel. To the bit what OpenImageIO's resize makes
 /// with its filter "lanczos3", in a fraction of its time.
 /// @param side  pixels, at least 1
-/// @throws InternalError where OpenImageIO lacks the filter
 Image shrunk(const Image& image, int side);
 
 }  // namespace gnomon

@@ -43,9 +43,9 @@ std::pair<Glyph, std::size_t> firstGlyph(std::string_view text) {
   const bool invalid =
       length == static_cast<std::size_t>(-1) || length == static_cast<std::size_t>(-2);
   if (invalid) return {{"\uFFFD", 1}, 1};
-  const int columns = wcwidth(character);
-  if (length == 0 || columns < 0) return {{"?", 1}, std::max<std::size_t>(length, 1)};
-  return {{text.substr(0, length), static_cast<std::size_t>(columns)}, length};
+  const int cells = wcwidth(character);
+  if (length == 0 || cells < 0) return {{"?", 1}, std::max<std::size_t>(length, 1)};
+  return {{text.substr(0, length), static_cast<std::size_t>(cells)}, length};
 }
 
 std::vector<Glyph> glyphsOf(std::string_view text) {

@@ -7,7 +7,7 @@
 #include "common/base64.h"
 #include "common/error.h"
 #include "image_files/image_error.h"
-#include "image_files/image_library.h"
+#include "image_files/webp_encoder.h"
 
 namespace gnomon {
 
@@ -22,8 +22,7 @@ std::string webPicture(const Image& image, int quality) {
                                     image.width, image.height, longest));
   }
   try {
-    return dataAddress("image/webp",
-                       imageLibrary().webp(image.width, image.height, image.rgb.data(), quality));
+    return webPBytes(image.width, image.height, image.rgb.data(), quality);
   } catch (const ImageError& error) {
     throw InternalError(fmt::format("WebP cannot be written: {}", error.what()));
   }

@@ -13,11 +13,13 @@ namespace gnomon {
 constexpr int fineQuality = 95;
 /// WebP for a picture that is shown small.
 constexpr int smallQuality = 88;
+/// Of such a picture: the page shows it at a quarter of its width, on paper at two inches.
+constexpr int smallSide = 600;
 
 /// Bytes as the address of a picture: "data:TYPE;base64,…".
 std::string dataAddress(std::string_view type, const std::string& bytes);
 
-/// A picture as WebP, with losses: as its address in a page. Same image, same bytes.
+/// A picture as the bytes of a WebP, with losses. Same image, same bytes.
 /// @param quality  0 to 100
 /// @throws InternalError for a picture without pixels, or with more of them on a side than WebP
 ///   takes (16,383)

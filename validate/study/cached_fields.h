@@ -136,6 +136,11 @@ void fields(Stream& stream, T& level) {
   stream(level.stepTexels, level.microTriangles, level.flipRate);
 }
 
+template <typename Stream, SameAs<LayersRecord> T>
+void fields(Stream& stream, T& layers) {
+  stream(layers.lit, layers.dark);
+}
+
 template <typename Stream, SameAs<MethodOutcome> T>
 void fields(Stream& stream, T& outcome) {
   BoundaryMetrics boundaries{outcome.boundaries};

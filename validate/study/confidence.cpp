@@ -20,8 +20,8 @@ struct Sample {
   BlockErrors cells;
 };
 
-ConfidenceRecord recordOf(const ViewErrors& errors, const Sample& of) {
-  const ConfidenceInterval confidence = rateConfidence(of.cells, errors.tiling);
+ConfidenceRecord recordOf(const ViewErrors& errors, const Sample& of, const Bootstrap& bootstrap) {
+  const ConfidenceInterval confidence = rateConfidence(of.cells, errors.tiling, bootstrap);
   return {*of.method,
           errors.view,
           of.light,
@@ -43,8 +43,10 @@ std::vector<ConfidenceRecord> confidenceOf(const ViewErrors& errors) {
       samples.push_back({&method.method, errors.lights[l], method.lights[l]});
     }
   }
+  const Bootstrap bootstrap;
   std::vector<ConfidenceRecord> records(samples.size());
-  parallelFor(0, records.size(), [&](std::size_t i) { records[i] = recordOf(errors, samples[i]); });
+  parallelFor(0, records.size(),
+              [&](std::size_t i) { records[i] = recordOf(errors, samples[i], bootstrap); });
   return records;
 }
 
@@ -59,10 +61,12 @@ std::vector<DifferenceRecord> differencesOf(const ViewErrors& errors, double unc
       records.emplace_back();
     }
   }
+  const Bootstrap bootstrap;
   parallelFor(0, records.size(), [&](std::size_t i) {
     const BlockErrors& first = sums[pairs[i].first];
     const BlockErrors& second = sums[pairs[i].second];
-    const ConfidenceInterval confidence = differenceConfidence(first, second, errors.tiling);
+    const ConfidenceInterval confidence =
+        differenceConfidence(first, second, errors.tiling, bootstrap);
     DifferenceRecord& record = records[i];
     record.view = errors.view;
     record.light = allLights;

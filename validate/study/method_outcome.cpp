@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
+#include "common/alongside.h"
 #include "common/parallel.h"
 #include "compare/bins.h"
 #include "compare/boundaries.h"
@@ -31,12 +33,13 @@ const std::vector<std::string_view>& outcomeRegions() {
   return names;
 }
 
-const OutcomeStage::Shared& OutcomeStage::sharedOf(const BaseCase& base) {
+const OutcomeStage::Shared* OutcomeStage::findShared(const BaseCase& base) const {
   const auto found = std::find_if(shared_.begin(), shared_.end(),
                                   [&](const Shared& shared) { return shared.base == &base; });
-  if (found != shared_.end()) return *found;
-  LightField field = scene_.clock.measure(
-      "compare", [&](const Progress&) { return scene_.lightField(base, view_, light_); });
+  return found != shared_.end() ? &*found : nullptr;
+}
+
+const OutcomeStage::Shared& OutcomeStage::makeShared(const BaseCase& base, LightField field) {
   SampleBins bins = scene_.clock.measure("bins", [&](const Progress&) {
     return scene_.cache.remember(scene_.keys.bins(base.choice, view_, light_), [&] {
       return binSamples(scene_.surface, scene_.study.relief, base.views[view_].samples,
@@ -47,8 +50,18 @@ const OutcomeStage::Shared& OutcomeStage::sharedOf(const BaseCase& base) {
   return shared_.back();
 }
 
-MethodOutcome OutcomeStage::compare(const BaseCase& base, const Mask& mask) {
-  const Shared& shared = sharedOf(base);
+MethodOutcome OutcomeStage::compare(const BaseCase& base,
+                                    const std::function<const Mask&()>& maskOf) {
+  const Shared* known = findShared(base);
+  const Mask* drawn = nullptr;
+  LightField field;
+  // Where OpenGL draws in software it compiles on one thread.
+  alongside([&] { drawn = &maskOf(); },
+            [&] {
+              if (known == nullptr) field = scene_.lightField(base, view_, light_);
+            });
+  const Shared& shared = known != nullptr ? *known : makeShared(base, std::move(field));
+  const Mask& mask = *drawn;
   const ViewCase& seen = base.views[view_];
   const Truth& truth = seen.truths[light_];
   const std::vector<SampleAxis>& axes = sampleAxes();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -36,8 +37,9 @@ class OutcomeStage {
   OutcomeStage(RunScene& scene, std::size_t view, std::size_t light, int cellSide)
       : scene_(scene), view_(view), light_(light), cellSide_(cellSide) {}
 
-  /// @param base  the mesh that the mask's method draws
-  MethodOutcome compare(const BaseCase& base, const Mask& mask);
+  /// @param base    the mesh that the method draws
+  /// @param maskOf  gives the method's answer; called once, on this thread
+  MethodOutcome compare(const BaseCase& base, const std::function<const Mask&()>& maskOf);
 
  private:
   struct Shared {
@@ -45,7 +47,8 @@ class OutcomeStage {
     LightField field;
     SampleBins bins;
   };
-  const Shared& sharedOf(const BaseCase& base);
+  [[nodiscard]] const Shared* findShared(const BaseCase& base) const;
+  const Shared& makeShared(const BaseCase& base, LightField field);
 
   RunScene& scene_;
   std::size_t view_;

@@ -2,7 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "common/on_demand.h"
 #include "common/parallel.h"
+#include "study/cached_fields.h"
 #include "study/file_names.h"
 #include "truth/displaced_picture.h"
 
@@ -17,15 +21,53 @@ std::vector<std::string> namesOf(const Entries& entries, const NameOf& nameOf) {
   return names;
 }
 
+/// A picture as a file and as a page embeds it.
+struct PictureBytes {
+  std::string file;
+  std::string embedded;
+};
+
+template <typename Stream, SameAs<PictureBytes> T>
+void fields(Stream& stream, T& bytes) {
+  stream(bytes.file, bytes.embedded);
+}
+
 }  // namespace
 
 /// An answer of a panel with the keys of its pictures. Its mask is asked for only where one of them
 /// has to be made.
 struct PanelPictures::Answer {
   ContentKey key;
-  const BaseCase& base;
+  const Mesh& mesh;
   const Mask* truth;  ///< what the mask is held against; null for the truth itself
   std::function<const Mask&()> mask;
+};
+
+/// A mesh in a panel. It is drawn only where a picture of it has to be made.
+struct PanelPictures::Mesh {
+  /// With all its samples lit, and with all of them shadowed: RGB.
+  struct Colours {
+    std::vector<std::uint8_t> lit;
+    std::vector<std::uint8_t> dark;
+
+    template <typename Stream, SameAs<Colours> T>
+    friend void fields(Stream& stream, T& both) {
+      stream(both.lit, both.dark);
+    }
+  };
+
+  std::size_t layers;  ///< place among the panel's
+  OnDemand<Colours> colours;
+
+  /// A mask's shading: the dark colours where it is shadowed.
+  [[nodiscard]] std::vector<std::uint8_t> shading(const Mask& mask) const {
+    const Colours& both = colours.get();
+    std::vector<std::uint8_t> rgb = both.lit;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      if (mask.samples[i] == Shade::shadowed) std::copy_n(&both.dark[3 * i], 3, &rgb[3 * i]);
+    }
+    return rgb;
+  }
 };
 
 PanelPictures::PanelPictures(RunScene& scene, RunWriter& writer)
@@ -44,52 +86,96 @@ std::string PanelPictures::path(const char* folder, std::size_t view, std::size_
   return fmt::format("{}/{}_{}_{}.png", folder, viewFiles_[view], lightFiles_[light], name);
 }
 
-void PanelPictures::write(const std::string& path, const ContentKey& key,
-                          const std::function<std::string()>& bytes) {
-  scene_.clock.measure(
-      "writing", [&](const Progress&) { writer_.write(path, scene_.cache.remember(key, bytes)); });
-}
-
 void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
   for (std::size_t v = 0; v < scene_.study.views.size(); ++v) {
     const auto* camera = std::get_if<Camera>(&scene_.study.views[v].kind);
     if (camera == nullptr) continue;
     for (std::size_t l = 0; l < scene_.study.lights.size(); ++l) {
-      write(path("images", v, l, "displaced"), scene_.keys.displacedPicture(v, l), [&] {
+      PictureBytes bytes = scene_.cache.remember(scene_.keys.displacedPicture(v, l), [&] {
         const TracedSurface& traced = surface.get();
-        const auto picture =
-            scene_.clock.measure("displaced picture", [&](const Progress& progress) {
-              return displacedPicture(traced.mesh, traced.scene, *camera,
-                                      scene_.study.lights[l].direction(), progress);
-            });
-        return writer_.displaced(camera->width, camera->height, picture);
+        const auto light = scene_.clock.measure("displaced picture", [&](const Progress& progress) {
+          return displacedPicture(traced.mesh, traced.scene, *camera,
+                                  scene_.study.lights[l].direction(), progress);
+        });
+        return scene_.clock.measure("writing", [&](const Progress&) {
+          const auto rgb = writer_.displaced(camera->width, camera->height, light);
+          PictureBytes made;
+          parallelFor(0, 2, [&](std::size_t i) {
+            if (i == 0) {
+              made.embedded =
+                  writer_.embedded(camera->width, camera->height, rgb, EmbeddedSize::full);
+            } else {
+              made.file = writer_.picture(camera->width, camera->height, rgb);
+            }
+          });
+          return made;
+        });
       });
+      scene_.clock.measure("writing", [&](const Progress&) {
+        writer_.write(path("images", v, l, "displaced"), bytes.file);
+      });
+      displaced_[{v, l}] = std::move(bytes.embedded);
     }
   }
 }
 
 std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t light,
-                                               const BaseCase& base, const Mask& mask) {
+                                               const BaseCase& base, Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
     if (!shade_) shade_.emplace(scene_.shaders, scene_.study.relief.field.wrap());
-    return shade_->render(base.views[view].view, scene_.drawing(base, light), mask);
+    const RenderView& seen = base.views[view].view;
+    const auto pixels =
+        static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
+    return shade_->render(seen, scene_.drawing(base, light),
+                          {seen.width, seen.height, std::vector<Shade>(pixels, everywhere)});
   });
 }
 
-void PanelPictures::writeAnswer(std::size_t view, std::size_t light, const std::string& name,
-                                const Answer& answer) {
+PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light,
+                                             const BaseCase& base, PanelRecord& panel) {
+  const ContentKey key = scene_.keys.layers(base.choice, view, light);
+  Mesh mesh{0, OnDemand<Mesh::Colours>([this, key, view, light, &base] {
+              return scene_.cache.remember(KeyBuilder("colours").add("layers", key).key(), [&] {
+                return Mesh::Colours{shade(view, light, base, Shade::lit),
+                                     shade(view, light, base, Shade::shadowed)};
+              });
+            })};
+  const LayersRecord layers = scene_.cache.remember(key, [&] {
+    const Mesh::Colours& colours = mesh.colours.get();
+    return scene_.clock.measure("writing", [&](const Progress&) {
+      LayersRecord made;
+      parallelFor(0, 2, [&](std::size_t i) {
+        const bool isLit = i == 0;
+        (isLit ? made.lit : made.dark) = writer_.embedded(
+            panel.width, panel.height, isLit ? colours.lit : colours.dark, EmbeddedSize::full);
+      });
+      return made;
+    });
+  });
+  // Two meshes that differ in nothing that one sees share theirs.
+  const auto place = std::find(panel.layers.begin(), panel.layers.end(), layers);
+  mesh.layers = static_cast<std::size_t>(place - panel.layers.begin());
+  if (place == panel.layers.end()) panel.layers.push_back(layers);
+  return mesh;
+}
+
+std::string PanelPictures::writeAnswer(std::size_t view, std::size_t light, const std::string& name,
+                                       const Answer& answer) {
   struct Picture {
     const char* kind;
-    std::string path;
+    std::string path;  ///< empty: none of a file
     std::function<std::string()> make;
     ContentKey key = {};
     std::optional<std::string> bytes = {};
   };
   const Mask* mask = nullptr;
   std::vector<std::uint8_t> rgb;
+  // The longest first.
   std::vector<Picture> pictures = {
+      {"embedded", "",
+       [&] { return writer_.embedded(mask->width, mask->height, rgb, EmbeddedSize::small); }},
       {"shaded", path("images", view, light, name),
-       [&] { return writer_.shaded(mask->width, mask->height, rgb); }},
+       [&] { return writer_.picture(mask->width, mask->height, rgb); }},
       {"mask", path("masks", view, light, name), [&] { return writer_.mask(*mask); }}};
   if (answer.truth != nullptr) {
     pictures.push_back({"difference", path("images", view, light, name + "_difference"),
@@ -103,15 +189,18 @@ void PanelPictures::writeAnswer(std::size_t view, std::size_t light, const std::
   }
   if (!missing.empty()) {
     mask = &answer.mask();
-    rgb = shade(view, light, answer.base, *mask);
+    rgb = answer.mesh.shading(*mask);
   }
   scene_.clock.measure("writing", [&](const Progress&) {
     parallelFor(0, missing.size(), [&](std::size_t i) {
       missing[i]->bytes = missing[i]->make();
       scene_.cache.keep(missing[i]->key, *missing[i]->bytes);
     });
-    for (const Picture& picture : pictures) writer_.write(picture.path, *picture.bytes);
+    for (const Picture& picture : pictures) {
+      if (!picture.path.empty()) writer_.write(picture.path, *picture.bytes);
+    }
   });
+  return std::move(*pictures.front().bytes);
 }
 
 PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
@@ -124,25 +213,34 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   panel.light = study.lights[light].name;
   panel.width = standard.views[view].view.width;
   panel.height = standard.views[view].view.height;
+  std::map<const BaseCase*, Mesh> meshes;
+  const auto meshFor = [&](const BaseCase& base) -> const Mesh& {
+    const auto found = meshes.find(&base);
+    if (found != meshes.end()) return found->second;
+    return meshes.emplace(&base, panelMesh(view, light, base, panel)).first->second;
+  };
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     const std::string& name = methodFiles_[answer.place];
     const BaseCase& base = *answer.method->base;
-    writeAnswer(view, light, name,
-                {answerKey(scene_, *answer.method, view, light), base,
-                 &base.views[view].truths[light].mask, answer.mask});
+    const Mesh& mesh = meshFor(base);
+    std::string embedded = writeAnswer(view, light, name,
+                                       {answerKey(scene_, *answer.method, view, light), mesh,
+                                        &base.views[view].truths[light].mask, answer.mask});
     panel.pictures.push_back({Kind::shaded, label, label, path("images", view, light, name),
-                              path("masks", view, light, name)});
+                              path("masks", view, light, name), std::move(embedded), mesh.layers});
   }
-  if (std::holds_alternative<Camera>(study.views[view].kind)) {
+  if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
-                              path("images", view, light, "displaced")});
+                              path("images", view, light, "displaced"), "", displaced->second});
   }
-  writeAnswer(view, light, "truth",
-              {scene_.keys.truth(standard.choice, view, light), standard, nullptr,
-               [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
+  const Mesh& mesh = meshFor(standard);
+  std::string embedded =
+      writeAnswer(view, light, "truth",
+                  {scene_.keys.truth(standard.choice, view, light), mesh, nullptr,
+                   [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
   panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
-                            path("masks", view, light, "truth")});
+                            path("masks", view, light, "truth"), std::move(embedded), mesh.layers});
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     panel.pictures.push_back(

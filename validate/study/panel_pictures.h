@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/passes.h"
@@ -25,8 +27,9 @@ struct PanelAnswer {
 };
 
 /// Makes the pictures of a study's panels, or takes them from the cache, and hands them to the
-/// writer. Files are named `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced`
-/// for those.
+/// writer. A mesh is drawn twice for each view and light, with all its samples lit and with all of
+/// them shadowed: its shadings are composed of the two. Files are named
+/// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);
@@ -40,17 +43,20 @@ class PanelPictures {
 
  private:
   struct Answer;
+  struct Mesh;
 
   /// `images/VIEW_LIGHT_NAME.png`, or in another folder.
   [[nodiscard]] std::string path(const char* folder, std::size_t view, std::size_t light,
                                  const std::string& name) const;
-  void write(const std::string& path, const ContentKey& key,
-             const std::function<std::string()>& bytes);
   /// Writes an answer's shading and mask, and but for the truth its difference.
-  void writeAnswer(std::size_t view, std::size_t light, const std::string& name,
-                   const Answer& answer);
+  /// @return the shading as a page embeds it
+  std::string writeAnswer(std::size_t view, std::size_t light, const std::string& name,
+                          const Answer& answer);
+  /// Draws one view of a mesh under one light.
   std::vector<std::uint8_t> shade(std::size_t view, std::size_t light, const BaseCase& base,
-                                  const Mask& mask);
+                                  Shade everywhere);
+  /// A mesh whose layers are among a panel's: those of another that looks alike, or added.
+  Mesh panelMesh(std::size_t view, std::size_t light, const BaseCase& base, PanelRecord& panel);
 
   RunScene& scene_;
   RunWriter& writer_;
@@ -58,6 +64,8 @@ class PanelPictures {
   std::vector<std::string> viewFiles_;
   std::vector<std::string> lightFiles_;
   std::vector<std::string> methodFiles_;
+  /// As a page embeds the displaced surface, by view and light.
+  std::map<std::pair<std::size_t, std::size_t>, std::string> displaced_;
 };
 
 }  // namespace gnomon

@@ -120,14 +120,27 @@ struct ClaimRecord {
   std::string detail;  ///< the figures it was judged by
 };
 
-/// One picture of a panel. `path` is relative to the run's folder.
+/// One picture of a panel. Paths are relative to the run's folder.
 struct PictureRecord {
   enum class Kind { shaded, difference, displaced };
   Kind kind = Kind::shaded;
   std::string method;  ///< a label, or "truth"
   std::string caption;
   std::string path;
-  std::string mask = {};  ///< of the answer that a shaded picture shows
+  std::string mask = {};      ///< of the answer that a shaded picture shows
+  std::string embedded = {};  ///< WebP for a page; empty for a difference, which it shows as it is
+  /// Of a shading: which of its panel's layers it is composed of, and its mask. Then what is
+  /// embedded is small.
+  std::optional<std::size_t> layers = std::nullopt;
+};
+
+/// One mesh in one view under one light, with all its samples lit and with all of them shadowed: as
+/// WebP, for a page. A method decides only which samples are lit, so that these two and masks are
+/// all shadings of the mesh, in a fraction of their bytes.
+struct LayersRecord {
+  std::string lit;
+  std::string dark;
+  bool operator==(const LayersRecord&) const = default;
 };
 
 /// The pictures of one view under one light, in the order of Figure 8.
@@ -137,6 +150,7 @@ struct PanelRecord {
   int width = 0;
   int height = 0;
   std::vector<PictureRecord> pictures;
+  std::vector<LayersRecord> layers = {};
 };
 
 struct StudyRecord {

@@ -149,6 +149,13 @@ ContentKey RunKeys::bins(const MeshChoice& choice, std::size_t view, std::size_t
   return KeyBuilder("bins").add("samples", samples(choice, view)).add("light", light(index)).key();
 }
 
+ContentKey RunKeys::layers(const MeshChoice& choice, std::size_t view, std::size_t index) const {
+  return KeyBuilder("layers")
+      .add("samples", samples(choice, view))
+      .add("light", light(index))
+      .key();
+}
+
 ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const {
   KeyBuilder key("displaced picture");
   key.add("surface", surface()).add("light", light(index));

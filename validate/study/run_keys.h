@@ -39,6 +39,9 @@ class RunKeys {
   [[nodiscard]] ContentKey truth(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
   /// The bins of a view's samples on every axis, under one light.
   [[nodiscard]] ContentKey bins(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
+  /// What a view shows of a mesh under one light where all of it is lit, and all shadowed.
+  [[nodiscard]] ContentKey layers(const MeshChoice& mesh, std::size_t view,
+                                  std::size_t light) const;
   /// The displaced surface by its own rays, in a camera view.
   [[nodiscard]] ContentKey displacedPicture(std::size_t view, std::size_t light) const;
   /// Ellipses fitted to the horizons of a bake.

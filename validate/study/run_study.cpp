@@ -114,7 +114,7 @@ class StudyRun {
       key.add("answer", answerKey(scene_, *answer.method, view, light));
       key.add("cells", spread.cellSide());
       MethodOutcome outcome = scene_.cache.remember(
-          key.key(), [&] { return outcomes.compare(*answer.method->base, answer.mask()); });
+          key.key(), [&] { return outcomes.compare(*answer.method->base, answer.mask); });
       spread.add(answer.place, outcome);
       addResults(*answer.method, view, light, std::move(outcome));
     }

@@ -8,6 +8,9 @@
 
 namespace gnomon {
 
+/// In which size a page embeds a picture: as it is, or as one among many.
+enum class EmbeddedSize { full, small };
+
 /// Takes the pictures of a run as they are made, so that none has to be kept: makes the bytes of
 /// their files, which a cache may hold, and writes them. Those that make bytes may be called from
 /// several threads at once.
@@ -20,16 +23,21 @@ class RunWriter {
 
   /// A mask as data, for other programs.
   [[nodiscard]] virtual std::string mask(const Mask& mask) const = 0;
-  /// A shaded picture: RGB, 8 bits, row 0 at the top.
-  [[nodiscard]] virtual std::string shaded(int width, int height,
-                                           const std::vector<std::uint8_t>& rgb) const = 0;
+  /// A picture: RGB, 8 bits, row 0 at the top.
+  [[nodiscard]] virtual std::string picture(int width, int height,
+                                            const std::vector<std::uint8_t>& rgb) const = 0;
   /// Where a candidate errs, and which way.
   [[nodiscard]] virtual std::string difference(const Mask& candidate, const Mask& truth) const = 0;
-  /// The displaced surface by its own rays: diffuse light per pixel, 0 to 1, -1 for background.
-  [[nodiscard]] virtual std::string displaced(int width, int height,
-                                              const std::vector<float>& light) const = 0;
+  /// A picture as a page embeds it.
+  [[nodiscard]] virtual std::string embedded(int width, int height,
+                                             const std::vector<std::uint8_t>& rgb,
+                                             EmbeddedSize size) const = 0;
+  /// The colours of the displaced surface by its own rays.
+  /// @param light  diffuse light per pixel, 0 to 1, -1 for background
+  [[nodiscard]] virtual std::vector<std::uint8_t> displaced(
+      int width, int height, const std::vector<float>& light) const = 0;
   /// @param path   relative to the run's folder
-  /// @param bytes  of one of the above
+  /// @param bytes  of one of the above but `embedded`
   virtual void write(const std::string& path, const std::string& bytes) = 0;
 };
 

@@ -1,0 +1,72 @@
+#include <random>
+
+#include "common/atomic_file.h"
+#include "image_files/image_error.h"
+#include "image_files/image_library.h"
+#include "image_files/png_encoder.h"
+#include "image_files/webp_encoder.h"
+#include "support/temporary_folder.h"
+
+namespace gnomon {
+namespace {
+
+class Encoders : public TemporaryFolder {
+ protected:
+  /// Expects that a reader which is not ours finds those very values in a PNG.
+  void expectReadBack(int width, int height, const std::vector<std::uint8_t>& rgb) {
+    writeTextAtomically(file("p.png"), pngBytes(width, height, rgb.data()));
+    const auto reader = imageLibrary().open(file("p.png"));
+    const ImageFacts facts = reader->facts();
+    ASSERT_EQ(facts.data.width, width);
+    ASSERT_EQ(facts.data.height, height);
+    ASSERT_EQ(facts.channelCount(), 3);
+    EXPECT_EQ(facts.numbers, "uint8");
+    std::vector<std::uint8_t> back(rgb.size());
+    reader->read(0, 3, NumberType::uint8, back.data());
+    EXPECT_EQ(back, rgb) << width << " x " << height;
+  }
+};
+
+std::vector<std::uint8_t> noise(int width, int height) {
+  std::minstd_rand random(5);
+  std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(width * height));
+  for (std::uint8_t& value : rgb) value = static_cast<std::uint8_t>(random() >> 8);
+  return rgb;
+}
+
+TEST_F(Encoders, APngHoldsEveryValue) {
+  expectReadBack(1, 1, {1, 2, 3});
+  expectReadBack(301, 7, noise(301, 7));
+  expectReadBack(2, 400, noise(2, 400));
+  expectReadBack(640, 480, noise(640, 480));
+}
+
+TEST_F(Encoders, APngOfFewColoursIsSmall) {
+  std::vector<std::uint8_t> rgb(3 * 512 * 512, 255);
+  for (std::size_t i = 0; i < rgb.size() / 2; ++i) rgb[i] = 40;
+  expectReadBack(512, 512, rgb);
+  EXPECT_LT(pngBytes(512, 512, rgb.data()).size(), rgb.size() / 200);
+  EXPECT_EQ(pngBytes(512, 512, rgb.data()), pngBytes(512, 512, rgb.data()));
+}
+
+TEST_F(Encoders, ADamagedPngIsSeenAsOne) {
+  const std::vector<std::uint8_t> rgb = noise(20, 20);
+  std::string bytes = pngBytes(20, 20, rgb.data());
+  bytes[bytes.size() / 2] ^= 1;  // only checksums can tell
+  writeTextAtomically(file("p.png"), bytes);
+  std::vector<std::uint8_t> back(rgb.size());
+  const auto reader = imageLibrary().open(file("p.png"));
+  EXPECT_THROW(reader->read(0, 3, NumberType::uint8, back.data()), ImageError);
+}
+
+TEST_F(Encoders, RefuseWhatTheirFormatsCannotHold) {
+  const std::uint8_t value = 0;
+  EXPECT_THROW((void)pngBytes(0, 4, &value), ImageError);
+  EXPECT_THROW((void)pngBytes(30000, 30000, &value), ImageError);
+  const std::vector<std::uint8_t> tooWide(3 * 20000);
+  EXPECT_THROW((void)webPBytes(20000, 1, tooWide.data(), 90), ImageError);
+  EXPECT_EQ(webPBytes(4, 2, tooWide.data(), 90).substr(8, 4), "WEBP");
+}
+
+}  // namespace
+}  // namespace gnomon

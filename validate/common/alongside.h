@@ -1,0 +1,35 @@
+#pragma once
+
+#if defined(__SANITIZE_THREAD__)
+#include <future>
+#else
+#include <tbb/task_group.h>
+#endif
+
+namespace gnomon {
+
+/// Calls `here()` on this thread, for work that is bound to it, and `there()` on any, at the same
+/// time where the process allows another. Both have ended when it returns. If `here` throws,
+/// `there` may be left out, and its exception (of two, any) leaves this call.
+template <typename Here, typename There>
+void alongside(const Here& here, const There& there) {
+#if defined(__SANITIZE_THREAD__)
+  // As in parallelFor: ThreadSanitizer does not see how TBB hands work over.
+  std::future<void> other = std::async(std::launch::async, there);
+  here();
+  other.get();
+#else
+  tbb::task_group other;
+  other.run(there);
+  try {
+    here();
+  } catch (...) {
+    other.cancel();
+    other.wait();
+    throw;
+  }
+  other.wait();
+#endif
+}
+
+}  // namespace gnomon
