@@ -12,7 +12,7 @@ find_package(pugixml REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(hwy REQUIRED)
-find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
 include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/ImagePackages.cmake)
 

@@ -12,10 +12,6 @@
 namespace gnomon {
 namespace {
 
-ImVec2 point(Vec2 place) {
-  return {static_cast<float>(place.x), static_cast<float>(place.y)};
-}
-
 void heading(const char* text) {
   ImGui::Dummy(ImVec2(0, 2));
   ImGui::PushStyleColor(ImGuiCol_Text, ink::faint);

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "common/vec.h"
+
 namespace gnomon {
 
 /// Dear ImGui with Gnomon's letters and colours, drawn by OpenGL: needs the context, in a window or
@@ -26,6 +28,11 @@ class Gui {
  private:
   ImGuiContext* context_;
 };
+
+/// A place as Dear ImGui takes it, pixels.
+inline ImVec2 point(Vec2 place) {
+  return {static_cast<float>(place.x), static_cast<float>(place.y)};
+}
 
 /// Colours of text over the pictures and of lines in panels.
 namespace ink {

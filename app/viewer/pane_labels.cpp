@@ -10,10 +10,6 @@
 namespace gnomon {
 namespace {
 
-ImVec2 point(Vec2 place) {
-  return {static_cast<float>(place.x), static_cast<float>(place.y)};
-}
-
 ImTextureID textureOf(GLuint name) {
   return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
 }

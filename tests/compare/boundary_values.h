@@ -4,25 +4,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "compare/boundaries.h"
+#include "compare/drawn_mask.h"
 
 namespace gnomon::test {
-
-/// A mask that is dark where `isDark(x, y)` says so.
-inline Mask drawn(int width, int height, const std::function<bool(int, int)>& isDark) {
-  Mask mask{width, height, {}};
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      mask.samples.push_back(isDark(x, y) ? Shade::shadowed : Shade::lit);
-    }
-  }
-  return mask;
-}
 
 /// The place of a metric among the boundary metrics.
 inline std::size_t placeOf(std::string_view name) {

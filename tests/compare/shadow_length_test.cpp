@@ -12,10 +12,13 @@
 
 #include "common/error.h"
 #include "common/vec.h"
+#include "compare/drawn_mask.h"
 #include "compare/masks.h"
 
 namespace gnomon {
 namespace {
+
+using test::drawn;
 
 /// Every step in one direction; columns and rows measure one unit.
 LightField uniformField(int width, int height, Vec2 away, double length = 1) {
@@ -27,16 +30,6 @@ LightField uniformField(int width, int height, Vec2 away, double length = 1) {
     }
   }
   return field;
-}
-
-Mask drawn(int width, int height, const std::function<bool(int, int)>& isDark) {
-  Mask mask{width, height, {}};
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      mask.samples.push_back(isDark(column, row) ? Shade::shadowed : Shade::lit);
-    }
-  }
-  return mask;
 }
 
 /// The same row again and again: as many runs as rows where the light goes along them.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array filters = {TableFilter::exact, TableFilter::hardware};
 
-fs::path readFile(const TomlReader& section, const MethodDefaults& defaults) {
+fs::path readMethodFile(const TomlReader& section, const MethodDefaults& defaults) {
   if (section.has("file")) return defaults.folder / section.text("file");
   const std::string name = section.text("name");
   return section.blame("name", [&] { return methodFile(defaults.shaders, name); });
@@ -69,7 +69,7 @@ void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& cur
 MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
   section.requireOneOf("name", "file");
   MethodSpec method;
-  method.file = readFile(section, defaults);
+  method.file = readMethodFile(section, defaults);
   method.label = section.text("label", method.file.stem().string());
   if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
   method.filter = filters.at(section.choice("filter", {"exact", "hardware"}, 0));
@@ -93,7 +93,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
                          const MethodDefaults& defaults) {
   if (section.has("name") || section.has("file")) {
     section.requireOneOf("name", "file");
-    method.file = readFile(section, defaults);
+    method.file = readMethodFile(section, defaults);
     method.parameters.clear();
   }
   if (section.has("filter")) {
