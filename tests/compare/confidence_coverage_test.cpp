@@ -21,7 +21,7 @@ using test::mixed;
 using test::RandomFields;
 
 constexpr int drawnSide = 120;
-constexpr int masks = 400;
+constexpr int maskCount = 400;
 constexpr BootstrapSettings settings{500, 0.95, 1978};
 
 /// Whether intervals held what they should.
@@ -93,7 +93,7 @@ TEST_P(CoverageOfRates, Is93To97Percent) {
   constexpr std::array<std::size_t, 3> lightCounts = {1, 3, 5};
   std::array<Coverage, 18> cases;
   Coverage percentiles;
-  for (int m = 0; m < masks; ++m) {
+  for (int m = 0; m < maskCount; ++m) {
     const std::vector<float> common = fields.next();
     std::vector<std::vector<float>> ofLights;
     for (int l = 0; l < 5; ++l) ofLights.push_back(mixed(common, fields.next(), 0.6));
@@ -119,7 +119,7 @@ TEST_P(CoverageOfRates, Is93To97Percent) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     all.add(cases[i]);
     // Large blobs of a rate of 1 % are missing from most masks.
-    if (cases[i].intervals() < masks / 2) continue;
+    if (cases[i].intervals() < maskCount / 2) continue;
     expectSound(cases[i], (i < 9 ? "blobs, rate " : "contours, rate ") +
                               std::to_string(rates[i / 3 % 3]) + ", lights " +
                               std::to_string(lightCounts[i % 3]));
@@ -142,7 +142,7 @@ TEST(CoverageOfDifferences, Is93To97Percent) {
   };
   constexpr std::array<Rates, 4> pairs = {{{0.05, 0.05}, {0.05, 0.03}, {0.2, 0.05}, {0.02, 0.01}}};
   std::array<Coverage, 4> cases;
-  for (int m = 0; m < masks; ++m) {
+  for (int m = 0; m < maskCount; ++m) {
     const std::vector<float> common = fields.next();
     std::array<std::vector<BlockErrors>, 4> first;
     std::array<std::vector<BlockErrors>, 4> second;
@@ -167,7 +167,7 @@ TEST(CoverageOfDifferences, Is93To97Percent) {
   }
   Coverage all;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    EXPECT_GT(cases[i].intervals(), 0.99 * masks);
+    EXPECT_GT(cases[i].intervals(), 0.99 * maskCount);
     expectSound(cases[i], "pair " + std::to_string(i));
     all.add(cases[i]);
   }
@@ -189,7 +189,7 @@ TEST(CoverageOfRates, Is93To97PercentBehindASilhouetteAndUnderWeights) {
   const Tiling tiling = chooseTiling(truth, weights);
   RandomFields fields(drawnSide, 1.5, 13);
   Coverage coverage;
-  for (int m = 0; m < 3 * masks; ++m) {
+  for (int m = 0; m < 3 * maskCount; ++m) {
     Mask mask = errorMask(fields.next(), drawnSide, ErrorShape::blobs, 0.05);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       if (truth.samples[i] == Shade::none) mask.samples[i] = Shade::none;
@@ -215,7 +215,7 @@ TEST(CoverageOfRates, IsNoLessWhereTheRateDrifts) {
     levels.push_back(static_cast<float>(test::normalAbove(here)));
   }
   Coverage coverage;
-  for (int m = 0; m < masks; ++m) {
+  for (int m = 0; m < maskCount; ++m) {
     const std::vector<float> field = fields.next();
     Mask mask = truth;
     for (std::size_t i = 0; i < mask.size(); ++i) {

@@ -10,12 +10,12 @@
 namespace gnomon {
 namespace {
 
-constexpr int side = 40;
+constexpr int samplesPerSide = 40;
 constexpr std::size_t budgetSamples = 1600;
 const Tiling tiling{4, 10};  // 25 blocks of 8 × 8
 
 Mask maskOf(const std::vector<Shade>& shades) {
-  return {side, side, shades};
+  return {samplesPerSide, samplesPerSide, shades};
 }
 
 /// Lit everywhere but in its last quarter, which only distant occluders shadow.
@@ -149,7 +149,7 @@ TEST(Budget, OneBlockIsNoEvidence) {
   Mask mask = truth.mask;
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x)
-      mask.samples[static_cast<std::size_t>(side * y + x)] = Shade::shadowed;
+      mask.samples[static_cast<std::size_t>(samplesPerSide * y + x)] = Shade::shadowed;
   }
   const StateErrors none = errorsOf(truth, truth.mask);
   const BudgetRecord budget =

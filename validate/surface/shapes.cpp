@@ -144,8 +144,8 @@ Cage makeGrid(const char* shape, const Axis& columns, const Axis& rows,
               const ControlPoint& controlPoint) {
   const auto cells =
       static_cast<std::size_t>(columns.cells()) * static_cast<std::size_t>(rows.cells());
-  constexpr double bytesPerFace = sizeof(Vec3) + sizeof(Vec2) + 8 * sizeof(int);
-  requireMemory(1.1 * bytesPerFace * static_cast<double>(cells),
+  constexpr double bytesPerCell = sizeof(Vec3) + sizeof(Vec2) + 8 * sizeof(int);
+  requireMemory(1.1 * bytesPerCell * static_cast<double>(cells),
                 fmt::format("{}: {} columns × {} rows", shape, columns.faces, rows.faces));
   Cage cage;
   cage.border = CageBorder::support;

@@ -11,20 +11,20 @@
 namespace gnomon {
 namespace {
 
-constexpr int width = 40;
-constexpr int height = 30;
-constexpr std::size_t count = width * height;
+constexpr int paneWidth = 40;
+constexpr int paneHeight = 30;
+constexpr std::size_t paneSamples = paneWidth * paneHeight;
 
 struct Masks {
-  Mask candidate{width, height, {}};
-  Mask truth{width, height, {}};
+  Mask candidate{paneWidth, paneHeight, {}};
+  Mask truth{paneWidth, paneHeight, {}};
 };
 
 /// A third background; the rest at random, mostly alike.
 Masks randomMasks() {
   std::mt19937 random(5);
   Masks masks;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < paneSamples; ++i) {
     const bool background = i % 3 == 0;
     const Shade truth = random() % 2 == 0 ? Shade::lit : Shade::shadowed;
     const bool wrong = random() % 8 == 0;
@@ -37,7 +37,7 @@ Masks randomMasks() {
 
 TEST(PaneFigures, OfAWholeTruthAreThoseOfTheComparison) {
   const Masks masks = randomMasks();
-  const std::vector<std::uint8_t> all(count, 1);
+  const std::vector<std::uint8_t> all(paneSamples, 1);
   const PaneFigures figures = paneFigures(masks.candidate, masks.truth, all);
   const Counts counts = countSamples(masks.candidate, masks.truth);
   EXPECT_EQ(figures.errorRate.value, rate(counts, "error_rate").value);
@@ -50,9 +50,9 @@ TEST(PaneFigures, OfAWholeTruthAreThoseOfTheComparison) {
 
 TEST(PaneFigures, OfAPartAreThoseOfThatPartAlone) {
   Masks masks = randomMasks();
-  std::vector<std::uint8_t> traced(count, 0);
+  std::vector<std::uint8_t> traced(paneSamples, 0);
   Masks part = masks;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < paneSamples; ++i) {
     traced[i] = i % 4 == 1 ? 1 : 0;
     if (traced[i] != 0) continue;
     part.candidate.samples[i] = part.truth.samples[i] = Shade::none;
@@ -69,9 +69,9 @@ TEST(PaneFigures, OfAPartAreThoseOfThatPartAlone) {
 
 TEST(PaneFigures, CountAreasWhereTheyAreGiven) {
   const Masks masks = randomMasks();
-  const std::vector<std::uint8_t> all(count, 1);
+  const std::vector<std::uint8_t> all(paneSamples, 1);
   std::vector<double> areas;
-  for (std::size_t i = 0; i < count; ++i) areas.push_back(static_cast<double>(i % 7));
+  for (std::size_t i = 0; i < paneSamples; ++i) areas.push_back(static_cast<double>(i % 7));
   EXPECT_EQ(paneFigures(masks.candidate, masks.truth, all, areas).errorRate.value,
             rate(countSamples(masks.candidate, masks.truth, areas), "error_rate").value);
 }
@@ -79,7 +79,7 @@ TEST(PaneFigures, CountAreasWhereTheyAreGiven) {
 TEST(PaneFigures, AreUndefinedBeforeAnythingIsTraced) {
   const Masks masks = randomMasks();
   const PaneFigures figures =
-      paneFigures(masks.candidate, masks.truth, std::vector<std::uint8_t>(count, 0));
+      paneFigures(masks.candidate, masks.truth, std::vector<std::uint8_t>(paneSamples, 0));
   EXPECT_FALSE(figures.errorRate.value);
   EXPECT_FALSE(figures.errorRate.reason.empty());
   EXPECT_EQ(figures.tracedShare, 0);
@@ -87,7 +87,7 @@ TEST(PaneFigures, AreUndefinedBeforeAnythingIsTraced) {
 
 TEST(PaneFigures, LeaveOutWhatTheTruthHasNoFrameForAndRefuseWhatOnlyTheMethodLeavesOut) {
   Masks masks = randomMasks();
-  const std::vector<std::uint8_t> all(count, 1);
+  const std::vector<std::uint8_t> all(paneSamples, 1);
   masks.truth.samples[1] = Shade::none;
   EXPECT_EQ(paneFigures(masks.candidate, masks.truth, all).tracedShare, 1);
   masks.candidate.samples[2] = Shade::none;
@@ -98,12 +98,12 @@ TEST(PaneFigures, LeaveOutWhatTheTruthHasNoFrameForAndRefuseWhatOnlyTheMethodLea
 
 TEST(PaneDifference, HasTheReportsColoursWhereTracedAndBackgroundElsewhere) {
   const Masks masks = randomMasks();
-  std::vector<std::uint8_t> traced(count, 1);
+  std::vector<std::uint8_t> traced(paneSamples, 1);
   const Image report = differenceImage(masks.candidate, masks.truth);
   EXPECT_EQ(paneDifference(masks.candidate, masks.truth, traced).rgb, report.rgb);
-  for (std::size_t i = 0; i < count; i += 2) traced[i] = 0;
+  for (std::size_t i = 0; i < paneSamples; i += 2) traced[i] = 0;
   const Image part = paneDifference(masks.candidate, masks.truth, traced);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < paneSamples; ++i) {
     const Rgb found{part.rgb[3 * i], part.rgb[3 * i + 1], part.rgb[3 * i + 2]};
     const Rgb whole{report.rgb[3 * i], report.rgb[3 * i + 1], report.rgb[3 * i + 2]};
     EXPECT_EQ(found, traced[i] != 0 ? whole : DifferenceColours::none);
