@@ -1,3 +1,4 @@
+#include <cmath>
 #include <random>
 
 #include "common/atomic_file.h"
@@ -59,6 +60,36 @@ TEST_F(Encoders, ADamagedPngIsSeenAsOne) {
   EXPECT_THROW(reader->read(0, 3, NumberType::uint8, back.data()), ImageError);
 }
 
+TEST_F(Encoders, AWebPIsShrunkToMeansOfAreas) {
+  // Squares of four pixels, each of one colour: shrunk to half, one pixel a square.
+  constexpr int side = 120;
+  std::vector<std::uint8_t> rgb;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < 2 * side; ++x) {
+      const int grey = 60 + (x / 2 % 30) + 2 * (y / 2 % 50);
+      // Within a square 20 above and below it, so that only the mean is right.
+      const int value = grey + ((x + y) % 2 == 0 ? 20 : -20);
+      rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(value));
+    }
+  }
+  writeTextAtomically(file("p.webp"), webPBytes(2 * side, side, rgb.data(), 100, side));
+  const auto reader = imageLibrary().open(file("p.webp"));
+  const ImageFacts facts = reader->facts();
+  ASSERT_EQ(facts.data.width, side);
+  ASSERT_EQ(facts.data.height, side / 2);
+  std::vector<std::uint8_t> back(3 * static_cast<std::size_t>(side * side / 2));
+  reader->read(0, 3, NumberType::uint8, back.data());
+  double squares = 0;
+  for (int y = 0; y < side / 2; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const double off =
+          back[3 * static_cast<std::size_t>(side * y + x)] - (60 + x % 30 + 2 * (y % 50));
+      squares += off * off;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / (side * side / 2)), 2);
+}
+
 TEST_F(Encoders, RefuseWhatTheirFormatsCannotHold) {
   const std::uint8_t value = 0;
   EXPECT_THROW((void)pngBytes(0, 4, &value), ImageError);
@@ -66,6 +97,7 @@ TEST_F(Encoders, RefuseWhatTheirFormatsCannotHold) {
   const std::vector<std::uint8_t> tooWide(3 * 20000);
   EXPECT_THROW((void)webPBytes(20000, 1, tooWide.data(), 90), ImageError);
   EXPECT_EQ(webPBytes(4, 2, tooWide.data(), 90).substr(8, 4), "WEBP");
+  EXPECT_EQ(webPBytes(4000, 1, tooWide.data(), 90, 10).substr(8, 4), "WEBP");
 }
 
 }  // namespace

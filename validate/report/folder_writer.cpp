@@ -3,7 +3,6 @@
 #include "common/atomic_file.h"
 #include "report/displaced_image.h"
 #include "report/images.h"
-#include "report/shrunk_image.h"
 #include "report/web_picture.h"
 
 namespace gnomon {
@@ -24,7 +23,7 @@ std::string FolderWriter::difference(const Mask& candidate, const Mask& truth) c
 std::string FolderWriter::embedded(int width, int height, const std::vector<std::uint8_t>& rgb,
                                    EmbeddedSize size) const {
   const Image image{width, height, rgb};
-  return size == EmbeddedSize::small ? webPicture(shrunk(image, smallSide), smallQuality)
+  return size == EmbeddedSize::small ? webPicture(image, smallQuality, smallSide)
                                      : webPicture(image, fineQuality);
 }
 

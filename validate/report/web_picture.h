@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -20,9 +21,11 @@ constexpr int smallSide = 600;
 std::string dataAddress(std::string_view type, const std::string& bytes);
 
 /// A picture as the bytes of a WebP, with losses. Same image, same bytes.
-/// @param quality  0 to 100
+/// @param quality      0 to 100
+/// @param longestSide  pixels: a longer picture is shrunk to it
 /// @throws InternalError for a picture without pixels, or with more of them on a side than WebP
 ///   takes (16,383)
-std::string webPicture(const Image& image, int quality);
+std::string webPicture(const Image& image, int quality,
+                       int longestSide = std::numeric_limits<int>::max());
 
 }  // namespace gnomon
