@@ -34,16 +34,21 @@ TEST(AtlasView, HasEverySampleOfARegularGridOnce) {
   }
 }
 
-// What a mask shows at a pixel depends on nothing but the mask there.
-TEST(ShadePass, APictureIsComposedOfThoseAllLitAndAllShadowed) {
-  const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
-                          TableBits::eight, 2);
+Camera cameraAtTheSphere() {
   Camera camera;
   camera.eye = {40, -60, 200};
   camera.target = {0, 0, 50};
   camera.width = 160;
   camera.height = 120;
+  return camera;
+}
+
+// What a mask shows at a pixel depends on nothing but the mask there.
+TEST(ShadePass, APictureIsComposedOfThoseAllLitAndAllShadowed) {
+  const GlContext gl;
+  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          TableBits::eight, 2);
+  const Camera camera = cameraAtTheSphere();
   const RenderView view = cameraView(camera, scene.mesh);
   const ShadePass pass(shaderFolder(), scene.relief.field.wrap());
   const auto shaded = [&](const std::vector<Shade>& samples) {
@@ -79,11 +84,7 @@ TEST(CameraView, SamplesLieUnderTheirPixels) {
   const GlContext gl;
   const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
                           TableBits::eight, 8);
-  Camera camera;
-  camera.eye = {40, -60, 200};
-  camera.target = {0, 0, 50};
-  camera.width = 160;
-  camera.height = 120;
+  const Camera camera = cameraAtTheSphere();
   const SampleGrid grid = scene.samples(cameraView(camera, scene.mesh));
   const CameraAxes axis = axes(camera);
   std::size_t seen = 0;

@@ -65,12 +65,7 @@ class StudyFile : public TemporaryFolder {
   /// The error's message, without the folder.
   template <typename ErrorType = InputError>
   std::string failure(const std::string& text, const StudyOptions& options = {}) {
-    std::string message = messageOf<ErrorType>([&] { (void)read(text, options); });
-    const std::string prefix = folder().string() + "/";
-    for (std::size_t at = 0; (at = message.find(prefix)) != std::string::npos;) {
-      message.erase(at, prefix.size());
-    }
-    return message;
+    return withoutFolder(messageOf<ErrorType>([&] { (void)read(text, options); }));
   }
   std::string failureWith(std::vector<std::string> overrides) {
     return failure(plainStudy, {std::move(overrides), {}, false});

@@ -69,12 +69,7 @@ class Sweep : public TemporaryFolder {
   /// The error's message, without the folder.
   template <typename ErrorType = InputError>
   std::string failure(const std::string& section, const StudyOptions& options = {}) {
-    std::string message = messageOf<ErrorType>([&] { (void)read(sweptStudy + section, options); });
-    const std::string prefix = folder().string() + "/";
-    for (std::size_t at = 0; (at = message.find(prefix)) != std::string::npos;) {
-      message.erase(at, prefix.size());
-    }
-    return message;
+    return withoutFolder(messageOf<ErrorType>([&] { (void)read(sweptStudy + section, options); }));
   }
   static std::string section(const std::string& key, const std::string& values) {
     return "\n[sweep]\nkey = \"" + key + "\"\nvalues = " + values + "\n";

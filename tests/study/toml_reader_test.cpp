@@ -263,9 +263,7 @@ class ParseToml : public TemporaryFolder {
   /// The message about a file, without the folder in front.
   template <typename ErrorType = InputError>
   std::string failure(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    const std::string message = messageOf<ErrorType>([&] { (void)parse(text, overrides); });
-    const std::string prefix = folder().string() + "/";
-    return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;
+    return withoutFolder(messageOf<ErrorType>([&] { (void)parse(text, overrides); }));
   }
 };
 

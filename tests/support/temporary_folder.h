@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -20,6 +21,14 @@ class TemporaryFolder : public ::testing::Test {
   ~TemporaryFolder() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// A message with its files named as they are in the folder, since that is another each time.
+  [[nodiscard]] std::string withoutFolder(std::string message) const {
+    const std::string prefix = folder_.string() + "/";
+    for (std::size_t at = 0; (at = message.find(prefix)) != std::string::npos;) {
+      message.erase(at, prefix.size());
+    }
+    return message;
+  }
 
  private:
   std::filesystem::path folder_;

@@ -15,9 +15,8 @@ namespace gnomon {
 /// does it cost, how far can the truth be trusted, how is it run again.
 /// @param folder  the run's folder: where the paths of the pictures start
 /// @param plots   embedded, in this order
-/// @throws InputError if a difference or the truth's mask cannot be read, InternalError for one
-/// that
-///   is no PNG, or a number that is not finite
+/// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
+///   PNG, or for a number that is not finite
 std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
                        std::span<const DrawnPlot> plots = {});
 
