@@ -1,12 +1,12 @@
 #include "relief/horizon_tiles.h"
 
 #include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -101,6 +101,13 @@ std::vector<Task> tasksOf(const std::vector<std::size_t>& azimuths,
   return tasks;
 }
 
+/// What a thread bakes its tiles with. It is the same from its first strip to its last, for fresh
+/// memory costs more than what is written to it.
+struct Workplace {
+  TileNotes notes;
+  HorizonTile baked;
+};
+
 /// Counts what is done and reports it, one call at a time.
 class Counter {
  public:
@@ -145,6 +152,7 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
     strips.emplace_back(field.width(), field.height(), plan.direction);
   }
   Counter counter(progress, strips.front().count() * strips.front().tiles() * plans.size());
+  tbb::enumerable_thread_specific<Workplace> workplaces;
   for (const auto& [boxes, members] : classesOf(plans)) {
     const BoxMaxima groups = boxMaxima(map, boxes.first, 0);
     const BoxMaxima bundles = boxMaxima(map, groups, boxes.second, bundleRowShift);
@@ -152,14 +160,13 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
     parallelFor(0, tasks.size(), [&](std::size_t index) {
       const auto [m, strip] = tasks[index];
       const AzimuthBake bake{map, plans[m], groups, bundles};
-      const auto notes = std::make_unique<TileNotes>();
-      const auto baked = std::make_unique<HorizonTile>();
-      baked->azimuth = static_cast<int>(m);
+      auto& [notes, baked] = workplaces.local();
+      baked.azimuth = static_cast<int>(m);
       for (std::size_t t = 0; t < strips[m].tiles(); ++t) {
-        baked->tile = strips[m].tile(strip, t);
-        bakeTile(bake, baked->tile, *notes, TexelTile::width, baked->horizon.data(),
-                 baked->distance.data());
-        sink(*baked);
+        baked.tile = strips[m].tile(strip, t);
+        bakeTile(bake, baked.tile, notes, TexelTile::width, baked.horizon.data(),
+                 baked.distance.data());
+        sink(baked);
         counter.add();
       }
     });
