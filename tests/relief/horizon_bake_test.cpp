@@ -13,6 +13,8 @@
 #include <thread>
 
 #include "common/error.h"
+#include "common/memory.h"
+#include "relief/azimuth_plan.h"
 #include "relief/horizon_truth.h"
 #include "relief/tile_notes.h"
 #include "support/error_messages.h"
@@ -321,6 +323,18 @@ TEST(HorizonBake, RefusesWhatCannotFit) {
                 bakeHorizons(field, {8, 1e300});
               }),
               HasSubstr("bake.radius"));
+}
+
+TEST(HorizonBake, MemoryCountsTheThreadsThatAreAllowed) {
+  const HeightField field = noise(4, 4, Wrap::repeat);
+  const auto refusal = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return messageOf<MemoryError>([&] { bakeHorizons(field, {1, 1e9}); });
+  };
+  // What each of them writes down is nearly all of it.
+  const double one = tileNotesBytes(1e9);
+  EXPECT_THAT(refusal(1), HasSubstr(formatBytes(one + azimuthPlanBytes(1e9)).substr(0, 3)));
+  EXPECT_THAT(refusal(3), HasSubstr(formatBytes(3 * one + azimuthPlanBytes(1e9)).substr(0, 3)));
 }
 
 TEST(HorizonBake, ExtremeHeightsStayFinite) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tbb/global_control.h>
+
 #include <cstddef>
 
 #if defined(__SANITIZE_THREAD__)
@@ -14,6 +16,11 @@
 #endif
 
 namespace gnomon {
+
+/// How many threads the process allows at once: the processors, or what --threads says.
+inline std::size_t threadCount() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
 
 /// Calls `body(i)` for every i in [begin, end), on all threads that the process allows. Each call
 /// must write only to what belongs to its i: results then do not depend on the thread count. If one

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -132,7 +131,7 @@ void checkBake(const HeightField& field, const BakeSettings& settings, double ta
   checkHeights(field);
   const double bytes = tableBytes + boundedMapBytes * paddedMapBytes(field, settings.radiusTexels) +
                        azimuthPlanBytes(settings.radiusTexels) * settings.azimuths +
-                       tileNotesBytes(settings.radiusTexels) * std::thread::hardware_concurrency();
+                       tileNotesBytes(settings.radiusTexels) * static_cast<double>(threadCount());
   requireMemory(
       bytes, fmt::format("bake.azimuths = {} and bake.radius = {} on a map of {} x {} "
                          "texels",

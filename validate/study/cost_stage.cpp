@@ -2,7 +2,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/core.h>
-#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <ctime>
 #include <string>
 
+#include "common/parallel.h"
 #include "study/cached_fields.h"
 
 namespace gnomon {
@@ -48,8 +48,7 @@ ContentKey costKey(const RunScene& scene, const MethodCase& method,
                    std::optional<std::size_t> view) {
   KeyBuilder key("cost");
   key.add("method", method.key).add("host", hostName());
-  key.add("threads",
-          tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  key.add("threads", threadCount());
   if (view) key.add("mask", scene.keys.mask(method.key, method.base->choice, *view, 0));
   return key.key();
 }

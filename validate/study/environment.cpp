@@ -1,9 +1,8 @@
 #include "study/environment.h"
 
-#include <tbb/global_control.h>
-
 #include <fstream>
 
+#include "common/parallel.h"
 #include "render/frame_timer.h"
 #include "surface/limit_surface.h"
 #include "truth/micro_scene.h"
@@ -27,8 +26,7 @@ EnvironmentRecord describeEnvironment(const GlContext& gl) {
   environment.gnomonVersion = GNOMON_VERSION;
   environment.commit = GNOMON_COMMIT;
   environment.cpu = processorName();
-  environment.threads = static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  environment.threads = static_cast<int>(threadCount());
   environment.glRenderer = gl.renderer();
   environment.glVersion = gl.version();
   environment.embreeVersion = MicroScene::embreeVersion();

@@ -1,7 +1,6 @@
 #include "truth/micro_scene.h"
 
 #include <fmt/core.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <exception>
@@ -9,6 +8,7 @@
 #include <mutex>
 
 #include "common/error.h"
+#include "common/parallel.h"
 
 namespace gnomon {
 namespace {
@@ -30,9 +30,7 @@ void throwOnError(RTCDevice device, const char* task) {
 }
 
 embree::Device makeDevice() {
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  embree::Device device(rtcNewDevice(fmt::format("threads={}", threads).c_str()));
+  embree::Device device(rtcNewDevice(fmt::format("threads={}", threadCount()).c_str()));
   if (!device) throwOnError(nullptr, "starting");
   return device;
 }
