@@ -1,7 +1,13 @@
-// Speed of the horizon baker, in horizons (texel × azimuth) a second, beside a plain march in
-// double precision that computes the same thing to its step. `horizons/s` is by the clock, all
-// threads; `horizons/s/core` the best run by processor time; `ratio` how many times as fast a core
-// is as the march, measured in the same process.
+// Speed of the horizon baker, in horizons (texel × azimuth) a second. `horizons/s` is by the clock,
+// all threads; `horizons/s/core` the best run by processor time. Beside it, measured in the same
+// process on one core, two others:
+//   march  a plain one in double precision, that computes the same thing to its step; `ratio` is
+//   how
+//          many times as fast a core of the baker is
+//   hull   sweeps of convex hulls along shared lines (hull_sweep.h), the fastest known way, which
+//   is
+//          not exact: `hull_off` and `hull_worst` say by how many degrees its horizons differ from
+//          the baker's, on average and at worst; `to_hull` is the baker's speed over its
 
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
@@ -23,8 +29,10 @@
 #include <vector>
 
 #include "common/vec.h"
+#include "hull_sweep.h"
 #include "relief/height_field.h"
 #include "relief/horizon_bake.h"
+#include "relief/ray_crossings.h"
 #include "relief/stored_bake.h"
 #include "relief/tile_kernel.h"
 
@@ -166,6 +174,48 @@ double marchRate(Map map, const HeightField& field, int radius) {
   return known[key] = samples / (processorSeconds() - start);
 }
 
+constexpr int azimuths = 32;
+
+/// What the hull sweep makes of a map.
+struct HullResult {
+  double rate = 0;                           ///< horizons a second
+  double meanDegrees = 0, worstDegrees = 0;  ///< off the baker's, as angles
+};
+
+/// One thread, the azimuths of the first octant; measured once a map.
+HullResult hullResult(Map map, const HeightField& field, const gnomon::HorizonTables& exact) {
+  static std::map<std::pair<Map, int>, HullResult> known;
+  const auto key = std::make_pair(map, field.width());
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  constexpr int repeats = 5;
+  const std::size_t texels = field.texels().size();
+  HullResult result;
+  double seconds = 0;
+  double degrees = 0;
+  constexpr int octant = azimuths / 8;
+  for (int m = 0; m <= octant; ++m) {
+    const Vec2 direction = gnomon::azimuthDirection(m, azimuths);
+    gnomon::benchmarks::HullHorizons swept;
+    double best = 1e30;
+    for (int i = 0; i < repeats; ++i) {
+      const double start = processorSeconds();
+      swept = gnomon::benchmarks::sweepHulls(field, direction);
+      best = std::min(best, processorSeconds() - start);
+    }
+    seconds += best;
+    for (std::size_t i = 0; i < texels; ++i) {
+      const float truth = exact.horizon[static_cast<std::size_t>(m) * texels + i];
+      const double off = std::abs(std::atan(swept.slope[i]) - std::atan(truth)) * 180 / gnomon::pi;
+      degrees += off;
+      result.worstDegrees = std::max(result.worstDegrees, off);
+    }
+  }
+  const double horizons = static_cast<double>(texels) * (octant + 1);
+  result.rate = horizons / seconds;
+  result.meanDegrees = degrees / horizons;
+  return known[key] = result;
+}
+
 /// What is baked; `target` is one of Google Highway's, 0 for the best of this processor.
 struct BakeCase {
   Map map;
@@ -174,8 +224,6 @@ struct BakeCase {
   std::size_t threads = 1;
   std::int64_t target = 0;
 };
-
-constexpr int azimuths = 32;
 
 void measure(benchmark::State& state, const BakeCase& c, const std::function<void()>& bake) {
   const double horizons = static_cast<double>(azimuths) * c.size * c.size;
@@ -193,10 +241,11 @@ void bake(benchmark::State& state, const BakeCase& c) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, c.threads);
   const HeightField field = makeMap(c.map, c.size);
   double best = 1e30;
+  gnomon::HorizonTables tables;
   measure(state, c, [&] {
+    tables = {};
     const double start = processorSeconds();
-    const auto tables = gnomon::bakeHorizons(field, {azimuths, static_cast<double>(c.radius)});
-    benchmark::DoNotOptimize(tables.horizon.data());
+    tables = gnomon::bakeHorizons(field, {azimuths, static_cast<double>(c.radius)});
     best = std::min(best, processorSeconds() - start);
   });
   hwy::SetSupportedTargetsForTest(0);
@@ -205,6 +254,12 @@ void bake(benchmark::State& state, const BakeCase& c) {
   state.counters["horizons/s/core"] = rate;
   state.counters["march/s"] = baseline;
   state.counters["ratio"] = rate / baseline;
+  if (c.radius < c.size) return;  // the hull sweep sees farther
+  const HullResult hull = hullResult(c.map, field, tables);
+  state.counters["hull/s"] = hull.rate;
+  state.counters["to_hull"] = rate / hull.rate;
+  state.counters["hull_off"] = hull.meanDegrees;
+  state.counters["hull_worst"] = hull.worstDegrees;
 }
 
 /// Straight to 8-bit tables, without the floats.
