@@ -1,128 +1,15 @@
 #include "surface/limit_surface.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <set>
 
 #include "common/parallel.h"
+#include "surface/plain_subdivision.h"
 #include "surface/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {
 namespace {
-
-/// Catmull-Clark by the rules of the paper on a closed mesh of quadrilaterals, and the limit masks
-/// of Halstead, Kass & DeRose 1993. Shares nothing with OpenSubdiv.
-struct PlainSubdivision {
-  struct Face {
-    std::array<int, 4> vertices;
-    std::array<Vec2, 4> st;
-    int cageFace;
-  };
-  std::vector<Vec3> positions;
-  std::vector<Face> faces;
-
-  explicit PlainSubdivision(const Cage& cage) : positions(cage.positions) {
-    for (int f = 0; f < cage.faceCount(); ++f) {
-      Face face{{}, {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}, f};
-      for (std::size_t k = 0; k < 4; ++k) {
-        face.vertices[k] = cage.faceVertices[4 * static_cast<std::size_t>(f) + k];
-      }
-      faces.push_back(face);
-    }
-  }
-
-  [[nodiscard]] const Vec3& at(int vertex) const {
-    return positions[static_cast<std::size_t>(vertex)];
-  }
-
-  void step() {
-    const std::size_t old = positions.size();
-    std::vector<Vec3> facePoints;
-    std::vector<Vec3> faceSum(old, Vec3(0)), midSum(old, Vec3(0));
-    std::vector<int> valence(old, 0);
-    std::map<std::pair<int, int>, Vec3> edgeFaceSum;
-    for (const Face& face : faces) {
-      Vec3 centre(0);
-      for (const int v : face.vertices) centre += at(v) / 4.0;
-      facePoints.push_back(centre);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const int a = face.vertices[k];
-        const int b = face.vertices[(k + 1) % 4];
-        const auto i = static_cast<std::size_t>(a);
-        faceSum[i] += centre;
-        midSum[i] += (at(a) + at(b)) / 2.0;  // each edge leaves the vertex in one face
-        ++valence[i];
-        edgeFaceSum.try_emplace(std::minmax(a, b), Vec3(0)).first->second += centre;
-      }
-    }
-    std::vector<Vec3> next(old);
-    for (std::size_t i = 0; i < old; ++i) {
-      const double n = valence[i];
-      next[i] = (faceSum[i] / n + 2.0 * midSum[i] / n + (n - 3) * positions[i]) / n;
-    }
-    std::map<std::pair<int, int>, int> edgePoint;
-    for (const auto& [edge, sum] : edgeFaceSum) {
-      edgePoint[edge] = static_cast<int>(next.size());
-      next.push_back((at(edge.first) + at(edge.second) + sum) / 4.0);
-    }
-    std::vector<Face> children;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const Face& face = faces[f];
-      const int middle = static_cast<int>(next.size());
-      next.push_back(facePoints[f]);
-      const auto edge = [&](std::size_t k) {
-        return edgePoint.at(std::minmax(face.vertices[k % 4], face.vertices[(k + 1) % 4]));
-      };
-      const auto half = [&](std::size_t k) {
-        return (face.st[k % 4] + face.st[(k + 1) % 4]) / 2.0;
-      };
-      const Vec2 centre = (face.st[0] + face.st[2]) / 2.0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        children.push_back({{face.vertices[k], edge(k), middle, edge(k + 3)},
-                            {face.st[k], half(k), centre, half(k + 3)},
-                            face.cageFace});
-      }
-    }
-    positions = std::move(next);
-    faces = std::move(children);
-  }
-
-  /// Keeps the faces that lie within `reach` of a corner of the cage, where that corner is a vertex
-  /// of theirs. Rules that miss a neighbour then spoil the rim: by one ring a step.
-  void crop(const Cage& cage, int corner, double reach) {
-    constexpr std::array<Vec2, 4> places = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
-    const auto isFar = [&](const Face& face) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (cage.faceVertices[4 * static_cast<std::size_t>(face.cageFace) + k] != corner) continue;
-        const Vec2 offset = glm::abs((face.st[0] + face.st[2]) / 2.0 - places[k]);
-        return std::max(offset.x, offset.y) > reach;
-      }
-      return true;
-    };
-    faces.erase(std::remove_if(faces.begin(), faces.end(), isFar), faces.end());
-  }
-
-  [[nodiscard]] std::vector<Vec3> limits() const {
-    std::vector<Vec3> edges(positions.size(), Vec3(0)), corners(positions.size(), Vec3(0));
-    std::vector<int> valence(positions.size(), 0);
-    for (const Face& face : faces) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto i = static_cast<std::size_t>(face.vertices[k]);
-        edges[i] += at(face.vertices[(k + 1) % 4]);
-        corners[i] += at(face.vertices[(k + 2) % 4]);
-        ++valence[i];
-      }
-    }
-    std::vector<Vec3> result;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      const double n = valence[i];
-      result.push_back((n * n * positions[i] + 4.0 * edges[i] + corners[i]) / (n * (n + 5)));
-    }
-    return result;
-  }
-};
 
 /// A closed cage with vertices of valence 3, 4 and 5: the cube with its top extruded thrice and
 /// one side as well.
@@ -406,107 +293,12 @@ TEST(LimitSurface, APillowOfTwoFacesIsFinite) {
   expectFinite(surface.evaluate(1, 0.4, 0.5));
 }
 
-/// Two poles of `count` quadrilaterals each.
-Cage polesCage(int count) {
-  Cage cage;
-  cage.positions = {{0, 0, 1}, {0, 0, -1}};
-  for (int i = 0; i < 2 * count; ++i) {
-    const double angle = pi * i / count;
-    cage.positions.emplace_back(std::cos(angle), std::sin(angle), i % 2 ? 0.3 : -0.3);
-  }
-  cage.uvs = {{0, 0}};
-  const auto ring = [count](int i) { return 2 + (i + 2 * count) % (2 * count); };
-  for (int i = 0; i < 2 * count; i += 2) {
-    for (const int v : {0, ring(i - 1), ring(i), ring(i + 1)}) cage.faceVertices.push_back(v);
-    for (const int v : {1, ring(i + 2), ring(i + 1), ring(i)}) cage.faceVertices.push_back(v);
-  }
-  cage.faceUvs.assign(cage.faceVertices.size(), 0);
-  return cage;
-}
-
 TEST(LimitSurface, HighValenceIsFinite) {
   const LimitSurface surface(polesCage(64));
   for (const double s : {0.0, 1e-3, 0.5, 1.0}) {
     expectFinite(surface.evaluate(0, s, s));
     expectFinite(surface.evaluate(1, s, 0));
   }
-}
-
-TEST(LimitSurfaceErrors, TooManyFacesAboutAVertex) {
-  expectInputError([] { const LimitSurface surface(polesCage(300)); },
-                   {"vertex 0", "300 faces", "256"});
-}
-
-TEST(LimitSurfaceErrors, NameTheFault) {
-  const auto broken = [](const std::function<void(Cage&)>& change) {
-    return [change] {
-      Cage cage = cubeCage();
-      change(cage);
-      const LimitSurface surface(cage);
-    };
-  };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
-  expectInputError([] { const LimitSurface surface{Cage{}}; }, {"no faces"});
-  expectInputError(broken([](Cage& c) { c.faceVertices[5] = 8; }),
-                   {"face 1", "vertex 8", "0 to 7"});
-  expectInputError(broken([](Cage& c) { c.faceVertices[5] = -1; }), {"face 1", "vertex -1"});
-  expectInputError(broken([](Cage& c) { c.faceUvs[4] = 4; }),
-                   {"face 1", "texture coordinate 4", "0 to 3"});
-  expectInputError(broken([](Cage& c) { c.uvs.clear(); }), {"texture coordinate", "none"});
-  expectInputError(broken([](Cage& c) { c.faceUvs.pop_back(); }), {"24", "23"});
-  expectInputError(broken([](Cage& c) { c.faceVertices.pop_back(); }), {"20", "23"});
-  expectInputError(broken([&](Cage& c) { c.positions[3].y = nan; }),
-                   {"vertex 3", "coordinate 2", "nan"});
-  expectInputError(broken([&](Cage& c) { c.uvs[2].x = infinity; }),
-                   {"texture coordinate 2", "inf"});
-  expectInputError(broken([](Cage& c) { c.positions[0].x = 1e13; }), {"vertex 0", "1e+13"});
-  expectInputError(broken([](Cage& c) { c.faceVertices[1] = c.faceVertices[0]; }),
-                   {"face 0", "twice"});
-  expectInputError(broken([](Cage& c) { std::swap(c.faceVertices[1], c.faceVertices[3]); }),
-                   {"opposite directions"});
-  expectInputError(broken([](Cage& c) {
-                     c.creases.push_back({{0, 7}, 2});
-                   }),
-                   {"crease", "0 and 7", "no edge"});
-  expectInputError(broken([](Cage& c) { c.creases.push_back({{0, 9}, 2}); }), {"vertex 9"});
-  expectInputError(broken([](Cage& c) { c.creases.push_back({{0, 1}, -2}); }), {"sharpness -2"});
-  expectInputError(broken([&](Cage& c) { c.sharpVertices.push_back({0, nan}); }), {"nan"});
-  expectInputError(broken([](Cage& c) { c.sharpVertices.push_back({8, 1}); }), {"vertex 8"});
-  expectInputError(broken([](Cage& c) { c.grid = GridChart{2, 2}; }), {"6 faces", "2 × 2"});
-}
-
-TEST(LimitSurfaceErrors, NonManifold) {
-  // Three faces on one edge.
-  Cage fin = openGrid(2, 1);
-  fin.positions.emplace_back(1, 0, 1);
-  fin.positions.emplace_back(1, 1, 1);
-  for (const int v : {1, 4, 7, 6}) fin.faceVertices.push_back(v);
-  for (const int uv : {0, 1, 2, 3}) fin.faceUvs.push_back(uv);
-  expectInputError([&] { const LimitSurface surface(fin); }, {"vertices 1 and 4"});
-  // Two faces that meet at one vertex only.
-  Cage bowTie = openGrid(2, 2);
-  const std::vector<int> kept = {0, 1, 4, 3, 4, 5, 8, 7};
-  bowTie.faceVertices = kept;
-  bowTie.faceUvs = kept;
-  expectInputError([&] { const LimitSurface surface(bowTie); }, {"vertex 4", "more than one fan"});
-  // The same face twice.
-  Cage twice = openGrid(1, 1);
-  twice.faceVertices = {0, 1, 3, 2, 0, 1, 3, 2};
-  twice.faceUvs = twice.faceVertices;
-  expectInputError([&] { const LimitSurface surface(twice); }, {"opposite directions"});
-}
-
-TEST(LimitSurfaceErrors, NoInnerFace) {
-  Cage cage = openGrid(2, 2);
-  cage.border = CageBorder::support;
-  expectInputError([&] { const LimitSurface surface(cage); }, {"no face has a limit surface"});
-}
-
-TEST(LimitSurfaceErrors, FaceOutOfRange) {
-  const LimitSurface surface(cubeCage());
-  EXPECT_THROW(static_cast<void>(surface.evaluate(6, 0, 0)), InternalError);
-  EXPECT_THROW(static_cast<void>(surface.corners(-1)), InternalError);
 }
 
 TEST(OutwardNormal, IsZeroWhereDegenerate) {

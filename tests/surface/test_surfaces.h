@@ -49,6 +49,24 @@ inline Cage openGrid(int columns, int rows) {
   return cage;
 }
 
+/// Two poles of `count` quadrilaterals each.
+inline Cage polesCage(int count) {
+  Cage cage;
+  cage.positions = {{0, 0, 1}, {0, 0, -1}};
+  for (int i = 0; i < 2 * count; ++i) {
+    const double angle = pi * i / count;
+    cage.positions.emplace_back(std::cos(angle), std::sin(angle), i % 2 ? 0.3 : -0.3);
+  }
+  cage.uvs = {{0, 0}};
+  const auto ring = [count](int i) { return 2 + (i + 2 * count) % (2 * count); };
+  for (int i = 0; i < 2 * count; i += 2) {
+    for (const int v : {0, ring(i - 1), ring(i), ring(i + 1)}) cage.faceVertices.push_back(v);
+    for (const int v : {1, ring(i + 2), ring(i + 1), ring(i)}) cage.faceVertices.push_back(v);
+  }
+  cage.faceUvs.assign(cage.faceVertices.size(), 0);
+  return cage;
+}
+
 /// Reproducible random numbers.
 class Random {
  public:
