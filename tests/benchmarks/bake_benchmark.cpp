@@ -24,8 +24,6 @@
 #include <map>
 #include <random>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "common/vec.h"
@@ -40,8 +38,10 @@ namespace {
 using gnomon::HeightField;
 using gnomon::Vec2;
 using gnomon::Wrap;
+using gnomon::benchmarks::HullHorizons;
 
 constexpr float amplitude = 60;  // texels
+constexpr int azimuths = 32;
 
 /// Uncorrelated heights: nothing to skip but what the bounds give.
 HeightField noise(int size) {
@@ -154,27 +154,22 @@ double processorSeconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Horizons a second of the march, one thread, from a sample of texels; measured once a map.
-double marchRate(Map map, const HeightField& field, int radius) {
-  static std::map<std::tuple<Map, int, int>, double> known;
-  const int size = field.width();
-  const auto key = std::make_tuple(map, size, radius);
-  if (const auto found = known.find(key); found != known.end()) return found->second;
+/// Horizons a second of the march, one thread, from a sample of texels.
+double marchRate(const HeightField& field, int radius) {
   constexpr int samples = 4000;
+  const int size = field.width();
   std::mt19937 random(1);
   const double start = processorSeconds();
   for (int i = 0; i < samples; ++i) {
-    const double angle = 2 * gnomon::pi * static_cast<double>(random() % 32) / 32;
+    const double angle = 2 * gnomon::pi * static_cast<double>(random() % azimuths) / azimuths;
     const auto texel = [&] {
       return 0.5 + static_cast<double>(random() % static_cast<unsigned>(size));
     };
     const Vec2 p(texel(), texel());
     benchmark::DoNotOptimize(march(field, p, {std::cos(angle), std::sin(angle)}, radius));
   }
-  return known[key] = samples / (processorSeconds() - start);
+  return samples / (processorSeconds() - start);
 }
-
-constexpr int azimuths = 32;
 
 /// What the hull sweep makes of a map.
 struct HullResult {
@@ -182,38 +177,38 @@ struct HullResult {
   double meanDegrees = 0, worstDegrees = 0;  ///< off the baker's, as angles
 };
 
-/// One thread, the azimuths of the first octant; measured once a map.
-HullResult hullResult(Map map, const HeightField& field, const gnomon::HorizonTables& exact) {
-  static std::map<std::pair<Map, int>, HullResult> known;
-  const auto key = std::make_pair(map, field.width());
-  if (const auto found = known.find(key); found != known.end()) return found->second;
+/// The best of several sweeps.
+/// @param swept  what they find
+double sweepSeconds(const HeightField& field, Vec2 direction, HullHorizons& swept) {
   constexpr int repeats = 5;
+  double best = 1e30;
+  for (int i = 0; i < repeats; ++i) {
+    const double start = processorSeconds();
+    swept = gnomon::benchmarks::sweepHulls(field, direction);
+    best = std::min(best, processorSeconds() - start);
+  }
+  return best;
+}
+
+/// One thread, the azimuths of the first octant.
+HullResult hullResult(const HeightField& field, const gnomon::HorizonTables& exact) {
+  constexpr int count = azimuths / 8 + 1;
   const std::size_t texels = field.texels().size();
+  const double horizons = static_cast<double>(texels) * count;
   HullResult result;
   double seconds = 0;
-  double degrees = 0;
-  constexpr int octant = azimuths / 8;
-  for (int m = 0; m <= octant; ++m) {
-    const Vec2 direction = gnomon::azimuthDirection(m, azimuths);
-    gnomon::benchmarks::HullHorizons swept;
-    double best = 1e30;
-    for (int i = 0; i < repeats; ++i) {
-      const double start = processorSeconds();
-      swept = gnomon::benchmarks::sweepHulls(field, direction);
-      best = std::min(best, processorSeconds() - start);
-    }
-    seconds += best;
+  for (int m = 0; m < count; ++m) {
+    HullHorizons swept;
+    seconds += sweepSeconds(field, gnomon::azimuthDirection(m, azimuths), swept);
     for (std::size_t i = 0; i < texels; ++i) {
       const float truth = exact.horizon[static_cast<std::size_t>(m) * texels + i];
       const double off = std::abs(std::atan(swept.slope[i]) - std::atan(truth)) * 180 / gnomon::pi;
-      degrees += off;
+      result.meanDegrees += off / horizons;
       result.worstDegrees = std::max(result.worstDegrees, off);
     }
   }
-  const double horizons = static_cast<double>(texels) * (octant + 1);
   result.rate = horizons / seconds;
-  result.meanDegrees = degrees / horizons;
-  return known[key] = result;
+  return result;
 }
 
 /// What is baked; `target` is one of Google Highway's, 0 for the best of this processor.
@@ -250,12 +245,12 @@ void bake(benchmark::State& state, const BakeCase& c) {
   });
   hwy::SetSupportedTargetsForTest(0);
   const double rate = static_cast<double>(azimuths) * c.size * c.size / best;
-  const double baseline = marchRate(c.map, field, c.radius);
+  const double baseline = marchRate(field, c.radius);
   state.counters["horizons/s/core"] = rate;
   state.counters["march/s"] = baseline;
   state.counters["ratio"] = rate / baseline;
   if (c.radius < c.size) return;  // the hull sweep sees farther
-  const HullResult hull = hullResult(c.map, field, tables);
+  const HullResult hull = hullResult(field, tables);
   state.counters["hull/s"] = hull.rate;
   state.counters["to_hull"] = rate / hull.rate;
   state.counters["hull_off"] = hull.meanDegrees;
