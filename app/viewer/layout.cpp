@@ -32,7 +32,9 @@ WindowLayout windowLayout(int width, int height, const WindowParts& parts) {
   constexpr double gap = 2;
   const Vec2 size = glm::max(glm::floor((layout.pictures.size - gap) / 2.0), Vec2(1));
   for (std::size_t i = 0; i < layout.panes.size(); ++i) {
-    const Vec2 place(static_cast<double>(i % 2), static_cast<double>(i / 2));
+    const std::size_t column = i % 2;
+    const std::size_t row = i / 2;
+    const Vec2 place(static_cast<double>(column), static_cast<double>(row));
     layout.panes.at(i) = {place * (size + gap), size};
   }
   return layout;

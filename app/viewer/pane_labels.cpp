@@ -11,6 +11,7 @@ namespace gnomon {
 namespace {
 
 ImTextureID textureOf(GLuint name) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the interface passes names of textures so
   return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
 }
 

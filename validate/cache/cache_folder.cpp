@@ -135,7 +135,7 @@ std::optional<fs::path> variable(const char* name) {
 }  // namespace
 
 std::optional<fs::path> standardCacheFolder() {
-  if (const auto chosen = variable("GNOMON_CACHE")) return chosen;
+  if (auto chosen = variable("GNOMON_CACHE")) return chosen;
   if (const auto caches = variable("XDG_CACHE_HOME")) return *caches / "gnomon";
   if (const auto home = variable("HOME")) return *home / ".cache/gnomon";
   return std::nullopt;

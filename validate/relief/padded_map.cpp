@@ -16,7 +16,8 @@ constexpr std::ptrdiff_t overhang = 64;
 /// Also of the four nodes of a cell, whose lower left one was folded.
 double marginOf(int side, double radius, Wrap wrap) {
   const double reach = std::ceil(radius) + 2;
-  return wrap == Wrap::repeat ? std::min(reach, side / 2 + 2.0) : reach;
+  const int half = side / 2;
+  return wrap == Wrap::repeat ? std::min(reach, half + 2.0) : reach;
 }
 
 /// The representative of an offset, modulo a side, from -side/2 on.

@@ -45,6 +45,7 @@ std::vector<const BinRecord*> binsOf(const StudyRecord& record, std::string_view
 /// All bins that any method has, rising; the one without a lower end first.
 std::vector<Ends> endsOf(const std::vector<const BinRecord*>& bins) {
   std::vector<Ends> ends;
+  ends.reserve(bins.size());
   for (const BinRecord* bin : bins) ends.emplace_back(bin->low, bin->high);
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -62,7 +63,7 @@ const BinRecord* findBin(const std::vector<const BinRecord*>& bins, const std::s
 /// What stands between two bins: the edge that they share, or where a bin without samples was left
 /// out both of its edges.
 std::string edgeText(const Ends& left, const Ends& right) {
-  const std::string edge = left.second ? exactText(*left.second) : "";
+  std::string edge = left.second ? exactText(*left.second) : "";
   if (left.second == right.first) return edge;
   return edge + "…" + (right.first ? exactText(*right.first) : "");
 }

@@ -75,6 +75,7 @@ void draw(std::span<PlotFile* const> wanted, const PlotFormat& format, Cache& ca
 std::vector<PlotFile> plotFiles(const std::vector<PlotSheet>& sheets, const PlotFormat& format,
                                 Cache& cache) {
   std::vector<PlotFile> all;
+  all.reserve(sheets.size());
   for (const PlotSheet& sheet : sheets) all.push_back({&sheet, keyOf(sheet, format.name)});
   std::vector<PlotFile*> missing;
   for (PlotFile& file : all) {

@@ -13,6 +13,7 @@ struct MeshChoice {
   int subdivisions = 1;
   CurvatureSource curvature = CurvatureSource::limit;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison's own 0 for a pointer
   friend auto operator<=>(const MeshChoice&, const MeshChoice&) = default;
 };
 

@@ -22,6 +22,7 @@ class TruthSurface {
   explicit TruthSurface(RunScene& scene);
   TruthSurface(const TruthSurface&) = delete;
   TruthSurface& operator=(const TruthSurface&) = delete;
+  ~TruthSurface() = default;
 
   /// The search, too, is made when the surface is first asked for and the cache does not know its
   /// end.

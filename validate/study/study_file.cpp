@@ -107,6 +107,7 @@ std::string readFilter(const TomlReader& section, const char* key, const Entries
   std::string asked = section.text(key, fallback);
   if (asked.empty()) return asked;
   std::vector<std::string> names;
+  names.reserve(entries.size());
   for (const auto& entry : entries) names.emplace_back(nameOf(entry));
   if (std::find(names.begin(), names.end(), asked) == names.end()) {
     section.fail(key,

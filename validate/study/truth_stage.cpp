@@ -101,6 +101,7 @@ KeptLights<Value> findLights(RunScene& scene, const KeyOf& keyOf) {
 std::vector<TraceSettings> some(const std::vector<TraceSettings>& lights,
                                 const std::vector<std::size_t>& which) {
   std::vector<TraceSettings> chosen;
+  chosen.reserve(which.size());
   for (const std::size_t l : which) chosen.push_back(lights[l]);
   return chosen;
 }

@@ -319,7 +319,11 @@ LimitPoint LimitSurface::evaluate(int face, double s, double t) const {
 }
 
 TangentPoint LimitSurface::tangentPoint(int face, double s, double t) const {
-  if (implementation_->facesPerPatch != 1) return evaluate(face, s, t);
+  if (implementation_->facesPerPatch != 1) {
+    const LimitPoint all = evaluate(face, s, t);
+    const TangentPoint& first = all;  // without the second derivatives
+    return first;
+  }
   const std::size_t index = implementation_->requireFace(face);
   const Implementation::Patch& patch = implementation_->patches[index];
   TangentPoint point;
