@@ -54,9 +54,10 @@ PrincipalLines principalLines(const LimitSurface& surface, const LineSettings& s
   }
   PrincipalLines lines;
   for (int face = 0; face < surface.faceCount(); ++face) {
-    for (int k = 0; k < side * side; ++k) {
-      addLines(surface.evaluate(face, (k % side + 0.5) / side, (k / side + 0.5) / side), settings,
-               lines);
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        addLines(surface.evaluate(face, (i + 0.5) / side, (j + 0.5) / side), settings, lines);
+      }
     }
   }
   return lines;

@@ -128,7 +128,7 @@ std::vector<std::string> overridesOf(const StudyChanges& changes, const fs::path
     append(overrides, path, change.bake);
     append(overrides, path + "base.subdivisions", change.subdivisions);
     for (const auto& [name, value] : change.parameters) {
-      append(overrides, path + "parameters." + name, std::optional(value));
+      append(overrides, fmt::format("{}parameters.{}", path, name), std::optional(value));
     }
   }
   return overrides;

@@ -87,7 +87,7 @@ void ControlPanel::paneChoice(ViewSession& session, std::size_t pane) {
     if (none[0] != '\0') note(name + ".none");
     for (const std::string& label : operands) {
       if (ImGui::Selectable(label.c_str(), label == chosen)) chosen = label;
-      note(name + "." + label);
+      note(fmt::format("{}.{}", name, label));
     }
     if (displaced && ImGui::Selectable("displaced", chosen == PaneContent::displaced)) {
       chosen = PaneContent::displaced;
@@ -195,8 +195,8 @@ void ControlPanel::parameters(ViewSession& session) {
       double value = changed.contains(name) ? changed.at(name) : standard;
       const double range = parameter.maximum - parameter.minimum;
       const bool whole = range >= 16 && std::floor(standard) == standard;
-      if (slider(name.c_str(), label + "." + name, value, parameter.minimum, parameter.maximum,
-                 whole ? "%.0f" : formatFor(range).c_str())) {
+      if (slider(name.c_str(), fmt::format("{}.{}", label, name), value, parameter.minimum,
+                 parameter.maximum, whole ? "%.0f" : formatFor(range).c_str())) {
         changed[name] = value;
       }
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.about.c_str());

@@ -40,6 +40,7 @@ ExitStatus runStudies(const RunRequest& request) {
   if (isRanking(plans)) removeRanking(request);
   Records records;
   std::vector<PlanRecords> parts;
+  parts.reserve(plans.size());
   for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, *cache, records));
   std::vector<StudyMeans> studies;
   for (const PlanRecords& part : parts) {

@@ -35,7 +35,7 @@ void requireAll(const Missing& missing, const ComparedMasks& masks) {
 
 void requireSome(const ComparedMasks& masks, const Mask* roi) {
   if (masks.compared > 0) return;
-  if (masks.outsideRoi == 0) throw InputError("truth: no pixel has a sample");
+  if (roi == nullptr || masks.outsideRoi == 0) throw InputError("truth: no pixel has a sample");
   const bool dark = std::none_of(roi->samples.begin(), roi->samples.end(),
                                  [](Shade shade) { return shade == Shade::lit; });
   throw InputError(dark ? "region of interest: no pixel is white"

@@ -10,6 +10,7 @@ namespace gnomon {
 /// Width and height of a rectangle of nodes.
 struct BoxSize {
   int width = 1, height = 1;
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison's own 0 for a pointer
   auto operator<=>(const BoxSize&) const = default;
 };
 

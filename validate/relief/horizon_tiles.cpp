@@ -147,6 +147,7 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
                            settings.radiusTexels, map);
   });
   std::vector<Strips> strips;
+  strips.reserve(plans.size());
   for (const AzimuthPlan& plan : plans) {
     strips.emplace_back(field.width(), field.height(), plan.direction);
   }

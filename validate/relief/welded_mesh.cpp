@@ -57,8 +57,10 @@ Vertices allVertices(const LimitSurface& surface, const Relief& relief, int subd
   const Vec2 texelsPerUv = relief.texelsPerUv();
   parallelFor(0, faces, [&](std::size_t face) {
     for (std::size_t v = 0; v < side * side; ++v) {
-      const double s = static_cast<double>(v % side) / subdivisions;
-      const double t = static_cast<double>(v / side) / subdivisions;
+      const std::size_t column = v % side;
+      const std::size_t row = v / side;
+      const double s = static_cast<double>(column) / subdivisions;
+      const double t = static_cast<double>(row) / subdivisions;
       const LimitPoint point = surface.evaluate(static_cast<int>(face), s, t);
       const std::size_t index = face * side * side + v;
       all.positions[index] = glm::vec3(displaced(relief, texelFrame(point, texelsPerUv)));

@@ -284,7 +284,8 @@ GpuAngles::GpuAngles(const AngleTable& table, TableBits bits)
     throw InputError(fmt::format("bake: horizon angles of {} × {} texels, OpenGL takes at most {}",
                                  table.width, table.height, largest));
   }
-  requireMemory(4.0 * 4 * ((table.azimuths + 3) / 4) * table.width * table.height * 2,
+  const int maps = (table.azimuths + 3) / 4;
+  requireMemory(4.0 * 4 * maps * table.width * table.height * 2,
                 fmt::format("bake: horizon angles of {} × {} texels × {} azimuths", table.width,
                             table.height, table.azimuths));
   angles_ = rgbaMaps(shareOf(table), table.width, table.height, table.azimuths, bits, byteCount_);

@@ -84,6 +84,7 @@ void readFlags(const Declaration& declaration, std::string_view key, const char*
                                    [&](const auto& entry) { return entry.first == name; });
     if (flag == flags.end()) {
       std::vector<std::string_view> names;
+      names.reserve(flags.size());
       for (const auto& entry : flags) names.push_back(entry.first);
       declaration.fail(node,
                        fmt::format("{} `{}`, expected {}", what, name, fmt::join(names, ", ")));

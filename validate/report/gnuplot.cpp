@@ -142,6 +142,7 @@ std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts) 
   }
   (void)runGnuplot(all);
   std::vector<std::string> drawn;
+  drawn.reserve(files.size());
   for (const ScratchFile& file : files) drawn.push_back(contentOf(file.get()));
   return drawn;
 }

@@ -125,7 +125,7 @@ void requireManifold(const Far::TopologyLevel& level, const PartNames& names) {
                                    names.face(static_cast<std::size_t>(faces[0])),
                                    vertex + names.firstFace, faces.size(), mostVertexFaces));
     }
-    if (faces.size() == 0 || !level.IsVertexNonManifold(vertex)) continue;
+    if (faces.empty() || !level.IsVertexNonManifold(vertex)) continue;
     throw InputError(fmt::format(
         "{}: the {} faces about vertex {} form more than one fan, expected "
         "one (split the vertex)",
