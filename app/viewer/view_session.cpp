@@ -43,7 +43,7 @@ bool sameLight(const LightAngles& a, const LightAngles& b) {
 
 }  // namespace
 
-ViewSession::ViewSession(const ViewRequest& request, std::function<void()> wake)
+ViewSession::ViewSession(const ViewRequest& request, const std::function<void()>& wake)
     : request_(request),
       shaders_(shaderFolder()),
       opened_(std::make_shared<const StudySpec>(readStudy(request.study, optionsOf(request)))),

@@ -30,7 +30,7 @@ class ViewSession {
   /// Reads the study, and waits for nothing else.
   /// @param wake  called from other threads when there is something new
   /// @throws InputError as readStudy, UsageError for contents that are none
-  ViewSession(const ViewRequest& request, std::function<void()> wake);
+  ViewSession(const ViewRequest& request, const std::function<void()>& wake);
 
   ViewState& state() { return state_; }
   [[nodiscard]] const ViewState& state() const { return state_; }

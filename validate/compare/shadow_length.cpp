@@ -36,8 +36,9 @@ class Walk {
   Walk(const LightField& field, std::size_t start, Vec2 within, Heading heading)
       : field_(field), sign_(static_cast<int>(heading)), index_(start) {
     const auto width = static_cast<std::size_t>(field.width);
-    position_ =
-        Vec2(static_cast<double>(start % width), static_cast<double>(start / width)) + within;
+    const std::size_t column = start % width;
+    const std::size_t row = start / width;
+    position_ = Vec2(static_cast<double>(column), static_cast<double>(row)) + within;
   }
 
   [[nodiscard]] std::size_t index() const { return index_; }
@@ -141,7 +142,9 @@ class RunFinder {
   /// dark samples lie so, and the others need none of their lines looked at.
   [[nodiscard]] bool isBesideLit(std::size_t i) const {
     const auto width = static_cast<std::size_t>(field_.width);
-    const Vec2 centre(static_cast<double>(i % width), static_cast<double>(i / width));
+    const std::size_t sampleColumn = i % width;
+    const std::size_t sampleRow = i / width;
+    const Vec2 centre(static_cast<double>(sampleColumn), static_cast<double>(sampleRow));
     // Lines start less than half a sample from the centre.
     const Vec2 first = glm::floor(centre - Vec2(field_.steps[i].away));
     for (const double row : {first.y, first.y + 1}) {

@@ -73,7 +73,7 @@ HWY_INLINE bool mayPeak(const Tile& at, const CellPath& path, std::size_t vector
 }
 
 /// Lists the cells of high groups that may hold a peak.
-HWY_NOINLINE std::size_t findPeakCells(Tile& at, std::size_t high) {
+HWY_NOINLINE inline std::size_t findPeakCells(Tile& at, std::size_t high) {
   TileNotes& notes = at.notes;
   CellVisit* cells = roomFor(notes.cells, high * groupTaps);
   std::size_t count = 0;
@@ -96,7 +96,7 @@ HWY_NOINLINE std::size_t findPeakCells(Tile& at, std::size_t high) {
   return count;
 }
 
-void roomForPeaks(TileNotes& notes, std::size_t count) {
+HWY_INLINE void roomForPeaks(TileNotes& notes, std::size_t count) {
   roomFor(notes.peakVectors, notes.peakCount + count);
   roomFor(notes.peaks, 2 * (notes.peakCount + count) * hn::Lanes(lanes));
 }

@@ -26,13 +26,13 @@ namespace {
 using Lanes = hn::ScalableTag<float>;
 using Floats = hn::Vec<Lanes>;
 using Index = std::uint32_t;
-constexpr Lanes lanes;
+inline constexpr Lanes lanes;
 
-constexpr std::size_t groupTaps = AzimuthPlan::groupTaps;
-constexpr std::size_t bundleGroups = AzimuthPlan::bundleGroups;
+inline constexpr std::size_t groupTaps = AzimuthPlan::groupTaps;
+inline constexpr std::size_t bundleGroups = AzimuthPlan::bundleGroups;
 static_assert(bundleGroups == 8, "TileNotes::foreseen has a bit for each");
-constexpr float never = std::numeric_limits<float>::infinity();
-constexpr float farthest = std::numeric_limits<float>::max();  ///< times 0 it is still 0
+inline constexpr float never = std::numeric_limits<float>::infinity();
+inline constexpr float farthest = std::numeric_limits<float>::max();  ///< times 0 it is still 0
 
 /// Lengthens a list to some count where it is shorter.
 template <typename T>
