@@ -27,7 +27,8 @@ class Repetition : public EndToEnd {
     // view. Two tables; plots of four axes in both views, as SVG and PDF.
     EXPECT_EQ(files.size(), 2U + 2 * 4 * 2 + 2 * (2 * (4 + 4 + 3) + 1));
     for (const std::string& name : files) {
-      const bool same = read(a + "/" + name) == read(b + "/" + name);
+      const std::string file = "/" + name;
+      const bool same = read(a + file) == read(b + file);
       EXPECT_TRUE(same) << name;
     }
   }

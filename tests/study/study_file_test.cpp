@@ -51,13 +51,13 @@ TEST_F(StudyFile, WrapsAndRepeatsOnceUnlessTold) {
 }
 
 TEST_F(StudyFile, EveryShapeAndPatternCanBeAskedFor) {
-  for (const char* shape :
-       {R"({shape="plane", quads=[2, 3], size=[9, 9]})",
-        R"({shape="cylinder", quads=[12, 2], size=[9, 9], curvature=0.1})",
-        R"({shape="sphere", quads=[20, 20], size=[9, 9], curvature=0.1})",
-        R"({shape="torus", quads=[60, 80], major=4, minor=1})",
-        R"({shape="b-spline", columns=4, points=[[0,0,0],[1,0,0],[2,0,0],[3,0,0],[0,1,0],[1,1,0],)"
-        R"([2,1,0],[3,1,0],[0,2,0],[1,2,0],[2,2,0],[3,2,0],[0,3,0],[1,3,0],[2,3,0],[3,3,0]]})"}) {
+  const char* bSpline =
+      R"({shape="b-spline", columns=4, points=[[0,0,0],[1,0,0],[2,0,0],[3,0,0],[0,1,0],[1,1,0],)"
+      R"([2,1,0],[3,1,0],[0,2,0],[1,2,0],[2,2,0],[3,2,0],[0,3,0],[1,3,0],[2,3,0],[3,3,0]]})";
+  for (const char* shape : {R"({shape="plane", quads=[2, 3], size=[9, 9]})",
+                            R"({shape="cylinder", quads=[12, 2], size=[9, 9], curvature=0.1})",
+                            R"({shape="sphere", quads=[20, 20], size=[9, 9], curvature=0.1})",
+                            R"({shape="torus", quads=[60, 80], major=4, minor=1})", bSpline}) {
     EXPECT_FALSE(readWith({std::string("surface=") + shape}).cage.faceVertices.empty()) << shape;
   }
   for (const char* pattern :

@@ -21,6 +21,7 @@ struct ContentKey {
 
   /// 32 hexadecimal digits.
   [[nodiscard]] std::string text() const;
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison's own 0 for a pointer
   friend auto operator<=>(const ContentKey&, const ContentKey&) = default;
 };
 
