@@ -18,6 +18,7 @@
 namespace gnomon {
 namespace {
 
+using test::complement;
 using test::drawn;
 using test::expectAlike;
 using test::placeOf;

@@ -8,7 +8,6 @@ namespace gnomon::test {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 /// Columns on a small sphere; occluders farther than 8 texels are distant.

@@ -61,7 +61,8 @@ class CachedRuns : public EndToEnd {
       const bool holdsTimes = name == "small/summary.json" || name == "small/report.html" ||
                               name == "small/table.csv" || name == "small/table.tex";
       if (holdsTimes) continue;
-      EXPECT_TRUE(read(a + "/" + name) == read(b + "/" + name)) << name;
+      const std::string file = "/" + name;
+      EXPECT_TRUE(read(a + file) == read(b + file)) << name;
     }
     EXPECT_EQ(lasting(a), lasting(b));
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/displaced_rays.h"
+#include "truth/truth_scenes.h"
 
 namespace gnomon {
 namespace {

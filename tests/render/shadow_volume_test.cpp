@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "render/displaced_rays.h"
+#include "truth/truth_scenes.h"
 
 namespace gnomon {
 namespace {

@@ -12,7 +12,6 @@ namespace {
 
 using test::passedCheck;
 using test::sampleCheck;
-using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 std::vector<std::string> annotations(const std::vector<CheckRecord>& checks) {

@@ -13,7 +13,6 @@ namespace {
 
 using test::passedCheck;
 using test::sampleCheck;
-using test::sampleGate;
 using ::testing::HasSubstr;
 using ::testing::Not;
 

@@ -18,7 +18,6 @@ namespace {
 using test::cubeCage;
 using test::flatRelief;
 using test::lightToward;
-using test::sampleLine;
 using test::stepRelief;
 
 Relief flat(int width, int height, Wrap wrap) {
