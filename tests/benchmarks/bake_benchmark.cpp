@@ -1,13 +1,13 @@
 // Speed of the horizon baker, in horizons (texel × azimuth) a second. `horizons/s` is by the clock,
 // all threads; `horizons/s/core` the best run by processor time. Beside it, measured in the same
-// process on one core, two others:
-//   march  a plain one in double precision, that computes the same thing to its step; `ratio` is
-//   how
-//          many times as fast a core of the baker is
-//   hull   sweeps of convex hulls along shared lines (hull_sweep.h), the fastest known way, which
-//   is
-//          not exact: `hull_off` and `hull_worst` say by how many degrees its horizons differ from
-//          the baker's, on average and at worst; `to_hull` is the baker's speed over its
+// process on one core, two others.
+//
+// The march is a plain one in double precision that computes the same thing to its step; `ratio` is
+// how many times as fast a core of the baker is.
+//
+// The hull sweep (hull_sweep.h) is the fastest known way, and not exact: `hull_off` and
+// `hull_worst` say by how many degrees its horizons differ from the baker's, on average and at
+// worst; `to_hull` is the speed of a core of the baker over its.
 
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
