@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "common/raw_vector.h"
 #include "compare/rates.h"
 
 namespace gnomon {
@@ -29,7 +30,7 @@ struct LightField {
   /// Side of the square tiles whose borders no walk crosses: those of an atlas in which neighbours
   /// in the picture are none on the surface. 0 where there are none.
   int tileSide = 0;
-  std::vector<LightStep> steps;
+  RawVector<LightStep> steps;
 };
 
 /// How long the cast shadows of a candidate are, over those of the truth.

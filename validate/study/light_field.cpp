@@ -32,7 +32,7 @@ LightField makeLightField(const LimitSurface& surface, const RenderView& view,
                           const SampleGrid& samples, const Vec3& light) {
   const ViewMap map(surface, view);
   LightField field{samples.width, samples.height, map.tileSide(),
-                   std::vector<LightStep>(samples.samples.size())};
+                   RawVector<LightStep>(samples.samples.size())};
   parallelFor(
       0, field.steps.size(),
       [&](std::size_t i) {

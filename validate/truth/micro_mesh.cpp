@@ -217,7 +217,7 @@ void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double
                             static_cast<double>(triangleCount_)));
   vertexCount_ = static_cast<std::size_t>(vertices);
   // One float of padding: Embree reads vertices as four floats.
-  coordinates_ = std::make_unique_for_overwrite<float[]>(3 * vertexCount_ + 1);
+  coordinates_.resize(3 * vertexCount_ + 1);
   coordinates_[3 * vertexCount_] = 0;
 }
 

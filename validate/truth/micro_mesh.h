@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "common/progress.h"
+#include "common/raw_vector.h"
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 
@@ -62,9 +62,7 @@ class MicroMesh {
     return lines_[static_cast<std::size_t>(index)];
   }
   /// x, y, z of each vertex relative to `centre()`, and one float of padding at the end.
-  [[nodiscard]] std::span<const float> coordinates() const {
-    return {coordinates_.get(), 3 * vertexCount_ + 1};
-  }
+  [[nodiscard]] std::span<const float> coordinates() const { return coordinates_; }
   [[nodiscard]] std::size_t vertexCount() const { return vertexCount_; }
   [[nodiscard]] std::uint64_t triangleCount() const { return triangleCount_; }
   [[nodiscard]] const Vec3& centre() const { return centre_; }
@@ -84,8 +82,7 @@ class MicroMesh {
 
   std::vector<std::vector<double>> lines_;
   std::vector<Grid> grids_;
-  std::unique_ptr<float[]>
-      coordinates_;  // an array whose pages the threads that fill it touch first
+  RawVector<float> coordinates_;
   std::size_t vertexCount_ = 0;
   Vec3 centre_{0, 0, 0};
   double extent_ = 0;

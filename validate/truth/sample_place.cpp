@@ -38,8 +38,8 @@ PlacedSamples placeSamples(const LimitSurface& surface, Vec2 texelsPerUv, const 
   const std::size_t count = samples.samples.size();
   requireMemory(static_cast<double>((sizeof(RayStart) + sizeof(TexelAxes)) * count),
                 fmt::format("the places of {} × {} samples", samples.width, samples.height));
-  PlacedSamples placed{samples.width, samples.height, std::vector<RayStart>(count),
-                       std::vector<TexelAxes>(count), mesh.extent()};
+  PlacedSamples placed{samples.width, samples.height, RawVector<RayStart>(count),
+                       RawVector<TexelAxes>(count), mesh.extent()};
   const auto width = static_cast<std::size_t>(samples.width);
   CountedProgress rows(progress, static_cast<std::size_t>(samples.height));
   parallelFor(0, static_cast<std::size_t>(samples.height), [&](std::size_t row) {

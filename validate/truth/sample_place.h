@@ -2,9 +2,9 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "common/progress.h"
+#include "common/raw_vector.h"
 #include "surface/limit_face.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
@@ -43,10 +43,10 @@ class SamplePlacer {
 
 /// What every shadow ray of a sample needs, whatever the light.
 struct RayStart {
-  Facet facet;           ///< see SamplePlace
-  Vec3 normal;           ///< n of the undisplaced surface, unit, outward
-  bool shown = false;    ///< whether there is a sample
-  bool defined = false;  ///< see SamplePlace
+  Facet facet;   ///< see SamplePlace
+  Vec3 normal;   ///< n of the undisplaced surface, unit, outward
+  bool shown;    ///< whether there is a sample
+  bool defined;  ///< see SamplePlace
 };
 
 /// P_x and P_y at a sample: what tells how far a ray reaches over the texture.
@@ -59,8 +59,8 @@ struct TexelAxes {
 struct PlacedSamples {
   int width = 0;
   int height = 0;
-  std::vector<RayStart> starts;
-  std::vector<TexelAxes> axes;
+  RawVector<RayStart> starts;
+  RawVector<TexelAxes> axes;
   double extent = 0;  ///< of the mesh, see MicroMesh::extent
 };
 

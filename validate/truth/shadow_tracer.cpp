@@ -204,8 +204,8 @@ std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relie
   std::atomic<std::size_t> undefined = 0;
   forEachBand(samples.width, samples.height, progress, [&](std::size_t first, std::size_t count) {
     SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
-    std::vector<RayStart> starts(count);
-    std::vector<TexelAxes> axes(count);
+    RawVector<RayStart> starts(count);
+    RawVector<TexelAxes> axes(count);
     placeSamples(placer, std::span(samples.samples).subspan(first, count), starts, axes);
     undefined += undefinedIn(starts);
     const Band band{starts, axes, static_cast<std::size_t>(samples.width), first};
