@@ -94,7 +94,7 @@ std::optional<CrossSection> crossSection(const LimitSurface& surface, const Reli
   section.here = formulasOn(here, section.lightSlope);
   if (tables != nullptr) {
     const auto entry = [&](const StoredTable& table) {
-      return filteredValue(table, tables->shape, frame.texel, local.azimuth);
+      return filteredValue(table, tables->shape, frame.texel, local.azimuth());
     };
     const FlatHorizon filtered{entry(tables->horizon), entry(tables->distance)};
     section.fromTables = formulasOn(inWorld(section, filtered), section.lightSlope);

@@ -212,7 +212,7 @@ BENCHMARK(rays)
     ->Arg(8)
     ->Arg(16)
     ->Unit(benchmark::kMillisecond)
-    ->Iterations(5)
+    ->Iterations(15)
     ->UseRealTime();
 BENCHMARK(lights)
     ->ArgName("lights")

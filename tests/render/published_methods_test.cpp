@@ -140,7 +140,7 @@ bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const 
   const TableShape shape{scene.tables.width, scene.tables.height, scene.tables.azimuths,
                          scene.tables.wrap};
   const auto entry = [&](const StoredTable& table) {
-    return filteredValue(table, shape, frame.texel, local.azimuth);
+    return filteredValue(table, shape, frame.texel, local.azimuth());
   };
   const HorizonLookups at{normalCurvature(point, light), scale * scene.relief.field.at(frame.texel),
                           scale * entry(scene.horizon) / local.worldPerTexel,

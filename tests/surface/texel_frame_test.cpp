@@ -28,8 +28,8 @@ void expectReconstructs(const TexelFrame& frame, const Vec3& light) {
   const Vec2 l = local.direction * run / local.worldPerTexel;
   expectNear(l.x * frame.px + l.y * frame.py + rise * frame.normal, light, 1e-10, "light");
   EXPECT_NEAR(glm::length(local.direction), 1, 1e-14);
-  EXPECT_NEAR(std::cos(local.azimuth), local.direction.x, 1e-14);
-  EXPECT_NEAR(std::sin(local.azimuth), local.direction.y, 1e-14);
+  EXPECT_NEAR(std::cos(local.azimuth()), local.direction.x, 1e-14);
+  EXPECT_NEAR(std::sin(local.azimuth()), local.direction.y, 1e-14);
   EXPECT_NEAR(local.slope, rise / run, 1e-12 * (1 + std::abs(local.slope)));
 }
 
@@ -115,7 +115,7 @@ TEST(LocalLight, ClosedFormOnAnAnisotropicFrame) {
   // One texel is 3 wide and 1 high: a light at 45° in the world stands at (1/3, 1) in texels.
   const TexelFrame frame = texelFrame(flatPoint({3, 0, 0}, {0, 1, 0}, {1, 0}, {0, 1}), {1, 1});
   const LocalLight local = localLight(frame, glm::normalize(Vec3(1, 1, 1)));
-  EXPECT_NEAR(local.azimuth, std::atan2(1, 1.0 / 3), 1e-15);
+  EXPECT_NEAR(local.azimuth(), std::atan2(1, 1.0 / 3), 1e-15);
   EXPECT_NEAR(local.slope, 1 / std::sqrt(2), 1e-15);
   EXPECT_NEAR(local.worldPerTexel, std::sqrt(2) / std::hypot(1.0 / 3, 1), 1e-14);
 }
@@ -124,7 +124,7 @@ TEST(LocalLight, ClosedFormOnAShearedFrame) {
   // P_x = (1,0,0), P_y = (1,1,0): L's tangential part (0,1,0) is P_y - P_x.
   const TexelFrame frame = texelFrame(flatPoint({1, 0, 0}, {1, 1, 0}, {1, 0}, {0, 1}), {1, 1});
   const LocalLight local = localLight(frame, glm::normalize(Vec3(0, 1, 2)));
-  EXPECT_NEAR(local.azimuth, 3 * pi / 4, 1e-15);
+  EXPECT_NEAR(local.azimuth(), 3 * pi / 4, 1e-15);
   EXPECT_NEAR(local.slope, 2, 1e-14);
   EXPECT_NEAR(local.worldPerTexel, 1 / std::sqrt(2), 1e-15);
 }
@@ -134,7 +134,7 @@ TEST(LocalLight, AlongTheNormal) {
   for (const double side : {1.0, -1.0}) {
     const LocalLight local = localLight(frame, side * frame.normal);
     EXPECT_EQ(local.direction, Vec2(1, 0));
-    EXPECT_EQ(local.azimuth, 0);
+    EXPECT_EQ(local.azimuth(), 0);
     EXPECT_TRUE(std::isinf(local.slope));
     EXPECT_EQ(std::signbit(local.slope), side < 0);
     EXPECT_DOUBLE_EQ(local.worldPerTexel, glm::length(frame.px));

@@ -21,12 +21,16 @@ TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv) {
   return {point.position, normal, px, py, texel, true};
 }
 
+double LocalLight::azimuth() const {
+  return std::atan2(direction.y, direction.x);
+}
+
 LocalLight localLight(const TexelFrame& frame, const Vec3& light) {
   const double rise = glm::dot(light, frame.normal);
   const double run = glm::length(light - rise * frame.normal);
   // An angle of 1e-12 from the normal is rounding; it has no azimuth.
   if (!(run > 1e-12)) {
-    return {Vec2(1, 0), 0, glm::length(frame.px),
+    return {Vec2(1, 0), glm::length(frame.px),
             std::copysign(std::numeric_limits<double>::infinity(), rise)};
   }
   const double xx = glm::dot(frame.px, frame.px);
@@ -36,8 +40,7 @@ LocalLight localLight(const TexelFrame& frame, const Vec3& light) {
   const double lightY = glm::dot(light, frame.py);
   // Both components carry the factor 1 / (xx yy - xy²) > 0, which the unit vector does not need.
   const Vec2 direction = glm::normalize(Vec2(yy * lightX - xy * lightY, xx * lightY - xy * lightX));
-  return {direction, std::atan2(direction.y, direction.x),
-          glm::length(direction.x * frame.px + direction.y * frame.py), rise / run};
+  return {direction, glm::length(direction.x * frame.px + direction.y * frame.py), rise / run};
 }
 
 }  // namespace gnomon

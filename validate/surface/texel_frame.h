@@ -23,9 +23,11 @@ TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv);
 /// The light as horizon methods see it from one frame.
 struct LocalLight {
   Vec2 direction;        ///< e: unit vector of the light's azimuth in the texture plane (texels)
-  double azimuth;        ///< φ = atan2(e_y, e_x), radians
   double worldPerTexel;  ///< σ = |e_x P_x + e_y P_y|: world length of one texel along e
   double slope;          ///< tan θ = (L·n) / |L - (L·n) n|: elevation over the tangent plane
+
+  /// φ = atan2(e_y, e_x), radians.
+  [[nodiscard]] double azimuth() const;
 };
 
 /// Solves L = ℓ_x P_x + ℓ_y P_y + c n for ℓ by the 2 × 2 metric system, since P_x and P_y need be
