@@ -71,20 +71,19 @@ void writeObj(const std::filesystem::path& path, const BaseMesh& mesh, Vec2 texe
                     bytesPerTriangle * static_cast<double>(mesh.triangleCount()),
                 path.string());
   std::string text = fmt::format("# {}\n", comment);
-  auto out = std::back_inserter(text);
   const auto shortest = [](double value) { return static_cast<float>(value); };
   const auto append = [&](const char* key, const Vec3& v) {
-    fmt::format_to(out, "{} {} {} {}\n", key, shortest(v.x), shortest(v.y), shortest(v.z));
+    text += fmt::format("{} {} {} {}\n", key, shortest(v.x), shortest(v.y), shortest(v.z));
   };
   for (const BaseVertex& vertex : mesh.vertices) {
     const Vec2 uv = vertex.texel / texelsPerUv;
     append("v", vertex.position);
-    fmt::format_to(out, "vt {} {}\n", shortest(uv.x), shortest(uv.y));
+    text += fmt::format("vt {} {}\n", shortest(uv.x), shortest(uv.y));
     append("vn", vertex.normal);
   }
   for (std::size_t k = 0; k < mesh.triangles.size(); k += 3) {
-    fmt::format_to(out, "f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", mesh.triangles[k] + 1,
-                   mesh.triangles[k + 1] + 1, mesh.triangles[k + 2] + 1);
+    text += fmt::format("f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", mesh.triangles[k] + 1,
+                        mesh.triangles[k + 1] + 1, mesh.triangles[k + 2] + 1);
   }
   writeTextAtomically(path, text);
 }
