@@ -173,9 +173,22 @@ TEST(ShadowTracer, DegenerateFramesAreLeftOutAndCounted) {
   std::fill(cage.uvs.begin(), cage.uvs.end(), Vec2(0.5));
   cage.grid.reset();
   const TruthScene scene(cage, flatRelief(8, 8), 0.5);
-  const Truth truth = scene.trace(samplesOfAllFaces(scene.surface, 3), lightToward(0, 45));
+  const SampleGrid samples = samplesOfAllFaces(scene.surface, 3);
+  const Truth truth = scene.trace(samples, lightToward(0, 45));
   EXPECT_EQ(truth.undefinedSamples, truth.mask.size());
   for (const Shade shade : truth.mask.samples) EXPECT_EQ(shade, Shade::none);
+
+  // Once, however many lights there are, and whether or not their places are kept.
+  const std::array lights = {TraceSettings{lightToward(30, 20)},
+                             TraceSettings{lightToward(200, 55)}};
+  for (const Truth& each :
+       traceShadows(scene.surface, scene.relief, scene.mesh, scene.scene, samples, lights)) {
+    EXPECT_EQ(each.undefinedSamples, samples.samples.size());
+  }
+  const PlacedSamples placed =
+      placeSamples(scene.surface, scene.relief.texelsPerUv(), scene.mesh, samples);
+  EXPECT_EQ(traceShadows(scene.scene, placed, lights.front()).undefinedSamples,
+            samples.samples.size());
 }
 
 TEST(ShadowTracer, DoesNotDependOnTheNumberOfThreads) {
