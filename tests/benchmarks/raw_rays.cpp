@@ -54,7 +54,7 @@ RawRays::RawRays(const MicroMesh& mesh, const PlacedSamples& placed, const Trace
   std::size_t second = 0;
   std::vector<Packet> near;
   for (const std::size_t i : tileOrder(placed.width, placed.height)) {
-    const auto& [facet, normal, shown, defined] = placed.starts[i];
+    const auto& [facet, normal, defined] = placed.starts[i];
     if (!defined || glm::dot(facet.normal, light.light) <= 0) continue;
     const Vec3 origin = facet.point + light.liftShare * placed.extent * facet.normal;
     add(packets_, first++ % lanes, origin, light.light, std::numeric_limits<double>::infinity());

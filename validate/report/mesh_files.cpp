@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "common/atomic_file.h"
 #include "common/error.h"

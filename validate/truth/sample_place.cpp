@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <atomic>
 #include <limits>
 
 #include "common/counted_progress.h"
@@ -24,13 +25,16 @@ SamplePlace SamplePlacer::place(const SurfaceSample& sample) {
   return place;
 }
 
-void placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
-                  std::span<RayStart> starts, std::span<TexelAxes> axes) {
+std::size_t placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
+                         std::span<RayStart> starts, std::span<TexelAxes> axes) {
+  std::size_t undefined = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const SamplePlace place = placer.place(samples[i]);
-    starts[i] = {place.facet, place.frame.normal, samples[i].face >= 0, place.defined};
+    starts[i] = {place.facet, place.frame.normal, place.defined};
     axes[i] = {place.frame.px, place.frame.py};
+    undefined += samples[i].face >= 0 && !place.defined ? 1 : 0;
   }
+  return undefined;
 }
 
 PlacedSamples placeSamples(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh,
@@ -38,18 +42,24 @@ PlacedSamples placeSamples(const LimitSurface& surface, Vec2 texelsPerUv, const 
   const std::size_t count = samples.samples.size();
   requireMemory(static_cast<double>((sizeof(RayStart) + sizeof(TexelAxes)) * count),
                 fmt::format("the places of {} × {} samples", samples.width, samples.height));
-  PlacedSamples placed{samples.width, samples.height, RawVector<RayStart>(count),
-                       RawVector<TexelAxes>(count), mesh.extent()};
+  PlacedSamples placed{samples.width,
+                       samples.height,
+                       RawVector<RayStart>(count),
+                       RawVector<TexelAxes>(count),
+                       mesh.extent(),
+                       0};
+  std::atomic<std::size_t> undefined = 0;
   const auto width = static_cast<std::size_t>(samples.width);
   CountedProgress rows(progress, static_cast<std::size_t>(samples.height));
   parallelFor(0, static_cast<std::size_t>(samples.height), [&](std::size_t row) {
     SamplePlacer placer(surface, texelsPerUv, mesh);
     const std::size_t first = row * width;
-    placeSamples(placer, std::span(samples.samples).subspan(first, width),
-                 std::span(placed.starts).subspan(first, width),
-                 std::span(placed.axes).subspan(first, width));
+    undefined += placeSamples(placer, std::span(samples.samples).subspan(first, width),
+                              std::span(placed.starts).subspan(first, width),
+                              std::span(placed.axes).subspan(first, width));
     rows.advance();
   });
+  placed.undefined = undefined;
   return placed;
 }
 

@@ -45,7 +45,6 @@ class SamplePlacer {
 struct RayStart {
   Facet facet;   ///< see SamplePlace
   Vec3 normal;   ///< n of the undisplaced surface, unit, outward
-  bool shown;    ///< whether there is a sample
   bool defined;  ///< see SamplePlace
 };
 
@@ -61,13 +60,15 @@ struct PlacedSamples {
   int height = 0;
   RawVector<RayStart> starts;
   RawVector<TexelAxes> axes;
-  double extent = 0;  ///< of the mesh, see MicroMesh::extent
+  double extent = 0;          ///< of the mesh, see MicroMesh::extent
+  std::size_t undefined = 0;  ///< samples that are there, but where the truth has no answer
 };
 
 /// Fills what the rays of samples need, on this thread.
 /// @param starts, axes  as many as there are samples
-void placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
-                  std::span<RayStart> starts, std::span<TexelAxes> axes);
+/// @returns how many of them are there, but where the truth has no answer
+std::size_t placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
+                         std::span<RayStart> starts, std::span<TexelAxes> axes);
 
 /// Places samples on a micro-mesh, for lights that come one after the other.
 /// @param progress  may throw to cancel, see common/progress.h

@@ -49,12 +49,10 @@ class BandTracer {
         band_(band),
         truth_(truth) {}
 
-  /// @returns how many of its samples are shown but have no answer
-  std::size_t trace() {
+  void trace() {
     forEachInTiles(band_, [this](std::size_t i) { begin(i); });
     traceFar();
     traceNear();
-    return undefined_;
   }
 
  private:
@@ -66,10 +64,7 @@ class BandTracer {
   /// Settles what needs no ray.
   void begin(std::size_t i) {
     const RayStart& start = band_.starts[i];
-    if (!start.defined) {  // stays Shade::none
-      undefined_ += start.shown ? 1 : 0;
-      return;
-    }
+    if (!start.defined) return;  // stays Shade::none
     const bool beyond = glm::dot(start.normal, settings_.light) <= 0;
     const bool turned = glm::dot(start.facet.normal, settings_.light) <= 0;
     region(i) = beyond ? Region::beyondTerminator : turned ? Region::attached : Region::lit;
@@ -137,7 +132,6 @@ class BandTracer {
   Band band_;
   Truth& truth_;
   Waiting far_, near_;
-  std::size_t undefined_ = 0;
 };
 
 Truth emptyTruth(int width, int height) {
@@ -186,14 +180,13 @@ std::string_view regionName(Region region) {
 Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
                    const TraceSettings& settings, const Progress& progress) {
   Truth truth = emptyTruth(placed.width, placed.height);
-  std::atomic<std::size_t> undefined = 0;
   forEachBand(placed.width, placed.height, progress, [&](std::size_t first, std::size_t count) {
     const Band band{std::span(placed.starts).subspan(first, count),
                     std::span(placed.axes).subspan(first, count),
                     static_cast<std::size_t>(placed.width), first};
-    undefined += BandTracer(scene, placed.extent, settings, band, truth).trace();
+    BandTracer(scene, placed.extent, settings, band, truth).trace();
   });
-  truth.undefinedSamples = undefined;
+  truth.undefinedSamples = placed.undefined;
   return truth;
 }
 
@@ -202,16 +195,16 @@ std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relie
                                 const SampleGrid& samples, std::span<const TraceSettings> lights,
                                 const Progress& progress) {
   std::vector<Truth> truths(lights.size(), emptyTruth(samples.width, samples.height));
-  std::atomic<std::size_t> undefined = 0;  // the same under every light
+  std::atomic<std::size_t> undefined = 0;
   forEachBand(samples.width, samples.height, progress, [&](std::size_t first, std::size_t count) {
     SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
     RawVector<RayStart> starts(count);
     RawVector<TexelAxes> axes(count);
-    placeSamples(placer, std::span(samples.samples).subspan(first, count), starts, axes);
+    undefined +=
+        placeSamples(placer, std::span(samples.samples).subspan(first, count), starts, axes);
     const Band band{starts, axes, static_cast<std::size_t>(samples.width), first};
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      const auto own = BandTracer(scene, mesh.extent(), lights[l], band, truths[l]).trace();
-      if (l == 0) undefined += own;
+      BandTracer(scene, mesh.extent(), lights[l], band, truths[l]).trace();
     }
   });
   for (Truth& truth : truths) truth.undefinedSamples = undefined;
