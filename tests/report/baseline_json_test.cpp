@@ -91,6 +91,8 @@ TEST_F(BaselineFile, WithAKeyThatIsMissingOrWrongIsRefused) {
             "sample.json: schema: \"gnomon-baseline/2\" found, \"gnomon-baseline/1\" expected");
   EXPECT_EQ(failureWith("/form", "half"),
             "sample.json: form: \"half\" found, full or quick expected");
+  EXPECT_EQ(failureWith("/form", "full\nor quick"),
+            "sample.json: form: \"full or quick\" found, full or quick expected");
   EXPECT_EQ(failureWith("/values", 3), "sample.json: values: number found, a list expected");
   EXPECT_EQ(failureWith("/values/1", nullptr),
             "sample.json: values.1.study: missing, a string expected");
@@ -106,6 +108,15 @@ TEST_F(BaselineFile, WithAKeyThatIsMissingOrWrongIsRefused) {
 
 TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
   EXPECT_THAT(failureWith("/values/0/metric", "eror_rate"), HasSubstr("values.0.metric: \"eror_"));
+  EXPECT_EQ(failureWith("/values/0/value", 3.5),
+            "sample.json: values.0.value: 3.5 found, 0 to 1 expected");
+  EXPECT_THAT(failureWith("/values/1/value", -0.1), HasSubstr("-0.1 found, 0 to 1 expected"));
+  Baseline lengths = sampleBaseline();
+  lengths.entries.at(0).metric = "shadow_length_ratio";
+  lengths.entries.at(0).value = 1.5;
+  EXPECT_EQ(read(baselineJson(lengths)).entries.at(0).value, 1.5);
+  lengths.entries.at(0).value = -1;
+  EXPECT_THAT(failure(baselineJson(lengths)), HasSubstr("-1 found, at least 0 expected"));
   EXPECT_THAT(failureWith("/values/0/spread", -1), HasSubstr("values.0.spread: -1 found"));
   EXPECT_EQ(failureWith("/values/0/tolerance", 0.0125),
             "sample.json: values.0.tolerance: 0.0125 found, more than the spread 0.0125 expected");

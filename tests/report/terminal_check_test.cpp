@@ -67,6 +67,14 @@ TEST(CheckTable, FitsATerminalWhateverTheNames) {
   EXPECT_THAT(text, HasSubstr("0.123456 to 1.23456"));
 }
 
+TEST(CheckTable, FitsATerminalWhateverTheLimit) {
+  CheckRecord check = sampleCheck();
+  check.gates.at(0).maximum = 1e308;
+  const std::vector<std::string> lines = test::linesOf(checkTable(check, false));
+  EXPECT_THAT(lines.at(2), HasSubstr("≤ 1e+308  +1.000e+308  pass"));
+  EXPECT_LE(displayWidth(lines.at(2)), 100U);
+}
+
 TEST(CheckTable, HasColoursOnlyWhereTheyAreWanted) {
   EXPECT_THAT(checkTable(sampleCheck(), true), HasSubstr("\x1b[31mfail\x1b[0m"));
   EXPECT_THAT(checkTable(sampleCheck(), false), Not(HasSubstr("\x1b")));

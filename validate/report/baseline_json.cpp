@@ -8,13 +8,14 @@
 
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/one_line.h"
 #include "report/json_values.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-std::string oneLine(const Json& json) {
+std::string compact(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -44,7 +45,7 @@ template <typename Entries, typename ToJson>
 std::string lines(const Entries& entries, const ToJson& toJson) {
   std::string text;
   for (const auto& entry : entries) {
-    text += fmt::format("{}    {}", text.empty() ? "\n" : ",\n", oneLine(toJson(entry)));
+    text += fmt::format("{}    {}", text.empty() ? "\n" : ",\n", compact(toJson(entry)));
   }
   return text.empty() ? "[]" : "[" + text + "\n  ]";
 }
@@ -56,7 +57,7 @@ class Reader {
       : json_(&json), file_(std::move(file)), path_(std::move(path)) {}
 
   [[noreturn]] void fail(const std::string& key, const std::string& what) const {
-    throw InputError(fmt::format("{}: {}{}: {}", file_, path_, key, what));
+    throw InputError(fmt::format("{}: {}{}: {}", file_, path_, key, oneLine(what)));
   }
 
   [[nodiscard]] const Json& at(const char* key, const char* expected,
@@ -128,6 +129,11 @@ BaselineEntry readEntry(const Reader& reader) {
     reader.fail("metric",
                 fmt::format("\"{}\" found, a metric of baselines expected", entry.metric));
   }
+  const bool isRatio = entry.metric == "shadow_length_ratio";
+  if (!(entry.value >= 0) || (!isRatio && entry.value > 1)) {
+    reader.fail("value", fmt::format("{} found, {} expected", entry.value,
+                                     isRatio ? "at least 0" : "0 to 1"));
+  }
   if (!(entry.spread >= 0)) {
     reader.fail("spread", fmt::format("{} found, at least 0 expected", entry.spread));
   }
@@ -147,7 +153,7 @@ std::string baselineJson(const Baseline& baseline) {
                      {"environment", environmentJson(baseline.environment)}};
   std::string text = "{";
   for (const auto& [key, value] : head.items()) {
-    text += fmt::format("\n  {}: {},", oneLine(key), oneLine(value));
+    text += fmt::format("\n  {}: {},", compact(key), compact(value));
   }
   text += fmt::format("\n  \"history\": {},", lines(baseline.history, reasonJson));
   return text + fmt::format("\n  \"values\": {}\n}}\n", lines(baseline.entries, entryJson));
@@ -177,7 +183,7 @@ Baseline readBaseline(const fs::path& path) {
     baseline.entries.push_back(readEntry(entry));
     BaselineEntry bare = baseline.entries.back();
     bare.value = bare.spread = bare.tolerance = 0;
-    if (!seen.insert(oneLine(entryJson(bare))).second) {
+    if (!seen.insert(compact(entryJson(bare))).second) {
       entry.fail("metric", "a second value of the same row and metric found, one expected");
     }
   }

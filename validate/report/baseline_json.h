@@ -23,7 +23,8 @@ std::string baselineJson(const Baseline& baseline);
 /// Reads it back.
 /// @throws InputError naming the file and, for what is no JSON, the line, else the key: another
 ///   schema, a key that is missing or of another type, a value twice, a metric that baselines do
-///   not hold, or a tolerance that is not larger than the spread
+///   not hold, a value that its metric cannot have, or a tolerance that is not larger than the
+///   spread
 Baseline readBaseline(const std::filesystem::path& path);
 
 }  // namespace gnomon

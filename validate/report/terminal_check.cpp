@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "report/cases.h"
@@ -33,6 +34,11 @@ std::string placeText(const GateRecord& gate) {
   return slash == std::string::npos ? text : gate.step.substr(slash + 1) + ", " + text;
 }
 
+/// Four decimals; four digits where a limit is so far off that these would fill the table.
+std::string marginText(double margin) {
+  return std::abs(margin) < 1e4 ? fmt::format("{:+.4f}", margin) : fmt::format("{:+.3e}", margin);
+}
+
 Cells cellsOf(const GateRecord& gate) {
   const auto margin = gate.margin();
   return {anyOr(gate.method),
@@ -40,7 +46,7 @@ Cells cellsOf(const GateRecord& gate) {
           placeText(gate),
           gate.value ? fmt::format("{:.4f}", *gate.value) : "–",
           limitText(gate),
-          margin ? fmt::format("{:+.4f}", *margin) : "–",
+          margin ? marginText(*margin) : "–",
           gateVerdictName(gate.verdict)};
 }
 

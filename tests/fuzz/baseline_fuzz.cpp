@@ -1,0 +1,16 @@
+// Any bytes as the committed reference values of a study. What is taken must be the same when it is
+// written and read once more.
+
+#include "common/atomic_file.h"
+#include "fuzz/reader_fuzz.h"
+#include "report/baseline_json.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace gnomon;
+  test::fuzzReader(data, size, ".json", [](const std::filesystem::path& path) {
+    const std::string text = baselineJson(readBaseline(path));
+    writeTextAtomically(path, text);
+    if (baselineJson(readBaseline(path)) != text) std::abort();
+  });
+  return 0;
+}
