@@ -90,7 +90,7 @@ Relief readReliefSection(const TomlReader& section, const std::filesystem::path&
   const double height = section.number("height", Range{-1e6, 1e6});
   const Wrap wrap = wraps.at(section.choice("wrap", {"repeat", "clamp"}, 0));
   const HeightSpace space = spaces.at(section.choice("height_space", {"world", "texture"}));
-  const Vec2 repeats = section.vec2("repeats", positive, Vec2(1));
+  const Vec2 repeats = section.vec2("repeats", Range{0, 1e6, true}, Vec2(1));
   const bool invert = section.flag("invert", false);
   HeightField field = section.has("image") ? readImage(section, folder, height, wrap)
                                            : readPattern(section, height, wrap);

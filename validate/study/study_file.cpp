@@ -68,7 +68,7 @@ ViewSpec readView(const TomlReader& section, bool quick) {
 /// A light, or a sweep: every elevation with every azimuth.
 void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
   const auto elevations = section.numbers("elevation", Range{-90, 90});
-  const auto azimuths = section.numbers("azimuth", anyNumber, 0);
+  const auto azimuths = section.numbers("azimuth", Range{-360, 360}, 0);
   const bool single = elevations.size() * azimuths.size() == 1;
   if (section.has("name") && !single) section.fail("name", "a sweep of lights names itself");
   for (const double azimuth : azimuths) {
@@ -81,7 +81,7 @@ void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
 }
 
 void readTruth(const TomlReader& section, StudySpec& study) {
-  study.truth.stepTexels = section.optionalNumber("step", positive);
+  study.truth.stepTexels = section.optionalNumber("step", Range{1e-6});
   constexpr Range shares{0, 1, true};
   study.truthUncertainty = section.optionalNumber("uncertainty", shares);
   if (study.truth.stepTexels && study.truthUncertainty) {
