@@ -140,6 +140,7 @@ Drawing DrawnScene::drawing(MeshChoice choice, const Vec3& light) const {
           heights_.at(data_->heights),
           data_->heights->wrap(),
           data_->study->relief.space,
+          data_->texelsPerHeight,
           light,
           drawn.volumes ? &*drawn.volumes : nullptr,
           &drawn.texture};

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "relief/horizon_ellipses.h"
+#include "relief/texel_scale.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -66,26 +67,27 @@ std::shared_ptr<const TableImagePair> SceneMaker::pair(const HeightField& field,
   });
 }
 
-std::shared_ptr<const TableImage> SceneMaker::ellipses(const HeightField& field,
-                                                       const BakeSpec& spec,
+std::shared_ptr<const TableImage> SceneMaker::ellipses(const SceneData& scene, const BakeSpec& spec,
                                                        const StageProgress& progress) {
   const TableKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
-  return cached(tables_.ellipses, key, [&] {
-    const auto baked = bake(field, spec.settings, progress);
+  return cached(tables_.ellipses, {key, scene.texelsPerHeight}, [&] {
+    const auto baked = bake(*scene.heights, spec.settings, progress);
     progress("Fitting ellipses")(0);
-    const EllipseTable fitted = fitEllipses(*baked);
+    const EllipseTable fitted = fitEllipses(*baked, scene.texelsPerHeight);
     return std::make_shared<const TableImage>(TableImage{storeTable(fitted.values, spec.bits),
                                                          fitted.width, fitted.height,
                                                          EllipseTable::layers, fitted.wrap});
   });
 }
 
-std::shared_ptr<const AngleTable> SceneMaker::angles(const HeightField& field, const BakeSpec& spec,
+std::shared_ptr<const AngleTable> SceneMaker::angles(const SceneData& scene, const BakeSpec& spec,
                                                      const StageProgress& progress) {
-  const AngleKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.angleLimit);
+  const AngleKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.angleLimit,
+                     scene.texelsPerHeight);
   return cached(tables_.angles, key, [&] {
-    const auto baked = bake(field, spec.settings, progress);
-    return std::make_shared<const AngleTable>(horizonAngles(*baked, spec.angleLimit));
+    const auto baked = bake(*scene.heights, spec.settings, progress);
+    return std::make_shared<const AngleTable>(
+        horizonAngles(*baked, spec.angleLimit, scene.texelsPerHeight));
   });
 }
 
@@ -96,8 +98,8 @@ std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, con
   const MethodTables& declared = data.method.tables;
   if (declared.horizon || declared.distance)
     data.tables = pair(*scene.heights, spec.bake, progress);
-  if (declared.angles) data.angles = angles(*scene.heights, spec.bake, progress);
-  if (declared.ellipse) data.ellipses = ellipses(*scene.heights, spec.bake, progress);
+  if (declared.angles) data.angles = angles(scene, spec.bake, progress);
+  if (declared.ellipse) data.ellipses = ellipses(scene, spec.bake, progress);
   return std::make_shared<const MethodData>(std::move(data));
 }
 
@@ -148,6 +150,11 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
       sameSurface ? last_->surface : std::make_shared<const LimitSurface>(scene->study->cage);
   scene->heights =
       sameRelief ? last_->heights : std::make_shared<const HeightField>(scene->study->relief.field);
+  const Relief& relief = scene->study->relief;
+  scene->texelsPerHeight =
+      sameSurface && sameRelief
+          ? last_->texelsPerHeight
+          : texelsPerHeight(relief.space, texelScale(*scene->surface, relief.texelsPerUv()));
   if (tablesOf_ != scene->keys.relief) tables_ = {};
   tablesOf_ = scene->keys.relief;
 

@@ -75,6 +75,7 @@ struct SceneData {
   std::shared_ptr<const StudySpec> study;
   std::shared_ptr<const LimitSurface> surface;
   std::shared_ptr<const HeightField> heights;
+  double texelsPerHeight = 1;  ///< of the frame of angles (texel_scale.h)
   std::map<MeshChoice, std::shared_ptr<const MeshData>> meshes;
   std::shared_ptr<const PrincipalLines> lines;                       ///< null unless asked for
   std::map<std::string, std::shared_ptr<const MethodData>> methods;  ///< those shown, by label
@@ -97,11 +98,13 @@ class SceneMaker {
 
  private:
   using TableKey = std::tuple<int, double, TableBits>;  ///< azimuths, radius
-  using AngleKey = std::tuple<int, double, double>;     ///< azimuths, radius, limit
+  /// Azimuths, radius, and bits or limit, in a frame of so many texels a height unit.
+  using EllipseKey = std::pair<TableKey, double>;
+  using AngleKey = std::tuple<int, double, double, double>;
   struct Tables {
     std::map<std::pair<int, double>, std::shared_ptr<const HorizonTables>> bakes;
     std::map<TableKey, std::shared_ptr<const TableImagePair>> pairs;
-    std::map<TableKey, std::shared_ptr<const TableImage>> ellipses;
+    std::map<EllipseKey, std::shared_ptr<const TableImage>> ellipses;
     std::map<AngleKey, std::shared_ptr<const AngleTable>> angles;
   };
   using StageProgress = std::function<Progress(const std::string&)>;
@@ -110,9 +113,9 @@ class SceneMaker {
                                             const StageProgress& progress);
   std::shared_ptr<const TableImagePair> pair(const HeightField& field, const BakeSpec& spec,
                                              const StageProgress& progress);
-  std::shared_ptr<const TableImage> ellipses(const HeightField& field, const BakeSpec& spec,
+  std::shared_ptr<const TableImage> ellipses(const SceneData& scene, const BakeSpec& spec,
                                              const StageProgress& progress);
-  std::shared_ptr<const AngleTable> angles(const HeightField& field, const BakeSpec& spec,
+  std::shared_ptr<const AngleTable> angles(const SceneData& scene, const BakeSpec& spec,
                                            const StageProgress& progress);
   static void addMesh(SceneData& scene, MeshChoice choice, const SceneData* previous);
   std::shared_ptr<const MethodData> method(const SceneData& scene, const MethodSpec& spec,

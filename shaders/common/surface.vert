@@ -32,13 +32,14 @@ uniform ivec2 atlasTiles;
 uniform vec4 texelWindow;
 uniform vec3 lightDirection;
 uniform bool heightInTexels;
+uniform float texelsPerHeight;
 
 invariant gl_Position;
 
 // The light as a program for each vertex hands it on, to be interpolated: its part along P_x and P_y
 // (by the inverted frame of Sloan & Cohen 2000, §4.1), as long as in the world where the frame is
-// even; the cosine of its angle off the normal, in the world and in the texture's frame, where a texel
-// is as wide as a height unit is high.
+// even; the cosine of its angle off the normal, in the world and in the frame of angles, where texels
+// are squares and a height unit is texelsPerHeight of them high.
 vec4 lightAtVertex() {
   vec3 normal = vertexNormal;
   float volume = dot(vertexPx, cross(vertexPy, normal));
@@ -48,7 +49,7 @@ vec4 lightAtVertex() {
   vec2 local = vec2(dot(lightDirection, cross(vertexPy, normal)),
                     dot(lightDirection, cross(normal, vertexPx))) / volume;
   float texel = sqrt(length(cross(vertexPx, vertexPy)));
-  float rise = cosine / (heightInTexels ? texel : 1.0);
+  float rise = texelsPerHeight * cosine / (heightInTexels ? texel : 1.0);
   return vec4(texel * local, cosine, rise / length(vec3(local, rise)));
 }
 

@@ -16,7 +16,8 @@ azimuths = 8
 // mark is. Here the test itself is the answer: what a stencil would keep, the mask keeps.
 //
 // The tables are the flat relief's and are laid over the surface again and again, as bump maps are;
-// angles are taken in the texture's frame, in which they hold on any surface.
+// angles are taken in one frame for all of it, of square texels over which a height unit is as many of
+// them high as on the surface on average. The light is brought into it at the vertices.
 
 float resolveTexel(Pixel pixel) { return horizonAngleOfPixel(pixel); }
 

@@ -75,12 +75,22 @@ TEST_F(BrokenFiles, Objs) {
 
 TEST_F(BrokenFiles, TexturesWithoutArea) {
   write("point.obj", square + "f 1/1 2/1 3/1 4/1\n");
-  write("speck.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1e-9 0\nvt 0 1e-9\nf 1/1 2/2 3/3\n");
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+  write("speck.obj", replaced(replaced(triangle, "vt 1 0", "vt 1e-6 0"), "vt 0 1", "vt 0 1e-6"));
+  write("dust.obj", replaced(replaced(triangle, "vt 1 0", "vt 1e-9 0"), "vt 0 1", "vt 0 1e-9"));
+  write("mote.obj",
+        replaced(replaced(triangle, "v 1 0 0", "v 1e-9 0 0"), "v 1 1 0", "v 1e-9 1e-9 0"));
+  write("far.obj",
+        replaced(replaced(replaced(triangle, "v 0 0 0", "v 1e9 0 0"), "v 1 0 0", "v 1.0001e9 0 0"),
+                 "v 1 1 0", "v 1.0001e9 1e5 0"));
   expectFailureWith(meshChange("point.obj"), 3, {"no area"});
   // Nor is there a step that would make enough of them.
   write("small.toml", replaced(smallStudy(), "[truth]\nstep = 0.25\n", ""));
   expectFailureWith(meshChange("point.obj"), 3, {"truth.step", "no area"});
   expectFailureWith(meshChange("speck.obj"), 3, {"truth.step", "too few texels"});
+  expectFailureWith(meshChange("dust.obj"), 3, {"surface: a texel is", "wide on average"});
+  expectFailureWith(meshChange("mote.obj"), 3, {"surface: a texel is", "wide on average"});
+  expectFailureWith(meshChange("far.obj"), 3, {"surface: it reaches 1.0001e+09", "floats are"});
   expectFailureWith({"relief.repeats=[1e-300, 1e-300]"}, 3, {"truth.step", "no area"});
 }
 

@@ -21,7 +21,7 @@ HorizonTables tableOf(RawVector<float> slopes) {
 }
 
 TEST(AngleTable, AnglesAreOffTheNormal) {
-  const AngleTable table = horizonAngles(tableOf({0, 1, -1, 1e20F, -1e20F}), pi);
+  const AngleTable table = horizonAngles(tableOf({0, 1, -1, 1e20F, -1e20F}), pi, 1);
   EXPECT_FLOAT_EQ(table.angles[0], static_cast<float>(pi / 2));
   EXPECT_FLOAT_EQ(table.angles[1], static_cast<float>(pi / 4));
   EXPECT_FLOAT_EQ(table.angles[2], static_cast<float>(3 * pi / 4));
@@ -30,19 +30,26 @@ TEST(AngleTable, AnglesAreOffTheNormal) {
 }
 
 TEST(AngleTable, EndsAtItsLimit) {
-  const AngleTable table = horizonAngles(tableOf({0, 1, -0.1F, -5}), pi / 2);
+  const AngleTable table = horizonAngles(tableOf({0, 1, -0.1F, -5}), pi / 2, 1);
   EXPECT_FLOAT_EQ(table.angles[1], static_cast<float>(pi / 4));
   for (const std::size_t i : {0U, 2U, 3U}) {
     EXPECT_FLOAT_EQ(table.angles[i], static_cast<float>(pi / 2));
   }
   EXPECT_DOUBLE_EQ(table.limit, pi / 2);
-  EXPECT_FLOAT_EQ(horizonAngles(tableOf({1}), 0.5).angles[0], 0.5F);
+  EXPECT_FLOAT_EQ(horizonAngles(tableOf({1}), 0.5, 1).angles[0], 0.5F);
+}
+
+TEST(AngleTable, AreOfTheSlopesInTheirFrame) {
+  const AngleTable table = horizonAngles(tableOf({0, 0.25F, -0.25F}), pi, 4);
+  EXPECT_FLOAT_EQ(table.angles[0], static_cast<float>(pi / 2));
+  EXPECT_FLOAT_EQ(table.angles[1], static_cast<float>(pi / 4));
+  EXPECT_FLOAT_EQ(table.angles[2], static_cast<float>(3 * pi / 4));
 }
 
 TEST(AngleTable, OfAWallIsItsElevation) {
   const Relief wall = stepRelief(32, 4, 6, [](int i, int) { return i < 8; });
   const HorizonTables tables = bakeHorizons(wall.field, {4, 64});
-  const AngleTable table = horizonAngles(tables, pi / 2);
+  const AngleTable table = horizonAngles(tables, pi / 2, 1);
   EXPECT_EQ(table.width, 32);
   EXPECT_EQ(table.height, 4);
   EXPECT_EQ(table.azimuths, 4);

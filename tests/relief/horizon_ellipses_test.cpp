@@ -20,7 +20,7 @@ struct Ellipse {
 };
 
 /// Of one texel that sees the given slopes.
-Ellipse fitted(const Slope& slope, int azimuths) {
+Ellipse fitted(const Slope& slope, int azimuths, double texelsPerHeight = 1) {
   HorizonTables tables;
   tables.width = 1;
   tables.height = 1;
@@ -28,7 +28,7 @@ Ellipse fitted(const Slope& slope, int azimuths) {
   for (int m = 0; m < azimuths; ++m) {
     tables.horizon.push_back(static_cast<float>(slope(2 * pi * m / azimuths)));
   }
-  const std::vector<float> v = fitEllipses(tables).values;
+  const std::vector<float> v = fitEllipses(tables, texelsPerHeight).values;
   EXPECT_EQ(v.size(), std::size_t{EllipseTable::layers});
   return {{v[0], v[1]}, v[2], v[3], v[4]};
 }
@@ -52,6 +52,11 @@ TEST(HorizonEllipses, FlatReliefIsLitFromTheWholeDisc) {
 TEST(HorizonEllipses, PitIsADiscAsWideAsItsMouth) {
   // A horizon of 60° all around: cos 60° = ½.
   expectEllipse(fitted([](double) { return std::sqrt(3.0); }, 16), {{0, 0}, 0.5, 0, 0.5}, 1e-6);
+}
+
+TEST(HorizonEllipses, AreOfTheSlopesInTheirFrame) {
+  expectEllipse(fitted([](double) { return std::sqrt(3.0) / 8; }, 16, 8), {{0, 0}, 0.5, 0, 0.5},
+                1e-6);
 }
 
 TEST(HorizonEllipses, HalfADiscBeforeAWallThatReachesTheSky) {
@@ -133,7 +138,7 @@ TEST(HorizonEllipses, TexelThatNoLightReachesHasNone) {
 TEST(HorizonEllipses, EachTexelHasItsOwnInTheTablesOrder) {
   const Relief relief = test::randomRelief(7, 5, 3, 2);
   const HorizonTables tables = bakeHorizons(relief.field, {16, 8});
-  const EllipseTable all = fitEllipses(tables);
+  const EllipseTable all = fitEllipses(tables, 1);
   EXPECT_EQ(all.width, 7);
   EXPECT_EQ(all.height, 5);
   EXPECT_EQ(all.wrap, Wrap::repeat);

@@ -290,7 +290,7 @@ TEST(SloanCohenSurface, WithTheFlatReliefsAnglesIsTheFlatReliefsMethod) {
   for (const Vec2& shift : {Vec2(0), Vec2(2, -3)}) {
     RenderScene scene(shiftedPlane(shift), cosineRelief(48, 12, 6, HeightSpace::world), {8, 100},
                       TableBits::eight);
-    scene.surfaceAngles = horizonAngles(scene.tables, pi / 2);
+    scene.surfaceAngles = horizonAngles(scene.tables, pi / 2, 1);
     scene.surfaceAngles->originX = scene.texture.texelWindow.x;
     scene.surfaceAngles->originY = scene.texture.texelWindow.y;
     const RenderView view = atlasView(scene.surface, 16);
@@ -370,12 +370,13 @@ TEST(EllipseMethod, IsItsFormulaAtTexelCentres) {
     relief.space = space;
     // Texels 3 wide and 1.5 high.
     const RenderScene scene(makePlane(96, 48, 8, 8), relief, {16, 32}, TableBits::thirtyTwo);
-    const EllipseTable table = fitEllipses(scene.tables);
+    const EllipseTable table =
+        fitEllipses(scene.tables, space == HeightSpace::world ? 1 / std::sqrt(4.5) : 1);
     const RenderView view = atlasView(scene.surface, 4);
     for (const Vec3& light : {lightToward(20, 25), lightToward(200, 40), lightToward(95, 15)}) {
       const Mask mask = scene.answer("ellipse", view, light);
-      const double unit = space == HeightSpace::world ? 1 : std::sqrt(4.5);
-      const Vec3 local = glm::normalize(Vec3(light.x / 3, light.y / 1.5, light.z / unit));
+      // A texel is √4.5 wide on average, whatever heights are: the light leans as in the world.
+      const Vec3 local = glm::normalize(Vec3(light.x / 3, light.y / 1.5, light.z / std::sqrt(4.5)));
       std::size_t differ = 0;
       for (std::size_t i = 0; i < 32 * 32; ++i) {
         const std::size_t texel = (31 - i / 32) * 32 + i % 32;

@@ -14,6 +14,7 @@
 #include "relief/horizon_ellipses.h"
 #include "relief/relief.h"
 #include "relief/stored_table.h"
+#include "relief/texel_scale.h"
 #include "render/gl_context.h"
 #include "render/method_pass.h"
 #include "render/passes.h"
@@ -31,6 +32,7 @@ class RenderScene {
               int subdivisions = 1)
       : surface(cage),
         relief(std::move(heights)),
+        frame(texelsPerHeight(relief.space, texelScale(surface, relief.texelsPerUv()))),
         tables(bakeHorizons(relief.field, bake)),
         horizon(storeTable(tables.horizon, bits)),
         distance(storeTable(tables.distance, bits)),
@@ -43,7 +45,8 @@ class RenderScene {
         gpuDistance_(distance, tables.width, tables.height, tables.azimuths, tables.wrap) {}
 
   [[nodiscard]] Drawing drawing(const Vec3& light) const {
-    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, light, nullptr, &texture};
+    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, light,
+            nullptr,  &texture};
   }
 
   [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
@@ -67,10 +70,10 @@ class RenderScene {
     GpuTables gpu{&gpuHorizon_, &gpuDistance_};
     std::optional<GpuAngles> angles;
     std::optional<GpuTable> ellipses;
-    if (method.tables.angles) angles.emplace(horizonAngles(tables, angleLimit), bits_);
+    if (method.tables.angles) angles.emplace(horizonAngles(tables, angleLimit, frame), bits_);
     if (method.tables.surfaceAngles) angles.emplace(surfaceAngles.value(), bits_);
     if (method.tables.ellipse) {
-      const EllipseTable fit = fitEllipses(tables);
+      const EllipseTable fit = fitEllipses(tables, frame);
       ellipses.emplace(storeTable(fit.values, bits_), fit.width, fit.height, EllipseTable::layers,
                        fit.wrap);
     }
@@ -87,6 +90,7 @@ class RenderScene {
 
   LimitSurface surface;
   Relief relief;
+  double frame;  ///< texels a height unit, of angles
   HorizonTables tables;
   StoredTable horizon;
   StoredTable distance;
@@ -120,7 +124,8 @@ class DisplacedScene {
     const MethodPass pass(shaderFolder(), read, relief.field.wrap(), TableFilter::exact,
                           parameters);
     return pass.render(
-        view, {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, light, &gpuVolumes_}, {});
+        view, {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, 1, light, &gpuVolumes_},
+        {});
   }
 
   [[nodiscard]] SampleGrid samples(const RenderView& view) const {

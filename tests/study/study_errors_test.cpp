@@ -62,7 +62,7 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       {"base.curvature=mesh",
        "base.curvature: the string \"mesh\" found, one of limit, vertices expected"},
       {"surface.scheme=loop", "surface.scheme: unknown key"},
-      {"truth.step=0", "truth.step: 0 found, a number of at least 1e-06 expected"},
+      {"truth.step=0", "truth.step: 0 found, a number above 0 expected"},
       {"view.0.fov=180", "view.0.fov: 180 found, a number of at least 0.1 and at most 170"},
       {"view.0.width=0", "view.0.width: 0 found, a whole number from 1 to 16384"},
       {"view.1.samples=0", "view.1.samples: 0 found"},

@@ -115,7 +115,7 @@ TEST(SurfaceHorizons, OnAPlaneAreTheFlatReliefs) {
   // Cosines of x and of y added: flat inside each cell, so that facets are the relief itself.
   const Relief relief{makeCosine(48, 48, {12}, 6, Wrap::clamp), HeightSpace::world, Vec2(1)};
   const HorizonTables baked = bakeHorizons(relief.field, {16, 200});
-  const AngleTable flat = horizonAngles(baked, pi / 2);
+  const AngleTable flat = horizonAngles(baked, pi / 2, 1);
   const HorizonScene scene(makePlane(48, 48, 8, 8), relief, 0.5);
   const AngleTable shot = scene.shoot(0, 0, 48, 48, 16, pi / 2);
   std::size_t compared = 0;

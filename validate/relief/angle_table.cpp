@@ -5,7 +5,7 @@
 
 namespace gnomon {
 
-AngleTable horizonAngles(const HorizonTables& tables, double limit) {
+AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight) {
   AngleTable result;
   result.width = tables.width;
   result.height = tables.height;
@@ -14,8 +14,8 @@ AngleTable horizonAngles(const HorizonTables& tables, double limit) {
   result.wrap = tables.wrap;
   result.angles.resize(tables.horizon.size());
   std::transform(
-      tables.horizon.begin(), tables.horizon.end(), result.angles.begin(), [limit](float slope) {
-        return static_cast<float>(std::min(std::atan2(1.0, static_cast<double>(slope)), limit));
+      tables.horizon.begin(), tables.horizon.end(), result.angles.begin(), [&](float slope) {
+        return static_cast<float>(std::min(std::atan2(1.0, texelsPerHeight * slope), limit));
       });
   return result;
 }

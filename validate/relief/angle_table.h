@@ -24,8 +24,8 @@ struct AngleTable {
   int originY = 0;
 };
 
-/// The angles of a flat relief's horizons: π/2 - atan δ, at most `limit`. The frame is the
-/// texture's own, in which a texel is as wide as a height unit is high.
-AngleTable horizonAngles(const HorizonTables& tables, double limit);
+/// The angles of a flat relief's horizons: π/2 - atan k δ, at most `limit`.
+/// @param texelsPerHeight  k > 0, of the frame in which they are taken: see texel_scale.h
+AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight);
 
 }  // namespace gnomon

@@ -45,7 +45,7 @@ std::array<double, EllipseTable::layers> ellipseOf(const Moments& m) {
 
 }  // namespace
 
-EllipseTable fitEllipses(const HorizonTables& tables) {
+EllipseTable fitEllipses(const HorizonTables& tables, double texelsPerHeight) {
   EllipseTable result;
   result.width = tables.width;
   result.height = tables.height;
@@ -61,7 +61,7 @@ EllipseTable fitEllipses(const HorizonTables& tables) {
         const double slope = tables.horizon[static_cast<std::size_t>(m) * texels + texel];
         const double azimuth = sector * m;
         addSector(moments, {std::cos(azimuth), std::sin(azimuth)}, sector,
-                  1 / std::hypot(1.0, std::max(slope, 0.0)));
+                  1 / std::hypot(1.0, std::max(texelsPerHeight * slope, 0.0)));
       }
       const auto ellipse = ellipseOf(moments);
       for (std::size_t layer = 0; layer < ellipse.size(); ++layer) {

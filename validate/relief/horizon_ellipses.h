@@ -23,8 +23,9 @@ struct EllipseTable {
 };
 
 /// Fits the ellipses to a flat relief's horizons: toward azimuth φ_m the lit part reaches from the
-/// centre to the cosine of the horizon's elevation, 1 / √(1 + max(δ, 0)²). A texel that no light
+/// centre to the cosine of the horizon's elevation, 1 / √(1 + max(k δ, 0)²). A texel that no light
 /// reaches has A = 0.
-EllipseTable fitEllipses(const HorizonTables& tables);
+/// @param texelsPerHeight  k > 0, of the frame in which directions are taken: see texel_scale.h
+EllipseTable fitEllipses(const HorizonTables& tables, double texelsPerHeight);
 
 }  // namespace gnomon

@@ -51,6 +51,8 @@ void setDrawing(GLuint program, const Drawing& drawing) {
   setUniform(program, "lightDirection", drawing.light);
   glProgramUniform1i(program, glGetUniformLocation(program, "heightInTexels"),
                      drawing.heightSpace == HeightSpace::texture ? 1 : 0);
+  glProgramUniform1f(program, glGetUniformLocation(program, "texelsPerHeight"),
+                     static_cast<GLfloat>(drawing.texelsPerHeight));
   setUniform(program, "heightBounds", drawing.heights.bounds());
   bindTexture(program, TextureUnit::heights, drawing.heights.texture(), "heightMap");
 }

@@ -17,6 +17,7 @@ struct Drawing {
   const GpuHeights& heights;
   Wrap wrap;
   HeightSpace heightSpace;
+  double texelsPerHeight;               ///< of the frame of angles (texel_scale.h)
   Vec3 light{0, 0, 1};                  ///< unit vector toward the light, world
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
   const RenderView* texture = nullptr;  ///< the texture's own plane, for methods that draw there

@@ -162,8 +162,11 @@ ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const 
   return key.add("view", viewKey(study_.views[view])).key();
 }
 
-ContentKey RunKeys::ellipses(const BakeSpec& bake) const {
-  return KeyBuilder("ellipses").add("bake", bakeKey(study_.relief.field, bake.settings)).key();
+ContentKey RunKeys::ellipses(const BakeSpec& bake, double texelsPerHeight) const {
+  return KeyBuilder("ellipses")
+      .add("bake", bakeKey(study_.relief.field, bake.settings))
+      .add("texelsPerHeight", texelsPerHeight)
+      .key();
 }
 
 ContentKey RunKeys::surfaceAngles(const MeshChoice& choice, const BakeSpec& bake) const {

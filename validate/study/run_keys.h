@@ -45,7 +45,7 @@ class RunKeys {
   /// The displaced surface by its own rays, in a camera view.
   [[nodiscard]] ContentKey displacedPicture(std::size_t view, std::size_t light) const;
   /// Ellipses fitted to the horizons of a bake.
-  [[nodiscard]] ContentKey ellipses(const BakeSpec& bake) const;
+  [[nodiscard]] ContentKey ellipses(const BakeSpec& bake, double texelsPerHeight) const;
   /// Horizon angles shot on the study's micro-mesh, at the texels that a mesh shows.
   [[nodiscard]] ContentKey surfaceAngles(const MeshChoice& mesh, const BakeSpec& bake) const;
   /// A method with all that its answers depend on: shaders, parameters, filter, tables and mesh.

@@ -1,9 +1,9 @@
 #include "study/run_scene.h"
 
+#include "relief/texel_scale.h"
 #include "render/shader_files.h"
 
 namespace gnomon {
-
 RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept)
     : study(of),
       clock(stageClock),
@@ -11,8 +11,10 @@ RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const GlContext&
       shaders(shaderFolder()),
       keys(of, gl, shaders),
       surface(clock.measure("surface", [&](const Progress&) { return LimitSurface(of.cage); })),
+      texelsPerHeight(
+          gnomon::texelsPerHeight(of.relief.space, texelScale(surface, of.relief.texelsPerUv()))),
       heights(of.relief.field),
-      tables(of.relief.field, cache, keys) {}
+      tables(of.relief.field, texelsPerHeight, cache, keys) {}
 
 BaseCase& RunScene::base(MeshChoice choice) {
   const auto found = bases.find(choice);
@@ -37,6 +39,7 @@ Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
           heights,
           study.relief.field.wrap(),
           study.relief.space,
+          texelsPerHeight,
           study.lights[light].direction(),
           drawn.volumes ? &*drawn.volumes : nullptr,
           &drawn.texture};

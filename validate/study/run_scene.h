@@ -30,6 +30,7 @@ struct RunScene {
   std::filesystem::path shaders;
   RunKeys keys;
   LimitSurface surface;
+  double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
   GpuHeights heights;
   TableSet tables;
   std::map<MeshChoice, BaseCase> bases;

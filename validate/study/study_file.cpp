@@ -81,7 +81,7 @@ void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
 }
 
 void readTruth(const TomlReader& section, StudySpec& study) {
-  study.truth.stepTexels = section.optionalNumber("step", Range{1e-6});
+  study.truth.stepTexels = section.optionalNumber("step", positive);
   constexpr Range shares{0, 1, true};
   study.truthUncertainty = section.optionalNumber("uncertainty", shares);
   if (study.truth.stepTexels && study.truthUncertainty) {

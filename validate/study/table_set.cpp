@@ -56,7 +56,9 @@ const GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
   if (found != angles_.end()) return found->second;
   const HorizonTables& baked = bake(spec.settings, clock);
   return clock.measure("tables", [&](const Progress&) -> const GpuAngles& {
-    return angles_.try_emplace(key, horizonAngles(baked, spec.angleLimit), spec.bits).first->second;
+    return angles_
+        .try_emplace(key, horizonAngles(baked, spec.angleLimit, texelsPerHeight_), spec.bits)
+        .first->second;
   });
 }
 
@@ -75,8 +77,9 @@ const GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
   if (found != ellipses_.end()) return found->second;
   const HorizonTables& baked = bake(spec.settings, clock);
   return clock.measure("tables", [&](const Progress&) -> const GpuTable& {
-    const EllipseTable fitted =
-        cache_.remember(keys_.ellipses(spec), [&] { return fitEllipses(baked); });
+    const EllipseTable fitted = cache_.remember(keys_.ellipses(spec, texelsPerHeight_), [&] {
+      return fitEllipses(baked, texelsPerHeight_);
+    });
     return ellipses_
         .try_emplace(key, storeTable(fitted.values, spec.bits), fitted.width, fitted.height,
                      EllipseTable::layers, fitted.wrap)

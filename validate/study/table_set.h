@@ -29,8 +29,9 @@ using HorizonShooter = std::function<AngleTable()>;
 class TableSet {
  public:
   /// All must outlive it.
-  TableSet(const HeightField& field, Cache& cache, const RunKeys& keys)
-      : field_(field), cache_(cache), keys_(keys) {}
+  /// @param texelsPerHeight  of the frame of angles (texel_scale.h)
+  TableSet(const HeightField& field, double texelsPerHeight, Cache& cache, const RunKeys& keys)
+      : field_(field), texelsPerHeight_(texelsPerHeight), cache_(cache), keys_(keys) {}
 
   /// @param clock  of the stages "bake" and "tables"
   const TablePair& tables(const BakeSpec& spec, StageClock& clock);
@@ -47,6 +48,7 @@ class TableSet {
   const HorizonTables& bake(const BakeSettings& settings, StageClock& clock);
 
   const HeightField& field_;
+  double texelsPerHeight_;
   Cache& cache_;
   const RunKeys& keys_;
   std::map<std::pair<int, double>, HorizonTables> bakes_;  ///< azimuths, radius
