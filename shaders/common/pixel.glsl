@@ -14,7 +14,7 @@ layout(location = 10) in vec4 vertexLight;  // interpolated: see surface.vert
 
 uniform vec3 lightDirection;      // L: unit vector toward the light, world
 uniform bool heightInTexels;      // else in world units
-uniform float texelsPerHeight;    // of the frame in which tables hold angles: 1 where heights are texels
+uniform float texelsPerHeight;    // of the frame in which tables hold angles
 
 const float pi = 3.14159265358979;
 
