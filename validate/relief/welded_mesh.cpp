@@ -137,15 +137,15 @@ WeldedMesh makeWeldedMesh(const LimitSurface& surface, const Relief& relief, int
 }
 
 int subdivisionsForTexels(const LimitSurface& surface, Vec2 texelsPerUv, double mostTriangles) {
-  double longest = 0;
+  double longestSide = 0;
   for (int face = 0; face < surface.faceCount(); ++face) {
     const LimitPoint middle = surface.evaluate(face, 0.5, 0.5);
-    longest = std::max(
-        {longest, glm::length(middle.uvDs * texelsPerUv), glm::length(middle.uvDt * texelsPerUv)});
+    longestSide = std::max({longestSide, glm::length(middle.uvDs * texelsPerUv),
+                            glm::length(middle.uvDt * texelsPerUv)});
   }
   const double most = std::sqrt(mostTriangles / triangleCount(surface, 1));
   for (const int perTexel : {4, 2, 1}) {
-    const double pieces = std::ceil(perTexel * longest - 1e-9);
+    const double pieces = std::ceil(perTexel * longestSide - 1e-9);
     if (pieces <= most) return std::max(1, static_cast<int>(pieces));
   }
   return std::max(1, static_cast<int>(most));
