@@ -26,9 +26,9 @@ TexelScale texelScale(const LimitSurface& surface, Vec2 texelsPerUv);
 /// scaled where it is read; an angle cannot be, and a table that is laid over the whole surface has
 /// one frame for all of it. So a light is brought into this frame and compared there (Sloan &
 /// Cohen 2000, §2; Kautz, Heidrich & Daubert 2000).
-/// @return k. Where heights are texels it is 1. Where they are world units it is 1 / T: the frame
-/// is
-///   then the world's own wherever texels are squares of that width. 1 if T is 0.
+/// @return k: 1 where heights are texels, and where no texel has a width. Where heights are world
+///   units it is 1 / T, so that the frame is the world's own wherever texels are squares of that
+///   width.
 double texelsPerHeight(HeightSpace space, const TexelScale& scale);
 
 }  // namespace gnomon
