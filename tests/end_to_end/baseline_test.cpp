@@ -26,6 +26,7 @@ class BaselineCheck : public EndToEnd {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return check(arguments);
   }
+  static constexpr const char* anotherMethod = "\n[[method]]\nname = \"onoue-2004\"\n";
   [[nodiscard]] nlohmann::json reference() const {
     return nlohmann::json::parse(read("ref/small.json"));
   }
@@ -80,11 +81,26 @@ TEST_F(BaselineCheck, KeepsTheReasonsAndGivesTheSameBytes) {
   std::filesystem::remove(file("ref/small.json"));
   ASSERT_EQ(update("first: \"why\"", {"--threads", "1"}).status, 0);
   EXPECT_EQ(read("ref/small.json"), first);
+  writeStudy(anotherMethod);
   ASSERT_EQ(update("second").status, 0);
   const nlohmann::json history = reference().at("history");
   ASSERT_EQ(history.size(), 2U);
   EXPECT_EQ(history.at(0).at("reason"), "first: \"why\"");
   EXPECT_EQ(history.at(1).at("reason"), "second");
+}
+
+TEST_F(BaselineCheck, IsNotWrittenWhereNoValueHasChanged) {
+  writeStudy();
+  ASSERT_EQ(update("first").status, 0);
+  const std::string first = read("ref/small.json");
+  const Outcome again = update("second");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_THAT(again.out, HasSubstr("ref/small.json left as it is: no value has changed"));
+  EXPECT_EQ(read("ref/small.json"), first);
+  writeStudy(anotherMethod);
+  ASSERT_EQ(update("third").status, 0);
+  ASSERT_EQ(reference().at("history").size(), 2U);
+  EXPECT_EQ(reference().at("history").at(1).at("reason"), "third");
 }
 
 TEST_F(BaselineCheck, AMissingReferenceIsAnError) {
@@ -94,7 +110,7 @@ TEST_F(BaselineCheck, AMissingReferenceIsAnError) {
   EXPECT_THAT(missing.err, HasSubstr("gnomon: ref/small.json: missing, the references of small"));
   EXPECT_THAT(read("junit.xml"), HasSubstr("<testcase classname=\"small\" name=\"baseline\">"));
   ASSERT_EQ(update().status, 0);
-  writeStudy("\n[[method]]\nname = \"onoue-2004\"\n");
+  writeStudy(anotherMethod);
   const Outcome added = check();
   EXPECT_EQ(added.status, 3);
   EXPECT_THAT(added.err, HasSubstr("ref/small.json: no reference for error_rate of onoue-2004"));

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <optional>
+
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "report/baseline_json.h"
@@ -24,6 +26,10 @@ void requireSameRun(const Baseline& baseline, const BaselineRun& run) {
         fmt::format("form: references of the {} form found, the check is of the {} one",
                     formName(baseline.quick), formName(run.quick)));
   }
+}
+
+bool saysTheSame(const Baseline& a, const Baseline& b) {
+  return a.study == b.study && a.quick == b.quick && a.entries == b.entries;
 }
 
 }  // namespace
@@ -54,7 +60,8 @@ void checkBaseline(const fs::path& file, const BaselineRun& run, std::span<const
 void updateBaseline(const fs::path& file, const BaselineRun& run,
                     std::span<const StudyRecord> steps, CheckRecord& check) {
   Baseline baseline{run.study, run.quick, steps.front().environment, {}, referenceValues(steps)};
-  if (fs::exists(file)) baseline.history = readBaseline(file).history;
+  std::optional<Baseline> before;
+  if (fs::exists(file)) before = readBaseline(file);
   if (check.status() != ExitStatus::pass) {
     check.notices.push_back(
         {fmt::format("{} left as it is: the check has not passed", file.string())});
@@ -64,6 +71,11 @@ void updateBaseline(const fs::path& file, const BaselineRun& run,
     throw InputError(
         fmt::format("{}: no value is defined that could be a reference", file.string()));
   }
+  if (before && saysTheSame(*before, baseline)) {
+    check.notices.push_back({fmt::format("{} left as it is: no value has changed", file.string())});
+    return;
+  }
+  if (before) baseline.history = before->history;
   baseline.history.push_back(
       {run.reason, baseline.environment.gnomonVersion, baseline.environment.commit});
   writeTextAtomically(file, baselineJson(baseline));

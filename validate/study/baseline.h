@@ -25,6 +25,7 @@ struct BaselineEntry {
   double value = 0;
   double spread = 0;     ///< measured, as above
   double tolerance = 0;  ///< more than the spread
+  bool operator==(const BaselineEntry&) const = default;
 };
 
 /// Why values were written, from the first time on.
