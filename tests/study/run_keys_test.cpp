@@ -167,6 +167,15 @@ TEST_F(RunKeysTest, EveryKeyOfAStudyChangesWhatDependsOnIt) {
   }
 }
 
+TEST_F(RunKeysTest, EllipsesEnterByTheirFrame) {
+  std::ofstream(file("keys.toml")) << studyText;
+  const StudySpec study = readStudy(file("keys.toml"), {});
+  const RunKeys keys(study, gl_, shaderFolder());
+  const BakeSpec& bake = study.methods.front().bake;
+  EXPECT_EQ(keys.ellipses(bake, 0.5), keys.ellipses(bake, 0.5));
+  EXPECT_NE(keys.ellipses(bake, 0.5), keys.ellipses(bake, 1));
+}
+
 TEST_F(RunKeysTest, ShadersEnterByTheirText) {
   const Keys before = keysOf({});
   const fs::path shaders = file("shaders");

@@ -129,10 +129,10 @@ BaselineEntry readEntry(const Reader& reader) {
     reader.fail("metric",
                 fmt::format("\"{}\" found, a metric of baselines expected", entry.metric));
   }
-  const bool isRatio = entry.metric == "shadow_length_ratio";
-  if (!(entry.value >= 0) || (!isRatio && entry.value > 1)) {
+  const bool isShare = !isLengthMetric(entry.metric);
+  if (!(entry.value >= 0) || (isShare && entry.value > 1)) {
     reader.fail("value", fmt::format("{} found, {} expected", entry.value,
-                                     isRatio ? "at least 0" : "0 to 1"));
+                                     isShare ? "0 to 1" : "at least 0"));
   }
   if (!(entry.spread >= 0)) {
     reader.fail("spread", fmt::format("{} found, at least 0 expected", entry.spread));

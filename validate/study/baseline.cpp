@@ -22,11 +22,6 @@ constexpr double leastLengthTolerance = 0.02;
 constexpr std::array<std::string_view, 5> metrics = {"error_rate", "false_shadow", "false_light",
                                                      "shadow_length_ratio", "prevalence"};
 
-bool isLength(std::string_view metric) {
-  const auto& names = lengthMetricNames();
-  return std::find(names.begin(), names.end(), metric) != names.end();
-}
-
 /// What one value is of.
 using Key = std::tuple<std::string, std::string, std::string, std::string, std::string>;
 
@@ -56,7 +51,7 @@ GateRecord gateFor(const BaselineEntry& entry) {
   if (entry.metric == "prevalence") {
     gate.minimum = entry.value - entry.tolerance;
     gate.maximum = entry.value + entry.tolerance;
-  } else if (isLength(entry.metric)) {
+  } else if (isLengthMetric(entry.metric)) {
     const double distance = std::abs(entry.value - 1) + entry.tolerance;
     gate.minimum = 1 - distance;
     gate.maximum = 1 + distance;
@@ -102,6 +97,11 @@ std::span<const std::string_view> baselineMetrics() {
   return metrics;
 }
 
+bool isLengthMetric(std::string_view metric) {
+  const auto& names = lengthMetricNames();
+  return std::find(names.begin(), names.end(), metric) != names.end();
+}
+
 std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& result,
                                std::string_view metric) {
   const auto& flips = record.truth.flips;
@@ -110,13 +110,13 @@ std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& re
   });
   if (isRate(metric)) return found == flips.end() ? record.truth.uncertainty : found->flipRate;
   if (found == flips.end()) return std::nullopt;
-  if (isLength(metric)) return found->lengthError;
+  if (isLengthMetric(metric)) return found->lengthError;
   const double spread = metricUncertainty(*found, metric);
   return std::isfinite(spread) ? std::optional(spread) : std::nullopt;
 }
 
 double toleranceOf(std::string_view metric, double spread) {
-  return std::max(2 * spread, isLength(metric) ? leastLengthTolerance : leastRateTolerance);
+  return std::max(2 * spread, isLengthMetric(metric) ? leastLengthTolerance : leastRateTolerance);
 }
 
 std::vector<BaselineEntry> referenceValues(std::span<const StudyRecord> steps) {
@@ -171,7 +171,7 @@ std::vector<NoticeRecord> betterThan(const Baseline& baseline,
     if (gate.verdict != GateVerdict::passed || !gate.expected || gate.metric == "prevalence") {
       continue;
     }
-    const bool length = isLength(gate.metric);
+    const bool length = isLengthMetric(gate.metric);
     const double gain = length ? std::abs(*gate.expected - 1) - std::abs(*gate.value - 1)
                                : *gate.expected - *gate.value;
     const double tolerance =

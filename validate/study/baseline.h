@@ -48,6 +48,10 @@ struct Baseline {
 /// and may not move at all.
 std::span<const std::string_view> baselineMetrics();
 
+/// Whether a metric is one of lengths (lengthMetrics), at least 0. Of a baseline's metrics all
+/// others are shares, 0 to 1.
+bool isLengthMetric(std::string_view metric);
+
 /// The measured spread of a metric of one result, of any metric; none for a length or boundary
 /// whose error was not measured.
 std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& result,
