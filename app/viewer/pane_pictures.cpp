@@ -87,8 +87,10 @@ const Mask* PanePictures::methodMask(const DrawnScene& scene, const ViewState& s
   if (!ready) return nullptr;
   const MeshChoice mesh = ready->data->mesh;
   const RenderView view = cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
-  Mask mask = ready->pass->render(view, scene.drawing(mesh, lightSpec(state.light).direction()),
-                                  ready->tables);
+  Mask mask =
+      ready->pass
+          ->render(view, scene.drawing(mesh, lightSpec(state.light).direction()), ready->tables)
+          .drawn;
   CachedMask& kept = masks_[label];
   kept = {serial, std::move(mask)};
   return &kept.mask;
@@ -102,8 +104,9 @@ void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& s
   if (!pane.target || pane.target->width() != view.width || pane.target->height() != view.height) {
     pane.target = std::make_unique<Target>(view.width, view.height, std::vector<GLenum>{GL_RGBA8});
   }
-  programs_->shade.draw(view, scene.drawing(mesh, lightSpec(state.light).direction()), mask,
-                        *pane.target);
+  const ShadePass& pass =
+      mesh.kind == DrawnMesh::displaced ? programs_->shadeDisplaced : programs_->shadeBase;
+  pass.draw(view, scene.drawing(mesh, lightSpec(state.light).direction()), mask, *pane.target);
   if (const auto& lines = scene.data()->lines; lines && state.overlays.directions) {
     programs_->lines.draw(view, endsOf(lines->larger), {0.70F, 0.10F, 0.35F}, *pane.target);
     programs_->lines.draw(view, endsOf(lines->smaller), {0.05F, 0.35F, 0.60F}, *pane.target);

@@ -69,9 +69,12 @@ class PanePictures {
  private:
   struct Programs {
     Programs(const std::filesystem::path& shaders, Wrap wrapOfRelief)
-        : wrap(wrapOfRelief), shade(shaders, wrapOfRelief), lines(shaders) {}
+        : wrap(wrapOfRelief),
+          shadeBase(shaders, wrapOfRelief, DrawnMesh::base),
+          shadeDisplaced(shaders, wrapOfRelief, DrawnMesh::displaced),
+          lines(shaders) {}
     Wrap wrap;
-    ShadePass shade;
+    ShadePass shadeBase, shadeDisplaced;
     LinePass lines;
   };
   struct Key {

@@ -233,7 +233,7 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   if (!isOn(curved) || !isOn(along)) path.turn = 0.0;
   path.limit = pathLimit(path, pathEnd(path, range));
   if (isOn(resampled) && isOn(ruling) && isOn(angles) && isOn(denominator)) {
-    return shadowedAtStart(path) || shadowedAtCrossings(path, path.limit);
+    return shadowedByBareSurface(path) || shadowedAtCrossings(path, path.limit);
   }
 
   path.height = pixel.worldPerHeight * heightAt(pixel.texel);

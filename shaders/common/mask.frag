@@ -1,8 +1,11 @@
-// Asks the method for every pixel and stores its answer: 0 lit, 1 shadowed.
+// Both answers for every pixel. Bit 0, `test`: the method's shadow test says shadowed. Bit 1, `drawn`:
+// the point is dark in the method's picture, by that test or because it is turned from the light.
 
-layout(location = 0) out uint mask;
+layout(location = 0) out uint answers;
 
 void main() {
   Pixel pixel = makePixel();
-  mask = isShadowed(pixel, makeLocalLight(pixel, lightDirection)) ? 1u : 0u;
+  bool isTurned = isTurnedAway(pixel);
+  bool isHidden = isShadowed(pixel, makeLocalLight(pixel, lightDirection));
+  answers = (isHidden ? 1u : 0u) | (isHidden || isTurned ? 2u : 0u);
 }

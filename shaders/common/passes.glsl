@@ -50,13 +50,3 @@ uniform usampler2D shadowCounts;
 uint shadowCount() { return texelFetch(shadowCounts, ivec2(gl_FragCoord.xy), 0).r; }
 
 #endif
-
-#ifdef MESH_DISPLACED
-
-// The drawn triangle's own normal, outward. A triangle is flat: differences of its position are exact.
-vec3 facetNormal(Pixel pixel) {
-  vec3 facet = cross(dFdx(position), dFdy(position));
-  return normalize(dot(facet, pixel.normal) < 0.0 ? -facet : facet);
-}
-
-#endif

@@ -133,12 +133,15 @@ Path makePath(Pixel pixel, LocalLight light, float range) {
   return path;
 }
 
-// Shadowed where the path begins: by the bare surface, (3), or by the slope that the point lies on
-// (attached shadow, d = 0).
-bool shadowedAtStart(Path path) {
-  float bare = bareHorizon(path.curvature, path.height);
-  float own = osculatingHorizon(path.curvature, path.height, path.rise, 0.0);
-  return !(path.slope > (path.curvature > 0.0 ? max(bare, own) : own));
+// Shadowed by the bare surface, (3).
+bool shadowedByBareSurface(Path path) {
+  return path.curvature > 0.0 && !(path.slope > bareHorizon(path.curvature, path.height));
+}
+
+// Shadowed by the slope that the point lies on, seen on the osculating circle: an attached shadow
+// (d = 0) that is more exact than that of the bumped normal, and that no method is scored with.
+bool shadowedByOwnSlope(Path path) {
+  return !(path.slope > osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
 }
 
 // Along the path the bilinear relief has its kinks, and nearly always its horizon, where it crosses

@@ -80,3 +80,13 @@ float normalCurvature(Pixel pixel, vec3 direction) {
   float sine2 = along2 * along2 / (square * max(dot(pixel.v2, pixel.v2), 1e-30));
   return pixel.k1 * cosine2 + pixel.k2 * sine2;
 }
+
+#ifdef MESH_DISPLACED
+
+// The drawn triangle's own normal, outward. A triangle is flat: differences of its position are exact.
+vec3 facetNormal(Pixel pixel) {
+  vec3 facet = cross(dFdx(position), dFdy(position));
+  return normalize(dot(facet, pixel.normal) < 0.0 ? -facet : facet);
+}
+
+#endif

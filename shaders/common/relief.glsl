@@ -2,19 +2,6 @@
 // use the same function. Filtered by hand from single texels, so that a mask does not depend on the
 // precision of a GPU's filter.
 
-ivec2 wrapTexel(ivec2 at, ivec2 size) {
-#ifdef WRAP_REPEAT
-  // GLSL leaves the remainder of a negative number open.
-  ivec2 beyond = max(at, ivec2(0)) % size;
-  ivec2 before = size - 1 - max(-1 - at, ivec2(0)) % size;
-  return mix(beyond, before, lessThan(at, ivec2(0)));
-#else
-  return clamp(at, ivec2(0), size - 1);
-#endif
-}
-
-#ifdef TABLE_HEIGHT
-
 uniform sampler2D heightMap;
 uniform vec2 heightBounds;  // the lowest and the highest texel, height units
 
@@ -60,5 +47,3 @@ vec3 bumpedNormal(Pixel pixel, vec2 gradient) {
   float side = dot(cross(pixel.px, pixel.py), pixel.normal) < 0.0 ? -1.0 : 1.0;
   return normalize(side * cross(alongX, alongY));
 }
-
-#endif

@@ -3,6 +3,12 @@ title = "Height map marched along the surface's own path"
 citation = "this project"
 tables = ["height"]
 
+[parameters.own_slope]
+default = 0
+minimum = 0
+maximum = 1
+about = "1: an attached shadow of its own, exact on the osculating circle, beside the bumped normal's"
+
 [parameters.range]
 default = 128
 minimum = 1
@@ -15,5 +21,6 @@ about = "farthest sample, texels"
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light, range);
-  return shadowedAtStart(path) || shadowedAtCrossings(path, path.limit);
+  return shadowedByBareSurface(path) || (own_slope > 0.5 && shadowedByOwnSlope(path)) ||
+         shadowedAtCrossings(path, path.limit);
 }

@@ -26,11 +26,6 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float height = pixel.worldPerHeight * heightAt(pixel.texel);  // h₀, world
   if (curvature > 0.0 && !(light.slope > bareHorizon(curvature, height))) return true;  // (3)
 
-  // The relief's own slope where it begins, r → 0⁺, in the cell that lies ahead.
-  vec2 ahead = heightGradient(pixel.texel + 1e-3 * light.direction);
-  float start = pixel.worldPerHeight * dot(ahead, light.direction) / light.worldPerTexel;
-  if (!(light.slope > osculatingHorizon(curvature, height, start, 0.0))) return true;
-
   for (float t = stride; t <= range; t += stride) {
     float reach = t * light.worldPerTexel;
     float occluder = pixel.worldPerHeight * heightAt(pixel.texel + t * light.direction);

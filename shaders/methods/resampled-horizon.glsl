@@ -46,7 +46,7 @@ float candidateDistance(Path path, LocalLight light, int candidate) {
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light, range);
-  if (shadowedAtStart(path)) return true;
+  if (shadowedByBareSurface(path)) return true;
   // The path crosses |e_x| columns and |e_y| rows a texel.
   float close = crossings / (abs(light.direction.x) + abs(light.direction.y));
 

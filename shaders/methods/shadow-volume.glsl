@@ -9,6 +9,4 @@ subdivisions = 9
 // The surface as real geometry, 9 × 9 quadrilaterals for each one of the base mesh as in the paper
 // (960 · 81 = 77,760 triangles), with exact shadows of that geometry: its error is the mesh's.
 
-bool isShadowed(Pixel pixel, LocalLight light) {
-  return !(dot(facetNormal(pixel), lightDirection) > 0.0) || shadowCount() != 0u;
-}
+bool isShadowed(Pixel pixel, LocalLight light) { return shadowCount() != 0u; }

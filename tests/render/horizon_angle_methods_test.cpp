@@ -116,7 +116,7 @@ TEST(SloanCohen, IsThePapersArithmeticOnAPlane) {
                                            {45.0, 75.0}}) {
     const Vec3 light = lightToward(azimuth, elevation);
     const EightAzimuths expected(scene.tables, light);
-    const Mask mask = scene.answer("sloan-cohen", view, light);
+    const Mask mask = scene.test("sloan-cohen", view, light);
     std::size_t differ = 0;
     for (int row = 0; row < view.height; ++row) {
       for (int column = 0; column < view.width; ++column) {
@@ -141,10 +141,10 @@ TEST(SloanCohen, WithManyAzimuthsAndBitsIsTheFlatHorizonMapButForAnglesInsteadOf
                             cosineRelief(texels, texels / 4.0, 8, HeightSpace::world),
                             {72, static_cast<double>(texels)}, TableBits::thirtyTwo);
     const RenderView view = atlasView(scene.surface, 25);
-    const Mask flat = scene.answer("max-forsyth", view, light);
+    const Mask flat = scene.test("max-forsyth", view, light);
     EXPECT_GT(shareShadowed(flat), 0.1);
     EXPECT_LT(shareShadowed(flat), 0.9);
-    return difference(scene.answer("sloan-cohen", view, light), flat);
+    return difference(scene.test("sloan-cohen", view, light), flat);
   };
   // One texel a world unit, then four: between texels angles and slopes differ by second order.
   const double coarse = differenceAt(64);
@@ -163,7 +163,7 @@ TEST(SloanCohen, NeverSeesALightBelowTheTangentPlane) {
   const SampleGrid samples = scene.samples(view);
   for (const Vec3& light : {lightToward(0, 20), lightToward(200, -10)}) {
     for (const char* method : {"sloan-cohen", "ellipse"}) {
-      const Mask mask = scene.answer(method, view, light);
+      const Mask mask = scene.test(method, view, light);
       std::size_t lit = 0;
       for (std::size_t i = 0; i < mask.size(); ++i) {
         const SurfaceSample& s = samples.samples[i];
@@ -196,8 +196,8 @@ TEST(SloanCohen, MirroredTextureGivesTheMirroredRelief) {
   const RenderScene mirroredScene(mirroredCage, mirroredRelief, {8, 32}, TableBits::thirtyTwo);
   const Vec3 light = lightToward(20, 30);
   for (const char* method : {"sloan-cohen", "ellipse"}) {
-    const Mask a = scene.answer(method, atlasView(scene.surface, 8), light);
-    const Mask b = mirroredScene.answer(method, atlasView(mirroredScene.surface, 8), light);
+    const Mask a = scene.test(method, atlasView(scene.surface, 8), light);
+    const Mask b = mirroredScene.test(method, atlasView(mirroredScene.surface, 8), light);
     EXPECT_LT(difference(a, b), 2e-3) << method;
     EXPECT_GT(shareShadowed(a), 0.1) << method;
     EXPECT_LT(shareShadowed(a), 0.9) << method;
@@ -218,7 +218,7 @@ TEST(SloanCohen, DoesNotDependOnWhereTheTextureBegins) {
         const RenderScene scene(moved, relief, {8, 32}, TableBits::eight);
         EXPECT_EQ(scene.texture.texelWindow,
                   glm::ivec4(glm::ivec2(static_cast<double>(side) * shift), side, side));
-        return scene.answer(method, atlasView(scene.surface, 12), light);
+        return scene.test(method, atlasView(scene.surface, 12), light);
       };
       const Mask mask = maskWith({3, 3});
       EXPECT_GT(shareShadowed(mask), 0.1) << method;
@@ -235,7 +235,7 @@ TEST(SloanCohen, DoesNotDependOnTheSizeOfATexelWhereHeightsAreInTexels) {
   for (const char* method : {"sloan-cohen", "ellipse", "max-forsyth"}) {
     const auto maskOn = [&](double size) {
       const RenderScene scene(makePlane(size, size, 8, 8), relief, {8, 48}, TableBits::eight);
-      return scene.answer(method, atlasView(scene.surface, 12), lightToward(20, 30));
+      return scene.test(method, atlasView(scene.surface, 12), lightToward(20, 30));
     };
     const Mask mask = maskOn(48);
     EXPECT_GT(shareShadowed(mask), 0.1) << method;
@@ -268,8 +268,8 @@ TEST(SloanCohenSurface, OnASphereIsBetterThanTheFlatHorizonMap) {
   const SampleGrid samples = scene.samples(view);
   for (const Vec3& light : {lightToward(20, 30), lightToward(160, 45), lightToward(265, 20)}) {
     const Mask truth = traced.mask(scene.surface, scene.relief, samples, light);
-    const double surface = difference(scene.answer("sloan-cohen-surface", view, light), truth);
-    const double flat = difference(scene.answer("max-forsyth", view, light), truth);
+    const double surface = difference(scene.test("sloan-cohen-surface", view, light), truth);
+    const double flat = difference(scene.test("max-forsyth", view, light), truth);
     EXPECT_LT(surface, flat / 2);
     EXPECT_LT(surface, 0.04);
     EXPECT_GT(shareShadowed(truth), 0.1);
@@ -296,9 +296,9 @@ TEST(SloanCohenSurface, WithTheFlatReliefsAnglesIsTheFlatReliefsMethod) {
     const RenderView view = atlasView(scene.surface, 16);
     for (const double azimuth : {45.0, 130.0, 251.0}) {
       const Vec3 light = lightToward(azimuth, 30);
-      const Mask flat = scene.answer("sloan-cohen", view, light);
+      const Mask flat = scene.test("sloan-cohen", view, light);
       EXPECT_GT(shareShadowed(flat), 0.1);
-      EXPECT_EQ(difference(flat, scene.answer("sloan-cohen-surface", view, light)), 0) << azimuth;
+      EXPECT_EQ(difference(flat, scene.test("sloan-cohen-surface", view, light)), 0) << azimuth;
     }
   }
 }
@@ -312,8 +312,8 @@ TEST(SloanCohenSurface, OnAPlaneIsTheFlatReliefsMethodUpToALittle) {
     scene.surfaceAngles = shot(scene, traced, 8, pi / 2);
     const RenderView view = atlasView(scene.surface, 16);
     const Vec3 light = lightToward(45, 30);
-    const Mask flat = scene.answer("sloan-cohen", view, light);
-    const Mask surface = scene.answer("sloan-cohen-surface", view, light);
+    const Mask flat = scene.test("sloan-cohen", view, light);
+    const Mask surface = scene.test("sloan-cohen-surface", view, light);
     EXPECT_GT(shareShadowed(flat), 0.2);
     EXPECT_LT(shareShadowed(flat), 0.8);
     // A ray starts from one of the facets that meet at a texel's centre, where the flat relief
@@ -330,9 +330,9 @@ TEST(EllipseMethod, FlatReliefIsLit) {
     const RenderScene scene(makePlane(32, 32, 4, 4), flatRelief(32, 32), {8, 16}, bits);
     const RenderView view = atlasView(scene.surface, 8);
     for (const double elevation : {90.0, 60.0, 30.0, 10.0, 5.0}) {
-      EXPECT_EQ(shareShadowed(scene.answer("ellipse", view, lightToward(20, elevation))), 0);
+      EXPECT_EQ(shareShadowed(scene.test("ellipse", view, lightToward(20, elevation))), 0);
     }
-    EXPECT_EQ(shareShadowed(scene.answer("ellipse", view, lightToward(20, -1))), 1);
+    EXPECT_EQ(shareShadowed(scene.test("ellipse", view, lightToward(20, -1))), 1);
   }
 }
 
@@ -345,7 +345,7 @@ TEST(EllipseMethod, GrooveIsLitAlongAndDarkAcross) {
   const RenderView view = atlasView(scene.surface, 16);
   const SampleGrid samples = scene.samples(view);
   const auto bottomShadowed = [&](const Vec3& light) {
-    const Mask mask = scene.answer("ellipse", view, light);
+    const Mask mask = scene.test("ellipse", view, light);
     double dark = 0;
     double all = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -374,7 +374,7 @@ TEST(EllipseMethod, IsItsFormulaAtTexelCentres) {
         fitEllipses(scene.tables, space == HeightSpace::world ? 1 / std::sqrt(4.5) : 1);
     const RenderView view = atlasView(scene.surface, 4);
     for (const Vec3& light : {lightToward(20, 25), lightToward(200, 40), lightToward(95, 15)}) {
-      const Mask mask = scene.answer("ellipse", view, light);
+      const Mask mask = scene.test("ellipse", view, light);
       // A texel is √4.5 wide on average, whatever heights are: the light leans as in the world.
       const Vec3 local = glm::normalize(Vec3(light.x / 3, light.y / 1.5, light.z / std::sqrt(4.5)));
       std::size_t differ = 0;
@@ -412,7 +412,7 @@ TEST(EllipseMethod, IsTheFlatHorizonMapWhereTheLitPartIsAnEllipse) {
   for (double azimuth = 0; azimuth < 360; azimuth += 15) {
     const double horizon = std::atan(std::abs(std::sin(radians(azimuth)))) * 180 / pi;
     const auto shade = [&](double elevation) {
-      return scene.answer("ellipse", view, lightToward(azimuth, elevation)).samples[middle];
+      return scene.test("ellipse", view, lightToward(azimuth, elevation)).samples[middle];
     };
     EXPECT_EQ(shade(horizon + 1), Shade::lit) << azimuth;
     if (horizon > 3) {
@@ -436,8 +436,8 @@ TEST(HorizonAngleMethods, AVertexWithoutAFrameSpreadsNothingOverItsTriangles) {
     const RenderScene scene(cage, relief, {8, 16}, TableBits::eight);
     const RenderView view = atlasView(scene.surface, 8);
     for (const char* method : {"sloan-cohen", "max-forsyth", "ellipse"}) {
-      EXPECT_EQ(shareShadowed(scene.answer(method, view, lightToward(20, 60))), 0) << method;
-      EXPECT_EQ(shareShadowed(scene.answer(method, view, lightToward(20, -30))), 1) << method;
+      EXPECT_EQ(shareShadowed(scene.test(method, view, lightToward(20, 60))), 0) << method;
+      EXPECT_EQ(shareShadowed(scene.test(method, view, lightToward(20, -30))), 1) << method;
     }
   }
 }

@@ -37,7 +37,7 @@ Cage bowl() {
 Mask with(const RenderScene& scene, const std::string& method, const RenderView& view,
           const Vec3& light, const std::map<std::string, double>& parameters) {
   const Method read = readMethod(methodFile(shaderFolder(), method));
-  return scene.answer(read, view, light, TableFilter::exact, parameters);
+  return scene.test(read, view, light, TableFilter::exact, parameters);
 }
 
 TEST(MethodLimits, TheEarlierPaperIsTheFlatMethodWhereTheSurfaceIsConcave) {
@@ -45,9 +45,9 @@ TEST(MethodLimits, TheEarlierPaperIsTheFlatMethodWhereTheSurfaceIsConcave) {
   const RenderScene scene(bowl(), randomRelief(64, 64, 3, 3), {32, 64}, TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 16);
   const Vec3 light = lightToward(20, 35);
-  const Mask mask = scene.answer("onoue-2003", view, light);
-  EXPECT_EQ(difference(mask, scene.answer("max-forsyth", view, light)), 0);
-  EXPECT_GT(difference(mask, scene.answer("onoue-2004", view, light)), 0.01);
+  const Mask mask = scene.test("onoue-2003", view, light);
+  EXPECT_EQ(difference(mask, scene.test("max-forsyth", view, light)), 0);
+  EXPECT_GT(difference(mask, scene.test("onoue-2004", view, light)), 0.01);
 }
 
 TEST(MethodLimits, TheEarlierPaperIsTheLaterOneWhereTheSurfaceIsConvex) {
@@ -56,9 +56,9 @@ TEST(MethodLimits, TheEarlierPaperIsTheLaterOneWhereTheSurfaceIsConvex) {
                           TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   const Vec3 light = lightToward(20, 35);
-  const Mask mask = scene.answer("onoue-2003", view, light);
-  EXPECT_EQ(difference(mask, scene.answer("onoue-2004", view, light)), 0);
-  EXPECT_GT(difference(mask, scene.answer("max-forsyth", view, light)), 0.01);
+  const Mask mask = scene.test("onoue-2003", view, light);
+  EXPECT_EQ(difference(mask, scene.test("onoue-2004", view, light)), 0);
+  EXPECT_GT(difference(mask, scene.test("max-forsyth", view, light)), 0.01);
 }
 
 TEST(MethodLimits, ExactFormulaTendsToThePublishedOneAsCurvatureVanishes) {
@@ -68,8 +68,8 @@ TEST(MethodLimits, ExactFormulaTendsToThePublishedOneAsCurvatureVanishes) {
     const RenderScene scene(makeSphere(radius, 64 / radius, 64 / radius, 32, 32),
                             randomRelief(64, 64, 3, 3), {32, 64}, TableBits::sixteen);
     const RenderView view = atlasView(scene.surface, 16);
-    return difference(scene.answer("onoue-exact", view, light),
-                      scene.answer("onoue-2004", view, light));
+    return difference(scene.test("onoue-exact", view, light),
+                      scene.test("onoue-2004", view, light));
   };
   const double curved = differenceAt(60);
   const double gentle = differenceAt(240);
@@ -111,7 +111,7 @@ TEST(MethodLimits, OnAPlaneHorizonMapsTendToTheMarchAsTexelsShrink) {
         with(scene, "relief-march", view, light, {{"steps", 512}, {"range", texels / 2.0}});
     EXPECT_GT(shareShadowed(march), 0.1);
     EXPECT_LT(shareShadowed(march), 0.9);
-    return difference(scene.answer(method, view, light), march);
+    return difference(scene.test(method, view, light), march);
   };
   for (const char* method : {"max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact"}) {
     const double coarse = differenceAt(64, method);

@@ -27,10 +27,23 @@ using test::stepRelief;
 
 using Parameters = std::map<std::string, double>;
 
-Mask answerWith(const RenderScene& scene, const std::string& method, const RenderView& view,
-                const Vec3& light, const Parameters& parameters) {
+/// What the shadow test alone says.
+Mask testWith(const RenderScene& scene, const std::string& method, const RenderView& view,
+              const Vec3& light, const Parameters& parameters) {
+  return scene.test(readMethod(methodFile(shaderFolder(), method)), view, light, TableFilter::exact,
+                    parameters);
+}
+
+Mask drawnWith(const RenderScene& scene, const std::string& method, const RenderView& view,
+               const Vec3& light, const Parameters& parameters) {
   return scene.answer(readMethod(methodFile(shaderFolder(), method)), view, light,
                       TableFilter::exact, parameters);
+}
+
+/// The march with an attached shadow of its own: all that it knows of the surface, without the
+/// bumped normal of the base mesh.
+Mask marchAlone(const RenderScene& scene, const RenderView& view, const Vec3& light) {
+  return testWith(scene, "geodesic-march", view, light, {{"own_slope", 1}});
 }
 
 /// z = (x² + y²) / 200 over |x|, |y| ≤ 32: a bowl that ends at its border.
@@ -93,15 +106,15 @@ TEST(PathMethods, FollowTheRayWhereLinesOfTheMapDoNot) {
       const bool dark = rayMeetsRelief(patch, scene.relief.field, place, light);
       exact.samples[i] = dark ? Shade::shadowed : Shade::lit;
     }
-    const double straight =
-        difference(answerWith(scene, "osculating-march", view, light, {}), exact);
-    const double bent = difference(scene.answer("geodesic-march", view, light), exact);
+    const double straight = difference(testWith(scene, "osculating-march", view, light, {}), exact);
+    const double bent = difference(marchAlone(scene, view, light), exact);
+    const double drawn = difference(scene.answer("geodesic-march", view, light), exact);
     const double resampled = difference(scene.answer("resampled-horizon", view, light), exact);
     EXPECT_GT(shareShadowed(exact), 0.2);
     EXPECT_LT(shareShadowed(exact), 0.8);
     EXPECT_LT(bent, straight / 3);
     EXPECT_LT(bent, 0.002);
-    EXPECT_LT(resampled, bent + 0.001);
+    EXPECT_LT(resampled, drawn + 0.001);
   }
 }
 
@@ -118,7 +131,7 @@ TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
   const Vec3 light = lightToward(265, 30);
   // The world's height under a point: texels are (R cos(lat) · 1.6 / 96) by (R · 2.4 / 96).
   std::size_t differ = 0;
-  const Mask mask = scene.answer("geodesic-march", view, light);
+  const Mask mask = marchAlone(scene, view, light);
   const auto heightUnder = [&](const Vec3& point) {
     const double latitude = std::asin(point.y / glm::length(point));
     const Vec2 arcs(std::atan2(point.x, point.z), latitude);
@@ -202,7 +215,7 @@ TEST(PathMethods, OnAPlaneAreTheMarchOnTheCircle) {
   const RenderView view = atlasView(scene.surface, 33);
   for (const Vec3& light : {lightToward(20, 30), lightToward(155, 25), lightToward(290, 20)}) {
     const Mask march =
-        answerWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+        drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
     // A bump that is highest between crossings is missed: in cells that are saddles.
     EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
     EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
@@ -219,7 +232,7 @@ TEST(PathMethods, OnACylinderAreTheMarchOnTheCircle) {
   const RenderView view = atlasView(scene.surface, 8);
   for (const Vec3& light : {lightToward(0, 40), lightToward(180, 25), lightToward(90, 30)}) {
     const Mask march =
-        answerWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+        drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
     EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
     EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
     EXPECT_GT(shareShadowed(march), 0.05);
@@ -238,7 +251,7 @@ TEST(PathMethods, AreNeverBlindToAttachedShadows) {
         {"geodesic-march", {{"range", 1}}},
         {"resampled-horizon", {{"range", 1}, {"crossings", 1}, {"search", 0}}}};
     for (const auto& [method, parameters] : few) {
-      const Mask mask = answerWith(scene, method, view, light, parameters);
+      const Mask mask = drawnWith(scene, method, view, light, parameters);
       for (std::size_t i = 0; i < mask.size(); ++i) {
         if (turned.samples[i] == Shade::shadowed) {
           ASSERT_EQ(mask.samples[i], Shade::shadowed) << method << " " << i;
@@ -261,8 +274,8 @@ TEST(PathMethods, ResampledHorizonTendsToTheMarchWithItsAzimuths) {
     const RenderScene scene(makeSphere(60, 1, 1, 16, 16), columnRelief(), {azimuths, 64},
                             TableBits::eight, 2);
     const RenderView view = atlasView(scene.surface, 12);
-    return difference(answerWith(scene, "resampled-horizon", view, light, {{"crossings", 1}}),
-                      scene.answer("geodesic-march", view, light));
+    return difference(testWith(scene, "resampled-horizon", view, light, {{"crossings", 1}}),
+                      scene.test("geodesic-march", view, light));
   };
   const double few = differenceAt(4);
   const double some = differenceAt(16);
@@ -279,8 +292,8 @@ TEST(PathMethods, ASearchAboutTheBestCandidateFindsMore) {
   const RenderView view = atlasView(scene.surface, 12);
   const Vec3 light = lightToward(20, 25);
   const auto share = [&](double search) {
-    return shareShadowed(answerWith(scene, "resampled-horizon", view, light,
-                                    {{"crossings", 1}, {"search", search}}));
+    return shareShadowed(
+        testWith(scene, "resampled-horizon", view, light, {{"crossings", 1}, {"search", search}}));
   };
   EXPECT_GT(share(1), share(0));
   EXPECT_GT(share(2), share(1));
@@ -321,7 +334,7 @@ TEST(PathMethods, ResampledHorizonErrsTowardLightAlone) {
   const GlContext gl;
   const OwnMethod dense("dense-path",
                         "  Path path = makePath(pixel, light, 128.0);\n"
-                        "  if (shadowedAtStart(path)) return true;\n"
+                        "  if (shadowedByBareSurface(path)) return true;\n"
                         "  for (float t = 0.01; t <= path.limit; t += 0.01) {\n"
                         "    if (excess(path, t) >= 0.0) return true;\n"
                         "  }\n"
@@ -331,8 +344,8 @@ TEST(PathMethods, ResampledHorizonErrsTowardLightAlone) {
                             TableBits::eight, 2);
     const RenderView view = atlasView(scene.surface, 8);
     for (const Vec3& light : {lightToward(20, 25), lightToward(140, 40)}) {
-      const Mask full = scene.answer(dense.read(), view, light);
-      const Mask mask = answerWith(scene, "resampled-horizon", view, light, {{"crossings", 1}});
+      const Mask full = scene.test(dense.read(), view, light);
+      const Mask mask = testWith(scene, "resampled-horizon", view, light, {{"crossings", 1}});
       EXPECT_LT(shadowedBeyond(mask, full), 5e-4) << azimuths;
       if (azimuths == 4) {
         EXPECT_GT(shadowedBeyond(full, mask), 0.01);
@@ -345,13 +358,13 @@ void expectBoundCostsNothing(const RenderScene& scene, double elevation) {
   // geodesic-march without the bound: every crossing up to where the path ends.
   const OwnMethod unbounded("unbounded-march",
                             "  Path path = makePath(pixel, light, 128.0);\n"
-                            "  return shadowedAtStart(path) ||\n"
+                            "  return shadowedByBareSurface(path) ||\n"
                             "         shadowedAtCrossings(path, pathEnd(path, 128.0));\n");
   const RenderView view = atlasView(scene.surface, 6);
   for (const double azimuth : {20.0, 110.0, 215.0}) {
     const Vec3 light = lightToward(azimuth, elevation);
-    const Mask full = scene.answer(unbounded.read(), view, light);
-    EXPECT_EQ(difference(scene.answer("geodesic-march", view, light), full), 0) << azimuth;
+    const Mask full = scene.test(unbounded.read(), view, light);
+    EXPECT_EQ(difference(scene.test("geodesic-march", view, light), full), 0) << azimuth;
     EXPECT_GT(shareShadowed(full), 0.02);
   }
 }
@@ -383,9 +396,9 @@ TEST(PathMethods, NothingStandsBeyondTheBorderOfAMapThatDoesNotRepeat) {
   const RenderScene scene(openBowl(), flatRelief(64, 64), {4, 4}, TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 8);
   const Vec3 light = lightToward(20, 30);
-  EXPECT_EQ(shareShadowed(scene.answer("geodesic-march", view, light)), 0);
-  EXPECT_EQ(shareShadowed(scene.answer("resampled-horizon", view, light)), 0);
-  EXPECT_GT(shareShadowed(scene.answer("osculating-march", view, light)), 0.1);
+  EXPECT_EQ(shareShadowed(scene.test("geodesic-march", view, light)), 0);
+  EXPECT_EQ(shareShadowed(scene.test("resampled-horizon", view, light)), 0);
+  EXPECT_GT(shareShadowed(scene.test("osculating-march", view, light)), 0.1);
 }
 
 }  // namespace

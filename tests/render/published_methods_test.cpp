@@ -39,7 +39,7 @@ TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
   constexpr int side = 48;  // samples a face, 6 a texel
   const RenderView view = atlasView(scene.surface, side);
   const Vec3 light = lightToward(180 + azimuth, elevation);
-  const Mask mask = scene.answer("max-forsyth", view, light);
+  const Mask mask = scene.test("max-forsyth", view, light);
   const int row = view.height / 2;
   double end = 0;
   for (int column = 0; column < view.width; ++column) {
@@ -66,8 +66,8 @@ TEST(PublishedMethods, AreIdenticalOnAPlane) {
   const RenderView view = atlasView(scene.surface, 32);
   for (const double elevation : {60.0, 40.0, 25.0, 10.0}) {
     const Vec3 light = lightToward(20, elevation);
-    const Mask flat = scene.answer("max-forsyth", view, light);
-    EXPECT_EQ(difference(flat, scene.answer("onoue-2004", view, light)), 0) << elevation;
+    const Mask flat = scene.test("max-forsyth", view, light);
+    EXPECT_EQ(difference(flat, scene.test("onoue-2004", view, light)), 0) << elevation;
     EXPECT_GT(shareShadowed(flat), 0.01);
     EXPECT_LT(shareShadowed(flat), 0.99);
   }
@@ -80,7 +80,7 @@ TEST(PublishedMethods, DifferOnASphere) {
   const RenderView view = atlasView(scene.surface, 8);
   const Vec3 light = lightToward(20, 35);
   EXPECT_GT(
-      difference(scene.answer("max-forsyth", view, light), scene.answer("onoue-2004", view, light)),
+      difference(scene.test("max-forsyth", view, light), scene.test("onoue-2004", view, light)),
       0.01);
 }
 
@@ -101,7 +101,7 @@ TEST(PublishedMethods, CurvatureAwareTipOfAPinIsLitDownToTheSpheresHorizon) {
     for (const char* method : {"onoue-2003", "onoue-2004", "onoue-exact", "osculating-march",
                                "geodesic-march", "resampled-horizon"}) {
       const auto shade = [&](double elevation) {
-        return scene.answer(method, view, lightToward(azimuth, elevation)).samples[tip];
+        return scene.test(method, view, lightToward(azimuth, elevation)).samples[tip];
       };
       EXPECT_EQ(shade(-dip + 0.05), Shade::lit) << method << " " << azimuth;
       EXPECT_EQ(shade(-dip - 0.05), Shade::shadowed) << method << " " << azimuth;
@@ -161,7 +161,7 @@ void expectFormula(const Method& method, const std::map<std::string, double>& pa
     const RenderView view = atlasView(scene.surface, 3);
     const SampleGrid samples = scene.samples(view);
     const Vec3 light = lightToward(50, 30);
-    const Mask mask = scene.answer(method, view, light, TableFilter::exact, parameters);
+    const Mask mask = scene.test(method, view, light, TableFilter::exact, parameters);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
@@ -228,7 +228,7 @@ TEST(PublishedMethods, MarchOnTheCircleEndsAShadowWhereTheCircleSays) {
                           stepRelief(128, 32, height, [](int i, int) { return i >= 60 && i < 64; }),
                           {4, 4}, TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 15);
-  const Mask mask = scene.answer("osculating-march", view, lightToward(180, 25));
+  const Mask mask = scene.test("osculating-march", view, lightToward(180, 25));
   const double edge = (63.5 - 64) / 128 * 1.6;  // longitude of the wall's upper edge
   const auto longitude = [&](int column) { return ((column + 0.5) / view.width - 0.5) * 1.6; };
   double found = 0;
@@ -283,8 +283,8 @@ TEST(PublishedMethods, HardwareFilterChangesLittleButSomething) {
                           TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   const Vec3 light = lightToward(20, 35);
-  const double change = difference(scene.answer("onoue-2004", view, light),
-                                   scene.answer("onoue-2004", view, light, TableFilter::hardware));
+  const double change = difference(scene.test("onoue-2004", view, light),
+                                   scene.test("onoue-2004", view, light, TableFilter::hardware));
   EXPECT_GT(change, 0);
   EXPECT_LT(change, 0.01);
 }
@@ -296,7 +296,7 @@ TEST(PublishedMethods, RoughReliefShadowsMoreAsTheLightSinks) {
   const RenderView view = atlasView(scene.surface, 16);
   double before = -1;
   for (const double elevation : {80.0, 60.0, 40.0, 20.0, 10.0, 5.0}) {
-    const double now = shareShadowed(scene.answer("max-forsyth", view, lightToward(20, elevation)));
+    const double now = shareShadowed(scene.test("max-forsyth", view, lightToward(20, elevation)));
     EXPECT_GT(now, before);
     before = now;
   }

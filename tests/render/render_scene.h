@@ -49,6 +49,7 @@ class RenderScene {
             nullptr,  &texture};
   }
 
+  /// The drawn answer.
   [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
                             TableFilter filter = TableFilter::exact) const {
     const auto shaders = shaderFolder();
@@ -58,11 +59,23 @@ class RenderScene {
   [[nodiscard]] Mask answer(const Method& method, const RenderView& view, const Vec3& light,
                             TableFilter filter = TableFilter::exact,
                             const std::map<std::string, double>& parameters = {}) const {
-    return answers(method, view, {light}, filter, parameters).front();
+    return answers(method, view, {light}, filter, parameters).front().drawn;
   }
 
-  /// A mask a light; the shader and its tables are made once.
-  [[nodiscard]] std::vector<Mask> answers(
+  /// What the shadow test alone says.
+  [[nodiscard]] Mask test(const std::string& method, const RenderView& view, const Vec3& light,
+                          TableFilter filter = TableFilter::exact) const {
+    return test(readMethod(methodFile(shaderFolder(), method)), view, light, filter);
+  }
+
+  [[nodiscard]] Mask test(const Method& method, const RenderView& view, const Vec3& light,
+                          TableFilter filter = TableFilter::exact,
+                          const std::map<std::string, double>& parameters = {}) const {
+    return answers(method, view, {light}, filter, parameters).front().test;
+  }
+
+  /// Both answers for each light; the shader and its tables are made once.
+  [[nodiscard]] std::vector<MethodAnswers> answers(
       const Method& method, const RenderView& view, const std::vector<Vec3>& lights,
       TableFilter filter = TableFilter::exact,
       const std::map<std::string, double>& parameters = {}) const {
@@ -79,9 +92,9 @@ class RenderScene {
     }
     if (angles) gpu.angles = &*angles;
     if (ellipses) gpu.ellipse = &*ellipses;
-    std::vector<Mask> masks;
-    for (const Vec3& light : lights) masks.push_back(pass.render(view, drawing(light), gpu));
-    return masks;
+    std::vector<MethodAnswers> found;
+    for (const Vec3& light : lights) found.push_back(pass.render(view, drawing(light), gpu));
+    return found;
   }
 
   [[nodiscard]] SampleGrid samples(const RenderView& view) const {
@@ -118,14 +131,22 @@ class DisplacedScene {
         gpuVolumes_(displaced),
         gpuHeights_(relief.field) {}
 
-  [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
-                            const std::map<std::string, double>& parameters = {}) const {
+  [[nodiscard]] MethodAnswers answers(const std::string& method, const RenderView& view,
+                                      const Vec3& light,
+                                      const std::map<std::string, double>& parameters = {}) const {
     const Method read = readMethod(methodFile(shaderFolder(), method));
     const MethodPass pass(shaderFolder(), read, relief.field.wrap(), TableFilter::exact,
                           parameters);
-    return pass.render(
-        view, {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, 1, light, &gpuVolumes_},
-        {});
+    return pass.render(view, drawing(light), {});
+  }
+
+  [[nodiscard]] Drawing drawing(const Vec3& light) const {
+    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, 1, light, &gpuVolumes_};
+  }
+
+  [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
+                            const std::map<std::string, double>& parameters = {}) const {
+    return answers(method, view, light, parameters).drawn;
   }
 
   [[nodiscard]] SampleGrid samples(const RenderView& view) const {

@@ -75,7 +75,7 @@ TEST_P(ShearedShadow, EndsWhereTheMetricSays) {
       for (const auto& [method, tolerance] : cases) {
         const bool angles = method == "sloan-cohen";
         if (angles && azimuth == 150) continue;
-        const Mask mask = (angles ? eight : scene).answer(method, view, plane.lightOver(a, e));
+        const Mask mask = (angles ? eight : scene).test(method, view, plane.lightOver(a, e));
         EXPECT_NEAR(shadowsEnd(mask, plane), 31.5 + length, 1.0 / 3 + 1 / (4 * length) + tolerance)
             << method << " at " << azimuth << " on a texel (" << plane.px.x << ", " << plane.px.y
             << ") × (" << plane.py.x << ", " << plane.py.y << ")";

@@ -70,12 +70,13 @@ class Scene {
     return {cage_, relief_, bake, bits, subdivisions_};
   }
 
+  /// Of the shadow test alone: what the tables know.
   [[nodiscard]] Errors errors(const RenderScene& on, const std::string& method) const {
-    const std::vector<Mask> masks = on.answers(readMethod(methodFile(shaderFolder(), method)),
-                                               atlasView(on.surface, samples_), lights());
+    const std::vector<MethodAnswers> answers = on.answers(
+        readMethod(methodFile(shaderFolder(), method)), atlasView(on.surface, samples_), lights());
     Errors sum;
     for (std::size_t l = 0; l < truths_.size(); ++l) {
-      const Counts counts = countSamples(masks[l], truths_[l]);
+      const Counts counts = countSamples(answers[l].test, truths_[l]);
       sum.falseShadow += rate(counts, "false_shadow").value.value() / lightCount;
       sum.falseLight += rate(counts, "false_light").value.value() / lightCount;
     }

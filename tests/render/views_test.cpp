@@ -50,7 +50,7 @@ TEST(ShadePass, APictureIsComposedOfThoseAllLitAndAllShadowed) {
                           TableBits::eight, 2);
   const Camera camera = cameraAtTheSphere();
   const RenderView view = cameraView(camera, scene.mesh);
-  const ShadePass pass(shaderFolder(), scene.relief.field.wrap());
+  const ShadePass pass(shaderFolder(), scene.relief.field.wrap(), DrawnMesh::base);
   const auto shaded = [&](const std::vector<Shade>& samples) {
     return pass.render(view, scene.drawing(glm::normalize(Vec3(1, 1, 2))), {160, 120, samples});
   };
@@ -127,7 +127,7 @@ TEST(ShadePass, IsDarkWhereTheMaskIs) {
       mask.samples.push_back(row < 5 && column < 9 ? Shade::shadowed : Shade::lit);
     }
   }
-  const ShadePass pass(shaderFolder(), scene.relief.field.wrap());
+  const ShadePass pass(shaderFolder(), scene.relief.field.wrap(), DrawnMesh::base);
   const auto rgb = pass.render(view, scene.drawing({0, 0, 1}), mask);
   const auto red = [&](int row, int column) {
     return rgb[static_cast<std::size_t>(3 * (row * view.width + column))];

@@ -63,7 +63,7 @@ TEST_F(BaselineFile, HasALineForEachValueAndNothingOfTheMachine) {
   const std::string text = baselineJson(sampleBaseline());
   EXPECT_THAT(text,
               HasSubstr("\n    {\"study\":\"sample/1\",\"method\":\"a, b\",\"view\":\"camera\","
-                        "\"light\":\"elevation 30°\",\"metric\":\"error_rate\",\"value\":0.1,"
+                        "\"light\":\"elevation 30°\",\"answer\":\"drawn\",\"metric\":\"error_rate\",\"value\":0.1,"
                         "\"spread\":0.0125,\"tolerance\":0.025},\n"));
   EXPECT_THAT(text, EndsWith("]\n}\n"));
   Baseline elsewhere = sampleBaseline();
@@ -87,8 +87,8 @@ TEST_F(BaselineFile, ThatIsNoJsonIsRefusedWithItsLine) {
 TEST_F(BaselineFile, WithAKeyThatIsMissingOrWrongIsRefused) {
   EXPECT_EQ(failure("[]"), "sample.json: schema: missing, a string expected");
   EXPECT_EQ(failure("{}"), "sample.json: schema: missing, a string expected");
-  EXPECT_EQ(failureWith("/schema", "gnomon-baseline/2"),
-            "sample.json: schema: \"gnomon-baseline/2\" found, \"gnomon-baseline/1\" expected");
+  EXPECT_EQ(failureWith("/schema", "gnomon-baseline/1"),
+            "sample.json: schema: \"gnomon-baseline/1\" found, \"gnomon-baseline/2\" expected");
   EXPECT_EQ(failureWith("/form", "half"),
             "sample.json: form: \"half\" found, full or quick expected");
   EXPECT_EQ(failureWith("/form", "full\nor quick"),
@@ -96,6 +96,8 @@ TEST_F(BaselineFile, WithAKeyThatIsMissingOrWrongIsRefused) {
   EXPECT_EQ(failureWith("/values", 3), "sample.json: values: number found, a list expected");
   EXPECT_EQ(failureWith("/values/1", nullptr),
             "sample.json: values.1.study: missing, a string expected");
+  EXPECT_EQ(failureWith("/values/1/answer", "both"),
+            "sample.json: values.1.answer: \"both\" found, drawn or test expected");
   EXPECT_EQ(failureWith("/values/1/value", "0.1"),
             "sample.json: values.1.value: string found, a number expected");
   EXPECT_EQ(failureWith("/values/1/value", nullptr),

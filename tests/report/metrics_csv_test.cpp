@@ -59,10 +59,10 @@ std::size_t column(const Table& table, const std::string& name) {
 TEST(MetricsCsv, OneRowAResultAndOneCellAColumn) {
   const StudyRecord record = sampleRecord();
   const Table table = parse(metricsCsv(record));
-  ASSERT_EQ(table.size(), 1 + 3 * 2 * 3U);
-  for (const auto& row : table) EXPECT_EQ(row.size(), 10 + metricNames().size());
-  EXPECT_EQ(metricsCsv(record).substr(0, 57),
-            "study,method,light,view,region,samples,tp,fp,fn,tn,error_");
+  ASSERT_EQ(table.size(), 1 + 3 * 2 * 4U);
+  for (const auto& row : table) EXPECT_EQ(row.size(), 11 + metricNames().size());
+  EXPECT_EQ(metricsCsv(record).substr(0, 64),
+            "study,method,light,view,answer,region,samples,tp,fp,fn,tn,error_");
 }
 
 TEST(MetricsCsv, ValuesReadBackExactly) {
@@ -75,8 +75,9 @@ TEST(MetricsCsv, ValuesReadBackExactly) {
     EXPECT_EQ(row[1], result.method);
     EXPECT_EQ(row[2], result.light);
     EXPECT_EQ(row[3], result.view);
-    EXPECT_EQ(row[4], result.region);
-    EXPECT_EQ(row[5], std::to_string(result.counts.samples));
+    EXPECT_EQ(row[4], answerName(result.answer));
+    EXPECT_EQ(row[5], result.region);
+    EXPECT_EQ(row[6], std::to_string(result.counts.samples));
     EXPECT_EQ(std::stod(row[column(table, "fp")]), result.counts.falsePositive);
     for (const Metric& metric : metricsOf(result)) {
       const std::string& cell = row[column(table, std::string(metric.name))];
@@ -93,7 +94,7 @@ TEST(MetricsCsv, QuotesWhatNeedsIt) {
   record.results.resize(1);
   record.results[0].light = "two\nlines";
   const std::string csv = metricsCsv(record);
-  EXPECT_NE(csv.find("\nsample,\"rough, \"\"old\"\"\",\"two\nlines\",camera,all,1000,230,80,20,670,"
+  EXPECT_NE(csv.find("\nsample,\"rough, \"\"old\"\"\",\"two\nlines\",camera,drawn,all,1000,230,80,20,670,"
                      "0.1,0.08,0.02,"),
             std::string::npos)
       << csv;

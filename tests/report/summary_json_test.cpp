@@ -60,14 +60,14 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
             (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms", "passes",
                   "frame_ratio", "frame_kept_since"}));
   EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
-  EXPECT_EQ(keysOf(json["thresholds"][0]), (Keys{"method", "light", "view", "region", "metric",
+  EXPECT_EQ(keysOf(json["thresholds"][0]), (Keys{"method", "light", "view", "answer", "region", "metric",
                                                  "value", "minimum", "maximum", "passed"}));
   EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"text", "source", "verdict", "detail"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
             (Keys{"kind", "method", "caption", "path", "mask"}));
 
-  Keys resultKeys{"method", "light", "view", "region", "samples", "tp", "fp", "fn", "tn"};
+  Keys resultKeys{"method", "light", "view", "answer", "region", "samples", "tp", "fp", "fn", "tn"};
   for (const std::string_view name : metricNames()) resultKeys.emplace_back(name);
   resultKeys.emplace_back("undefined");
   EXPECT_EQ(keysOf(json["results"][0]), resultKeys);

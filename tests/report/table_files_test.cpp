@@ -41,12 +41,12 @@ std::vector<std::string> latexCells(const std::string& row) {
 
 TEST(TableCsv, HoldsTheRankedTable) {
   EXPECT_THAT(test::linesOf(tableCsv(recordWithIntervals())),
-              ElementsAre("rank,method,error_rate,low,high,uncertainty,same_as_best,false_shadow,"
-                          "false_light,iou,bytes,frame_ms",
-                          "1,best,0.01,0.0075,0.0125,0.003,0,0.005,0.005,0.9607843137254902,540672,"
+              ElementsAre("rank,method,error_rate,low,high,uncertainty,same_as_best,"
+                          "test_error_rate,false_shadow,false_light,iou,bytes,frame_ms",
+                          "1,best,0.01,0.0075,0.0125,0.003,0,0.03,0.005,0.005,0.9607843137254902,540672,"
                           "1.25",
-                          "2,close,0.012,,,0.003,1,0.004,0.008,0.952755905511811,1048576,",
-                          "3,\"rough, \"\"old\"\"\",0.1,,,0.003,0,0.08,0.02,0.696969696969697,,"));
+                          "2,close,0.012,,,0.003,1,0.032,0.004,0.008,0.952755905511811,1048576,",
+                          "3,\"rough, \"\"old\"\"\",0.1,,,0.003,0,0.12,0.08,0.02,0.696969696969697,,"));
 }
 
 TEST(TableTex, HoldsTheSameInPercent) {
@@ -55,10 +55,10 @@ TEST(TableTex, HoldsTheSameInPercent) {
     if (line.ends_with("\\\\")) rows.push_back(latexCells(line.substr(0, line.size() - 3)));
   }
   ASSERT_THAT(rows, SizeIs(4));
-  for (const auto& row : rows) EXPECT_THAT(row, SizeIs(8));
-  EXPECT_THAT(rows[1], ElementsAre("    best ", " 1.00 ", " 0.75--1.25 ", " 0.50 ", " 0.50 ",
+  for (const auto& row : rows) EXPECT_THAT(row, SizeIs(9));
+  EXPECT_THAT(rows[1], ElementsAre("    best ", " 1.00 ", " 0.75--1.25 ", " 3.00 ", " 0.50 ", " 0.50 ",
                                    " 96.08 ", " 0.54 ", " 1.25"));
-  EXPECT_THAT(rows[2], ElementsAre("    $\\approx$ close ", " 1.20 ", " -- ", " 0.40 ", " 0.80 ",
+  EXPECT_THAT(rows[2], ElementsAre("    $\\approx$ close ", " 1.20 ", " -- ", " 3.20 ", " 0.40 ", " 0.80 ",
                                    " 95.28 ", " 1.05 ", " --"));
   EXPECT_EQ(rows[3][0], "    rough, \\textquotedbl{}old\\textquotedbl{} ");
 }

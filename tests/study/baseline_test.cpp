@@ -70,7 +70,7 @@ TEST(Baseline, HoldsEveryMetricOfTheWholeRegionWithItsSpread) {
   results.back().region = "cast";
   const std::vector<BaselineEntry> entries =
       referenceValues(std::vector<StudyRecord>{record(results)});
-  ASSERT_EQ(entries.size(), baselineMetrics().size());
+  ASSERT_EQ(entries.size(), baselineMetrics(Answer::drawn).size());
   for (const BaselineEntry& entry : entries) {
     EXPECT_EQ(entry.step, "study");
     EXPECT_EQ(entry.spread, entry.metric == "shadow_length_ratio" ? 0.03 : 0.004);
@@ -146,7 +146,7 @@ TEST(Baseline, AMissingReferenceIsRefused) {
   const Baseline baseline = baselineOf({record({row("a", 20, 30)})});
   const std::vector<StudyRecord> run = {record({row("a", 20, 30), row("b", 1, 1)})};
   EXPECT_EQ(messageOf<InputError>([&] { (void)judgeBaseline(baseline, run, {}); }),
-            "no reference for error_rate of b, dusk, camera, study and 4 more");
+            "no reference for error_rate of b, drawn, dusk, camera, study and 4 more");
 }
 
 TEST(Baseline, AReferenceOfWhatTheRunLacksIsRefused) {
@@ -155,7 +155,7 @@ TEST(Baseline, AReferenceOfWhatTheRunLacksIsRefused) {
     if (other.method == "b") other.light = "dawn";
     const std::vector<StudyRecord> run = {record({row("a", 20, 30), other})};
     EXPECT_EQ(messageOf<InputError>([&] { (void)judgeBaseline(baseline, run, {}); }),
-              "the run has no row for error_rate of b, dusk, camera, study and 4 more");
+              "the run has no row for error_rate of b, drawn, dusk, camera, study and 4 more");
   }
   const std::vector<StudyRecord> renamed = {record({row("a", 20, 30)}, "other")};
   EXPECT_THAT(messageOf<InputError>([&] { (void)judgeBaseline(baseline, renamed, {}); }),

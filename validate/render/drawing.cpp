@@ -10,10 +10,10 @@ gl::Program makeSurfaceProgram(const std::filesystem::path& shaders,
   return makeProgram({{readShader(shaders / "common/surface.vert")}, {}, fragment}, defines);
 }
 
-std::vector<std::string> reliefDefines(Wrap wrap, bool heights) {
+std::vector<std::string> surfaceDefines(Wrap wrap, DrawnMesh mesh) {
   std::vector<std::string> defines;
   if (wrap == Wrap::repeat) defines.emplace_back("WRAP_REPEAT");
-  if (heights) defines.emplace_back("TABLE_HEIGHT");
+  if (mesh == DrawnMesh::displaced) defines.emplace_back("MESH_DISPLACED");
   return defines;
 }
 

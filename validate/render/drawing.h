@@ -6,6 +6,7 @@
 
 #include "relief/relief.h"
 #include "render/gpu_scene.h"
+#include "render/method.h"
 #include "render/program.h"
 #include "render/view.h"
 
@@ -45,8 +46,8 @@ gl::Program makeSurfaceProgram(const std::filesystem::path& shaders,
                                const std::vector<ShaderPiece>& fragment,
                                const std::vector<std::string>& defines);
 
-/// The defines that relief.glsl reads.
-std::vector<std::string> reliefDefines(Wrap wrap, bool heights);
+/// The defines that wrap.glsl, pixel.glsl and shading.glsl read.
+std::vector<std::string> surfaceDefines(Wrap wrap, DrawnMesh mesh);
 
 void bindTexture(GLuint program, TextureUnit unit, GLuint texture, const char* sampler);
 void setUniform(GLuint program, const char* name, const Vec3& value);

@@ -15,7 +15,19 @@ namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uint8_t noAnswer = 2;
+/// What mask.frag writes, and where it writes nothing.
+constexpr std::uint8_t testShadowed = 1;
+constexpr std::uint8_t drawnShadowed = 2;
+constexpr std::uint8_t noAnswer = 4;
+
+Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, std::uint8_t bit) {
+  Mask mask{view.width, view.height, std::vector<Shade>(answers.size(), Shade::none)};
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (answers[i] == noAnswer) continue;
+    mask.samples[i] = (answers[i] & bit) == 0 ? Shade::lit : Shade::shadowed;
+  }
+  return mask;
+}
 
 std::string parameterUniforms(const Method& method) {
   std::string text;
@@ -52,7 +64,8 @@ std::map<std::string, double> parameterValues(const Method& method,
 }
 
 std::vector<std::string> methodDefines(const Method& method, Wrap wrap, TableFilter filter) {
-  std::vector<std::string> defines = reliefDefines(wrap, method.tables.height);
+  std::vector<std::string> defines = surfaceDefines(wrap, method.mesh);
+  if (method.tables.height) defines.emplace_back("TABLE_HEIGHT");
   if (method.tables.horizon) defines.emplace_back("TABLE_HORIZON");
   if (method.tables.distance) defines.emplace_back("TABLE_DISTANCE");
   if (method.tables.angles || method.tables.surfaceAngles) defines.emplace_back("TABLE_ANGLES");
@@ -61,22 +74,30 @@ std::vector<std::string> methodDefines(const Method& method, Wrap wrap, TableFil
   if (method.passes.texture) defines.emplace_back("PASS_TEXTURE");
   if (method.passes.lightDepth) defines.emplace_back("PASS_LIGHT_DEPTH");
   if (method.passes.shadowVolumes) defines.emplace_back("PASS_SHADOW_VOLUMES");
-  if (method.mesh == DrawnMesh::displaced) defines.emplace_back("MESH_DISPLACED");
   if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
   return defines;
 }
 
-/// The method's own file between what it may use and the stage that calls it.
+/// The method's own file between what it may use and the stage that calls it. Every picture is
+/// shaded by the height map; a method that does not declare that table gets it behind its back.
 std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& method,
                                       const char* stage) {
   std::vector<ShaderPiece> pieces;
-  for (const char* name : {"pixel.glsl", "relief.glsl", "tables.glsl", "osculating.glsl",
-                           "path.glsl", "angles.glsl", "passes.glsl"}) {
+  const auto add = [&](const char* name) {
     pieces.push_back(readShader(shaders / "common" / name));
+  };
+  add("pixel.glsl");
+  add("wrap.glsl");
+  if (method.tables.height) add("relief.glsl");
+  for (const char* name :
+       {"tables.glsl", "osculating.glsl", "path.glsl", "angles.glsl", "passes.glsl"}) {
+    add(name);
   }
   pieces.push_back({method.source.file + " (parameters)", parameterUniforms(method)});
   pieces.push_back(method.source);
-  pieces.push_back(readShader(shaders / "common" / stage));
+  if (!method.tables.height) add("relief.glsl");
+  add("shading.glsl");
+  add(stage);
   return pieces;
 }
 
@@ -273,19 +294,13 @@ class MethodPass::Frame {
   Target answers_;
 };
 
-Mask MethodPass::render(const RenderView& view, const Drawing& drawing,
-                        const GpuTables& tables) const {
+MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
+                                 const GpuTables& tables) const {
   const Frame frame(*this, view, drawing, tables);
   frame.draw();
   const auto answers = frame.answers();
   throwOnGlError("rendering a method's mask");
-  Mask mask{view.width, view.height, std::vector<Shade>(answers.size(), Shade::none)};
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    if (answers[i] != noAnswer) {
-      mask.samples[i] = answers[i] == 0 ? Shade::lit : Shade::shadowed;
-    }
-  }
-  return mask;
+  return {maskOf(view, answers, drawnShadowed), maskOf(view, answers, testShadowed)};
 }
 
 double MethodPass::frameMilliseconds(const RenderView& view, const Drawing& drawing,

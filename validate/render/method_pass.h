@@ -30,6 +30,16 @@ struct GpuTables {
   const GpuTable* ellipse = nullptr;
 };
 
+/// A method's two answers for every sample of a view.
+struct MethodAnswers {
+  /// The score: dark in the method's picture, by its shadow test or because the normal that the
+  /// picture is shaded with is turned from the light (shading.glsl), as every published method
+  /// multiplies its shadows with diffuse light.
+  Mask drawn;
+  /// What `isShadowed` alone says: what the method's tables know.
+  Mask test;
+};
+
 /// One method's shader, with the passes that it declares.
 class MethodPass {
  public:
@@ -38,10 +48,10 @@ class MethodPass {
   MethodPass(const std::filesystem::path& shaders, const Method& method, Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values);
 
-  /// The method's answer for every sample of the view.
+  /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass
-  [[nodiscard]] Mask render(const RenderView& view, const Drawing& drawing,
-                            const GpuTables& tables) const;
+  [[nodiscard]] MethodAnswers render(const RenderView& view, const Drawing& drawing,
+                                     const GpuTables& tables) const;
 
   /// Median time of one frame, all its passes, milliseconds: see medianFrameMilliseconds.
   [[nodiscard]] double frameMilliseconds(const RenderView& view, const Drawing& drawing,

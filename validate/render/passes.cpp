@@ -54,12 +54,13 @@ SampleGrid SamplesPass::render(const RenderView& view, const GpuMesh& mesh) cons
   return grid;
 }
 
-ShadePass::ShadePass(const fs::path& shaders, Wrap wrap)
+ShadePass::ShadePass(const fs::path& shaders, Wrap wrap, DrawnMesh mesh)
     : program_(makeSurfaceProgram(
           shaders,
-          {readShader(shaders / "common/pixel.glsl"), readShader(shaders / "common/relief.glsl"),
+          {readShader(shaders / "common/pixel.glsl"), readShader(shaders / "common/wrap.glsl"),
+           readShader(shaders / "common/relief.glsl"), readShader(shaders / "common/shading.glsl"),
            readShader(shaders / "common/shade.frag")},
-          reliefDefines(wrap, true))) {}
+          surfaceDefines(wrap, mesh))) {}
 
 std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawing& drawing,
                                             const Mask& mask) const {

@@ -22,11 +22,13 @@ class SamplesPass {
   gl::Program program_;
 };
 
-/// The picture of a mask: bump-mapped diffuse light where it is lit. RGB, 8 bits, row 0 at the top;
-/// background white.
+/// The picture of a mask: diffuse light where it is lit, by the normal that decides a method's
+/// drawn answer, so that picture and mask agree: a lit pixel is brighter than a shadowed one. RGB,
+/// 8 bits, row 0 at the top; background white.
 class ShadePass {
  public:
-  ShadePass(const std::filesystem::path& shaders, Wrap wrap);
+  /// @param mesh  what is drawn: bump-mapped, or displaced and shaded facet by facet
+  ShadePass(const std::filesystem::path& shaders, Wrap wrap, DrawnMesh mesh);
   [[nodiscard]] std::vector<std::uint8_t> render(const RenderView& view, const Drawing& drawing,
                                                  const Mask& mask) const;
   /// The same, drawn into a target's first attachment.

@@ -35,6 +35,7 @@ Json entryJson(const BaselineEntry& entry) {
           {"method", entry.method},
           {"view", entry.view},
           {"light", entry.light},
+          {"answer", answerName(entry.answer)},
           {"metric", entry.metric},
           {"value", jsonNumber(entry.value, "values.value")},
           {"spread", jsonNumber(entry.spread, "values.spread")},
@@ -124,7 +125,12 @@ BaselineEntry readEntry(const Reader& reader) {
   BaselineEntry entry{reader.text("study"),    reader.text("method"),     reader.text("light"),
                       reader.text("view"),     reader.text("metric"),     reader.number("value"),
                       reader.number("spread"), reader.number("tolerance")};
-  const auto known = baselineMetrics();
+  const std::string answer = reader.text("answer");
+  if (!answerOfName(answer)) {
+    reader.fail("answer", fmt::format("\"{}\" found, drawn or test expected", answer));
+  }
+  entry.answer = *answerOfName(answer);
+  const auto known = baselineMetrics(entry.answer);
   if (std::find(known.begin(), known.end(), entry.metric) == known.end()) {
     reader.fail("metric",
                 fmt::format("\"{}\" found, a metric of baselines expected", entry.metric));

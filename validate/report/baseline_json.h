@@ -9,14 +9,14 @@
 namespace gnomon {
 
 /// The version of a baseline's file; readers refuse another.
-constexpr std::string_view baselineSchema = "gnomon-baseline/1";
+constexpr std::string_view baselineSchema = "gnomon-baseline/2";
 
 /// A baseline as JSON, keys in a fixed order, a line for each value:
 ///   schema, study, form ("full" or "quick"), environment, history, values
 /// A row of `history` has reason, gnomon_version, commit; the oldest is first. A row of `values`
-/// has study (of a sweep: NAME/VALUE), method, view, light, metric, value, spread, tolerance. The
-/// environment has neither threads nor cpu: values do not depend on them. No date: the same run
-/// gives the same bytes.
+/// has study (of a sweep: NAME/VALUE), method, view, light, answer, metric, value, spread,
+/// tolerance. The environment has neither threads nor cpu: values do not depend on them. No date:
+/// the same run gives the same bytes.
 /// @throws InternalError naming the key for a number that is not finite
 std::string baselineJson(const Baseline& baseline);
 

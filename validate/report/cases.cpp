@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/rates.h"
+
 namespace gnomon {
 namespace {
 
@@ -46,11 +48,17 @@ std::vector<std::string> regionsOf(const StudyRecord& record, const Case& which)
 }
 
 const ResultRecord* findResult(const StudyRecord& record, std::string_view method,
-                               const Case& which, std::string_view region) {
+                               const Case& which, std::string_view region, Answer answer) {
   const auto found = std::find_if(record.results.begin(), record.results.end(), [&](const auto& r) {
-    return r.method == method && r.region == region && belongsTo(r, which);
+    return r.method == method && r.region == region && r.answer == answer && belongsTo(r, which);
   });
   return found == record.results.end() ? nullptr : &*found;
+}
+
+std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
+                             Answer answer, std::string_view metric) {
+  const ResultRecord* row = findResult(record, method, which, wholeRegion, answer);
+  return row == nullptr ? std::nullopt : rate(row->counts, metric).value;
 }
 
 std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which) {

@@ -28,9 +28,14 @@ std::vector<std::string> methodsOf(const StudyRecord& record);
 /// The regions of one case, in the order of the results.
 std::vector<std::string> regionsOf(const StudyRecord& record, const Case& which);
 
-/// The row of one method, or nullptr.
+/// The row of one method's answer, or nullptr.
 const ResultRecord* findResult(const StudyRecord& record, std::string_view method,
-                               const Case& which, std::string_view region = wholeRegion);
+                               const Case& which, std::string_view region = wholeRegion,
+                               Answer answer = Answer::drawn);
+
+/// A rate of one method's answer over all samples, undefined where there is no such row.
+std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
+                             Answer answer, std::string_view metric);
 
 /// The share of samples that flip in the truth of this case. Where the run has none for the case,
 /// its largest; nothing, if it measured none at all.

@@ -23,6 +23,7 @@ std::string nameWith(const GateRecord& gate, const std::string& limit) {
   std::string name = fmt::format("{}, {} {}, {}, {}", anyOr(gate.method, "method"), gate.metric,
                                  limit, anyOr(gate.view, "view"), anyOr(gate.light, "light"));
   if (gate.region != wholeRegion) name += ", region " + gate.region;
+  if (gate.answer != Answer::drawn) name += fmt::format(", answer {}", answerName(gate.answer));
   const std::size_t slash = gate.step.find('/');
   return slash == std::string::npos ? name : name + ", at " + gate.step.substr(slash + 1);
 }

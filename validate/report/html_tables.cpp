@@ -50,14 +50,15 @@ std::string rankedRow(const RankedMethod& method, std::size_t rank, std::size_t 
                                   : fmt::format("<small class=\"same\">{} of {} cases only</small>",
                                                 method.cases, allCases);
   return fmt::format(
-      "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}{}{}</td>{}{}{}{}{}{}</tr>\n", rank,
+      "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}{}{}</td>{}{}{}{}{}{}{}</tr>\n", rank,
       escapeHtml(method.label), errorBar(method, scale),
       indistinguishableText(method.indistinguishable), partial,
       numberCell("<b>" + withUncertainty(method.errorRate.value, method.uncertainty) + "</b>"),
       numberCell(escapeHtml(intervalText(method.interval)),
                  method.interval ? "" : "no interval was measured"),
-      meanCell(method.falseShadow, method.cases), meanCell(method.falseLight, method.cases),
-      meanCell(method.iou, method.cases), meanCell(method.ber, method.cases));
+      meanCell(method.testError, method.cases), meanCell(method.falseShadow, method.cases),
+      meanCell(method.falseLight, method.cases), meanCell(method.iou, method.cases),
+      meanCell(method.ber, method.cases));
 }
 
 constexpr std::array<std::string_view, 7> caseMetrics = {
@@ -98,6 +99,9 @@ std::string caseRow(const StudyRecord& record, const ResultRecord& row, const Ca
   for (const std::string_view name : caseMetrics) {
     const Metric metric = rate(row.counts, name);
     cells += name == "mcc" ? correlationCell(metric) : metricCell(metric);
+    if (name == "error_rate") {
+      cells += numberCell(rateText(rateOf(record, row.method, which, Answer::test, name)));
+    }
   }
   return fmt::format("<tr>{}{}</tr>\n", cells, lengthCell(row));
 }
@@ -146,10 +150,10 @@ std::string rankingTable(const std::vector<RankedMethod>& ranked) {
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     body += rankedRow(ranked[i], i + 1, allCases, scale);
   }
-  return htmlTable(
-      "ranking",
-      headCells({"", "Method"}, {"Error", "95 %", "False shadow", "False light", "IoU", "BER"}),
-      body);
+  return htmlTable("ranking",
+                   headCells({"", "Method"}, {"Error", "95 %", "Test alone", "False shadow",
+                                              "False light", "IoU", "BER"}),
+                   body);
 }
 
 std::string caseTable(const StudyRecord& record, const Case& which) {
@@ -159,10 +163,11 @@ std::string caseTable(const StudyRecord& record, const Case& which) {
       body += caseRow(record, *row, which);
     }
   }
-  return htmlTable("metrics",
-                   headCells({"Method"}, {"Error", "False shadow", "False light", "IoU", "F1",
-                                          "BER", "MCC<small>−1 to 1</small>", "Shadow length"}),
-                   body);
+  return htmlTable(
+      "metrics",
+      headCells({"Method"}, {"Error", "Test alone", "False shadow", "False light", "IoU", "F1",
+                             "BER", "MCC<small>−1 to 1</small>", "Shadow length"}),
+      body);
 }
 
 std::string regionTable(const StudyRecord& record, const Case& which) {

@@ -11,7 +11,7 @@ namespace gnomon {
 namespace {
 
 std::vector<std::string> header() {
-  std::vector<std::string> cells = {"study",   "method", "light", "view", "region",
+  std::vector<std::string> cells = {"study",   "method", "light", "view", "answer", "region",
                                     "samples", "tp",     "fp",    "fn",   "tn"};
   for (const std::string_view name : metricNames()) cells.emplace_back(name);
   return cells;
@@ -23,6 +23,7 @@ std::vector<std::string> row(const std::string& study, const ResultRecord& resul
                                     result.method,
                                     result.light,
                                     result.view,
+                                    std::string(answerName(result.answer)),
                                     result.region,
                                     std::to_string(counts.samples),
                                     exactText(counts.truePositive),

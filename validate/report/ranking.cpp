@@ -51,12 +51,20 @@ std::optional<Interval> meanInterval(const StudyRecord& record, const std::strin
   return Interval{sum.low / views, sum.high / views};
 }
 
-RankedMethod summarise(const StudyRecord& record, const std::string& label,
-                       const std::vector<Case>& cases) {
+Rows rowsOf(const StudyRecord& record, const std::string& label, const std::vector<Case>& cases,
+            Answer answer) {
   Rows rows;
   for (const Case& which : cases) {
-    if (const ResultRecord* row = findResult(record, label, which)) rows.push_back(row);
+    if (const auto* row = findResult(record, label, which, wholeRegion, answer)) {
+      rows.push_back(row);
+    }
   }
+  return rows;
+}
+
+RankedMethod summarise(const StudyRecord& record, const std::string& label,
+                       const std::vector<Case>& cases) {
+  const Rows rows = rowsOf(record, label, cases, Answer::drawn);
   RankedMethod method;
   method.label = label;
   method.cases = rows.size();
@@ -65,6 +73,7 @@ RankedMethod summarise(const StudyRecord& record, const std::string& label,
   method.falseLight = meanOf(rows, "false_light");
   method.iou = meanOf(rows, "iou");
   method.ber = meanOf(rows, "ber");
+  method.testError = meanOf(rowsOf(record, label, cases, Answer::test), "error_rate");
   method.uncertainty = meanUncertainty(record, rows);
   method.interval = meanInterval(record, label, rows);
   return method;

@@ -16,7 +16,7 @@ struct Mean {
   std::size_t cases = 0;        ///< how many those are
 };
 
-/// What one method's results over all lights and views come to, in the region of all samples.
+/// What one method's drawn answers over all lights and views come to, in the region of all samples.
 struct RankedMethod {
   std::string label;
   std::size_t cases = 0;  ///< view × light pairs with results
@@ -26,6 +26,7 @@ struct RankedMethod {
   /// together. Exact for one view; for several as if they erred together, so never too narrow.
   /// None where a view has none.
   std::optional<Interval> interval;
+  Mean testError;                              ///< error rate of the shadow test alone
   std::vector<std::string> indistinguishable;  ///< labels whose mean error is as close as that
 };
 

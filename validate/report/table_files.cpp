@@ -31,8 +31,9 @@ std::string csvRow(const StudyRecord& record, const std::vector<RankedMethod>& r
                   method.interval ? exactText(method.interval->low) : "",
                   method.interval ? exactText(method.interval->high) : "",
                   exactText(method.uncertainty), isSameAsBest(ranked, place) ? "1" : "0",
-                  exactText(method.falseShadow.value), exactText(method.falseLight.value),
-                  exactText(method.iou.value), cost ? std::to_string(bytesOf(*cost)) : "",
+                  exactText(method.testError.value), exactText(method.falseShadow.value),
+                  exactText(method.falseLight.value), exactText(method.iou.value),
+                  cost ? std::to_string(bytesOf(*cost)) : "",
                   cost ? exactText(cost->frameMs) : ""});
 }
 
@@ -52,18 +53,19 @@ std::string latexRow(const StudyRecord& record, const std::vector<RankedMethod>&
   const std::string frame = cost && cost->frameMs
                                 ? fmt::format("{:.2f}", requireFinite(*cost->frameMs, "frame_ms"))
                                 : "--";
-  return fmt::format("    {}{} & {} & {} & {} & {} & {} & {} & {} \\\\\n",
+  return fmt::format("    {}{} & {} & {} & {} & {} & {} & {} & {} & {} \\\\\n",
                      isSameAsBest(ranked, place) ? "$\\approx$ " : "", escapeLatex(method.label),
                      percent(method.errorRate.value), latexInterval(method),
-                     percent(method.falseShadow.value), percent(method.falseLight.value),
-                     percent(method.iou.value), memory, frame);
+                     percent(method.testError.value), percent(method.falseShadow.value),
+                     percent(method.falseLight.value), percent(method.iou.value), memory, frame);
 }
 
 std::string caption(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
   const std::string title = record.title.empty() ? record.name : record.title;
-  std::string text = escapeLatex(title) +
-                     ". Means over all lights and views, in percent of the samples, with 95\\,\\% "
-                     "intervals of the error.";
+  std::string text =
+      escapeLatex(title) +
+      ". Means over all lights and views, in percent of the samples, with 95\\,\\% "
+      "intervals of the error. Test: the error of the shadow test without the shading.";
   if (!ranked.empty() && ranked.front().uncertainty) {
     text += fmt::format(
         " The truth itself is uncertain by {}\\,\\%; $\\approx$ marks methods that differ from the "
@@ -89,7 +91,7 @@ std::string tableCsv(const StudyRecord& record) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   std::string csv =
       csvLine({"rank", "method", "error_rate", "low", "high", "uncertainty", "same_as_best",
-               "false_shadow", "false_light", "iou", "bytes", "frame_ms"});
+               "test_error_rate", "false_shadow", "false_light", "iou", "bytes", "frame_ms"});
   for (std::size_t i = 0; i < ranked.size(); ++i) csv += csvRow(record, ranked, i);
   return csv;
 }
@@ -101,8 +103,9 @@ std::string tableTex(const StudyRecord& record) {
   return fmt::format(
       "% \\usepackage{{booktabs}}\n"
       "\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n"
-      "  \\begin{{tabular}}{{lrrrrrrr}}\n    \\toprule\n"
-      "    Method & Error & 95\\,\\% & False shadow & False light & IoU & Memory, MB & Frame, ms "
+      "  \\begin{{tabular}}{{lrrrrrrrr}}\n    \\toprule\n"
+      "    Method & Error & 95\\,\\% & Test & False shadow & False light & IoU & Memory, MB & "
+      "Frame, ms "
       "\\\\\n    \\midrule\n{}    \\bottomrule\n  \\end{{tabular}}\n\\end{{table}}\n",
       caption(record, ranked), latexKey(record.name), rows);
 }

@@ -30,6 +30,7 @@ std::string anyOr(const std::string& name) {
 std::string placeText(const GateRecord& gate) {
   std::string text = fmt::format("{}, {}", anyOr(gate.view), anyOr(gate.light));
   if (gate.region != wholeRegion) text += ", " + gate.region;
+  if (gate.answer != Answer::drawn) text += fmt::format(", {}", answerName(gate.answer));
   const std::size_t slash = gate.step.find('/');
   return slash == std::string::npos ? text : gate.step.substr(slash + 1) + ", " + text;
 }

@@ -28,14 +28,17 @@ struct MetricColumn {
   std::string_view title;
   std::size_t width;
   std::string (*text)(std::optional<double>) = percentText;
+  Answer answer = Answer::drawn;
 };
 
-constexpr std::array<MetricColumn, 6> columns = {{{"error_rate", "error", 8},
-                                                  {"false_shadow", "false shadow", 14},
-                                                  {"false_light", "false light", 13},
-                                                  {"iou", "IoU", 9},
-                                                  {"ber", "BER", 9},
-                                                  {"shadow_length_ratio", "length", 9, ratioText}}};
+constexpr std::array<MetricColumn, 7> columns = {
+    {{"error_rate", "error", 8},
+     {"error_rate", "test", 8, percentText, Answer::test},
+     {"false_shadow", "false shadow", 14},
+     {"false_light", "false light", 13},
+     {"iou", "IoU", 9},
+     {"ber", "BER", 9},
+     {"shadow_length_ratio", "length", 9, ratioText}}};
 
 constexpr std::size_t labelRoom() {
   std::size_t width = terminalWidth - terminalIndent - markWidth;
@@ -61,11 +64,15 @@ std::string tableHead(const NameWidths& widths) {
   return head;
 }
 
-std::string tableRow(const NameWidths& widths, std::string_view light, const ResultRecord& result,
-                     bool closeToBest) {
+/// @param result  of the drawn answer
+std::string tableRow(const NameWidths& widths, std::string_view light, const StudyRecord& record,
+                     const ResultRecord& result, bool closeToBest) {
   std::string row = nameCells(widths, light, result.method);
   for (const MetricColumn& column : columns) {
-    row += fitRight(column.text(metricOf(result, column.metric).value), column.width);
+    const ResultRecord* of =
+        findResult(record, result.method, {result.view, result.light}, wholeRegion, column.answer);
+    const auto value = of != nullptr ? metricOf(*of, column.metric).value : std::nullopt;
+    row += fitRight(column.text(value), column.width);
   }
   return closeToBest ? row + " ≈" : row;
 }
@@ -123,7 +130,7 @@ void appendCase(TerminalPage& page, const StudyRecord& record,
   for (const ResultRecord* row : found.rows) {
     const bool close =
         row != found.best && notDistinguishable(errorOf(*row), errorOf(*found.best), uncertainty);
-    page.line(tableRow(widths, light, *row, close));
+    page.line(tableRow(widths, light, record, *row, close));
     if (widths.light > 0) light = "";
   }
 }
@@ -166,8 +173,9 @@ void appendResults(TerminalPage& page, const StudyRecord& record) {
   std::vector<Case> left = casesOf(record);
   if (left.empty()) return;
   page.paragraph(
-      "Rates in percent of the samples; length is that of the cast shadows over the truth's, the "
-      "median. ≈ not distinguishable from the best of its light.");
+      "Rates in percent of the samples, of the drawn picture: shadow test and shading. test: the "
+      "error of the shadow test alone. length: of the cast shadows over the truth's, the median. "
+      "≈ not distinguishable from the best of its light.");
   while (!left.empty()) {
     const std::string view = left.front().view;
     const auto rest = std::stable_partition(left.begin(), left.end(),

@@ -23,15 +23,15 @@ constexpr std::array<std::string_view, 5> metrics = {"error_rate", "false_shadow
                                                      "shadow_length_ratio", "prevalence"};
 
 /// What one value is of.
-using Key = std::tuple<std::string, std::string, std::string, std::string, std::string>;
+using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, Answer>;
 
 Key keyOf(const BaselineEntry& entry) {
-  return {entry.step, entry.method, entry.light, entry.view, entry.metric};
+  return {entry.step, entry.method, entry.light, entry.view, entry.metric, entry.answer};
 }
 
 std::string textOf(const BaselineEntry& entry) {
-  return fmt::format("{} of {}, {}, {}, {}", entry.metric, entry.method, entry.light, entry.view,
-                     entry.step);
+  return fmt::format("{} of {}, {}, {}, {}, {}", entry.metric, entry.method,
+                     answerName(entry.answer), entry.light, entry.view, entry.step);
 }
 
 GateRecord gateFor(const BaselineEntry& entry) {
@@ -48,6 +48,7 @@ GateRecord gateFor(const BaselineEntry& entry) {
                   {},
                   {}};
   gate.expected = entry.value;
+  gate.answer = entry.answer;
   if (entry.metric == "prevalence") {
     gate.minimum = entry.value - entry.tolerance;
     gate.maximum = entry.value + entry.tolerance;
@@ -67,7 +68,7 @@ const ResultRecord* rowOf(std::span<const StudyRecord> steps, const BaselineEntr
     if (step.name != entry.step) continue;
     for (const ResultRecord& row : step.results) {
       if (row.method == entry.method && row.light == entry.light && row.view == entry.view &&
-          row.region == allRegion) {
+          row.region == allRegion && row.answer == entry.answer) {
         return &row;
       }
     }
@@ -93,8 +94,10 @@ void requireReferences(const Baseline& baseline, std::span<const StudyRecord> st
 
 }  // namespace
 
-std::span<const std::string_view> baselineMetrics() {
-  return metrics;
+std::span<const std::string_view> baselineMetrics(Answer answer) {
+  constexpr std::size_t errorRates = 3;
+  const std::span<const std::string_view> all = metrics;
+  return answer == Answer::drawn ? all : all.first(errorRates);
 }
 
 bool isLengthMetric(std::string_view metric) {
@@ -124,12 +127,12 @@ std::vector<BaselineEntry> referenceValues(std::span<const StudyRecord> steps) {
   for (const StudyRecord& step : steps) {
     for (const ResultRecord& row : step.results) {
       if (row.region != allRegion) continue;
-      for (const std::string_view metric : metrics) {
+      for (const std::string_view metric : baselineMetrics(row.answer)) {
         const std::optional<double> value = metricOf(row, metric).value;
         const std::optional<double> spread = spreadOf(step, row, metric);
         if (!value || !spread) continue;
         entries.push_back({step.name, row.method, row.light, row.view, std::string(metric), *value,
-                           *spread, toleranceOf(metric, *spread)});
+                           *spread, toleranceOf(metric, *spread), row.answer});
       }
     }
   }
@@ -175,7 +178,7 @@ std::vector<NoticeRecord> betterThan(const Baseline& baseline,
     const double gain = length ? std::abs(*gate.expected - 1) - std::abs(*gate.value - 1)
                                : *gate.expected - *gate.value;
     const double tolerance =
-        tolerances.at({gate.step, gate.method, gate.light, gate.view, gate.metric});
+        tolerances.at({gate.step, gate.method, gate.light, gate.view, gate.metric, gate.answer});
     if (!(gain > tolerance)) continue;
     notices.push_back(
         {fmt::format("the reference of {} for {}, {}, {}, {} could be tightened: {:.5g} "

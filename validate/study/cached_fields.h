@@ -14,6 +14,7 @@
 #include "relief/angle_table.h"
 #include "relief/horizon_bake.h"
 #include "relief/horizon_ellipses.h"
+#include "render/method_pass.h"
 #include "render/view.h"
 #include "study/method_outcome.h"
 #include "study/record.h"
@@ -27,6 +28,11 @@ namespace gnomon {
 template <typename Stream, SameAs<Mask> T>
 void fields(Stream& stream, T& mask) {
   stream(mask.width, mask.height, mask.samples);
+}
+
+template <typename Stream, SameAs<MethodAnswers> T>
+void fields(Stream& stream, T& answers) {
+  stream(answers.drawn, answers.test);
 }
 
 template <typename Stream, SameAs<Truth> T>
@@ -141,11 +147,16 @@ void fields(Stream& stream, T& layers) {
   stream(layers.lit, layers.dark);
 }
 
-template <typename Stream, SameAs<MethodOutcome> T>
+template <typename Stream, SameAs<AnswerOutcome> T>
 void fields(Stream& stream, T& outcome) {
   BoundaryMetrics boundaries{outcome.boundaries};
-  stream(outcome.regions, outcome.lengths, boundaries, outcome.bins, outcome.blocks);
+  stream(outcome.regions, outcome.lengths, boundaries);
   if constexpr (!std::is_const_v<T>) outcome.boundaries = std::move(boundaries.metrics);
+}
+
+template <typename Stream, SameAs<MethodOutcome> T>
+void fields(Stream& stream, T& outcome) {
+  stream(outcome.drawn, outcome.test, outcome.bins, outcome.blocks);
 }
 
 }  // namespace gnomon

@@ -24,7 +24,7 @@ const ResultRecord* findResult(const StudyRecord& study, const std::string& meth
   const auto found =
       std::find_if(study.results.begin(), study.results.end(), [&](const ResultRecord& result) {
         return result.method == method && result.light == like.light && result.view == like.view &&
-               result.region == region;
+               result.region == region && result.answer == like.answer;
       });
   return found == study.results.end() ? nullptr : &*found;
 }
@@ -59,7 +59,10 @@ std::optional<double> valueOf(const StudyRecord& study, const std::string& metho
 std::vector<Pair> pairs(const ClaimSpec& claim, const StudyRecord& study) {
   std::vector<Pair> found;
   for (const ResultRecord& result : study.results) {
-    if (result.method != claim.less || result.region != claim.region) continue;
+    if (result.method != claim.less || result.region != claim.region ||
+        result.answer != claim.answer) {
+      continue;
+    }
     const auto less = metricOf(result, claim.metric).value;
     const auto than = valueOf(study, claim.than, result, claim.metric);
     if (less && than) found.push_back({*less, *than, uncertaintyOf(study, result, claim.metric)});
@@ -157,7 +160,10 @@ ClaimRecord judgeBounds(const ClaimSpec& claim, const StudyRecord& study) {
   std::vector<Bounded> found;
   std::size_t cases = 0;
   for (const ResultRecord& result : study.results) {
-    if (result.method != claim.method || result.region != claim.region) continue;
+    if (result.method != claim.method || result.region != claim.region ||
+        result.answer != claim.answer) {
+      continue;
+    }
     ++cases;
     if (const auto value = metricOf(result, claim.metric).value) {
       found.push_back({*value, uncertaintyOf(study, result, claim.metric)});

@@ -35,6 +35,7 @@ GateRecord gateOf(const ThresholdRecord& threshold, const std::string& step) {
                   {},
                   threshold.reason,
                   threshold.line};
+  gate.answer = threshold.answer;
   gate.verdict = verdictOf(gate);
   // What is not finite is no value.
   if (gate.verdict == GateVerdict::undefined && gate.value) {
@@ -46,19 +47,10 @@ GateRecord gateOf(const ThresholdRecord& threshold, const std::string& step) {
 
 GateRecord gateOf(const LeftOutThreshold& threshold, const std::string& step) {
   const ThresholdSpec& gate = threshold.gate;
-  return {GateKind::threshold,
-          step,
-          gate.method,
-          gate.light,
-          gate.view,
-          gate.region,
-          gate.metric,
-          std::nullopt,
-          gate.minimum,
-          gate.maximum,
-          GateVerdict::skipped,
-          threshold.reason,
-          gate.line};
+  return {GateKind::threshold, step,         gate.method,          gate.light,
+          gate.view,           gate.region,  gate.metric,          std::nullopt,
+          gate.minimum,        gate.maximum, GateVerdict::skipped, threshold.reason,
+          gate.line,           {},           gate.answer};
 }
 
 ExitStatus CheckRecord::status() const {

@@ -31,6 +31,7 @@ struct GateRecord {
   std::string reason;                   ///< why it is undefined or skipped
   int line = 0;                         ///< of a threshold, in the study's file
   std::optional<double> expected = {};  ///< the committed value of a reference
+  Answer answer = Answer::drawn;
 
   /// The value's distance from the nearest limit: below 0 by how much it fails, none without a
   /// value.

@@ -47,15 +47,17 @@ std::size_t LadderStage::stateOf(const MethodSpec& spec) const {
   return static_cast<std::size_t>(found - states_.begin());
 }
 
-void LadderStage::measure(std::size_t light, const std::vector<std::optional<Mask>>& masks) {
+void LadderStage::measure(std::size_t light,
+                          const std::vector<std::optional<MethodAnswers>>& answers) {
   const ViewCase& shown = scene_.standardBase().views[*view_];
   tiling_ = chooseTiling(shown.truths.front().mask, shown.weights);
   for (std::size_t s = 0; s < states_.size(); ++s) {
     const ViewCase& seen = states_[s].base->views[*view_];
-    const Mask mask = scene_.clock.measure(
-        "ladders", [&](const Progress&) { return answerOf(scene_, states_[s], *view_, light); });
+    const Mask mask = scene_.clock.measure("ladders", [&](const Progress&) {
+      return answersOf(scene_, states_[s], *view_, light).drawn;
+    });
     scene_.clock.measure("compare", [&](const Progress&) {
-      requireStarts(s, mask, masks);
+      requireStarts(s, mask, answers);
       errors_[light].push_back(stateErrors(mask, seen.truths[light], seen.weights, tiling_));
     });
     scene_.clock.measure(
@@ -65,17 +67,17 @@ void LadderStage::measure(std::size_t light, const std::vector<std::optional<Mas
 
 /// A ladder must begin at the very method that it speaks of.
 void LadderStage::requireStarts(std::size_t state, const Mask& mask,
-                                const std::vector<std::optional<Mask>>& masks) const {
+                                const std::vector<std::optional<MethodAnswers>>& answers) const {
   const StudySpec& study = scene_.study;
   for (const LadderSpec& ladder : study.ladders) {
     if (stateOf(ladder.forward.front()) != state) continue;
     const auto method = std::find_if(study.methods.begin(), study.methods.end(),
                                      [&](const MethodSpec& m) { return m.label == ladder.method; });
-    const auto& own = masks[static_cast<std::size_t>(method - study.methods.begin())];
-    if (!own || own->samples == mask.samples) continue;
+    const auto& own = answers[static_cast<std::size_t>(method - study.methods.begin())];
+    if (!own || own->drawn.samples == mask.samples) continue;
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
-      differ += own->samples.at(i) != mask.samples[i] ? 1 : 0;
+      differ += own->drawn.samples.at(i) != mask.samples[i] ? 1 : 0;
     }
     throw InputError(fmt::format(
         "ladder \"{}\": its first state and the method differ in {} samples, none expected",

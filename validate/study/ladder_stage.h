@@ -31,9 +31,9 @@ class LadderStage {
   [[nodiscard]] std::optional<std::size_t> view() const { return view_; }
 
   /// Measures all states under one light.
-  /// @param masks  of the study's methods in that view and light
+  /// @param answers  of the study's methods in that view and light
   /// @throws InputError for a ladder whose first state is not its method
-  void measure(std::size_t light, const std::vector<std::optional<Mask>>& masks);
+  void measure(std::size_t light, const std::vector<std::optional<MethodAnswers>>& answers);
 
   /// A budget a ladder: of all lights together if there are several, then of each.
   /// @param truth  its flip rates
@@ -43,7 +43,7 @@ class LadderStage {
   void addState(const MethodSpec& spec, SurfaceOnDemand& surface, const std::string& method);
   [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const;
   void requireStarts(std::size_t state, const Mask& mask,
-                     const std::vector<std::optional<Mask>>& masks) const;
+                     const std::vector<std::optional<MethodAnswers>>& answers) const;
   [[nodiscard]] std::string maskPath(std::size_t state, std::size_t light) const;
   [[nodiscard]] std::vector<StateErrors> errorsAlong(const std::vector<MethodSpec>& way,
                                                      std::span<const std::size_t> lights) const;

@@ -103,20 +103,23 @@ bool answersIn(const MethodCase& method, const ViewSpec& view) {
   return !method.method.passes.shadowVolumes || std::holds_alternative<Camera>(view.kind);
 }
 
-Mask answerOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
+MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
   const ViewCase& seen = method.base->views[view];
   const ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
-  Mask mask = scene.cache.remember(key, [&] {
+  MethodAnswers answers = scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
-    Mask drawn = ready.pass.render(seen.view, scene.drawing(*method.base, light), ready.tables);
+    MethodAnswers rendered =
+        ready.pass.render(seen.view, scene.drawing(*method.base, light), ready.tables);
     method.compiled->hasDrawn = true;
-    return drawn;
+    return rendered;
   });
   const Mask& truth = seen.truths[light].mask;
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (truth.samples[i] == Shade::none) mask.samples[i] = Shade::none;
+  for (Mask* mask : {&answers.drawn, &answers.test}) {
+    for (std::size_t i = 0; i < mask->size(); ++i) {
+      if (truth.samples[i] == Shade::none) mask->samples[i] = Shade::none;
+    }
   }
-  return mask;
+  return answers;
 }
 
 ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,

@@ -53,11 +53,11 @@ void shootTables(RunScene& scene, std::span<MethodCase> methods);
 /// Whether the method can answer in a view: one that counts shadow volumes does in a camera's.
 bool answersIn(const MethodCase& method, const ViewSpec& view);
 
-/// A method's mask in one view under one light, without the samples for which no frame exists: the
-/// truth must have been traced.
-Mask answerOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
+/// A method's answers in one view under one light, without the samples for which no frame exists:
+/// the truth must have been traced.
+MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
 
-/// The key of all that follows from that mask and the truth.
+/// The key of all that follows from those answers and the truth.
 ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
                      std::size_t light);
 

@@ -21,6 +21,24 @@ Counts countRegion(const Mask& mask, const ViewCase& seen, const Truth& truth, R
   return countSamples(mask, truth.mask, seen.weights, selected);
 }
 
+/// Adds what compares one answer with the truth. All references outlive the parts.
+void addParts(std::vector<std::function<void()>>& parts, const Mask& mask, const ViewCase& seen,
+              const Truth& truth, const LightField& field, AnswerOutcome& outcome) {
+  outcome.regions.resize(outcomeRegions().size());
+  parts.emplace_back([&] { outcome.lengths = castLengths(mask, truth, field); });
+  parts.emplace_back(
+      [&] { outcome.boundaries = compareBoundaries(mask, truth.mask, seen.layout); });
+  parts.emplace_back(
+      [&] { outcome.regions.front() = countSamples(mask, truth.mask, seen.weights); });
+  for (std::size_t r = 0; r < reportedRegions.size(); ++r) {
+    parts.emplace_back(
+        [&, r] { outcome.regions[r + 1] = countRegion(mask, seen, truth, reportedRegions[r]); });
+  }
+  parts.emplace_back([&] {
+    outcome.regions.back() = countSamples(mask, truth.mask, seen.weights, truth.crossesSeam);
+  });
+}
+
 }  // namespace
 
 const std::vector<std::string_view>& outcomeRegions() {
@@ -51,48 +69,38 @@ const OutcomeStage::Shared& OutcomeStage::makeShared(const BaseCase& base, Light
 }
 
 MethodOutcome OutcomeStage::compare(const BaseCase& base,
-                                    const std::function<const Mask&()>& maskOf) {
+                                    const std::function<const MethodAnswers&()>& answersOf) {
   const Shared* known = findShared(base);
-  const Mask* drawn = nullptr;
+  const MethodAnswers* answers = nullptr;
   LightField field;
   // Where OpenGL draws in software it compiles on one thread.
-  alongside([&] { drawn = &maskOf(); },
+  alongside([&] { answers = &answersOf(); },
             [&] {
               if (known == nullptr) field = scene_.lightField(base, view_, light_);
             });
   const Shared& shared = known != nullptr ? *known : makeShared(base, std::move(field));
-  const Mask& mask = *drawn;
   const ViewCase& seen = base.views[view_];
   const Truth& truth = seen.truths[light_];
   const std::vector<SampleAxis>& axes = sampleAxes();
+  const bool isSame = answers->drawn.samples == answers->test.samples;
   MethodOutcome outcome;
-  outcome.regions.resize(outcomeRegions().size());
   outcome.bins.resize(axes.size());
   // The longest first.
   std::vector<std::function<void()>> parts;
-  parts.emplace_back([&] { outcome.lengths = castLengths(mask, truth, shared.field); });
-  parts.emplace_back(
-      [&] { outcome.boundaries = compareBoundaries(mask, truth.mask, seen.layout); });
-  parts.emplace_back(
-      [&] { outcome.regions.front() = countSamples(mask, truth.mask, seen.weights); });
-  for (std::size_t r = 0; r < reportedRegions.size(); ++r) {
-    parts.emplace_back(
-        [&, r] { outcome.regions[r + 1] = countRegion(mask, seen, truth, reportedRegions[r]); });
-  }
-  parts.emplace_back([&] {
-    outcome.regions.back() = countSamples(mask, truth.mask, seen.weights, truth.crossesSeam);
-  });
+  addParts(parts, answers->drawn, seen, truth, shared.field, outcome.drawn);
+  if (!isSame) addParts(parts, answers->test, seen, truth, shared.field, outcome.test);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     parts.emplace_back([&, a] {
-      outcome.bins[a] =
-          countBins(mask, truth.mask, shared.bins[a], axes[a].edges.size() + 1, seen.weights);
+      outcome.bins[a] = countBins(answers->drawn, truth.mask, shared.bins[a],
+                                  axes[a].edges.size() + 1, seen.weights);
     });
   }
   parts.emplace_back(
-      [&] { outcome.blocks = blockErrors(mask, truth.mask, cellSide_, seen.weights); });
+      [&] { outcome.blocks = blockErrors(answers->drawn, truth.mask, cellSide_, seen.weights); });
   scene_.clock.measure("compare", [&](const Progress&) {
     parallelFor(0, parts.size(), [&](std::size_t i) { parts[i](); });
   });
+  if (isSame) outcome.test = outcome.drawn;
   return outcome;
 }
 

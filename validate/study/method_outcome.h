@@ -11,6 +11,7 @@
 #include "compare/counts.h"
 #include "compare/rates.h"
 #include "compare/shadow_length.h"
+#include "render/method_pass.h"
 #include "study/base_case.h"
 #include "study/run_scene.h"
 #include "study/sample_axes.h"
@@ -20,13 +21,19 @@ namespace gnomon {
 /// The regions that results are reported for, in order: "all", those of `reportedRegions`, "seam".
 const std::vector<std::string_view>& outcomeRegions();
 
-/// All that a comparison of one method with the truth gives, in one view under one light.
-struct MethodOutcome {
+/// What a comparison of one answer with the truth gives.
+struct AnswerOutcome {
   std::vector<Counts> regions;  ///< in the order of outcomeRegions
   ShadowLengths lengths;
   std::vector<Metric> boundaries;
-  std::vector<std::vector<Counts>> bins;  ///< [axis][bin], in the order of sampleAxes
-  BlockErrors blocks;                     ///< in the cells of the view's tiling
+};
+
+/// All that a comparison of one method with the truth gives, in one view under one light.
+struct MethodOutcome {
+  AnswerOutcome drawn;
+  AnswerOutcome test;
+  std::vector<std::vector<Counts>> bins;  ///< of the drawn answer: [axis][bin], as sampleAxes
+  BlockErrors blocks;                     ///< likewise, in the cells of the view's tiling
 };
 
 /// Compares masks with the truth of one view under one light. What all methods on one mesh share is
@@ -37,9 +44,10 @@ class OutcomeStage {
   OutcomeStage(RunScene& scene, std::size_t view, std::size_t light, int cellSide)
       : scene_(scene), view_(view), light_(light), cellSide_(cellSide) {}
 
-  /// @param base    the mesh that the method draws
-  /// @param maskOf  gives the method's answer; called once, on this thread
-  MethodOutcome compare(const BaseCase& base, const std::function<const Mask&()>& maskOf);
+  /// @param base       the mesh that the method draws
+  /// @param answersOf  gives the method's answers; called once, on this thread
+  MethodOutcome compare(const BaseCase& base,
+                        const std::function<const MethodAnswers&()>& answersOf);
 
  private:
   struct Shared {

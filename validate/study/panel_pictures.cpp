@@ -41,6 +41,8 @@ struct PanelPictures::Answer {
   const Mesh& mesh;
   const Mask* truth;  ///< what the mask is held against; null for the truth itself
   std::function<const Mask&()> mask;
+  std::function<const Mask&()> test =
+      {};  ///< the mask of the shadow test alone; none for the truth
 };
 
 /// A mesh in a panel. It is drawn only where a picture of it has to be made.
@@ -122,12 +124,15 @@ void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
 std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t light,
                                                const BaseCase& base, Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
-    if (!shade_) shade_.emplace(scene_.shaders, scene_.study.relief.field.wrap());
+    const DrawnMesh kind = base.choice.kind;
+    const ShadePass& pass =
+        shades_.try_emplace(kind, scene_.shaders, scene_.study.relief.field.wrap(), kind)
+            .first->second;
     const RenderView& seen = base.views[view].view;
     const auto pixels =
         static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
-    return shade_->render(seen, scene_.drawing(base, light),
-                          {seen.width, seen.height, std::vector<Shade>(pixels, everywhere)});
+    return pass.render(seen, scene_.drawing(base, light),
+                       {seen.width, seen.height, std::vector<Shade>(pixels, everywhere)});
   });
 }
 
@@ -180,6 +185,8 @@ std::string PanelPictures::writeAnswer(std::size_t view, std::size_t light, cons
   if (answer.truth != nullptr) {
     pictures.push_back({"difference", path("images", view, light, name + "_difference"),
                         [&] { return writer_.difference(*mask, *answer.truth); }});
+    pictures.push_back({"test mask", path("masks/test", view, light, name),
+                        [&] { return writer_.mask(answer.test()); }});
   }
   std::vector<Picture*> missing;
   for (Picture& picture : pictures) {
@@ -224,9 +231,11 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
     const std::string& name = methodFiles_[answer.place];
     const BaseCase& base = *answer.method->base;
     const Mesh& mesh = meshFor(base);
-    std::string embedded = writeAnswer(view, light, name,
-                                       {answerKey(scene_, *answer.method, view, light), mesh,
-                                        &base.views[view].truths[light].mask, answer.mask});
+    std::string embedded = writeAnswer(
+        view, light, name,
+        {answerKey(scene_, *answer.method, view, light), mesh, &base.views[view].truths[light].mask,
+         [&]() -> const Mask& { return answer.answers().drawn; },
+         [&]() -> const Mask& { return answer.answers().test; }});
     panel.pictures.push_back({Kind::shaded, label, label, path("images", view, light, name),
                               path("masks", view, light, name), std::move(embedded), mesh.layers});
   }

@@ -18,18 +18,19 @@
 
 namespace gnomon {
 
-/// One method's answer, to be shown in a panel.
+/// One method's answers, to be shown in a panel.
 struct PanelAnswer {
   std::size_t place;  ///< of the method in the study
   MethodCase* method;
-  /// Its mask, drawn when it is first asked for.
-  std::function<const Mask&()> mask;
+  /// Both, drawn when they are first asked for.
+  std::function<const MethodAnswers&()> answers;
 };
 
 /// Makes the pictures of a study's panels, or takes them from the cache, and hands them to the
 /// writer. A mesh is drawn twice for each view and light, with all its samples lit and with all of
 /// them shadowed: its shadings are composed of the two. Files are named
-/// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those.
+/// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
+/// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);
@@ -60,7 +61,7 @@ class PanelPictures {
 
   RunScene& scene_;
   RunWriter& writer_;
-  std::optional<ShadePass> shade_;
+  std::map<DrawnMesh, ShadePass> shades_;
   std::vector<std::string> viewFiles_;
   std::vector<std::string> lightFiles_;
   std::vector<std::string> methodFiles_;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cache/cache_counts.h"
@@ -72,7 +74,19 @@ struct MethodRecord {
   std::string citation;
 };
 
-/// One method against the truth, for one light, view and region ("all" or a region's name).
+/// Which of a method's two answers a figure is of (`MethodAnswers`): `drawn` is the score.
+enum class Answer { drawn, test };
+
+/// Both, the score first.
+constexpr std::array<Answer, 2> allAnswers = {Answer::drawn, Answer::test};
+
+/// "drawn", "test".
+std::string_view answerName(Answer answer);
+/// The answer of a name; none for another text.
+std::optional<Answer> answerOfName(std::string_view name);
+
+/// One answer of a method against the truth, for one light, view and region ("all" or a region's
+/// name).
 struct ResultRecord {
   std::string method;  ///< a MethodRecord's label
   std::string light;
@@ -81,6 +95,7 @@ struct ResultRecord {
   Counts counts;
   std::optional<ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
   std::vector<Metric> boundaries = {};                  ///< likewise; empty for other regions
+  Answer answer = Answer::drawn;
 };
 
 struct CostRecord {
@@ -108,6 +123,7 @@ struct ThresholdRecord {
   bool passed = false;
   std::string reason = {};  ///< why there is no value
   int line = 0;             ///< of the gate in the study's file
+  Answer answer = Answer::drawn;
 };
 
 enum class Verdict { held, failed, notDistinguishable, notEvaluated };

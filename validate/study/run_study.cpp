@@ -78,12 +78,12 @@ class StudyRun {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
       SpreadStage spread(scene_, methods_, v);
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
-        std::vector<std::optional<Mask>> masks(methods_.size());
-        const std::vector<PanelAnswer> answers = answersIn(v, l, masks);
+        std::vector<std::optional<MethodAnswers>> found(methods_.size());
+        const std::vector<PanelAnswer> answers = answersIn(v, l, found);
         compareMethods(answers, v, l, spread);
         if (v == ladders.view()) {
-          for (const PanelAnswer& answer : answers) (void)answer.mask();
-          ladders.measure(l, masks);
+          for (const PanelAnswer& answer : answers) (void)answer.answers();
+          ladders.measure(l, found);
         }
         record_.panels.push_back(pictures_.draw(v, l, answers));
       }
@@ -91,16 +91,16 @@ class StudyRun {
     }
   }
 
-  /// @param masks  one a method: where answers put them
+  /// @param found  one a method: where they are kept once they are drawn
   std::vector<PanelAnswer> answersIn(std::size_t view, std::size_t light,
-                                     std::vector<std::optional<Mask>>& masks) {
+                                     std::vector<std::optional<MethodAnswers>>& found) {
     std::vector<PanelAnswer> answers;
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       MethodCase& method = methods_[m];
       if (!gnomon::answersIn(method, study_.views[view])) continue;
-      answers.push_back({m, &method, [&, view, light, mask = &masks[m]]() -> const Mask& {
-                           if (!*mask) *mask = maskOf(method, view, light);
-                           return **mask;
+      answers.push_back({m, &method, [&, view, light, both = &found[m]]() -> const MethodAnswers& {
+                           if (!*both) *both = draw(method, view, light);
+                           return **both;
                          }});
     }
     return answers;
@@ -113,28 +113,36 @@ class StudyRun {
       KeyBuilder key("outcome");
       key.add("answer", answerKey(scene_, *answer.method, view, light));
       key.add("cells", spread.cellSide());
-      MethodOutcome outcome = scene_.cache.remember(
-          key.key(), [&] { return outcomes.compare(*answer.method->base, answer.mask); });
+      const MethodOutcome outcome = scene_.cache.remember(
+          key.key(), [&] { return outcomes.compare(*answer.method->base, answer.answers); });
       spread.add(answer.place, outcome);
-      addResults(*answer.method, view, light, std::move(outcome));
+      addResults(*answer.method, view, light, outcome);
     }
   }
 
-  Mask maskOf(MethodCase& method, std::size_t view, std::size_t light) {
+  MethodAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {
     return clock_.measure("methods",
-                          [&](const Progress&) { return answerOf(scene_, method, view, light); });
+                          [&](const Progress&) { return answersOf(scene_, method, view, light); });
   }
 
   void addResults(const MethodCase& method, std::size_t view, std::size_t light,
-                  MethodOutcome outcome) {
-    const std::size_t all = record_.results.size();
-    for (std::size_t r = 0; r < outcome.regions.size(); ++r) {
-      record_.results.push_back({method.spec->label, study_.lights[light].name,
-                                 study_.views[view].name, std::string(outcomeRegions()[r]),
-                                 outcome.regions[r]});
+                  const MethodOutcome& outcome) {
+    for (const Answer answer : allAnswers) {
+      const AnswerOutcome& found = answer == Answer::drawn ? outcome.drawn : outcome.test;
+      const std::size_t all = record_.results.size();
+      for (std::size_t r = 0; r < found.regions.size(); ++r) {
+        ResultRecord result;
+        result.method = method.spec->label;
+        result.light = study_.lights[light].name;
+        result.view = study_.views[view].name;
+        result.region = outcomeRegions()[r];
+        result.answer = answer;
+        result.counts = found.regions[r];
+        record_.results.push_back(std::move(result));
+      }
+      record_.results[all].lengths = found.lengths;
+      record_.results[all].boundaries = found.boundaries;
     }
-    record_.results[all].lengths = outcome.lengths;
-    record_.results[all].boundaries = std::move(outcome.boundaries);
   }
 
   const StudySpec& study_;

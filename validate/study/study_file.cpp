@@ -123,6 +123,14 @@ std::vector<std::string> regionNames() {
   return names;
 }
 
+Answer readAnswer(const TomlReader& section) {
+  const auto itself = [](const std::string& text) { return text; };
+  std::vector<std::string> names;
+  for (const Answer answer : allAnswers) names.emplace_back(answerName(answer));
+  return *answerOfName(
+      readFilter(section, "answer", names, itself, std::string(answerName(Answer::drawn))));
+}
+
 ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   const auto label = [](const MethodSpec& method) { return method.label; };
   const auto name = [](const auto& entry) { return entry.name; };
@@ -136,6 +144,7 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   threshold.minimum = section.optionalNumber("min", anyNumber);
   threshold.maximum = section.optionalNumber("max", anyNumber);
   if (!threshold.minimum && !threshold.maximum) section.fail("max", "`max` or `min` expected");
+  threshold.answer = readAnswer(section);
   threshold.quick = section.flag("quick", true);
   threshold.line = section.line();
   section.finish();
@@ -169,6 +178,7 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
   }
   claim.metric = readMetric(section);
   claim.region = readFilter(section, "region", regionNames(), itself, "all");
+  claim.answer = readAnswer(section);
   section.finish();
   return claim;
 }

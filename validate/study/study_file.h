@@ -63,6 +63,7 @@ struct ThresholdSpec {
   std::optional<double> minimum, maximum;
   int line = 0;       ///< of its table in the study's file; 0 for one that an override made
   bool quick = true;  ///< holds for the quick form too; otherwise for the full one only
+  Answer answer = Answer::drawn;
 };
 
 /// A gate that the command line takes no part of: a check reports it as skipped, never as passed.
@@ -85,6 +86,7 @@ struct ClaimSpec {
   std::string method = {};  ///< label; empty in the first form
   std::optional<double> above = std::nullopt, below = std::nullopt;
   bool gainGrows = false;
+  Answer answer = Answer::drawn;
 };
 
 /// What one cause of a ladder is, and what undoes it.

@@ -19,6 +19,7 @@ ThresholdRecord judge(const ThresholdSpec& gate, const ResultRecord& result) {
   record.value = metric.value;
   record.reason = metric.reason;
   record.line = gate.line;
+  record.answer = gate.answer;
   record.passed = record.value && (!gate.maximum || *record.value <= *gate.maximum) &&
                   (!gate.minimum || *record.value >= *gate.minimum);
   return record;
@@ -33,7 +34,8 @@ std::vector<ThresholdRecord> judgeThresholds(const std::vector<ThresholdSpec>& t
     const std::size_t before = records.size();
     for (const ResultRecord& result : results) {
       if (matches(gate.method, result.method) && matches(gate.light, result.light) &&
-          matches(gate.view, result.view) && matches(gate.region, result.region)) {
+          matches(gate.view, result.view) && matches(gate.region, result.region) &&
+          gate.answer == result.answer) {
         records.push_back(judge(gate, result));
       }
     }

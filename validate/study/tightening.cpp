@@ -24,7 +24,8 @@ struct Room {
 };
 
 double toleranceIn(const StudyRecord& step, const ThresholdRecord& row) {
-  const ResultRecord result{row.method, row.light, row.view, row.region, {}};
+  ResultRecord result{row.method, row.light, row.view, row.region, {}};
+  result.answer = row.answer;
   return toleranceOf(row.metric, spreadOf(step, result, row.metric).value_or(0));
 }
 

@@ -1,0 +1,12 @@
+// Where a map continues beyond its sides.
+
+ivec2 wrapTexel(ivec2 at, ivec2 size) {
+#ifdef WRAP_REPEAT
+  // GLSL leaves the remainder of a negative number open.
+  ivec2 beyond = max(at, ivec2(0)) % size;
+  ivec2 before = size - 1 - max(-1 - at, ivec2(0)) % size;
+  return mix(beyond, before, lessThan(at, ivec2(0)));
+#else
+  return clamp(at, ivec2(0), size - 1);
+#endif
+}
