@@ -122,7 +122,7 @@ TEST_F(BaselineCheck, ReferencesOfAnotherStudyAreRefused) {
   const Outcome otherLight = check({"--set", "light.0.name=noon"});
   EXPECT_EQ(otherLight.status, 3);
   EXPECT_THAT(otherLight.err,
-              HasSubstr("the run has no row for error_rate of unshadowed, evening"));
+              HasSubstr("the run has no row for error_rate of unshadowed, drawn, evening"));
   const Outcome otherForm = check({"--quick", "--set", "truth.step=0.125"});
   EXPECT_EQ(otherForm.status, 3);
   EXPECT_THAT(otherForm.err, HasSubstr("form: references of the full form found"));

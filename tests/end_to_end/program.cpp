@@ -163,10 +163,10 @@ std::vector<std::string> EndToEnd::filesBelow(const std::string& name) const {
 
 nlohmann::json resultOf(const nlohmann::json& summary, const std::string& method,
                         const std::string& light, const std::string& view,
-                        const std::string& region) {
+                        const std::string& region, const std::string& answer) {
   for (const nlohmann::json& result : summary.at("results")) {
     if (result.at("method") == method && result.at("light") == light && result.at("view") == view &&
-        result.at("region") == region) {
+        result.at("region") == region && result.at("answer") == answer) {
       return result;
     }
   }

@@ -66,7 +66,7 @@ class EndToEnd : public TemporaryFolder {
 /// The entry of `results` for a method, light, view and region.
 nlohmann::json resultOf(const nlohmann::json& summary, const std::string& method,
                         const std::string& light, const std::string& view,
-                        const std::string& region = "all");
+                        const std::string& region = "all", const std::string& answer = "drawn");
 
 /// A study of a second's quarter: columns on a plane, one light, one camera.
 std::string smallStudy();

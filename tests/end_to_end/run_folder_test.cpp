@@ -29,12 +29,13 @@ TEST_F(RunFolder, SummaryHasTheKeysThatOthersReadItBy) {
   EXPECT_GT(uncertainty, 0) << "no mesh is exact, so a half as fine one must differ somewhere";
   EXPECT_LT(uncertainty, 0.02);
 
-  // Two methods; all samples and six regions each.
-  ASSERT_EQ(json.at("results").size(), 2U * 7U);
+  // Two methods with two answers each; all samples and six regions.
+  ASSERT_EQ(json.at("results").size(), 2U * 2U * 7U);
   for (const nlohmann::json& result : json.at("results")) {
     for (const char* key :
-         {"method", "light", "view", "region", "samples", "tp", "fp", "fn", "tn", "error_rate",
-          "false_shadow", "false_light", "fpr", "fnr", "ber", "iou", "f1", "mcc", "prevalence"}) {
+         {"method", "light", "view", "answer",     "region",       "samples",     "tp",
+          "fp",     "fn",    "tn",   "error_rate", "false_shadow", "false_light", "fpr",
+          "fnr",    "ber",   "iou",  "f1",         "mcc",          "prevalence"}) {
       EXPECT_TRUE(result.contains(key)) << key;
       EXPECT_TRUE(!result.at(key).is_null() || result.at("undefined").at(key).is_string()) << key;
     }
@@ -84,6 +85,7 @@ TEST_F(RunFolder, ConfidenceAndBinsAgreeWithTheResults) {
     double all = 0;
     for (const nlohmann::json& result : json.at("results")) {
       if (result.at("method") != method || result.at("region") != "all") continue;
+      if (result.at("answer") != "drawn") continue;
       errors += result.at("error_rate").get<double>() / 2;
       wrong += result.at("fp").get<double>() + result.at("fn").get<double>();
       all += result.at("samples").get<double>();

@@ -62,7 +62,7 @@ TEST_F(SavedRun, HasTheFiguresAndMasksOfTheStateItHolds) {
   EXPECT_GT(results.size(), 2U);
   EXPECT_EQ(results, summary("small").at("results"));
   const std::vector<std::string> masks = filesBelow("out/state/masks");
-  EXPECT_EQ(masks.size(), 3U);  // the truth and two methods
+  EXPECT_EQ(masks.size(), 5U);  // the truth, and two answers of two methods
   for (const std::string& mask : masks) {
     EXPECT_EQ(read("out/state/masks/" + mask), read("out/small/masks/" + mask));
   }

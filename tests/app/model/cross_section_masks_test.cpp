@@ -30,7 +30,7 @@ double differingShare(const RenderScene& scene, const RenderView& view, const st
       {scene.tables.width, scene.tables.height, scene.tables.azimuths, scene.tables.wrap}};
   const Vec3 light = lightToward(50, 30);
   const SampleGrid samples = scene.samples(view);
-  const Mask mask = scene.answer(method, view, light);
+  const Mask mask = scene.test(method, view, light);
   EXPECT_GT(shareShadowed(mask), 0.1);
   EXPECT_LT(shareShadowed(mask), 0.9);
   std::size_t differ = 0;
