@@ -1,6 +1,6 @@
 /* gnomon-method
-title = "Interactive horizon mapping of the real geometry"
-citation = "Sloan & Cohen 2000, §3"
+title = "Interactive horizon mapping, tables of the real geometry"
+citation = "Sloan & Cohen 2000, §2 on curved surfaces and §3"
 tables = ["surface-angles"]
 passes = ["texture"]
 azimuths = 8

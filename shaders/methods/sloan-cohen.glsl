@@ -1,6 +1,6 @@
 /* gnomon-method
-title = "Interactive horizon mapping"
-citation = "Sloan & Cohen 2000"
+title = "Interactive horizon mapping with tables of the flat relief"
+citation = "Sloan & Cohen 2000, on planes"
 tables = ["angles"]
 passes = ["texture"]
 azimuths = 8
@@ -15,9 +15,11 @@ azimuths = 8
 // The paper marks lit pixels in the stencil by an alpha test, and draws the surface again where the
 // mark is. Here the test itself is the answer: what a stencil would keep, the mask keeps.
 //
-// The tables are the flat relief's and are laid over the surface again and again, as bump maps are;
-// angles are taken in one frame for all of it, of square texels over which a height unit is as many of
-// them high as on the surface on average. The light is brought into it at the vertices.
+// The tables are the flat relief's and are laid over the surface again and again, as bump maps are. So
+// they are Max's (1988) with the arithmetic of this paper: on curved surfaces the paper itself (§2)
+// bakes the local geometry, which sloan-cohen-surface does. Angles are taken in one frame for all of
+// the surface, of square texels over which a height unit is as many of them high as on the surface on
+// average. The light is brought into it at the vertices.
 
 float resolveTexel(Pixel pixel) { return horizonAngleOfPixel(pixel); }
 
