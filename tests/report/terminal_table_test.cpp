@@ -45,9 +45,9 @@ TEST(TerminalTable, ShowsWhatTheRecordHolds) {
   EXPECT_NE(text.find("camera · elevation 15° (truth ± 0.20)"), std::string::npos) << text;
   EXPECT_NE(text.find("camera · elevation 30° (truth ± 0.40)"), std::string::npos);
   EXPECT_EQ(lineWith(text, "rough"),
-            "  rough, \"old\"   10.00   12.00          8.00         2.00    69.70     9.33     1.80");
+            "  rough, \"old\"  10.00  12.00          8.00         2.00  69.70   9.33    1.80");
   EXPECT_EQ(lineWith(text, "  best"),
-            "  best            1.00    3.00          0.50         0.50    96.08     1.33     1.05");
+            "  best           1.00   3.00          0.50         0.50  96.08   1.33    1.05");
 }
 
 TEST(TerminalTable, TellsWhereTheTimeWent) {
@@ -71,9 +71,9 @@ TEST(TerminalTable, UndefinedIsADash) {
                     {"n", "noon", "camera", "all", Counts{}}};
   const std::string text = resultTable(record, false);
   EXPECT_EQ(lineWith(text, "  m  "),
-            "  m         0.00       –          0.00         0.00        –        –        –");
+            "  m        0.00      –          0.00         0.00      –      –       –");
   EXPECT_EQ(lineWith(text, "  n  "),
-            "  n            –       –             –            –        –        –        –");
+            "  n           –      –             –            –      –      –       –");
 }
 
 TEST(TerminalTable, ManyLightsMakeOneBlockAView) {

@@ -32,13 +32,13 @@ struct MetricColumn {
 };
 
 constexpr std::array<MetricColumn, 7> columns = {
-    {{"error_rate", "error", 8},
-     {"error_rate", "test", 8, percentText, Answer::test},
+    {{"error_rate", "error", 7},
+     {"error_rate", "test", 7, percentText, Answer::test},
      {"false_shadow", "false shadow", 14},
      {"false_light", "false light", 13},
-     {"iou", "IoU", 9},
-     {"ber", "BER", 9},
-     {"shadow_length_ratio", "length", 9, ratioText}}};
+     {"iou", "IoU", 7},
+     {"ber", "BER", 7},
+     {"shadow_length_ratio", "length", 8, ratioText}}};
 
 constexpr std::size_t labelRoom() {
   std::size_t width = terminalWidth - terminalIndent - markWidth;
