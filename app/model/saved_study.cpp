@@ -98,6 +98,14 @@ void keepMethods(toml::table& study, const StudyState& state) {
   }
 }
 
+/// The radius that the opened study has by its own lights, which the state may leave out.
+void stateRadius(toml::table& study, const StudyState& state) {
+  if (!state.light || study.at_path("bake.radius")) return;
+  const double radius = readStudy(state.file, state.options).bake.settings.radiusTexels;
+  if (!study["bake"].is_table()) study.insert_or_assign("bake", toml::table{});
+  study["bake"].as_table()->insert_or_assign("radius", radius);
+}
+
 toml::array listOf(const Vec3& v) {
   return toml::array{v.x, v.y, v.z};
 }
@@ -144,6 +152,7 @@ std::string savedStudy(const StudyState& state, const fs::path& target) {
     header->insert_or_assign("ranked", false);
   }
   if (state.camera) study.insert_or_assign("view", toml::array{viewOf(*state.camera)});
+  stateRadius(study, state);
   if (state.light) {
     const toml::table light{{"azimuth", state.light->azimuth},
                             {"elevation", state.light->elevation}};

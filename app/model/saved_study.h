@@ -60,6 +60,8 @@ struct StudyState {
 ///   digits,
 ///                        - and _ becoming -: a run of it does not overwrite the study's own;
 ///   `study.ranked`       false: a state is no study of its own in a ranking;
+///   `bake.radius`        stated, where the state has a light of its own: the rule looks at the
+///                        lights, and the tables shown are those of the file's;
 ///   `[sweep]`            gone: a state is one case, and the value shown is fixed in its key;
 ///   `[[threshold]]`, `[[claim]]`, `[[ladder]]`
 ///                        gone: they were chosen for the study's settings, and may name lights,

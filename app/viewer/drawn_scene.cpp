@@ -11,7 +11,7 @@ namespace gnomon {
 namespace {
 
 GpuTable gpuTable(const TableImage& image) {
-  return GpuTable(image.values, image.width, image.height, image.layers, image.wrap);
+  return GpuTable(image.values, image.width, image.height, image.layers, image.wrap, image.border);
 }
 
 std::optional<GpuVolumes> volumesOf(const MeshData& data) {
@@ -153,6 +153,7 @@ std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) co
   if (found == data_->methods.end() || pass == passes_.end()) return std::nullopt;
   const MethodData& method = *found->second;
   GpuTables tables;
+  tables.searchRadius = method.spec.bake.settings.radiusTexels;
   if (method.tables) {
     tables.horizon = &pairs_.at(method.tables).horizon;
     tables.distance = &pairs_.at(method.tables).distance;

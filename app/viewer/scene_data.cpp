@@ -33,7 +33,8 @@ SceneKeys keysOf(const fs::path& file, const StudyOptions& options) {
 }
 
 TableImage imageOf(std::span<const float> values, const HorizonTables& baked, TableBits bits) {
-  return {storeTable(values, bits), baked.width, baked.height, baked.azimuths, baked.wrap};
+  return {storeTable(values, bits), baked.width, baked.height,
+          baked.azimuths,           baked.wrap,  baked.border};
 }
 
 /// The entry of a cache, made by `make` where it is not there yet.
@@ -74,9 +75,9 @@ std::shared_ptr<const TableImage> SceneMaker::ellipses(const SceneData& scene, c
     const auto baked = bake(*scene.heights, spec.settings, progress);
     progress("Fitting ellipses")(0);
     const EllipseTable fitted = fitEllipses(*baked, scene.texelsPerHeight);
-    return std::make_shared<const TableImage>(TableImage{storeTable(fitted.values, spec.bits),
-                                                         fitted.width, fitted.height,
-                                                         EllipseTable::layers, fitted.wrap});
+    return std::make_shared<const TableImage>(
+        TableImage{storeTable(fitted.values, spec.bits), fitted.width, fitted.height,
+                   EllipseTable::layers, fitted.wrap, fitted.border});
   });
 }
 
@@ -143,6 +144,9 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
   progress("Reading the study")(0);
   scene->study = std::make_shared<const StudySpec>(readStudy(file_, request.options));
 
+  // Whether the map ends with the surface hangs on both.
+  const Border border = scene->study->relief.field.border();
+  scene->keys.relief += fmt::format("\n{} {}", border.x, border.y);
   const bool sameSurface = last_ && last_->keys.surface == scene->keys.surface;
   const bool sameRelief = last_ && last_->keys.relief == scene->keys.relief;
   progress("Finding the limit surface")(0);

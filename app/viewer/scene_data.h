@@ -39,6 +39,7 @@ struct TableImage {
   int height = 0;
   int layers = 0;
   Wrap wrap = Wrap::repeat;
+  Border border = {};
 };
 
 struct TableImagePair {

@@ -44,12 +44,6 @@ default = 255
 minimum = 0
 maximum = 65535
 about = "codes less one of an entry of the tables that `ruling` makes; 0 for floats"
-
-[parameters.range]
-default = 128
-minimum = 1
-maximum = 16384
-about = "farthest sample, texels"
 */
 
 // One method, every approximation of which can be undone by itself: what an error budget needs.
@@ -123,7 +117,7 @@ float highestFrom(Path path, float low, float t) {
 Horizon rulingOf(Path path) {
   Horizon best = startOf(path);
   float highest = seenSlope(path, best);
-  float end = pathEnd(path, range);
+  float end = pathEnd(path);
   float low = min(path.curvature, path.curvature + end * path.turn);
   Crossings at = firstCrossings(path);
   for (float t = nextCrossing(at); t <= end; t = nextCrossing(at)) {
@@ -190,7 +184,7 @@ float resampledSlope(Path path, LocalLight light) {
     float step = 1.0;
     for (int probe = 0; probe < 7; ++probe) {
       float t = centre + (probe == 0 ? 0.0 : (probe & 1) == 0 ? -step : step);
-      float seen = t > 1e-3 && t <= range ? seenSlope(path, horizonOf(path, t)) : -1e30;
+      float seen = t > 1e-3 && t <= min(searchRadius, knownDistance(path.start, path.direction)) ? seenSlope(path, horizonOf(path, t)) : -1e30;
       if (probe > 0 && (probe & 1) == 0) step *= 0.5;
       if (seen > best) {
         best = seen;
@@ -224,14 +218,14 @@ float ladderSlope(Path path, LocalLight light) {
 }
 
 bool isShadowed(Pixel pixel, LocalLight light) {
-  Path path = makePath(pixel, light, range);
+  Path path = makePath(pixel, light);
   if (!isOn(along)) {
     path.bend = vec2(0.0);
     path.growth = 0.0;
   }
   if (!isOn(curved)) path.curvature = 0.0;
   if (!isOn(curved) || !isOn(along)) path.turn = 0.0;
-  path.limit = pathLimit(path, pathEnd(path, range));
+  path.limit = pathLimit(path, pathEnd(path));
   if (isOn(resampled) && isOn(ruling) && isOn(angles) && isOn(denominator)) {
     return shadowedByBareSurface(path) || shadowedAtCrossings(path, path.limit);
   }

@@ -71,26 +71,19 @@ float pathLimit(Path path, float farthest) {
   return leaves ? min(farthest, 2.0 * free / (root * path.worldPerTexel)) : farthest;
 }
 
-// Where the path itself is no longer known: past `range`; past the border of a map that does not
-// repeat, where nothing says that there is a surface; past a quarter turn; and where the path has
-// turned by half a radian, since its next term is not known.
-float pathEnd(Path path, float range) {
+// Where the path itself is no longer known: past the radius that is searched; past a border; past a
+// quarter turn; and where the path has turned by half a radian, since its next term is not known.
+float pathEnd(Path path) {
   float quarter = 0.5 * pi / path.worldPerTexel;
   float curvature = abs(path.curvature);
   float root = sqrt(curvature * curvature + 4.0 * quarter * abs(path.turn));
-  float end = min(range, 2.0 * quarter / max(curvature + root, 1e-20));
+  float end = min(searchRadius, 2.0 * quarter / max(curvature + root, 1e-20));
   end = min(end, 0.25 / max(length(path.bend), 1e-20));
-#ifndef WRAP_REPEAT
-  vec2 size = vec2(textureSize(heightMap, 0));
-  vec2 ahead = mix(path.start, size - path.start, greaterThan(path.direction, vec2(0.0)));
-  vec2 border = ahead / max(abs(path.direction), 1e-6);
-  end = min(end, max(min(border.x, border.y), 0.0));
-#endif
-  return end;
+  return min(end, knownDistance(path.start, path.direction));
 }
 
-// Calls derivatives: before any branch. `range` in texels.
-Path makePath(Pixel pixel, LocalLight light, float range) {
+// Calls derivatives: before any branch.
+Path makePath(Pixel pixel, LocalLight light) {
   Path path;
   path.start = pixel.texel;
   path.direction = light.direction;
@@ -129,7 +122,7 @@ Path makePath(Pixel pixel, LocalLight light, float range) {
   changing.k2 = dFdx(curvatures.y) * way.x + dFdy(curvatures.y) * way.y;
   path.turn = normalCurvature(changing, light.tangent) / 3.0;
 
-  path.limit = pathLimit(path, pathEnd(path, range));
+  path.limit = pathLimit(path, pathEnd(path));
   return path;
 }
 

@@ -3,6 +3,7 @@
 // precision of a GPU's filter.
 
 uniform sampler2D heightMap;
+uniform float searchRadius;  // how far tables are searched and the map is marched, texels
 uniform vec2 heightBounds;  // the lowest and the highest texel, height units
 
 struct Cell {
@@ -11,7 +12,7 @@ struct Cell {
 };
 
 // The four texels come from one gather at the corner that they share, half a texel from where the
-// choice of texels could depend on rounding; the sampler wraps as wrapTexel does.
+// choice of texels could depend on rounding; the sampler wraps as the map does.
 // `texelSize` is 1 / the map's size.
 Cell heightCell(vec2 at, vec2 texelSize) {
   vec2 corner = floor(at - 0.5);
@@ -39,6 +40,16 @@ vec2 gradientIn(Cell cell) {
 }
 
 vec2 heightGradient(vec2 at) { return gradientIn(heightCell(at)); }
+
+// How far along a direction the relief is known, texels: as far as the first line of texel centres
+// past a border, half a texel beyond it. Where no border lies ahead, 1e30. What the wrap rule puts
+// there casts no shadow, since there is no surface: tables are baked by the same rule.
+float knownDistance(vec2 start, vec2 direction) {
+  vec2 size = vec2(textureSize(heightMap, 0));
+  vec2 ahead = mix(start, size - start, greaterThan(direction, vec2(0.0))) + 0.5;
+  vec2 known = mix(vec2(1e30), ahead / max(abs(direction), 1e-6), reliefBorder);
+  return max(min(known.x, known.y), 0.0);
+}
 
 // N' of bump mapping (Blinn 1978): the normal of P + a h n, with the change of n left out.
 vec3 bumpedNormal(Pixel pixel, vec2 gradient) {

@@ -8,17 +8,11 @@ default = 0.25
 minimum = 0.01
 maximum = 8
 about = "distance between samples of the height map, texels"
-
-[parameters.range]
-default = 128
-minimum = 1
-maximum = 16384
-about = "farthest sample, texels"
 */
 
 // The height map sampled densely toward the light, every sample standing on the circle that the
 // surface follows in that direction: exact but for the stride and for what one circle cannot know of
-// the surface (in a bowl it supposes that the bowl goes on). Too slow for a product; it bounds what a
+// the surface. Too slow for a product; it bounds what a
 // method can do with h, and with κ and the light at the pixel alone.
 
 bool isShadowed(Pixel pixel, LocalLight light) {
@@ -26,7 +20,8 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float height = pixel.worldPerHeight * heightAt(pixel.texel);  // h₀, world
   if (curvature > 0.0 && !(light.slope > bareHorizon(curvature, height))) return true;  // (3)
 
-  for (float t = stride; t <= range; t += stride) {
+  float farthest = min(searchRadius, knownDistance(pixel.texel, light.direction));
+  for (float t = stride; t <= farthest; t += stride) {
     float reach = t * light.worldPerTexel;
     float occluder = pixel.worldPerHeight * heightAt(pixel.texel + t * light.direction);
     float slope = (occluder - height) / reach;

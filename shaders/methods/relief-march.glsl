@@ -8,22 +8,17 @@ default = 64
 minimum = 1
 maximum = 4096
 about = "samples of the height map on the way to the light"
-
-[parameters.range]
-default = 128
-minimum = 1
-maximum = 16384
-about = "farthest sample, texels"
 */
 
 // What engines ship: the ray to the light over the flat relief, sampled at even steps until it has
-// left the highest bump below it, or over `range` where it never does.
+// left the highest bump below it, or as far as is searched where it never does.
 
 bool isShadowed(Pixel pixel, LocalLight light) {
   float height = heightAt(pixel.texel);
   // Rise of the ray, height units per texel.
   float rise = light.slope * light.worldPerTexel / pixel.worldPerHeight;
-  float reach = rise > 0.0 ? min((heightBounds.y - height) / rise, range) : range;
+  float farthest = min(searchRadius, knownDistance(pixel.texel, light.direction));
+  float reach = rise > 0.0 ? min((heightBounds.y - height) / rise, farthest) : farthest;
   for (float i = 1.0; i <= steps; i += 1.0) {
     float t = reach * i / steps;
     if (heightAt(pixel.texel + t * light.direction) > height + rise * t) return true;

@@ -14,12 +14,6 @@ default = 2
 minimum = 0
 maximum = 16
 about = "texels searched before and after each place that the table names"
-
-[parameters.range]
-default = 128
-minimum = 1
-maximum = 16384
-about = "farthest sample, texels"
 */
 
 // Eq. (4) of the paper turned round: d is stored and tan β is not, but comes from the height map
@@ -45,7 +39,7 @@ float candidateDistance(Path path, LocalLight light, int candidate) {
 }
 
 bool isShadowed(Pixel pixel, LocalLight light) {
-  Path path = makePath(pixel, light, range);
+  Path path = makePath(pixel, light);
   if (shadowedByBareSurface(path)) return true;
   // The path crosses |e_x| columns and |e_y| rows a texel.
   float close = crossings / (abs(light.direction.x) + abs(light.direction.y));

@@ -48,8 +48,14 @@ TEST(HeightProfile, IsTheReliefAtItsPointsAndAParabolaBetween) {
 
 /// What the section shows is what the tables hold: at texel centres, in their azimuths.
 TEST(FlatHorizon, IsThatOfTheBakeAtTexelCentres) {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
-    const HeightField field(20, 12, randomRelief(20, 12, 3, 5).field.texels(), wrap);
+  const std::vector<float> heights = randomRelief(20, 12, 3, 5).field.texels();
+  const Border all{true, true};
+  const Border above{false, true};
+  for (const HeightField& field :
+       {HeightField(20, 12, heights, Wrap::repeat), HeightField(20, 12, heights, Wrap::clamp),
+        HeightField(20, 12, heights, Wrap::clamp, all),
+        HeightField(20, 12, heights, Wrap::repeat, all),
+        HeightField(20, 12, heights, Wrap::repeat, above)}) {
     const BakeSettings settings{12, 17.3};
     const HorizonTables tables = bakeHorizons(field, settings);
     int attached = 0;
@@ -69,6 +75,24 @@ TEST(FlatHorizon, IsThatOfTheBakeAtTexelCentres) {
     EXPECT_GT(attached, 0);
     EXPECT_LT(attached, 12 * 20 * 12);
   }
+}
+
+/// Nothing past a border is seen from anywhere in the map, also from the half texel before it.
+TEST(FlatHorizon, EndsAtABorder) {
+  const HeightField field = randomRelief(24, 20, 4, 3).field.withBorder({true, true});
+  for (const double azimuth : {0.0, 33.0, 97.0, 180.0, 271.0}) {
+    for (const Vec2 origin : {Vec2(4.5, 7.5), Vec2(0.1, 19.7), Vec2(23.9, 0.2)}) {
+      const Vec2 e = directionOf(azimuth);
+      const double known = field.knownLength(origin, e);
+      const FlatHorizon ended = flatHorizon(field, origin, e, 60);
+      const FlatHorizon open = flatHorizon(field.withBorder({}), origin, e, known);
+      EXPECT_EQ(ended.slope, open.slope);
+      EXPECT_EQ(ended.distance, open.distance);
+      EXPECT_LE(ended.distance, known);
+    }
+  }
+  EXPECT_GT(flatHorizon(field.withBorder({}), Vec2(23.5, 7.5), Vec2(1, 0), 20).slope,
+            flatHorizon(field, Vec2(23.5, 7.5), Vec2(1, 0), 20).slope);
 }
 
 /// Anywhere, against dense sampling.

@@ -88,7 +88,14 @@ inline Supremum maximumBetween(const SlopeAlongRay& slope, double near, double f
 }
 
 /// The supremum by brute force: every stretch between lattice lines on its own.
+/// Up to the first line of texel centres past a border, or the radius.
 inline Supremum bruteForce(const HeightField& field, Vec2 p, Vec2 e, double radius) {
+  const auto knownAlong = [&](double place, double way, int size, bool border) {
+    if (!border || std::abs(way) < 1e-12) return radius;
+    return (way > 0 ? size + 0.5 - place : place + 0.5) / std::abs(way);
+  };
+  radius = std::min({radius, knownAlong(p.x, e.x, field.width(), field.border().x),
+                     knownAlong(p.y, e.y, field.height(), field.border().y)});
   std::vector<double> ends{radius};
   for (const double component : {std::abs(e.x), std::abs(e.y)}) {
     for (int k = 1; component > 1e-9 && k / component < radius; ++k) ends.push_back(k / component);

@@ -210,12 +210,11 @@ TEST(PathMethods, FollowTheChangeOfCurvature) {
 
 TEST(PathMethods, OnAPlaneAreTheMarchOnTheCircle) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), cosineRelief(64, 16, 6), {16, 16},
+  const RenderScene scene(makePlane(64, 64, 8, 8), cosineRelief(64, 16, 6), {16, 24},
                           TableBits::eight);
   const RenderView view = atlasView(scene.surface, 33);
   for (const Vec3& light : {lightToward(20, 30), lightToward(155, 25), lightToward(290, 20)}) {
-    const Mask march =
-        drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+    const Mask march = drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}});
     // A bump that is highest between crossings is missed: in cells that are saddles.
     EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
     EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
@@ -228,11 +227,10 @@ TEST(PathMethods, OnAPlaneAreTheMarchOnTheCircle) {
 TEST(PathMethods, OnACylinderAreTheMarchOnTheCircle) {
   const GlContext gl;
   const RenderScene scene(makeCylinder(60, 64.0 / 60, 64, 32, 32), cosineRelief(64, 16, 6),
-                          {16, 16}, TableBits::eight, 2);
+                          {16, 24}, TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 8);
   for (const Vec3& light : {lightToward(0, 40), lightToward(180, 25), lightToward(90, 30)}) {
-    const Mask march =
-        drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}, {"range", 24}});
+    const Mask march = drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}});
     EXPECT_LT(difference(scene.answer("geodesic-march", view, light), march), 2e-3);
     EXPECT_LT(difference(scene.answer("resampled-horizon", view, light), march), 2e-3);
     EXPECT_GT(shareShadowed(march), 0.05);
@@ -242,14 +240,13 @@ TEST(PathMethods, OnACylinderAreTheMarchOnTheCircle) {
 /// What bump mapping turns from the light is dark, however few crossings are looked at.
 TEST(PathMethods, AreNeverBlindToAttachedShadows) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 3, 5), {4, 8},
+  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 3, 5), {4, 1},
                           TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   for (const Vec3& light : {lightToward(20, 60), lightToward(200, 30)}) {
     const Mask turned = scene.answer("unshadowed", view, light);
     const std::map<std::string, Parameters> few = {
-        {"geodesic-march", {{"range", 1}}},
-        {"resampled-horizon", {{"range", 1}, {"crossings", 1}, {"search", 0}}}};
+        {"geodesic-march", {}}, {"resampled-horizon", {{"crossings", 1}, {"search", 0}}}};
     for (const auto& [method, parameters] : few) {
       const Mask mask = drawnWith(scene, method, view, light, parameters);
       for (std::size_t i = 0; i < mask.size(); ++i) {

@@ -41,8 +41,10 @@ class RenderScene {
         bits_(bits),
         gpuMesh_(mesh),
         gpuHeights_(relief.field),
-        gpuHorizon_(horizon, tables.width, tables.height, tables.azimuths, tables.wrap),
-        gpuDistance_(distance, tables.width, tables.height, tables.azimuths, tables.wrap) {}
+        gpuHorizon_(horizon, tables.width, tables.height, tables.azimuths, tables.wrap,
+                    tables.border),
+        gpuDistance_(distance, tables.width, tables.height, tables.azimuths, tables.wrap,
+                     tables.border) {}
 
   [[nodiscard]] Drawing drawing(const Vec3& light) const {
     return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, light,
@@ -81,6 +83,7 @@ class RenderScene {
       const std::map<std::string, double>& parameters = {}) const {
     const MethodPass pass(shaderFolder(), method, relief.field.wrap(), filter, parameters);
     GpuTables gpu{&gpuHorizon_, &gpuDistance_};
+    gpu.searchRadius = tables.radiusTexels;
     std::optional<GpuAngles> angles;
     std::optional<GpuTable> ellipses;
     if (method.tables.angles) angles.emplace(horizonAngles(tables, angleLimit, frame), bits_);
@@ -88,7 +91,7 @@ class RenderScene {
     if (method.tables.ellipse) {
       const EllipseTable fit = fitEllipses(tables, frame);
       ellipses.emplace(storeTable(fit.values, bits_), fit.width, fit.height, EllipseTable::layers,
-                       fit.wrap);
+                       fit.wrap, fit.border);
     }
     if (angles) gpu.angles = &*angles;
     if (ellipses) gpu.ellipse = &*ellipses;

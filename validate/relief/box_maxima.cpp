@@ -17,14 +17,14 @@ void raise(float* to, const float* from, std::size_t count) {
 /// Where the texels right of the end of a row stand in it, or -1 if no ray meets them.
 std::ptrdiff_t columnIn(const PaddedMap& map, std::ptrdiff_t x) {
   if (x < map.stride) return x;
-  if (map.wrap == Wrap::clamp) return -1;
+  if (!map.repeatsX) return -1;
   return x - (x - map.stride + map.width) / map.width * map.width;
 }
 
 /// The same for rows.
 std::ptrdiff_t rowIn(const PaddedMap& map, std::ptrdiff_t y) {
-  if (map.wrap == Wrap::clamp) return y < map.rows ? y : -1;
-  return map.marginY + wrappedIndex(static_cast<int>(y - map.marginY), map.height, map.wrap);
+  if (!map.repeatsY) return y < map.rows ? y : -1;
+  return map.marginY + wrappedIndex(static_cast<int>(y - map.marginY), map.height, Wrap::repeat);
 }
 
 /// Maxima of `to` neighbours in a row from those of `from` neighbours.
@@ -54,8 +54,8 @@ BoxMaxima grow(const PaddedMap& map, const float* values, BoxSize from, BoxSize 
   const auto rows = static_cast<std::size_t>((map.rows + rowStep - 1) / rowStep);
   RawVector<float> wide(stride * static_cast<std::size_t>(map.rows));
   // The rows that `rowIn` names.
-  const auto first = static_cast<std::size_t>(map.wrap == Wrap::repeat ? map.marginY : 0);
-  const auto count = static_cast<std::size_t>(map.wrap == Wrap::repeat ? map.height : map.rows);
+  const auto first = static_cast<std::size_t>(map.repeatsY ? map.marginY : 0);
+  const auto count = static_cast<std::size_t>(map.repeatsY ? map.height : map.rows);
   parallelFor(first, first + count, [&](std::size_t y) {
     std::vector<float> buffer;
     widenRow(map, values + y * stride, from.width, box.width, buffer, wide.data() + y * stride);

@@ -9,8 +9,10 @@ namespace gnomon {
 namespace {
 
 double layerValue(const StoredTable& table, const TableShape& shape, Vec2 texel, int azimuth) {
-  const Neighbours column = neighbours(texel.x, shape.width, shape.wrap);
-  const Neighbours row = neighbours(texel.y, shape.height, shape.wrap);
+  const Neighbours column =
+      neighbours(texel.x, shape.width, shape.border.x ? Wrap::clamp : shape.wrap);
+  const Neighbours row =
+      neighbours(texel.y, shape.height, shape.border.y ? Wrap::clamp : shape.wrap);
   const auto entry = [&](int x, int y) {
     const std::size_t line =
         static_cast<std::size_t>(azimuth) * static_cast<std::size_t>(shape.height) +

@@ -12,6 +12,7 @@ struct TableShape {
   int height = 0;
   int azimuths = 0;
   Wrap wrap = Wrap::repeat;
+  Border border = {};  ///< past it the outermost entries hold
 };
 
 /// A table's value as shaders filter it (`filter = "exact"`): linear between texel centres in x and

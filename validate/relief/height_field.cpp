@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "common/error.h"
@@ -38,12 +39,19 @@ double mix(double a, double b, double share) {
   return a + (b - a) * share;
 }
 
+/// As `knownLength`, along one axis.
+double knownAlong(double place, double direction, int size) {
+  if (direction == 0) return std::numeric_limits<double>::infinity();
+  const double ahead = direction > 0 ? size + 0.5 - place : place + 0.5;
+  return std::max(ahead, 0.0) / std::abs(direction);
+}
+
 }  // namespace
 
 HeightField inverted(const HeightField& field, double height) {
   std::vector<float> texels = field.texels();
   for (float& texel : texels) texel = static_cast<float>(height - texel);
-  return {field.width(), field.height(), std::move(texels), field.wrap()};
+  return {field.width(), field.height(), std::move(texels), field.wrap(), field.border()};
 }
 
 int wrappedIndex(int i, int size, Wrap wrap) {
@@ -67,11 +75,12 @@ Neighbours neighbours(double coordinate, int size, Wrap wrap) {
   return {wrappedIndex(first, size, wrap), wrappedIndex(first + 1, size, wrap), c - below};
 }
 
-HeightField::HeightField(int width, int height, std::vector<float> texels, Wrap wrap)
+HeightField::HeightField(int width, int height, std::vector<float> texels, Wrap wrap, Border border)
     : width_(width),
       height_(height),
       texels_(std::move(texels)),
       wrap_(wrap),
+      border_(border),
       minimum_(0),
       maximum_(0) {
   checkSize(width_, height_, texels_.size());
@@ -100,6 +109,19 @@ double HeightField::at(Vec2 texelPosition) const {
   };
   return mix(mix(stored(x.first, y.first), stored(x.second, y.first), x.share),
              mix(stored(x.first, y.second), stored(x.second, y.second), x.share), y.share);
+}
+
+double HeightField::knownLength(Vec2 texelPosition, Vec2 direction) const {
+  double length = std::numeric_limits<double>::infinity();
+  if (border_.x) length = std::min(length, knownAlong(texelPosition.x, direction.x, width_));
+  if (border_.y) length = std::min(length, knownAlong(texelPosition.y, direction.y, height_));
+  return length;
+}
+
+HeightField HeightField::withBorder(Border border) const {
+  HeightField bordered = *this;
+  bordered.border_ = border;
+  return bordered;
 }
 
 }  // namespace gnomon

@@ -9,19 +9,29 @@ namespace gnomon {
 /// What a height field does outside its texels.
 enum class Wrap { repeat, clamp };
 
+/// The axes of a map at whose ends the surface ends too.
+struct Border {
+  bool x = false, y = false;
+  bool operator==(const Border&) const = default;
+};
+
 /// A height map h(x, y): *the bilinear interpolant of its texels*, whose centres lie at
 /// (i + 0.5, j + 0.5). Truth, bake and shaders all use this one function. Coordinates are texels;
 /// heights are height units (texels or world units: see Relief). Texels are stored row by row, y
 /// slowest; row 0 is at v = 0.
+///
+/// Where a border is, `knownLength` says how far a method may look. The function itself goes on
+/// there by the wrap rule.
 class HeightField {
  public:
   /// @throws InputError if a size is not positive, the number of texels is not width × height, or a
   ///   height is not finite (naming the texel)
-  HeightField(int width, int height, std::vector<float> texels, Wrap wrap);
+  HeightField(int width, int height, std::vector<float> texels, Wrap wrap, Border border = {});
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] Wrap wrap() const { return wrap_; }
+  [[nodiscard]] Border border() const { return border_; }
   [[nodiscard]] const std::vector<float>& texels() const { return texels_; }
   [[nodiscard]] float minimum() const { return minimum_; }
   [[nodiscard]] float maximum() const { return maximum_; }
@@ -32,11 +42,24 @@ class HeightField {
   /// @throws InternalError if the position is not finite
   [[nodiscard]] double at(Vec2 texelPosition) const;
 
+  /// How far along a ray the relief is known, texels, at least 0: as far as the first line of texel
+  /// centres past a border, half a texel beyond it; without end where no border lies ahead. What
+  /// the wrap rule puts there casts no shadow, since there is no surface. This is the rule for all
+  /// methods: tables are searched and height maps are marched up to there (`knownDistance` in
+  /// relief.glsl). It ends at texel centres and not at the border itself, so that a ray that leaves
+  /// from an outermost texel centre has a relief to start on.
+  /// @param direction  unit
+  [[nodiscard]] double knownLength(Vec2 texelPosition, Vec2 direction) const;
+
+  /// The same map with another border.
+  [[nodiscard]] HeightField withBorder(Border border) const;
+
  private:
   int width_;
   int height_;
   std::vector<float> texels_;
   Wrap wrap_;
+  Border border_;
   float minimum_;
   float maximum_;
 };

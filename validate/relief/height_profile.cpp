@@ -149,6 +149,7 @@ HeightProfile heightProfile(const HeightField& field, Vec2 origin, Vec2 directio
 }
 
 FlatHorizon flatHorizon(const HeightField& field, Vec2 origin, Vec2 direction, double radius) {
+  radius = std::min(radius, field.knownLength(origin, direction));
   const ReliefRay ahead(field, placeOf(field, origin, radius), direction, radius);
   const double start = ahead.heightIn(ahead.firstCell(), 0);
   Highest highest(ahead.startingSlope(), static_cast<double>(field.maximum()) - field.minimum());

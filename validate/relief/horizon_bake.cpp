@@ -15,6 +15,7 @@ HorizonTables emptyTables(const HeightField& field, const BakeSettings& settings
   tables.azimuths = settings.azimuths;
   tables.radiusTexels = settings.radiusTexels;
   tables.wrap = field.wrap();
+  tables.border = field.border();
   const std::size_t entries = static_cast<std::size_t>(field.width()) *
                               static_cast<std::size_t>(field.height()) *
                               static_cast<std::size_t>(settings.azimuths);

@@ -16,6 +16,8 @@ struct BakeSettings {
 ///            tangent of the horizon angle (Max 1988)
 ///   distance d = the smallest r that attains it, texels; 0 where the supremum is the limit r → 0⁺,
 ///            the directional derivative (Onoue, Max & Nishita 2004, Fig. 1)
+/// A ray ends where the relief is no longer known (`HeightField::knownLength`), if that is nearer
+/// than D.
 /// Layout: [m][y][x], index (m * height + y) * width + x.
 struct HorizonTables {
   int width = 0;
@@ -23,6 +25,7 @@ struct HorizonTables {
   int azimuths = 0;
   double radiusTexels = 0;
   Wrap wrap = Wrap::repeat;
+  Border border;  ///< past it, that is within half a texel of it, the outermost entry holds
   RawVector<float> horizon;
   RawVector<float> distance;
 };
@@ -37,7 +40,7 @@ struct HorizonTables {
 /// the smallest r with such a slope. So d is 0 on a plane and at the near end of anything that
 /// rises evenly.
 /// @throws InputError for settings out of range (`bake.azimuths`, `bake.radius`) or heights more
-///   than 1e37 apart; MemoryError if the tables cannot fit
+///   than 1e34 apart; MemoryError if the tables cannot fit
 HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,
                            const Progress& progress = {});
 

@@ -50,6 +50,7 @@ EllipseTable fitEllipses(const HorizonTables& tables, double texelsPerHeight) {
   result.width = tables.width;
   result.height = tables.height;
   result.wrap = tables.wrap;
+  result.border = tables.border;
   const auto width = static_cast<std::size_t>(tables.width);
   const std::size_t texels = width * static_cast<std::size_t>(tables.height);
   result.values.resize(EllipseTable::layers * texels);

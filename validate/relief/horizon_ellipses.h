@@ -19,6 +19,7 @@ struct EllipseTable {
   int width = 0;
   int height = 0;
   Wrap wrap = Wrap::repeat;
+  Border border = {};         ///< as HorizonTables
   std::vector<float> values;  ///< [layer][y][x], each -1 to 1
 };
 

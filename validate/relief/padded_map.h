@@ -13,16 +13,24 @@ namespace gnomon {
 /// lies at (marginX + i, marginY + j). Heights are height units above the middle of the map's
 /// range: floats are finest there.
 ///
-/// Margins are ⌈D⌉ + 2 texels. A map that repeats never needs more than half its side: offsets are
-/// taken modulo the side (`offset`), so that its size does not grow with the radius any more.
+/// Past a border the first line of nodes holds what the wrap rule says, since the relief is known
+/// that far (`HeightField::knownLength`). All nodes beyond it lie 2¹² times the map's range below
+/// it: a ray falls there at once, so that no slope past the known relief exceeds the slope at its
+/// end, and rays need no ends of their own. That holds for directions that are at least 1e-3 from
+/// parallel to the border, or parallel to it, as with up to 1,500 azimuths all are.
+///
+/// Margins are ⌈D⌉ + 2 texels. An axis that repeats without a border never needs more than half its
+/// side: offsets are taken modulo the side (`offset`), so that the map does not grow with the
+/// radius any more.
 struct PaddedMap {
-  int width = 0, height = 0;  ///< of the map itself
-  Wrap wrap = Wrap::repeat;
-  std::ptrdiff_t stride = 0;  ///< texels from one row to the next
+  int width = 0, height = 0;              ///< of the map itself
+  bool repeatsX = true, repeatsY = true;  ///< without a border
+  std::ptrdiff_t stride = 0;              ///< texels from one row to the next
   std::ptrdiff_t rows = 0;
   std::ptrdiff_t marginX = 0, marginY = 0;
   RawVector<float> heights;
   /// h00 - h10 - h01 + h11 of the cell right of and above each texel: what bends a ray's profile.
+  /// 0 in a cell past two borders, whose one known corner is a ray's last known point.
   RawVector<float> twists;
   float maximum = 0;  ///< highest texel
   float lowestTwist = 0, highestTwist = 0;

@@ -54,6 +54,9 @@ void setDrawing(GLuint program, const Drawing& drawing) {
   glProgramUniform1f(program, glGetUniformLocation(program, "texelsPerHeight"),
                      static_cast<GLfloat>(drawing.texelsPerHeight));
   setUniform(program, "heightBounds", drawing.heights.bounds());
+  const Border border = drawing.heights.border();
+  glProgramUniform2i(program, glGetUniformLocation(program, "reliefBorder"), border.x ? 1 : 0,
+                     border.y ? 1 : 0);
   bindTexture(program, TextureUnit::heights, drawing.heights.texture(), "heightMap");
 }
 

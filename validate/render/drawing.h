@@ -54,7 +54,7 @@ void setUniform(GLuint program, const char* name, const Vec3& value);
 void setUniform(GLuint program, const char* name, glm::vec2 value);
 void setUniform(GLuint program, const char* name, const glm::mat4& value);
 void setView(GLuint program, const RenderView& view);
-/// Light, height space and the height map.
+/// Light, height space and the height map with its border.
 void setDrawing(GLuint program, const Drawing& drawing);
 
 /// Which sides of its triangles a pass draws.

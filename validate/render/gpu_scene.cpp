@@ -42,10 +42,13 @@ void describe(GLuint layout, GLuint location, GLint components, std::size_t offs
   glVertexArrayAttribBinding(layout, location, 0);
 }
 
-void setWrap(GLuint texture, Wrap wrap) {
-  const GLint mode = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, mode);
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, mode);
+/// Past a border the outermost entries hold.
+void setWrap(GLuint texture, Wrap wrap, Border border = {}) {
+  const auto mode = [wrap](bool clamped) {
+    return wrap == Wrap::repeat && !clamped ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  };
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, mode(border.x));
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, mode(border.y));
 }
 
 GLint glLimit(GLenum name) {
@@ -128,7 +131,8 @@ void GpuVolumes::draw() const {
 GpuHeights::GpuHeights(const HeightField& field)
     : texture_(gl::makeTexture(GL_TEXTURE_2D)),
       byteCount_(field.texels().size() * sizeof(float)),
-      bounds_(field.minimum(), field.maximum()) {
+      bounds_(field.minimum(), field.maximum()),
+      border_(field.border()) {
   const GLint largest = glLimit(GL_MAX_TEXTURE_SIZE);
   if (field.width() > largest || field.height() > largest) {
     throw InputError(fmt::format("relief: a height map of {} × {} texels, OpenGL takes at most {}",
@@ -144,7 +148,8 @@ GpuHeights::GpuHeights(const HeightField& field)
   throwOnGlError("taking the height map");
 }
 
-GpuTable::GpuTable(const StoredTable& table, int width, int height, int azimuths, Wrap wrap)
+GpuTable::GpuTable(const StoredTable& table, int width, int height, int azimuths, Wrap wrap,
+                   Border border)
     : texture_(gl::makeTexture(GL_TEXTURE_3D)),
       range_(table.low, table.high - table.low),
       byteCount_(table.bytes.size()) {
@@ -170,7 +175,7 @@ GpuTable::GpuTable(const StoredTable& table, int width, int height, int azimuths
                       table.bytes.data());
   glTextureParameteri(texture_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  setWrap(texture_.name(), wrap);
+  setWrap(texture_.name(), wrap, border);
   glTextureParameteri(texture_.name(), GL_TEXTURE_WRAP_R, GL_REPEAT);
   throwOnGlError("taking a horizon table");
 }

@@ -58,18 +58,21 @@ class GpuHeights {
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
   /// The lowest and the highest texel, height units.
   [[nodiscard]] glm::vec2 bounds() const { return bounds_; }
+  [[nodiscard]] Border border() const { return border_; }
 
  private:
   gl::Texture texture_;
   std::uint64_t byteCount_;
   glm::vec2 bounds_;
+  Border border_;
 };
 
 /// A horizon or distance table as a 3-D texture of one layer an azimuth, in its stored bits.
 class GpuTable {
  public:
   /// @throws InputError if a side is larger than GL's largest 3-D texture
-  GpuTable(const StoredTable& table, int width, int height, int azimuths, Wrap wrap);
+  GpuTable(const StoredTable& table, int width, int height, int azimuths, Wrap wrap,
+           Border border = {});
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
   /// low and high - low: a normalised code c stands for low + c · (high - low).

@@ -217,6 +217,8 @@ class MethodPass::Frame {
   void setInputs(GLuint program, const RenderView& view) const {
     setView(program, view);
     setDrawing(program, drawing_);
+    glProgramUniform1f(program, glGetUniformLocation(program, "searchRadius"),
+                       static_cast<GLfloat>(tables_.searchRadius));
     if (pass_.tables_.horizon) {
       bindTable(program, tables_.horizon, TextureUnit::horizon, "horizonTable", "horizonRange");
     }

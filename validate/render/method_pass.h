@@ -22,12 +22,13 @@ enum class TableFilter {
   hardware,  ///< by the GPU's own trilinear filter: what a product ships
 };
 
-/// The tables of a bake on the GPU. A method reads only those that it declares.
+/// The tables of a bake on the GPU, and how far it searched. A method reads only what it declares.
 struct GpuTables {
   const GpuTable* horizon = nullptr;
   const GpuTable* distance = nullptr;
   const GpuAngles* angles = nullptr;  ///< of the flat relief or of the surface, as declared
   const GpuTable* ellipse = nullptr;
+  double searchRadius = 128;  ///< of the bake, texels: marches end there too
 };
 
 /// A method's two answers for every sample of a view.

@@ -66,6 +66,10 @@ Json jsonStudy(const StudyRecord& record) {
           {"command", record.command}};
 }
 
+Json jsonRadius(const RadiusRecord& radius) {
+  return {{"texels", jsonNumber(radius.texels, "search_radius.texels")}, {"reason", radius.reason}};
+}
+
 Json jsonTruth(const TruthRecord& truth) {
   Json json = {{"micro_triangles", truth.microTriangles},
                {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},

@@ -35,6 +35,9 @@ Json jsonList(const Records& records, const Convert& convert) {
   return array;
 }
 
+/// How far occluders are searched: texels, and reason.
+Json jsonRadius(const RadiusRecord& radius);
+
 Json jsonEnvironment(const EnvironmentRecord& environment);
 /// name, title, source, file, command.
 Json jsonStudy(const StudyRecord& record);

@@ -14,6 +14,10 @@ std::string flipText(std::optional<double> rate) {
   return rate ? fmt::format("{:.3g}", 100 * requireFinite(*rate, "flip rate")) : "–";
 }
 
+std::string radiusText(const RadiusRecord& radius) {
+  return fmt::format("{} texels: {}", stepText(radius.texels), radius.reason);
+}
+
 std::string refinementText(const TruthRecord& truth) {
   if (!truth.wantedUncertainty) return "";
   std::string text =

@@ -7,6 +7,9 @@
 
 namespace gnomon {
 
+/// "83 texels: a ray to the light …".
+std::string radiusText(const RadiusRecord& radius);
+
 /// How the truth's step was found: "Refined until at most 0.1 % of the samples differ from the
 /// level before: step 1 (61 440 micro-triangles), step 0.5 (245 760 micro-triangles, 1.24 %), …".
 /// Empty where no uncertainty was asked for.

@@ -166,6 +166,7 @@ std::string truthSection(const StudyRecord& record) {
       htmlFact("Longest step", stepText(truth.stepTexels) + " texels") +
       htmlFact("Largest uncertainty",
                measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
+      htmlFact("Search radius", radiusText(record.radius)) +
       htmlFact("Ray tracing structure", bytesText(truth.bvhBytes)) +
       htmlFact("Mesh", bytesText(truth.meshBytes)) +
       htmlFact("Left out", fmt::format("{} samples where no frame exists",

@@ -91,6 +91,7 @@ std::string summaryJson(const StudyRecord& record) {
       {"status", jsonStatus(record.passed())},
       {"study", jsonStudy(record)},
       {"environment", jsonEnvironment(record.environment)},
+      {"search_radius", jsonRadius(record.radius)},
       {"truth", jsonTruth(record.truth)},
       {"methods", jsonList(record.methods, methodJson)},
       {"results", jsonList(record.results, resultJson)},

@@ -238,6 +238,12 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
   if (!kept.empty()) page.paragraph(kept);
 }
 
+/// How far tables and marches look.
+void appendRadius(TerminalPage& page, const StudyRecord& record) {
+  page.blank();
+  page.paragraph("Search radius " + radiusText(record.radius));
+}
+
 /// How the truth's resolution was found, where the study asks for an uncertainty.
 void appendRefinement(TerminalPage& page, const StudyRecord& record) {
   const std::string text = refinementText(record.truth);
@@ -282,6 +288,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   appendBudgets(page, record);
   appendThresholds(page, record);
   appendCost(page, record);
+  appendRadius(page, record);
   appendRefinement(page, record);
   appendTimings(page, record);
   appendCache(page, record);

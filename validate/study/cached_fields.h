@@ -68,12 +68,12 @@ void fields(Stream& stream, T& tiling) {
 template <typename Stream, SameAs<HorizonTables> T>
 void fields(Stream& stream, T& tables) {
   stream(tables.width, tables.height, tables.azimuths, tables.radiusTexels, tables.wrap,
-         tables.horizon, tables.distance);
+         tables.border.x, tables.border.y, tables.horizon, tables.distance);
 }
 
 template <typename Stream, SameAs<EllipseTable> T>
 void fields(Stream& stream, T& table) {
-  stream(table.width, table.height, table.wrap, table.values);
+  stream(table.width, table.height, table.wrap, table.border.x, table.border.y, table.values);
 }
 
 template <typename Stream, SameAs<AngleTable> T>

@@ -15,6 +15,7 @@ namespace {
 
 GpuTables reliefTables(RunScene& scene, const Method& method, const BakeSpec& bake) {
   GpuTables tables;
+  tables.searchRadius = bake.settings.radiusTexels;
   if (method.tables.horizon || method.tables.distance) {
     const TablePair& pair = scene.tables.tables(bake, scene.clock);
     tables.horizon = &pair.horizon;

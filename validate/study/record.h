@@ -66,6 +66,12 @@ struct TruthRecord {
   std::vector<RefinementRecord> refinement = {};           ///< the levels up to it, coarsest first
 };
 
+/// How far occluders are searched, by tables and by marches: D.
+struct RadiusRecord {
+  double texels = 0;
+  std::string reason = {};  ///< "the study states it", or what the rule found (search_radius.h)
+};
+
 /// A method as this study runs it.
 struct MethodRecord {
   std::string label;  ///< unique in the study; rows refer to it
@@ -176,6 +182,7 @@ struct StudyRecord {
   std::string file;     ///< the study file, as given
   std::string command;  ///< reproduces the run
   EnvironmentRecord environment;
+  RadiusRecord radius = {};
   TruthRecord truth;
   std::vector<MethodRecord> methods;
   std::vector<ResultRecord> results;

@@ -47,6 +47,7 @@ ContentKey cageKey(const Cage& cage) {
 ContentKey fieldKey(const HeightField& field) {
   KeyBuilder key("heights");
   key.add("width", field.width()).add("height", field.height()).add("wrap", field.wrap());
+  key.add("borderX", field.border().x).add("borderY", field.border().y);
   return key.add("texels", field.texels()).key();
 }
 
@@ -185,6 +186,7 @@ ContentKey RunKeys::method(const MethodSpec& spec, const Method& method) const {
   }
   const bool reads =
       tables.horizon || tables.distance || tables.angles || tables.surfaceAngles || tables.ellipse;
+  if (tables.height) key.add("searchRadius", spec.bake.settings.radiusTexels);
   if (reads) {
     add(key, spec.bake.settings);
     key.add("bits", spec.bake.bits).add("limit", spec.bake.angleLimit);

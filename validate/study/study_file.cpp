@@ -9,6 +9,7 @@
 #include <set>
 
 #include "common/error.h"
+#include "relief/patch_border.h"
 #include "render/method.h"
 #include "study/ladder_section.h"
 #include "study/light_name.h"
@@ -28,11 +29,30 @@ namespace {
 
 constexpr int mostPixelsASide = 16384;
 
-/// By default occluders are searched over the longer side of the map: one whole tile.
-BakeSpec standardBake(const Relief& relief) {
-  BakeSpec bake;
-  bake.settings.radiusTexels = std::max(relief.field.width(), relief.field.height());
-  return bake;
+/// What is refused of the surface names the study.
+LimitSurface surfaceOf(const StudySpec& study) {
+  try {
+    return LimitSurface(study.cage);
+  } catch (const InputError& error) {
+    throw InputError(study.file.string() + ": " + error.what());
+  }
+}
+
+/// The map gets its border; the bake its radius, by the rule where none is stated.
+void readStudyBake(const TomlReader& root, StudySpec& study) {
+  const auto section = root.optionalTable("bake");
+  const LimitSurface surface = surfaceOf(study);
+  Relief& relief = study.relief;
+  relief.field =
+      relief.field.withBorder(borderOf(study.cage, surface, relief.field.wrap(), relief.repeats));
+  std::vector<Vec3> lights;
+  for (const LightSpec& light : study.lights) lights.push_back(light.direction());
+  const bool isStated = section && section->has("radius");
+  study.radius =
+      isStated ? SearchRadius{0, RadiusBound::stated} : searchRadius(surface, relief, lights);
+  study.bake.settings.radiusTexels = study.radius.texels;
+  if (section) study.bake = readBake(*section, study.bake);
+  study.radius.texels = study.bake.settings.radiusTexels;
 }
 
 Camera readCamera(const TomlReader& section) {
@@ -239,8 +259,6 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   requirePlainName(header, study.name);
   for (const TomlReader* section : {&header, &surface, &relief}) section->finish();
 
-  study.bake = standardBake(study.relief);
-  if (const auto bake = root.optionalTable("bake")) study.bake = readBake(*bake, study.bake);
   if (const auto base = root.optionalTable("base")) {
     readBase(*base, study.baseSubdivisions, study.baseCurvature);
   }
@@ -256,6 +274,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
     study.views.push_back(readView(view, options.quick));
   }
   for (const TomlReader& light : root.tables("light")) readLights(light, study.lights);
+  readStudyBake(root, study);
   const MethodDefaults defaults{file.parent_path(), shaderFolder(), study.bake,
                                 study.baseSubdivisions, study.baseCurvature};
   for (const TomlReader& method : root.tables("method")) {

@@ -11,6 +11,7 @@
 #include "common/vec.h"
 #include "relief/horizon_bake.h"
 #include "relief/relief.h"
+#include "relief/search_radius.h"
 #include "relief/stored_table.h"
 #include "render/method_pass.h"
 #include "study/record.h"
@@ -128,6 +129,7 @@ struct StudySpec {
   bool ranked = true;  ///< counts in a ranking over the studies of a run
   std::vector<LeftOutThreshold> leftOut = {};
   std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
+  SearchRadius radius = {};                      ///< of `bake`, and why
 };
 
 /// What the command line changes in a study.

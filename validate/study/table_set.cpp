@@ -42,7 +42,7 @@ const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
   return clock.measure("tables", [&](const Progress&) -> const TablePair& {
     const auto store = [&](std::span<const float> values) {
       return GpuTable(storeTable(values, spec.bits), baked.width, baked.height, baked.azimuths,
-                      baked.wrap);
+                      baked.wrap, baked.border);
     };
     return stored_.emplace(key, TablePair{store(baked.horizon), store(baked.distance)})
         .first->second;
@@ -82,7 +82,7 @@ const GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
     });
     return ellipses_
         .try_emplace(key, storeTable(fitted.values, spec.bits), fitted.width, fitted.height,
-                     EllipseTable::layers, fitted.wrap)
+                     EllipseTable::layers, fitted.wrap, fitted.border)
         .first->second;
   });
 }
