@@ -330,7 +330,7 @@ double shadowedBeyond(const Mask& mask, const Mask& other) {
 TEST(PathMethods, ResampledHorizonErrsTowardLightAlone) {
   const GlContext gl;
   const OwnMethod dense("dense-path",
-                        "  Path path = makePath(pixel, light, 128.0);\n"
+                        "  Path path = makePath(pixel, light);\n"
                         "  if (shadowedByBareSurface(path)) return true;\n"
                         "  for (float t = 0.01; t <= path.limit; t += 0.01) {\n"
                         "    if (excess(path, t) >= 0.0) return true;\n"
@@ -354,9 +354,9 @@ TEST(PathMethods, ResampledHorizonErrsTowardLightAlone) {
 void expectBoundCostsNothing(const RenderScene& scene, double elevation) {
   // geodesic-march without the bound: every crossing up to where the path ends.
   const OwnMethod unbounded("unbounded-march",
-                            "  Path path = makePath(pixel, light, 128.0);\n"
+                            "  Path path = makePath(pixel, light);\n"
                             "  return shadowedByBareSurface(path) ||\n"
-                            "         shadowedAtCrossings(path, pathEnd(path, 128.0));\n");
+                            "         shadowedAtCrossings(path, pathEnd(path));\n");
   const RenderView view = atlasView(scene.surface, 6);
   for (const double azimuth : {20.0, 110.0, 215.0}) {
     const Vec3 light = lightToward(azimuth, elevation);
