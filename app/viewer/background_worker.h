@@ -74,22 +74,20 @@ class BackgroundWorker {
   void request(Request request) {
     {
       const std::scoped_lock lock(mutex_);
-      ++wanted_;
-      if (waiting_) keepForDisposal(std::move(*waiting_));
+      dropAll();
       waiting_ = std::move(request);
-      for (Result& result : results_) keepForDisposal(std::move(result));
-      results_.clear();
     }
     changed_.notify_all();
   }
 
-  /// Nothing is wanted any more.
+  /// Nothing is wanted any more: results that were not taken are dropped.
   void cancel() {
-    const std::scoped_lock lock(mutex_);
-    ++wanted_;
-    if (waiting_) keepForDisposal(std::move(*waiting_));
-    waiting_.reset();
-    status_ = {};
+    {
+      const std::scoped_lock lock(mutex_);
+      dropAll();
+      status_ = {};
+    }
+    changed_.notify_all();
   }
 
   /// The oldest result that was not taken yet.
@@ -120,6 +118,16 @@ class BackgroundWorker {
   template <typename Value>
   void keepForDisposal(Value value) {
     disposed_.push_back(std::make_shared<Value>(std::move(value)));
+  }
+
+  /// Makes everything that was asked for before unwanted: the request that waits, what is under
+  /// way, and results in line. What is in line always belongs to the newest request.
+  void dropAll() {
+    ++wanted_;
+    if (waiting_) keepForDisposal(std::move(*waiting_));
+    waiting_.reset();
+    for (Result& result : results_) keepForDisposal(std::move(result));
+    results_.clear();
   }
 
   void loop() {

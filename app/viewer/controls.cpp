@@ -74,38 +74,53 @@ bool ControlPanel::slider(const char* label, const std::string& name, int& value
 
 void ControlPanel::paneChoice(ViewSession& session, std::size_t pane) {
   PaneContent& content = session.state().panes.at(pane);
-  std::vector<std::string> operands = {std::string(PaneContent::truth)};
-  operands.insert(operands.end(), session.labels().begin(), session.labels().end());
+  std::vector<PaneSource> masks = {tracedTruth};
+  for (const std::string& label : session.labels()) masks.push_back(methodSource(label));
   ImGui::PushID(static_cast<int>(pane));
-  const auto choose = [&](const char* id, const std::string& name, std::string& chosen,
-                          const char* none, bool displaced) {
-    const std::string preview = chosen.empty() ? none : chosen;
-    const bool open = ImGui::BeginCombo(id, preview.c_str(), ImGuiComboFlags_HeightLarge);
-    note(name);
-    if (!open) return;
-    if (none[0] != '\0' && ImGui::Selectable(none, chosen.empty())) chosen.clear();
-    if (none[0] != '\0') note(name + ".none");
-    for (const std::string& label : operands) {
-      if (ImGui::Selectable(label.c_str(), label == chosen)) chosen = label;
-      note(fmt::format("{}.{}", name, label));
-    }
-    if (displaced && ImGui::Selectable("displaced", chosen == PaneContent::displaced)) {
-      chosen = PaneContent::displaced;
-    }
-    if (displaced) note(name + ".displaced");
-    ImGui::EndCombo();
+  // A method may have the name of another source: the kind tells them apart.
+  const auto entry = [&](const std::string& list, const PaneSource& source, bool isChosen) {
+    const std::string text = sourceText(source);
+    ImGui::PushID(static_cast<int>(source.kind));
+    const bool pressed = ImGui::Selectable(text.c_str(), isChosen);
+    note(list + "." + text);
+    ImGui::PopID();
+    return pressed;
+  };
+  const auto open = [&](const char* id, const std::string& list, const std::string& shown) {
+    const bool isOpen = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge);
+    note(list);
+    return isOpen;
   };
   const std::string name = fmt::format("pane.{}", pane);
   ImGui::SetNextItemWidth(154);
-  choose("##shown", name + ".shown", content.shown, "", true);
-  if (content.shown == PaneContent::displaced) {
-    content.against.clear();
+  if (open("##shown", name + ".shown", sourceText(content.shown))) {
+    std::vector<PaneSource> sources = masks;
+    sources.push_back(displacedSurface);
+    for (const PaneSource& source : sources) {
+      if (entry(name + ".shown", source, source == content.shown)) {
+        content.shown = source;
+      }
+    }
+    ImGui::EndCombo();
+  }
+  if (content.shown == displacedSurface) {
+    content.against.reset();
   } else {
     ImGui::SameLine(0, 4);
     ImGui::TextUnformatted("\u2212");
     ImGui::SameLine(0, 4);
     ImGui::SetNextItemWidth(-1);
-    choose("##against", name + ".against", content.against, "nothing", false);
+    if (open("##against", name + ".against",
+             content.against ? sourceText(*content.against) : "nothing")) {
+      if (ImGui::Selectable("nothing", !content.against)) content.against.reset();
+      note(name + ".against.nothing");
+      for (const PaneSource& source : masks) {
+        if (entry(name + ".against", source, source == content.against)) {
+          content.against = source;
+        }
+      }
+      ImGui::EndCombo();
+    }
   }
   ImGui::PopID();
 }
@@ -165,9 +180,10 @@ void ControlPanel::tables(ViewSession& session) {
   heading("Tables");
   int azimuths = bake.azimuths.value_or(opened.settings.azimuths);
   if (slider("azimuths", "bake.azimuths", azimuths, 1, 128)) bake.azimuths = azimuths;
-  double radius = bake.radius.value_or(opened.settings.radiusTexels);
-  if (slider("radius, texels", "bake.radius", radius, 1, 2 * opened.settings.radiusTexels,
-             "%.0f")) {
+  // The key counts texels of the map before it was resampled.
+  const double openedRadius = opened.settings.radiusTexels / session.opened().relief.resample;
+  double radius = bake.radius.value_or(openedRadius);
+  if (slider("radius, texels", "bake.radius", radius, 1, 2 * openedRadius, "%.0f")) {
     bake.radius = radius;
   }
   const int bits = bake.bits.value_or(static_cast<int>(opened.bits));

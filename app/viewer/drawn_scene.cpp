@@ -110,17 +110,25 @@ void DrawnScene::dropUnused() {
   std::erase_if(errors_, [&](const auto& error) { return !data_->methods.contains(error.first); });
 }
 
-std::string DrawnScene::anglesKey(const MethodData& method) const {
-  return fmt::format("{}\n{} {} {}", data_->keys.truth, method.spec.bake.settings.azimuths,
-                     method.spec.bake.angleLimit, static_cast<int>(method.spec.bake.bits));
+ContentKey DrawnScene::anglesKey(const MethodData& method) const {
+  const MeshChoice& mesh = method.mesh;
+  return KeyBuilder("viewed angles")
+      .add("surface", data_->keys.truth)
+      .add("mesh", mesh.kind)
+      .add("subdivisions", mesh.subdivisions)
+      .add("azimuths", method.spec.bake.settings.azimuths)
+      .add("limit", method.spec.bake.angleLimit)
+      .add("bits", method.spec.bake.bits)
+      .key();
 }
 
-void DrawnScene::installAngles(const std::string& label, const AngleTable& table) {
+bool DrawnScene::installAngles(const std::string& label, const ContentKey& key,
+                               const AngleTable& table) {
   const auto method = data_->methods.find(label);
-  if (method == data_->methods.end()) return;
+  if (method == data_->methods.end() || anglesKey(*method->second) != key) return false;
   ownAngles_.erase(label);
-  ownAngles_.emplace(label, OwnAngles{anglesKey(*method->second),
-                                      GpuAngles(table, method->second->spec.bake.bits)});
+  ownAngles_.emplace(label, OwnAngles{key, GpuAngles(table, method->second->spec.bake.bits)});
+  return true;
 }
 
 bool DrawnScene::lacksAngles(const std::string& label) const {

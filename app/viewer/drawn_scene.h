@@ -31,8 +31,12 @@ class DrawnScene {
   void install(std::shared_ptr<const SceneData> scene);
   /// Compiles all methods again from their files. One that fails stays as it was.
   void reloadShaders();
+  /// What the horizons of a method hang on that are shot on the displaced surface.
+  [[nodiscard]] ContentKey anglesKey(const MethodData& method) const;
   /// Gives a method the horizons that were shot for it.
-  void installAngles(const std::string& label, const AngleTable& table);
+  /// @param key  of what they were shot for; they are dropped where the method asks for others now
+  /// @return whether they were taken
+  bool installAngles(const std::string& label, const ContentKey& key, const AngleTable& table);
 
   [[nodiscard]] const SceneData* data() const { return data_.get(); }
   [[nodiscard]] std::shared_ptr<const SceneData> sharedData() const { return data_; }
@@ -62,13 +66,12 @@ class DrawnScene {
     MethodPass pass;
   };
   struct OwnAngles {
-    std::string key;  ///< of the surface and the bake that they were shot for
+    ContentKey key;  ///< of the surface and the bake that they were shot for
     GpuAngles angles;
   };
   void compile(const std::string& label, const MethodData& method, bool again);
   void upload(const MethodData& method);
   void dropUnused();
-  [[nodiscard]] std::string anglesKey(const MethodData& method) const;
 
   std::filesystem::path shaders_;
   std::shared_ptr<const SceneData> data_;

@@ -78,9 +78,9 @@ ViewState firstView(const StudySpec& study, const ViewRequest& request,
   state.light = lightAngles(study.lights.front());
   const bool hasPaper = std::find(labels.begin(), labels.end(), "onoue-2004") != labels.end();
   const std::string method = hasPaper ? "onoue-2004" : labels.front();
-  const std::string truth(PaneContent::truth);
-  state.panes = {PaneContent{method, {}}, PaneContent{truth, {}}, PaneContent{method, truth},
-                 PaneContent{std::string(PaneContent::displaced), {}}};
+  const PaneSource first = methodSource(method);
+  state.panes = {PaneContent{first}, PaneContent{tracedTruth}, PaneContent{first, tracedTruth},
+                 PaneContent{displacedSurface}};
   const std::size_t count = request.show.size();
   if (count == 3 || count > state.panes.size()) {
     throw UsageError(fmt::format("--show: {} panes found, 1, 2 or 4 expected", count));

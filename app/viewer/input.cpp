@@ -105,11 +105,13 @@ void Input::drag(ViewState& state, const WindowLayout& layout) {
 void Input::choose(ViewSession& session, int step) {
   PaneContent& content = session.state().panes.at(static_cast<std::size_t>(activePane_));
   const auto& labels = session.labels();
-  const auto found = std::find(labels.begin(), labels.end(), content.shown);
+  const auto found = content.shown.isMethod()
+                         ? std::find(labels.begin(), labels.end(), content.shown.label)
+                         : labels.end();
   const auto count = static_cast<int>(labels.size());
   const int now =
       found == labels.end() ? (step > 0 ? -1 : 0) : static_cast<int>(found - labels.begin());
-  content.shown = labels[static_cast<std::size_t>((now + step + count) % count)];
+  content.shown = methodSource(labels[static_cast<std::size_t>((now + step + count) % count)]);
 }
 
 InputActions Input::press(ViewSession& session, std::span<const int> keys) {
@@ -126,10 +128,10 @@ InputActions Input::press(ViewSession& session, std::span<const int> keys) {
   }
   if (pressed(GLFW_KEY_N)) choose(session, 1);
   if (pressed(GLFW_KEY_B)) choose(session, -1);
-  if (pressed(GLFW_KEY_T)) content = {std::string(PaneContent::truth), {}};
-  if (pressed(GLFW_KEY_G)) content = {std::string(PaneContent::displaced), {}};
-  if (pressed(GLFW_KEY_D) && isMethod(content.shown)) {
-    content.against = content.isDifference() ? "" : std::string(PaneContent::truth);
+  if (pressed(GLFW_KEY_T)) content = {tracedTruth};
+  if (pressed(GLFW_KEY_G)) content = {displacedSurface};
+  if (pressed(GLFW_KEY_D) && content.shown.isMethod()) {
+    content.against = content.isDifference() ? std::nullopt : std::optional(tracedTruth);
   }
   if (pressed(GLFW_KEY_K)) state.overlays.curvature = !state.overlays.curvature;
   if (pressed(GLFW_KEY_V)) state.overlays.directions = !state.overlays.directions;

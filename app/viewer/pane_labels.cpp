@@ -65,7 +65,7 @@ std::vector<std::string> labelOf(const ViewSession& session, std::size_t pane, d
     lines.push_back(fits(text) ? text : text.substr(0, cut));
     if (!fits(text) && fits(text.substr(cut + 2))) lines.push_back(text.substr(cut + 2));
   }
-  if (needsTruth(content) && !isMethod(content.against)) {
+  if (needsTruth(content) && !(content.against && content.against->isMethod())) {
     const double share = session.tracedShare(pane);
     if (share < 1) lines.push_back(fmt::format("{:.0f} % of the samples traced", 100 * share));
   }
@@ -133,11 +133,9 @@ std::string percent(const Metric& metric) {
 }  // namespace
 
 std::string titleOf(const PaneContent& content) {
-  const auto name = [](const std::string& text) {
-    return text == PaneContent::displaced ? std::string("displaced surface, ray-traced") : text;
-  };
-  return content.isDifference() ? fmt::format("{} \u2212 {}", name(content.shown), content.against)
-                                : name(content.shown);
+  if (content.shown == displacedSurface) return "displaced surface, ray-traced";
+  const std::string shown = sourceText(content.shown);
+  return content.against ? fmt::format("{} \u2212 {}", shown, sourceText(*content.against)) : shown;
 }
 
 std::string figuresText(const PaneFigures& figures) {
@@ -148,9 +146,8 @@ std::string figuresText(const PaneFigures& figures) {
 }
 
 void PaneView::showCurvature(const CurvaturePicture& picture) {
-  if (shown_ == picture.image.rgb.data() && largest_ == picture.largest) return;
-  shown_ = picture.image.rgb.data();
-  largest_ = picture.largest;
+  if (shown_ == picture.key) return;
+  shown_ = picture.key;
   if (width_ != picture.image.width || height_ != picture.image.height) {
     width_ = picture.image.width;
     height_ = picture.image.height;

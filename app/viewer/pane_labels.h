@@ -15,8 +15,7 @@ class PaneView {
 
   gl::Texture curvature_;
   int width_ = 0, height_ = 0;
-  const void* shown_ = nullptr;
-  double largest_ = 0;
+  std::optional<ContentKey> shown_;  ///< whose picture the texture holds
 };
 
 /// "2.41 % wrong: 1.20 % false shadow, 1.21 % false light; IoU 0.873".

@@ -64,9 +64,9 @@ void PanePictures::reloadShaders(const std::filesystem::path& shaders) {
 std::optional<MeshChoice> PanePictures::meshOf(const DrawnScene& scene,
                                                const PaneContent& content) {
   std::optional<MeshChoice> mesh;
-  for (const std::string& name : {content.shown, content.against}) {
-    if (!isMethod(name)) continue;
-    const auto ready = scene.method(name);
+  for (const PaneSource& source : {content.shown, content.against.value_or(tracedTruth)}) {
+    if (!source.isMethod()) continue;
+    const auto ready = scene.method(source.label);
     if (!ready || (mesh && *mesh != ready->data->mesh)) return std::nullopt;
     mesh = ready->data->mesh;
   }
@@ -137,11 +137,11 @@ void PanePictures::measure(Pane& pane, const PaneContent& content, MeshChoice me
                            const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
                            std::uint64_t serial) {
   pane.shown.figures.reset();
-  if (!isMethod(content.shown)) return;
-  const Mask* candidate = methodMask(scene, state, content.shown, serial);
+  if (!content.shown.isMethod()) return;
+  const Mask* candidate = methodMask(scene, state, content.shown.label, serial);
   if (candidate == nullptr) return;
-  if (isMethod(content.against)) {
-    const Mask* other = methodMask(scene, state, content.against, serial);
+  if (content.against && content.against->isMethod()) {
+    const Mask* other = methodMask(scene, state, content.against->label, serial);
     if (other == nullptr) return;
     const auto [a, b] = comparable(*candidate, *other, false);
     const std::vector<std::uint8_t> all(a.size(), 1);
@@ -156,7 +156,7 @@ void PanePictures::measure(Pane& pane, const PaneContent& content, MeshChoice me
 void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnScene& scene,
                             const ViewState& state, const KnownTruth& truth, std::uint64_t serial) {
   pane.shown.note.clear();
-  if (content.shown == PaneContent::displaced) {
+  if (content.shown == displacedSurface) {
     pane.shown.figures.reset();
     if (truth.picture) showImage(pane, *truth.picture);
     if (!truth.picture) {
@@ -166,28 +166,29 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
   }
   const auto mesh = meshOf(scene, content);
   if (!mesh) {
-    const bool waits = (isMethod(content.shown) && !scene.method(content.shown)) ||
-                       (isMethod(content.against) && !scene.method(content.against));
+    const auto isMissing = [&](const PaneSource& source) {
+      return source.isMethod() && !scene.method(source.label);
+    };
+    const bool waits = isMissing(content.shown) || (content.against && isMissing(*content.against));
     pane.shown.note = waits ? "" : "these two draw different meshes: no common pixels";
     pane.shown.figures.reset();
     if (!waits) shade(pane, scene, state, scene.data()->standardMesh(), emptyMask(state.camera));
     return;  // what was there stays until the tables are ready
   }
   const PartialTruth* partial = truthOf(truth, *mesh, state.camera);
-  const auto operand = [&](const std::string& name) -> std::optional<Mask> {
+  const auto operand = [&](const PaneSource& source) -> std::optional<Mask> {
     // A truth of the light before is no measure: until there is another, nothing differs.
     const bool usable = partial != nullptr && !(truth.stale && content.isDifference());
-    if (name == PaneContent::truth) return usable ? partial->preview : emptyMask(state.camera);
-    const Mask* mask = methodMask(scene, state, name, serial);
+    if (source == tracedTruth) return usable ? partial->preview : emptyMask(state.camera);
+    const Mask* mask = methodMask(scene, state, source.label, serial);
     return mask != nullptr ? std::optional(*mask) : std::nullopt;
   };
   const auto first = operand(content.shown);
   if (!first) return;
-  if (content.isDifference()) {
-    const auto second = operand(content.against);
+  if (content.against) {
+    const auto second = operand(*content.against);
     if (!second) return;
-    const bool hasTruth =
-        content.shown == PaneContent::truth || content.against == PaneContent::truth;
+    const bool hasTruth = content.shown == tracedTruth || *content.against == tracedTruth;
     const auto [a, b] = comparable(*first, *second, hasTruth);
     showImage(pane, differenceImage(a, b));
   } else {
@@ -218,14 +219,14 @@ bool PanePictures::draw(const DrawnScene& scene, const ViewState& state, const K
 
 std::optional<Mask> PanePictures::maskOf(const DrawnScene& scene, const ViewState& state,
                                          const KnownTruth& truth, const PaneContent& content) {
-  if (content.isDifference() || content.shown == PaneContent::displaced) return std::nullopt;
+  if (content.isDifference() || content.shown == displacedSurface) return std::nullopt;
   const auto mesh = meshOf(scene, content);
   if (!mesh) return std::nullopt;
   const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, *mesh, state.camera);
-  if (content.shown == PaneContent::truth) {
+  if (content.shown == tracedTruth) {
     return partial != nullptr ? std::optional(partial->mask) : std::nullopt;
   }
-  const Mask* mask = methodMask(scene, state, content.shown, serial_);
+  const Mask* mask = methodMask(scene, state, content.shown.label, serial_);
   return mask != nullptr ? std::optional(*mask) : std::nullopt;
 }
 

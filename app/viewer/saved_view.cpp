@@ -57,7 +57,7 @@ std::string saveMasks(ViewSession& session) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(session.state().paneCount); ++i) {
     const auto mask = session.maskOf(i);
     if (!mask) continue;
-    const std::string& shown = session.state().panes.at(i).shown;
+    const std::string shown = sourceText(session.state().panes.at(i).shown);
     const fs::path path = freePath(session, fmt::format("_{}.png", fileNames({shown}).front()));
     writePng(path, maskImage(*mask));
     said += fmt::format("{}saved {}", said.empty() ? "" : "\n", path.string());

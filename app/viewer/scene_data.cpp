@@ -8,29 +8,10 @@
 
 #include "relief/horizon_ellipses.h"
 #include "relief/texel_scale.h"
+#include "study/run_keys.h"
 
 namespace gnomon {
-namespace fs = std::filesystem;
 namespace {
-
-std::string changesOf(const StudyOptions& options, std::string_view section) {
-  std::vector<std::string> changes;
-  for (const std::string& change : options.overrides) {
-    if (change.starts_with(section)) changes.push_back(change);
-  }
-  return fmt::format("{}", fmt::join(changes, "\n"));
-}
-
-SceneKeys keysOf(const fs::path& file, const StudyOptions& options) {
-  std::error_code ignored;
-  const auto time = fs::last_write_time(file, ignored).time_since_epoch().count();
-  SceneKeys keys;
-  keys.surface = fmt::format("{}\n{}", time, changesOf(options, "surface."));
-  keys.relief = changesOf(options, "relief.");
-  keys.truth = fmt::format("{}\n{}\n{}", keys.surface, keys.relief, changesOf(options, "truth."));
-  keys.relief = fmt::format("{}\n{}", time, keys.relief);
-  return keys;
-}
 
 TableImage imageOf(std::span<const float> values, const HorizonTables& baked, TableBits bits) {
   return {storeTable(values, bits), baked.width, baked.height,
@@ -46,6 +27,18 @@ auto cached(Map& map, const typename Map::key_type& key, const Make& make) {
 }
 
 }  // namespace
+
+SceneKeys sceneKeys(const StudySpec& study) {
+  SceneKeys keys;
+  keys.surface = cageKey(study.cage);
+  keys.relief = reliefKey(study.relief);
+  KeyBuilder truth("viewed truth");
+  truth.add("surface", keys.surface).add("relief", keys.relief);
+  truth.add("leastTriangles", study.truth.leastTriangles);
+  if (study.truth.stepTexels) truth.add("step", *study.truth.stepTexels);
+  keys.truth = truth.key();
+  return keys;
+}
 
 std::shared_ptr<const HorizonTables> SceneMaker::bake(const HeightField& field,
                                                       const BakeSettings& settings,
@@ -140,9 +133,9 @@ void SceneMaker::forgetUnused(const SceneData& scene) {
 std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
                                                   const StageProgress& progress) {
   auto scene = std::make_shared<SceneData>();
-  scene->keys = keysOf(file_, request.options);
   progress("Reading the study")(0);
   scene->study = std::make_shared<const StudySpec>(readStudy(file_, request.options));
+  scene->keys = sceneKeys(*scene->study);
 
   // Whether the map ends with the surface hangs on both.
   const Border border = scene->study->relief.field.border();

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "cache/content_key.h"
 #include "common/progress.h"
 #include "model/field_lines.h"
 #include "relief/angle_table.h"
@@ -64,12 +65,14 @@ struct MethodData {
   std::shared_ptr<const TableImage> ellipses;
 };
 
-/// Where a part comes from: equal keys, equal parts.
+/// What a part is made from, by contents, whichever files they come from: equal keys, equal parts.
 struct SceneKeys {
-  std::string surface;  ///< the file's time and the overrides of `surface.`
-  std::string relief;   ///< and of `relief.`
-  std::string truth;    ///< all of these and `truth.`
+  ContentKey surface;  ///< the cage
+  ContentKey relief;   ///< the height map as it lies on the surface
+  ContentKey truth;    ///< both, and how finely the displaced surface is cut
 };
+
+SceneKeys sceneKeys(const StudySpec& study);
 
 struct SceneData {
   SceneKeys keys;
@@ -125,7 +128,7 @@ class SceneMaker {
 
   std::filesystem::path file_;
   std::shared_ptr<const SceneData> last_;
-  std::string tablesOf_;  ///< the key of the relief that the tables were baked from
+  ContentKey tablesOf_;  ///< of the relief that the tables were baked from
   Tables tables_;
 };
 

@@ -148,7 +148,8 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
   if (samples == nullptr || scene == nullptr) return;
   Key key = key_;
   key.serial = session.serial();
-  key.traced = session.traced();
+  const TracedMesh* traced = session.traced();
+  key.traced = traced != nullptr ? std::optional(traced->key) : std::nullopt;
   const int pane = paneUnder(layout, cursor, session.state().wipe);
   if (pane >= 0) {
     const auto pixel = pixelUnder(cursor, layout.panes.at(static_cast<std::size_t>(pane)),
@@ -178,9 +179,9 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
   section_ = crossSection(*scene->surface, scene->study->relief, sample, light, {radius, 8},
                           tables ? &*tables : nullptr);
   occluder_.reset();
-  if (key.traced != nullptr) {
-    occluder_ = firstOccluder(*scene->surface, scene->study->relief, key.traced->mesh,
-                              key.traced->scene, {sample, light, standardLift});
+  if (traced != nullptr) {
+    occluder_ = firstOccluder(*scene->surface, scene->study->relief, traced->mesh, traced->scene,
+                              {sample, light, standardLift});
   }
 }
 

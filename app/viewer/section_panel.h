@@ -24,7 +24,7 @@ class SectionPanel {
     int face = -1;
     float s = 0, t = 0;
     std::uint64_t serial = 0;
-    const TracedMesh* traced = nullptr;
+    std::optional<ContentKey> traced;  ///< of the displaced surface, once it is there
     friend bool operator==(const Key&, const Key&) = default;
   };
   Key key_;

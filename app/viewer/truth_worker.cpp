@@ -101,12 +101,19 @@ CurvaturePicture curvaturePicture(const SceneData& scene, const SampleGrid& samp
                                   const Vec3& light) {
   CurvatureField field = curvatureAlong(*scene.surface, samples, light);
   CurvaturePicture picture{
-      {samples.width, samples.height, {}}, std::move(field.defined), field.largest};
+      {samples.width, samples.height, {}}, std::move(field.defined), field.largest, {}};
   picture.image.rgb.reserve(3 * field.values.size());
   for (const double value : field.values) {
     const Rgb colour = curvatureColour(value, field.largest);
     picture.image.rgb.insert(picture.image.rgb.end(), colour.begin(), colour.end());
   }
+  picture.key = KeyBuilder("curvature")
+                    .add("width", picture.image.width)
+                    .add("height", picture.image.height)
+                    .add("rgb", picture.image.rgb)
+                    .add("defined", picture.defined)
+                    .add("largest", picture.largest)
+                    .key();
   return picture;
 }
 
@@ -125,11 +132,10 @@ const ProgressiveOrder& TruthTracer::orderOf(const std::shared_ptr<const SampleG
 }
 
 void TruthTracer::build(const SceneData& scene, const Worker::Job& job) {
-  if (traced_ && key_ == scene.keys.truth) return;
+  if (traced_ && traced_->key == scene.keys.truth) return;
   traced_.reset();  // the old one goes before the new one comes
   traced_ = std::make_shared<const TracedMesh>(scene, job.progress("Displacing the surface"),
                                                job.progress("Building the hierarchy"));
-  key_ = scene.keys.truth;
 }
 
 void TruthTracer::publish(const Worker::Job& job, TruthResult result) const {
@@ -149,7 +155,7 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
       table.originX = asked.origin.x;
       table.originY = asked.origin.y;
       TruthResult result;
-      result.angles = std::pair(asked.label, std::move(table));
+      result.angles = {asked.label, asked.key, std::move(table)};
       publish(job, std::move(result));
     }
     orders_.erase(std::remove_if(orders_.begin(), orders_.end(),

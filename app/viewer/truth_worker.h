@@ -22,7 +22,10 @@ namespace gnomon {
 /// The displaced surface in Embree.
 struct TracedMesh {
   TracedMesh(const SceneData& of, const Progress& meshing, const Progress& hierarchy)
-      : mesh(*of.surface, of.study->relief, of.study->truth, meshing), scene(mesh, hierarchy) {}
+      : key(of.keys.truth),
+        mesh(*of.surface, of.study->relief, of.study->truth, meshing),
+        scene(mesh, hierarchy) {}
+  ContentKey key;  ///< SceneKeys::truth of what it was made from
   MicroMesh mesh;
   MicroScene scene;
 };
@@ -36,6 +39,7 @@ struct TruthView {
 /// Horizons that must be shot on the displaced surface, for one method.
 struct AnglesRequest {
   std::string label;
+  ContentKey key;  ///< DrawnScene::anglesKey of the method that they are for
   BakeSpec bake;
   SampleGrid texels;
   glm::ivec2 origin{0, 0};  ///< texel coordinates of the grid's lower left corner
@@ -55,6 +59,7 @@ struct CurvaturePicture {
   Image image;
   std::vector<std::uint8_t> defined;  ///< one a pixel: 1 where there is a curvature
   double largest = 0;                 ///< |κ| that the colours' ends stand for, 1 / world
+  ContentKey key;                     ///< of all of the above
 };
 
 /// A truth as far as it is traced.
@@ -72,14 +77,21 @@ struct PartialTruth {
   }
 };
 
+/// Horizons that were asked for.
+struct ShotAngles {
+  std::string label;
+  ContentKey key;  ///< as the request's
+  AngleTable table;
+};
+
 /// One of these is there, or several.
 struct TruthResult {
   std::optional<PartialTruth> truth;
   std::optional<Image> picture;  ///< the displaced surface by its own rays, perhaps smaller
   std::optional<CurvaturePicture> curvature;
-  std::optional<std::pair<std::string, AngleTable>> angles;  ///< and the method's label
-  std::shared_ptr<const TracedMesh> traced;                  ///< what it was traced on
-  std::string error;                                         ///< why there is no more
+  std::optional<ShotAngles> angles;
+  std::shared_ptr<const TracedMesh> traced;  ///< what it was traced on
+  std::string error;                         ///< why there is no more
 };
 
 /// Builds and traces; keeps the displaced surface as long as scenes have the same.
@@ -95,7 +107,6 @@ class TruthTracer {
   /// The order in which a view is traced, kept while only the light moves.
   const ProgressiveOrder& orderOf(const std::shared_ptr<const SampleGrid>& samples);
 
-  std::string key_;
   std::shared_ptr<const TracedMesh> traced_;
   std::vector<std::pair<std::shared_ptr<const SampleGrid>, ProgressiveOrder>> orders_;
 };

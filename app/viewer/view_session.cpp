@@ -106,7 +106,10 @@ void ViewSession::takeScenes() {
     for (const auto& [label, method] : scene()->methods) files.push_back(method->spec.file);
     watch_.watch(files);
     ++serial_;
-    if (!sameTruth) forgetTruth(true);
+    if (!sameTruth) {
+      forgetTruth(true);
+      tracer_.dispose(std::exchange(traced_, {}));  // of another surface
+    }
   }
 }
 
@@ -157,6 +160,7 @@ std::vector<AnglesRequest> ViewSession::missingAngles() const {
     const RenderView& plane = scene_.mesh(method->mesh).texture;
     requireTextureView(plane);
     missing.push_back({label,
+                       scene_.anglesKey(*method),
                        method->spec.bake,
                        pictures_.texelsOf(plane, scene_.mesh(method->mesh).gpu),
                        {plane.texelWindow.x, plane.texelWindow.y}});
@@ -169,11 +173,11 @@ void ViewSession::askForTruth() {
   if (!hasScene() || Clock::now() - cameraMoved_ < rest) return;
   TruthRequest wanted;
   bool wantsPicture = false;
-  std::string asked = scene()->keys.truth;
+  std::string asked = scene()->keys.truth.text();
   std::vector<MeshChoice> meshes;
   for (int i = 0; i < state_.paneCount; ++i) {
     const PaneContent& content = state_.panes.at(static_cast<std::size_t>(i));
-    if (content.shown == PaneContent::displaced) wantsPicture = true;
+    if (content.shown == displacedSurface) wantsPicture = true;
     const auto mesh = PanePictures::meshOf(scene_, content);
     if (mesh && needsTruth(content) &&
         std::find(meshes.begin(), meshes.end(), *mesh) == meshes.end()) {
@@ -191,7 +195,7 @@ void ViewSession::askForTruth() {
   }
   asked += fmt::format("\n{} {}", wantsPicture, state_.overlays.curvature);
   for (const auto& [label, method] : scene()->methods) {
-    if (scene_.lacksAngles(label)) asked += "\n" + label;
+    if (scene_.lacksAngles(label)) asked += "\n" + scene_.anglesKey(*method).text() + label;
   }
   if (asked == askedTruth_) return;
   askedTruth_ = asked;
@@ -238,8 +242,8 @@ void ViewSession::takeTruths() {
       curvatureWhole_ = true;
     }
     if (result->angles) {
-      scene_.installAngles(result->angles->first, result->angles->second);
-      ++serial_;
+      const ShotAngles& angles = *result->angles;
+      if (scene_.installAngles(angles.label, angles.key, angles.table)) ++serial_;
     }
   }
 }
@@ -274,7 +278,7 @@ bool ViewSession::isComplete() const {
   for (int i = 0; i < state_.paneCount; ++i) {
     const auto pane = static_cast<std::size_t>(i);
     const PaneContent& content = state_.panes.at(pane);
-    if (content.shown == PaneContent::displaced && !pictureWhole_) return false;
+    if (content.shown == displacedSurface && !pictureWhole_) return false;
     if (needsTruth(content) && PanePictures::meshOf(scene_, content) && tracedShare(pane) < 1) {
       return false;
     }

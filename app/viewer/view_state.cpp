@@ -9,24 +9,40 @@
 
 namespace gnomon {
 
-bool isMethod(std::string_view name) {
-  return !name.empty() && name != PaneContent::truth && name != PaneContent::displaced;
+namespace {
+
+constexpr std::string_view truthName = "truth";
+constexpr std::string_view displacedName = "displaced";
+
+std::optional<PaneSource> parseSource(const std::string& text,
+                                      const std::vector<std::string>& labels) {
+  if (std::find(labels.begin(), labels.end(), text) != labels.end()) return methodSource(text);
+  if (text == truthName) return tracedTruth;
+  if (text == displacedName) return displacedSurface;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string sourceText(const PaneSource& source) {
+  if (source.isMethod()) return source.label;
+  return std::string(source == tracedTruth ? truthName : displacedName);
 }
 
 std::string contentText(const PaneContent& content) {
-  return content.isDifference() ? content.shown + ":" + content.against : content.shown;
+  const std::string shown = sourceText(content.shown);
+  return content.against ? shown + ":" + sourceText(*content.against) : shown;
 }
 
 PaneContent parseContent(const std::string& text, const std::vector<std::string>& labels) {
-  const auto isKnown = [&](const std::string& name, bool operand) {
-    return name == PaneContent::truth || (!operand && name == PaneContent::displaced) ||
-           std::find(labels.begin(), labels.end(), name) != labels.end();
-  };
-  if (isKnown(text, false)) return {text, {}};
+  if (auto source = parseSource(text, labels)) return {std::move(*source)};
   for (std::size_t colon = text.find(':'); colon != std::string::npos;
        colon = text.find(':', colon + 1)) {
-    PaneContent content{text.substr(0, colon), text.substr(colon + 1)};
-    if (isKnown(content.shown, true) && isKnown(content.against, true)) return content;
+    auto shown = parseSource(text.substr(0, colon), labels);
+    auto against = parseSource(text.substr(colon + 1), labels);
+    const bool areMasks =
+        shown && against && *shown != displacedSurface && *against != displacedSurface;
+    if (areMasks) return {std::move(*shown), std::move(against)};
   }
   throw UsageError(
       fmt::format("--show {}: truth, displaced, a method or the difference of two, as "
@@ -38,9 +54,10 @@ std::vector<std::string> shownMethods(const ViewState& state) {
   std::vector<std::string> labels;
   for (int i = 0; i < state.paneCount; ++i) {
     const PaneContent& pane = state.panes.at(static_cast<std::size_t>(i));
-    for (const std::string& name : {pane.shown, pane.against}) {
-      if (isMethod(name) && std::find(labels.begin(), labels.end(), name) == labels.end()) {
-        labels.push_back(name);
+    for (const PaneSource& source : {pane.shown, pane.against.value_or(tracedTruth)}) {
+      if (!source.isMethod()) continue;
+      if (std::find(labels.begin(), labels.end(), source.label) == labels.end()) {
+        labels.push_back(source.label);
       }
     }
   }
@@ -49,7 +66,7 @@ std::vector<std::string> shownMethods(const ViewState& state) {
 
 bool needsTruth(const PaneContent& content) {
   // A method on its own is measured against the truth, too.
-  return content.shown != PaneContent::displaced;
+  return content.shown != displacedSurface;
 }
 
 }  // namespace gnomon

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <compare>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/camera.h"
@@ -14,25 +14,42 @@ namespace gnomon {
 
 /// All that a person chooses in the window, as a value.
 
-/// What one pane shows: a mask, or the signed difference of two.
-struct PaneContent {
-  static constexpr std::string_view truth = "truth";          ///< the traced truth
-  static constexpr std::string_view displaced = "displaced";  ///< the displaced surface's own rays
+/// What answers in a pane. A method may have any label, those of the other kinds too.
+struct PaneSource {
+  enum class Kind {
+    method,
+    truth,     ///< the traced truth
+    displaced  ///< the displaced surface's own rays: a picture, not a mask
+  };
+  Kind kind = Kind::method;
+  std::string label;  ///< a method's; empty for the others
 
-  std::string shown;    ///< a method's label, `truth` or `displaced`
-  std::string against;  ///< a method's label or `truth`; empty for no difference
-
-  [[nodiscard]] bool isDifference() const { return !against.empty(); }
-  friend auto operator<=>(const PaneContent&, const PaneContent&) = default;
+  [[nodiscard]] bool isMethod() const { return kind == Kind::method; }
+  friend bool operator==(const PaneSource&, const PaneSource&) = default;
 };
 
-/// Whether a name stands for one of the study's methods.
-bool isMethod(std::string_view name);
+inline const PaneSource tracedTruth{PaneSource::Kind::truth, {}};
+inline const PaneSource displacedSurface{PaneSource::Kind::displaced, {}};
+inline PaneSource methodSource(std::string label) {
+  return {PaneSource::Kind::method, std::move(label)};
+}
 
-/// "onoue-2004", "truth", "displaced", or "onoue-2004:truth" for a difference.
+/// What one pane shows: a mask, or the signed difference of two.
+struct PaneContent {
+  PaneSource shown;
+  std::optional<PaneSource> against = {};  ///< a method or the truth; none for no difference
+
+  [[nodiscard]] bool isDifference() const { return against.has_value(); }
+  friend bool operator==(const PaneContent&, const PaneContent&) = default;
+};
+
+/// "onoue-2004", "truth" or "displaced".
+std::string sourceText(const PaneSource& source);
+
+/// The same, or "onoue-2004:truth" for a difference.
 std::string contentText(const PaneContent& content);
 
-/// The inverse.
+/// The inverse; a text that is both a method's label and another source's name is the method.
 /// @param labels  the methods there are
 /// @throws UsageError listing what there is, for a name that is none of it
 PaneContent parseContent(const std::string& text, const std::vector<std::string>& labels);

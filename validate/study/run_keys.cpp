@@ -26,24 +26,6 @@ void add(KeyBuilder& key, const char* name, const Vec3& point) {
   key.add(name, std::vector<double>{point.x, point.y, point.z});
 }
 
-ContentKey cageKey(const Cage& cage) {
-  KeyBuilder key("cage");
-  key.add("positions", numbersOf(cage.positions));
-  key.add("faceVertices", cage.faceVertices);
-  key.add("uvs", numbersOf(cage.uvs));
-  key.add("faceUvs", cage.faceUvs);
-  for (const Crease& crease : cage.creases) {
-    key.add("crease", std::vector<int>(crease.vertices.begin(), crease.vertices.end()));
-    key.add("sharpness", crease.sharpness);
-  }
-  for (const SharpVertex& sharp : cage.sharpVertices) {
-    key.add("sharpVertex", sharp.vertex).add("sharpness", sharp.sharpness);
-  }
-  key.add("border", cage.border).add("scheme", cage.scheme);
-  if (cage.grid) key.add("columns", cage.grid->columns).add("rows", cage.grid->rows);
-  return key.key();
-}
-
 ContentKey fieldKey(const HeightField& field) {
   KeyBuilder key("heights");
   key.add("width", field.width()).add("height", field.height()).add("wrap", field.wrap());
@@ -85,6 +67,30 @@ void add(KeyBuilder& key, const BakeSettings& settings) {
 
 }  // namespace
 
+ContentKey cageKey(const Cage& cage) {
+  KeyBuilder key("cage");
+  key.add("positions", numbersOf(cage.positions));
+  key.add("faceVertices", cage.faceVertices);
+  key.add("uvs", numbersOf(cage.uvs));
+  key.add("faceUvs", cage.faceUvs);
+  for (const Crease& crease : cage.creases) {
+    key.add("crease", std::vector<int>(crease.vertices.begin(), crease.vertices.end()));
+    key.add("sharpness", crease.sharpness);
+  }
+  for (const SharpVertex& sharp : cage.sharpVertices) {
+    key.add("sharpVertex", sharp.vertex).add("sharpness", sharp.sharpness);
+  }
+  key.add("border", cage.border).add("scheme", cage.scheme);
+  if (cage.grid) key.add("columns", cage.grid->columns).add("rows", cage.grid->rows);
+  return key.key();
+}
+
+ContentKey reliefKey(const Relief& relief) {
+  KeyBuilder key("relief");
+  key.add("heights", fieldKey(relief.field)).add("space", relief.space);
+  return key.add("repeats", std::vector<double>{relief.repeats.x, relief.repeats.y}).key();
+}
+
 ContentKey programKey() {
   KeyBuilder key("program");
   key.add("executable", keyOfBytes(readFile("/proc/self/exe")));
@@ -103,9 +109,7 @@ RunKeys::RunKeys(const StudySpec& study, const GlContext& gl, const fs::path& sh
     : study_(study), shaders_(shadersKey(shaders)) {
   KeyBuilder key("place");
   key.add("renderer", gl.renderer()).add("gl", gl.version()).add("cage", cageKey(study.cage));
-  key.add("heights", fieldKey(study.relief.field)).add("space", study.relief.space);
-  key.add("repeats", std::vector<double>{study.relief.repeats.x, study.relief.repeats.y});
-  place_ = key.key();
+  place_ = key.add("relief", reliefKey(study.relief)).key();
 }
 
 ContentKey RunKeys::mesh(const MeshChoice& choice) const {

@@ -17,6 +17,12 @@ namespace gnomon {
 /// used; so does the GL renderer.
 ContentKey programKey();
 
+/// The control mesh of a surface.
+ContentKey cageKey(const Cage& cage);
+
+/// A height map as it lies on a surface.
+ContentKey reliefKey(const Relief& relief);
+
 /// The horizon tables of a height field.
 ContentKey bakeKey(const HeightField& field, const BakeSettings& settings);
 

@@ -62,12 +62,34 @@ TEST(BackgroundWorker, ANewRequestCancelsTheOneUnderWay) {
 }
 
 TEST(BackgroundWorker, ResultsOfOlderRequestsAreNotTaken) {
-  Worker worker([](const int& request, const Worker::Job& job) { job.publish(request); }, [] {});
+  std::atomic<int> published = 0;
+  Worker worker(
+      [&](const int& request, const Worker::Job& job) {
+        job.publish(request);
+        ++published;
+      },
+      [] {});
   worker.request(1);
-  ASSERT_TRUE(comesTrue([&] { return !worker.status().busy; }));
+  ASSERT_TRUE(comesTrue([&] { return published == 1; }));
   worker.request(2);
   EXPECT_EQ(resultOf(worker), 2);
   EXPECT_FALSE(worker.take());
+}
+
+TEST(BackgroundWorker, ResultsOfACancelledRequestAreNotTaken) {
+  std::atomic<int> published = 0;
+  Worker worker(
+      [&](const int& request, const Worker::Job& job) {
+        job.publish(request);
+        ++published;
+      },
+      [] {});
+  worker.request(1);
+  ASSERT_TRUE(comesTrue([&] { return published == 1; }));
+  worker.cancel();
+  EXPECT_FALSE(worker.take());
+  worker.request(2);
+  EXPECT_EQ(resultOf(worker), 2);
 }
 
 TEST(BackgroundWorker, EndsDuringAComputation) {

@@ -50,6 +50,38 @@ TEST_F(SceneMakerTest, KeepsWhatAChangeDoesNotTouch) {
       << "tables of the flat relief do not know the surface";
 }
 
+TEST_F(SceneMakerTest, AnImageThatChangesIsAnotherRelief) {
+  const std::vector<std::string> image = {
+      R"(relief={image="heights.pgm", height=4, height_space="world"})"};
+  std::ofstream(file("heights.pgm")) << "P2\n3 2\n255\n0 90 255 10 30 70\n";
+  const auto first = made(maker_, image, {"max-forsyth"});
+  EXPECT_EQ(made(maker_, image, {"max-forsyth"})->heights, first->heights);
+  std::ofstream(file("heights.pgm")) << "P2\n3 2\n255\n0 90 255 10 30 71\n";
+  const auto second = made(maker_, image, {"max-forsyth"});
+  EXPECT_EQ(second->heights->texels(), second->study->relief.field.texels());
+  EXPECT_NE(second->keys.relief, first->keys.relief);
+  EXPECT_NE(second->keys.truth, first->keys.truth);
+  EXPECT_NE(second->methods.at("max-forsyth")->tables, first->methods.at("max-forsyth")->tables);
+  EXPECT_EQ(second->surface, first->surface);
+}
+
+TEST_F(SceneMakerTest, AMeshThatChangesIsAnotherSurface) {
+  const auto write = [&](const char* height) {
+    std::ofstream(file("square.obj")) << "v 0 0 0\nv 1 0 " << height << "\nv 1 1 0\nv 0 1 0\n"
+                                      << "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+  };
+  const std::vector<std::string> mesh = {R"(surface={mesh="square.obj"})"};
+  write("0");
+  const auto first = made(maker_, mesh, {"max-forsyth"});
+  EXPECT_EQ(made(maker_, mesh, {"max-forsyth"})->surface, first->surface);
+  write("0.25");
+  const auto second = made(maker_, mesh, {"max-forsyth"});
+  EXPECT_NE(second->surface, first->surface);
+  EXPECT_NE(second->meshes, first->meshes);
+  EXPECT_NE(second->keys.truth, first->keys.truth);
+  EXPECT_EQ(second->methods.at("max-forsyth")->tables, first->methods.at("max-forsyth")->tables);
+}
+
 TEST_F(SceneMakerTest, ChangingTheTablesBakesAgain) {
   const auto first = made(maker_, {}, {"max-forsyth"});
   const auto finer = made(maker_, {"bake.azimuths=16"}, {"max-forsyth"});

@@ -1,0 +1,125 @@
+#include "viewer/view_session.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "app/viewer/viewed_study.h"
+#include "model/orbit.h"
+#include "render/gl_context.h"
+#include "support/replaced.h"
+
+namespace gnomon {
+namespace {
+
+/// A session without a window: the test is the loop that draws its frames.
+class ViewSessionTest : public ViewedStudy {
+ protected:
+  [[nodiscard]] ViewRequest request(std::vector<std::string> show) const {
+    ViewRequest asked;
+    asked.study = study();
+    asked.show = std::move(show);
+    asked.options.overrides = {"truth.step=0.06"};  // a truth that takes some time
+    return asked;
+  }
+  /// Until a condition holds, or half a minute is over.
+  template <typename Condition>
+  static bool comesTrue(const Condition& condition) {
+    for (int i = 0; i < 15000; ++i) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+  static bool completes(ViewSession& session) {
+    return comesTrue([&] {
+      session.update();
+      return session.isComplete();
+    });
+  }
+  /// Frames until the truth is asked for, and none while it is traced: all of it waits to be taken.
+  static bool tracesWithoutAFrame(ViewSession& session) {
+    return comesTrue([&] {
+             session.update();
+             return session.tracing().busy;
+           }) &&
+           comesTrue([&] { return !session.tracing().busy; });
+  }
+  static double errorRate(const ViewSession& session) {
+    const auto& figures = session.pane(0).figures;
+    return figures && figures->errorRate.value ? *figures->errorRate.value : -1;
+  }
+
+  GlContext gl_;
+};
+
+TEST_F(ViewSessionTest, ATruthThatEndsAsTheCameraMovesMeasuresNothing) {
+  ViewSession session(request({"max-forsyth"}), [] {});
+  ASSERT_TRUE(tracesWithoutAFrame(session));
+  session.state().camera = orbited(session.state().camera, 0.4, 0.2);
+  session.update();
+  EXPECT_FALSE(session.pane(0).figures) << "measured against the truth of the camera before";
+  EXPECT_EQ(session.tracedShare(0), 0);
+  // What is measured then is what a session finds that never saw another camera.
+  const Camera camera = session.state().camera;
+  ASSERT_TRUE(completes(session));
+  ViewSession other(request({"max-forsyth"}), [] {});
+  other.state().camera = camera;
+  ASSERT_TRUE(completes(other));
+  EXPECT_EQ(errorRate(session), errorRate(other));
+  EXPECT_GT(errorRate(other), 0);
+}
+
+TEST_F(ViewSessionTest, ATruthThatEndsAsTheLightMovesMeasuresNothing) {
+  ViewSession session(request({"max-forsyth"}), [] {});
+  ASSERT_TRUE(tracesWithoutAFrame(session));
+  session.state().light.elevation = 12;
+  session.update();
+  EXPECT_FALSE(session.pane(0).figures) << "measured against the truth of the light before";
+}
+
+TEST_F(ViewSessionTest, AMethodLabelledDisplacedIsThatMethod) {
+  std::ofstream(study(), std::ios::app)
+      << "[[method]]\nname = \"unshadowed\"\nlabel = \"displaced\"\n";
+  ViewSession session(request({"displaced"}), [] {});
+  ASSERT_TRUE(completes(session));
+  const auto mask = session.maskOf(0);
+  ASSERT_TRUE(mask) << "the ray-traced surface has none";
+  const double error = errorRate(session);
+  session.state().panes[0] = {methodSource("unshadowed")};
+  ASSERT_TRUE(completes(session));
+  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+  EXPECT_EQ(errorRate(session), error);
+  EXPECT_GT(error, 0);
+  // The surface is still there to be looked at.
+  session.state().panes[0] = {displacedSurface};
+  ASSERT_TRUE(completes(session));
+  EXPECT_FALSE(session.maskOf(0));
+  EXPECT_FALSE(session.pane(0).figures);
+}
+
+TEST_F(ViewSessionTest, HorizonsThatWereShotForOtherTablesAreNotTaken) {
+  std::ofstream(study(), std::ios::app) << "[[method]]\nname = \"sloan-cohen-surface\"\n";
+  const std::string method = "sloan-cohen-surface";
+  ViewSession session(request({method}), [] {});
+  // The first horizons are on their way when others are asked for.
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return session.tracing().busy;
+  }));
+  session.state().changes.methods[method].bake.azimuths = 16;
+  ASSERT_TRUE(completes(session));
+  const double changed = errorRate(session);
+  ViewSession other(request({method}), [] {});
+  other.state().changes.methods[method].bake.azimuths = 16;
+  ASSERT_TRUE(completes(other));
+  EXPECT_EQ(changed, errorRate(other));
+  ViewSession plain(request({method}), [] {});
+  ASSERT_TRUE(completes(plain));
+  EXPECT_NE(changed, errorRate(plain)) << "the tables make no difference: the test shows nothing";
+}
+
+}  // namespace
+}  // namespace gnomon
