@@ -136,10 +136,6 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
   progress("Reading the study")(0);
   scene->study = std::make_shared<const StudySpec>(readStudy(file_, request.options));
   scene->keys = sceneKeys(*scene->study);
-
-  // Whether the map ends with the surface hangs on both.
-  const Border border = scene->study->relief.field.border();
-  scene->keys.relief += fmt::format("\n{} {}", border.x, border.y);
   const bool sameSurface = last_ && last_->keys.surface == scene->keys.surface;
   const bool sameRelief = last_ && last_->keys.relief == scene->keys.relief;
   progress("Finding the limit surface")(0);

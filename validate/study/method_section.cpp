@@ -43,11 +43,12 @@ double checkedValue(const TomlReader& section, const Method& method, const std::
 
 }  // namespace
 
-BakeSpec readBake(const TomlReader& section, BakeSpec bake) {
+BakeSpec readBake(const TomlReader& section, BakeSpec bake, int resample) {
   constexpr std::array bits = {8, 16, 32};
   bake.settings.azimuths = section.integer("azimuths", 1, 1024, bake.settings.azimuths);
-  bake.settings.radiusTexels =
-      section.number("radius", Range{0, 1e5, true}, bake.settings.radiusTexels);
+  if (const auto radius = section.optionalNumber("radius", Range{0, 1e5, true})) {
+    bake.settings.radiusTexels = *radius * resample;
+  }
   bake.angleLimit = radians(section.number("limit", Range{1, 180}, bake.angleLimit * 180 / pi));
   const int asked = section.integer("bits", 8, 32, static_cast<int>(bake.bits));
   if (std::find(bits.begin(), bits.end(), asked) == bits.end()) {
@@ -76,7 +77,9 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
   const Method declared = readMethod(method.file);
   method.bake = defaults.bake;
   if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
-  if (const auto bake = section.optionalTable("bake")) method.bake = readBake(*bake, method.bake);
+  if (const auto bake = section.optionalTable("bake")) {
+    method.bake = readBake(*bake, method.bake, defaults.resample);
+  }
   method.baseSubdivisions = declared.subdivisions.value_or(defaults.baseSubdivisions);
   method.baseCurvature = defaults.baseCurvature;
   if (const auto base = section.optionalTable("base")) {
@@ -99,7 +102,9 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
   if (section.has("filter")) {
     method.filter = filters.at(section.choice("filter", {"exact", "hardware"}));
   }
-  if (const auto bake = section.optionalTable("bake")) method.bake = readBake(*bake, method.bake);
+  if (const auto bake = section.optionalTable("bake")) {
+    method.bake = readBake(*bake, method.bake, defaults.resample);
+  }
   if (const auto base = section.optionalTable("base")) {
     readBase(*base, method.baseSubdivisions, method.baseCurvature);
   }

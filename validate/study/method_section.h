@@ -14,10 +14,12 @@ struct MethodDefaults {
   BakeSpec bake;
   int baseSubdivisions;
   CurvatureSource baseCurvature;
+  int resample;  ///< as Relief::resample
 };
 
 /// A `[bake]` over what holds without it.
-BakeSpec readBake(const TomlReader& section, BakeSpec bake);
+/// @param resample  as Relief::resample: the section's lengths count texels of the map before it
+BakeSpec readBake(const TomlReader& section, BakeSpec bake, int resample);
 
 /// A `[base]` over what holds without it.
 void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& curvature);

@@ -8,6 +8,7 @@
 
 #include "relief/height_image.h"
 #include "relief/patterns.h"
+#include "relief/resampled_heights.h"
 
 namespace gnomon {
 namespace {
@@ -81,6 +82,16 @@ HeightField readImage(const TomlReader& section, const std::filesystem::path& fo
   return readHeightImage(folder / section.text("image"), channel, height, wrap);
 }
 
+/// An even factor would have no texel where an old one was, and so be another function.
+int readResample(const TomlReader& section) {
+  constexpr int most = 255;
+  const int factor = section.integer("resample", 1, most, 1);
+  if (factor % 2 == 0) {
+    section.fail("resample", fmt::format("{} found, an odd number expected", factor));
+  }
+  return factor;
+}
+
 }  // namespace
 
 Relief readReliefSection(const TomlReader& section, const std::filesystem::path& folder) {
@@ -94,7 +105,12 @@ Relief readReliefSection(const TomlReader& section, const std::filesystem::path&
   const bool invert = section.flag("invert", false);
   HeightField field = section.has("image") ? readImage(section, folder, height, wrap)
                                            : readPattern(section, height, wrap);
-  return {invert ? inverted(field, height) : std::move(field), space, repeats};
+  if (invert) field = inverted(field, height);
+  const int resample = readResample(section);
+  // Where heights count texels, there are now more of them in the same height.
+  const double scale = space == HeightSpace::texture ? resample : 1;
+  return {resample == 1 ? std::move(field) : resampledHeights(field, resample, scale), space,
+          repeats, resample};
 }
 
 }  // namespace gnomon

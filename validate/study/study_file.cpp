@@ -51,7 +51,7 @@ void readStudyBake(const TomlReader& root, StudySpec& study) {
   study.radius =
       isStated ? SearchRadius{0, RadiusBound::stated} : searchRadius(surface, relief, lights);
   study.bake.settings.radiusTexels = study.radius.texels;
-  if (section) study.bake = readBake(*section, study.bake);
+  if (section) study.bake = readBake(*section, study.bake, relief.resample);
   study.radius.texels = study.bake.settings.radiusTexels;
 }
 
@@ -100,8 +100,15 @@ void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
   section.finish();
 }
 
+/// Four times as long, but not over half a texel unless it was: there is a line through every
+/// texel's centre, so that twice that would be the same mesh again.
+double quickStep(double step) {
+  return std::max(step, std::min(4 * step, 0.5));
+}
+
 void readTruth(const TomlReader& section, StudySpec& study) {
   study.truth.stepTexels = section.optionalNumber("step", positive);
+  if (study.truth.stepTexels) *study.truth.stepTexels *= study.relief.resample;
   constexpr Range shares{0, 1, true};
   study.truthUncertainty = section.optionalNumber("uncertainty", shares);
   if (study.truth.stepTexels && study.truthUncertainty) {
@@ -266,7 +273,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
     readTruth(*truth, study);
   }
   if (options.quick) {
-    if (study.truth.stepTexels) *study.truth.stepTexels *= 4;
+    if (study.truth.stepTexels) *study.truth.stepTexels = quickStep(*study.truth.stepTexels);
     if (study.truthUncertainty) *study.truthUncertainty *= 4;  // it falls as the step does
     study.truth.leastTriangles /= 16;
   }
@@ -275,8 +282,8 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   }
   for (const TomlReader& light : root.tables("light")) readLights(light, study.lights);
   readStudyBake(root, study);
-  const MethodDefaults defaults{file.parent_path(), shaderFolder(), study.bake,
-                                study.baseSubdivisions, study.baseCurvature};
+  const MethodDefaults defaults{file.parent_path(),     shaderFolder(),      study.bake,
+                                study.baseSubdivisions, study.baseCurvature, study.relief.resample};
   for (const TomlReader& method : root.tables("method")) {
     study.methods.push_back(readMethodSection(method, defaults));
   }
