@@ -125,7 +125,7 @@ TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
   relief.space = HeightSpace::texture;
   const SphericalPatch patch{60, 1.6, 2.4};
   const RenderScene scene(makeSphere(patch.radius, patch.width, patch.height, 32, 48), relief,
-                          {4, 4}, TableBits::eight, 2);
+                          {4, 128}, TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 5);
   const SampleGrid grid = scene.samples(view);
   const Vec3 light = lightToward(265, 30);
@@ -172,8 +172,9 @@ TEST(PathMethods, FollowTheChangeOfCurvature) {
     }
   }
   // Clamped: past its border there is nothing.
-  const Relief relief{makeColumns(96, 96, {32, 6, 4}, 6, Wrap::clamp), HeightSpace::world, Vec2(1)};
-  const RenderScene scene(makeBezier(points, 32, 8), relief, {4, 4}, TableBits::eight, 4);
+  const Relief relief{makeColumns(96, 96, {32, 6, 4}, 6, Wrap::clamp).withBorder({true, true}),
+                      HeightSpace::world, Vec2(1)};
+  const RenderScene scene(makeBezier(points, 32, 8), relief, {4, 128}, TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 9);
   const SampleGrid grid = scene.samples(view);
   const Vec3 light = lightToward(5, 20);
@@ -370,14 +371,14 @@ void expectBoundCostsNothing(const RenderScene& scene, double elevation) {
 TEST(PathMethods, EndOfTheSearchLosesNoShadow) {
   const GlContext gl;
   Relief rough = randomRelief(64, 64, 3, 3);
-  const RenderScene sphere(makeSphere(60, 1, 1, 32, 32), rough, {4, 4}, TableBits::eight);
-  const RenderScene bowl(openBowl(), rough, {4, 4}, TableBits::eight);
+  const RenderScene sphere(makeSphere(60, 1, 1, 32, 32), rough, {4, 128}, TableBits::eight);
+  const RenderScene bowl(openBowl(), rough, {4, 128}, TableBits::eight);
   // Tall pins on flat ground, all of one height: where the ray leaves them is where it matters.
   const RenderScene pins(
       openBowl(), stepRelief(64, 64, 10, [](int i, int j) { return (7 * i + 13 * j) % 29 == 0; }),
-      {4, 4}, TableBits::eight);
+      {4, 128}, TableBits::eight);
   rough.space = HeightSpace::texture;
-  const RenderScene scaled(makeSphere(60, 1, 1.6, 32, 32), rough, {4, 4}, TableBits::eight);
+  const RenderScene scaled(makeSphere(60, 1, 1.6, 32, 32), rough, {4, 128}, TableBits::eight);
   for (const double elevation : {25.0, 45.0, 65.0}) {
     expectBoundCostsNothing(sphere, elevation);
     expectBoundCostsNothing(bowl, elevation);
@@ -388,14 +389,49 @@ TEST(PathMethods, EndOfTheSearchLosesNoShadow) {
 
 /// The slope of the bowl is at most 0.32 √2, that is 24.4°: a light at 30° reaches all of it. The
 /// circle that the bowl follows at its middle goes on and rises over that.
-TEST(PathMethods, NothingStandsBeyondTheBorderOfAMapThatDoesNotRepeat) {
+TEST(PathMethods, NothingStandsBeyondABorderForAnyMarch) {
   const GlContext gl;
-  const RenderScene scene(openBowl(), flatRelief(64, 64), {4, 4}, TableBits::eight, 4);
-  const RenderView view = atlasView(scene.surface, 8);
+  const Relief endless = flatRelief(64, 64);
+  Relief ended = endless;
+  ended.field = endless.field.withBorder({true, true});
+  const RenderScene open(openBowl(), ended, {4, 128}, TableBits::eight, 4);
+  const RenderScene on(openBowl(), endless, {4, 128}, TableBits::eight, 4);
+  const RenderView view = atlasView(open.surface, 8);
   const Vec3 light = lightToward(20, 30);
-  EXPECT_EQ(shareShadowed(scene.test("geodesic-march", view, light)), 0);
-  EXPECT_EQ(shareShadowed(scene.test("resampled-horizon", view, light)), 0);
-  EXPECT_GT(shareShadowed(scene.test("osculating-march", view, light)), 0.1);
+  for (const char* method : {"geodesic-march", "resampled-horizon", "osculating-march"}) {
+    EXPECT_EQ(shareShadowed(open.answer(method, view, light)), 0) << method;
+    EXPECT_GT(shareShadowed(on.answer(method, view, light)), 0.1) << method;
+  }
+}
+
+/// A wall on the far side of a repeating map's border, where the next tile would have it.
+TEST(PathMethods, TheNextTileOfAnOpenPatchCastsNoShadow) {
+  const GlContext gl;
+  const Relief tiled = stepRelief(
+      64, 64, 8, [](int i, int) { return i >= 4 && i < 8; }, Wrap::repeat);
+  Relief ended = tiled;
+  ended.field = tiled.field.withBorder({true, true});
+  const RenderScene tiles(makePlane(64, 64, 8, 8), tiled, {4, 40}, TableBits::thirtyTwo);
+  const RenderScene patch(makePlane(64, 64, 8, 8), ended, {4, 40}, TableBits::thirtyTwo);
+  const RenderView view = atlasView(tiles.surface, 9);
+  // Toward +x the wall is behind all that lies more than 8 texels from it.
+  const SampleGrid grid = tiles.samples(view);
+  const auto shadowedPastTheWall = [&](const RenderScene& scene, const char* method) {
+    const Mask mask = scene.answer(method, view, lightToward(0, 30));
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      const SurfaceSample& at = grid.samples[i];
+      const double x = scene.surface.tangentPoint(at.face, at.s, at.t).position.x;
+      dark += x > -20 && mask.samples[i] == Shade::shadowed ? 1 : 0;
+    }
+    return dark;
+  };
+  for (const char* method :
+       {"max-forsyth", "sloan-cohen", "ellipse", "onoue-2004", "onoue-exact", "resampled-horizon",
+        "relief-march", "osculating-march", "geodesic-march"}) {
+    EXPECT_EQ(shadowedPastTheWall(patch, method), 0U) << method;
+    EXPECT_GT(shadowedPastTheWall(tiles, method), 100U) << method;
+  }
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ std::string commandFor(const CheckRequest& request, const std::string& file,
     }
   };
   if (options.quick) text += " --quick";
+  if (request.run.varyRadius) text += " --vary-radius";
   add("--set", options.overrides);
   add("--replace", options.replacements);
   add("--method", methods.empty() ? options.methods : methods);
@@ -153,7 +154,7 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
 }
 
 std::span<const StudyRecord> recordsOf(const Study& study, const Records& records) {
-  return std::span(records).subspan(study.part->first, study.plan->steps.size());
+  return std::span(records.all).subspan(study.part->first, study.plan->steps.size());
 }
 
 void judge(Study& study, const CheckRequest& request, const Records& records) {

@@ -91,6 +91,9 @@ void addRunOptions(CLI::App& command, RunRequest& request) {
           "Another shader in a method's place, which keeps its label and with it its thresholds: a "
           "method's name or a GLSL file",
           "METHOD=SHADER");
+  command.add_flag("--vary-radius", request.varyRadius,
+                   "Judge claims and verdicts at half and at twice the search radius too, and mark "
+                   "those that turn");
   addQuickOption(command, request);
 }
 

@@ -16,6 +16,7 @@
 #include "report/terminal_sweep.h"
 #include "report/terminal_table.h"
 #include "study/claims.h"
+#include "study/radius_check.h"
 #include "study/run_study.h"
 
 namespace gnomon {
@@ -46,12 +47,38 @@ StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest
   return record;
 }
 
+/// The figures of a study at so many times its radius.
+StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl, Cache& cache) {
+  TerminalProgress progress(fmt::format("{}, radius × {}", study.name, factor));
+  return inStudy(study, [&] {
+    return measureStudy(
+        withRadiusTimes(study, factor), gl, cache,
+        [&](std::string_view stage, double share) { progress.update(stage, share); });
+  });
+}
+
+void runStep(const StudySpec& step, const GlContext& gl, const RunRequest& request, Cache& cache,
+             Records& records) {
+  StudyRecord record = runOne(step, gl, request, cache);
+  if (request.varyRadius) {
+    StudyRecord half = runVaried(step, 0.5, gl, cache);
+    records.twice.push_back(runVaried(step, 2, gl, cache));
+    records.half.push_back(std::move(half));
+  }
+  records.all.push_back(std::move(record));
+}
+
 /// Judges a study's claims by what the run holds so far, and writes its reports.
-void report(const StudySpec& study, std::vector<StudyRecord>& records, std::size_t own,
-            const fs::path& out, Cache& cache) {
-  StudyRecord& record = records[own];
-  record.claims = judgeClaims(study.claims, records, own);
-  writeRunFiles(record, out / record.name, cache);
+void report(const StudySpec& study, Records& records, std::size_t own, const RunRequest& request,
+            Cache& cache) {
+  StudyRecord& record = records.all[own];
+  record.claims = judgeClaims(study.claims, records.all, own);
+  if (request.varyRadius) {
+    records.half[own].claims = judgeClaims(study.claims, records.half, own);
+    records.twice[own].claims = judgeClaims(study.claims, records.twice, own);
+    keepRadiusChecks(record, records.half[own], records.twice[own]);
+  }
+  writeRunFiles(record, request.out / record.name, cache);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
@@ -61,21 +88,27 @@ bool speaksOfOthers(const StudySpec& study) {
 }
 
 SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRequest& request) {
-  const auto begin = records.begin() + static_cast<std::ptrdiff_t>(part.first);
-  const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
-  return makeSweepRecord(*part.plan, Records(begin, begin + count), request.command);
+  const auto made = [&](const std::vector<StudyRecord>& steps) {
+    const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(part.first);
+    const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
+    return makeSweepRecord(*part.plan, std::vector<StudyRecord>(begin, begin + count),
+                           request.command);
+  };
+  SweepRecord sweep = made(records.all);
+  if (request.varyRadius) keepRadiusChecks(sweep, made(records.half), made(records.twice));
+  return sweep;
 }
 
 }  // namespace
 
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
                     Cache& cache, Records& records) {
-  const PlanRecords part{&plan, records.size()};
+  const PlanRecords part{&plan, records.all.size()};
   if (plan.sweep) removeRunFiles(request.out / plan.name);
   for (const StudySpec& step : plan.steps) {
-    records.push_back(runOne(step, gl, request, cache));
+    runStep(step, gl, request, cache, records);
     // At once, so that a later failure leaves this one's report.
-    report(step, records, records.size() - 1, request.out, cache);
+    report(step, records, records.all.size() - 1, request, cache);
   }
   if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), request.out / plan.name, cache);
   return part;
@@ -86,9 +119,9 @@ StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache&
   const StudyPlan& plan = *part.plan;
   const bool again = speaksOfOthers(plan.steps.front());
   for (std::size_t i = 0; again && i < plan.steps.size(); ++i) {
-    report(plan.steps[i], records, part.first + i, request.out, cache);
+    report(plan.steps[i], records, part.first + i, request, cache);
   }
-  if (!plan.sweep) return studyMeans(records[part.first]);
+  if (!plan.sweep) return studyMeans(records.all[part.first]);
   const SweepRecord sweep = sweepOf(part, records, request);
   if (again) writeSweepFiles(sweep, request.out / plan.name, cache);
   return studyMeans(sweep);
@@ -98,7 +131,7 @@ void printPlan(const PlanRecords& part, const RunRequest& request, const Records
   const StudyPlan& plan = *part.plan;
   const std::string table = plan.sweep
                                 ? sweepTable(sweepOf(part, records, request), coloursWanted())
-                                : resultTable(records[part.first], coloursWanted());
+                                : resultTable(records.all[part.first], coloursWanted());
   fmt::print("{}\nReport: {}\n\n", table, (request.out / plan.name / "report.html").string());
 }
 

@@ -13,8 +13,11 @@
 
 namespace gnomon {
 
-/// The records of all steps of all plans of a command, one after the other.
-using Records = std::vector<StudyRecord>;
+/// The records of all steps of all plans of a command, one after the other; where the radius is
+/// varied, those at half and at twice of it in the same order.
+struct Records {
+  std::vector<StudyRecord> all, half, twice;
+};
 
 /// The part of the records that belongs to a plan.
 struct PlanRecords {
@@ -26,7 +29,9 @@ struct PlanRecords {
 /// @throws as runGnuplot
 void requirePlots();
 
-/// Runs all steps of a plan, adds their records and writes its folder with its reports.
+/// Runs all steps of a plan, adds their records and writes its folder with its reports. With
+/// `varyRadius` every step is measured at half and at twice its radius too, and its claims and
+/// differences say what becomes of them there.
 /// @param cache  what earlier runs left, and what this one leaves
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
                     Cache& cache, Records& records);

@@ -15,6 +15,7 @@ struct RunRequest {
   std::filesystem::path out = "out";
   StudyOptions options;
   bool noCache = false;
+  bool varyRadius = false;  ///< judge at half and at twice the search radius too
   std::string command;  ///< the command line, for the report
 };
 

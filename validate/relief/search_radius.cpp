@@ -90,14 +90,17 @@ double diagonal(const LimitSurface& surface, int side) {
 }
 
 void take(SearchRadius& most, const SearchRadius& found) {
-  if (found.texels > most.texels) most = found;
+  if (found.bound == RadiusBound::unlit) return;
+  if (most.bound == RadiusBound::unlit || found.texels > most.texels) most = found;
 }
 
 /// The ray from one point toward one light, in texels.
 SearchRadius radiusAt(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
                       const Vec3& light, double diagonal) {
   const LocalLight local = localLight(frame, light);
-  if (std::isinf(local.slope)) return {0};
+  if (std::isinf(local.slope)) {  // the light stands along the normal
+    return {0, local.slope > 0 ? RadiusBound::leaves : RadiusBound::unlit};
+  }
   const double a = worldPerHeight(relief.space, frame);
   const double texel = local.worldPerTexel;
   const Vec3 along = local.direction.x * frame.px + local.direction.y * frame.py;

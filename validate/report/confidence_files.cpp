@@ -2,6 +2,7 @@
 
 #include "report/interval_text.h"
 #include "report/names.h"
+#include "report/radius_text.h"
 
 namespace gnomon {
 
@@ -27,7 +28,8 @@ Json jsonDifference(const DifferenceRecord& difference) {
           {"high", jsonNumber(highOf(difference.interval), "differences.high")},
           {"reason", jsonReason(difference.reason)},
           {"uncertainty", jsonNumber(difference.uncertainty, "differences.uncertainty")},
-          {"verdict", differenceVerdictName(difference.verdict)}};
+          {"verdict", differenceVerdictName(difference.verdict)},
+          {"radius", jsonRadiusCheck(difference)}};
 }
 
 }  // namespace gnomon

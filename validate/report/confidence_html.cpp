@@ -20,10 +20,10 @@ std::string intervalCell(const std::optional<Interval>& interval, const std::str
 std::string tableRow(const StudyRecord& record, const ConfidenceRecord& row,
                      const std::string& best) {
   const auto worse = differenceOf(record, row.view, row.method, best);
-  const bool isAlike = worse && worse->verdict == DifferenceVerdict::notDistinguishable;
-  std::string html = fmt::format("<tr><td class=\"method\">{}{}</td>{}{}", escapeHtml(row.method),
-                                 isAlike ? " ≈" : "", numberCell(rateText(row.rate)),
-                                 intervalCell(row.interval, row.reason));
+  std::string html =
+      fmt::format("<tr><td class=\"method\">{}{}</td>{}{}", escapeHtml(row.method),
+                  worse ? differenceMark(*worse) : "", numberCell(rateText(row.rate)),
+                  intervalCell(row.interval, row.reason));
   html += worse ? numberCell(escapeHtml(signedPercent(worse->difference))) +
                       intervalCell(worse->interval, worse->reason)
                 : numberCell("") + numberCell("");

@@ -8,6 +8,7 @@
 #include "report/budget_text.h"
 #include "report/interval_text.h"
 #include "report/number_text.h"
+#include "report/radius_text.h"
 
 namespace gnomon {
 namespace {
@@ -43,9 +44,11 @@ std::string listText(const std::vector<std::string>& names) {
 }
 
 std::string betterText(const DifferenceRecord& difference) {
-  return fmt::format("{} is better than {} by {} % of the samples ({}).", difference.first,
+  const std::string radius = radiusNote(difference);
+  return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.first,
                      difference.second, percentText(-difference.difference),
-                     intervalText(turned(difference.interval)));
+                     intervalText(turned(difference.interval)),
+                     radius.empty() ? "" : ", which " + radius);
 }
 
 }  // namespace
@@ -79,6 +82,7 @@ std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, const st
     difference.difference = -row.difference;
     difference.interval = turned(row.interval);
     difference.verdict = turned(row.verdict);
+    if (row.radius) difference.radius = {turned(row.radius->atHalf), turned(row.radius->atTwice)};
     return difference;
   }
   return std::nullopt;
@@ -104,12 +108,23 @@ std::string verdictText(const StudyRecord& record, const std::string& view) {
   return better.empty() ? same : better + " " + same;
 }
 
+std::string differenceMark(const DifferenceRecord& toBest) {
+  const bool isAlike = toBest.verdict == DifferenceVerdict::notDistinguishable;
+  if (radiusNote(toBest).empty()) return isAlike ? " ≈" : "";
+  return (isAlike ? "≈" : " ") + std::string(radiusMark);
+}
+
 std::string confidenceNote(const StudyRecord& record, const std::string& view) {
   const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
   if (ranked.empty()) return "";
   std::string truth;
+  std::string radius;
   for (const DifferenceRecord& row : record.differences) {
     if (row.view == view) {
+      if (row.radius) {
+        radius = fmt::format(
+            " {} depends on the radius: another verdict at half or at twice of it.", radiusMark);
+      }
       truth = fmt::format(", or it is within the truth’s uncertainty of {} %",
                           percentText(row.uncertainty));
     }
@@ -117,8 +132,8 @@ std::string confidenceNote(const StudyRecord& record, const std::string& view) {
   return fmt::format(
       "Percent of the samples, mean over the lights; intervals of 95 % by a bootstrap over {} "
       "blocks of {} × {} samples. ≈ not distinguishable from the best: the interval of the "
-      "difference holds 0{}.",
-      ranked.front().blocks, ranked.front().blockSide, ranked.front().blockSide, truth);
+      "difference holds 0{}.{}",
+      ranked.front().blocks, ranked.front().blockSide, ranked.front().blockSide, truth, radius);
 }
 
 }  // namespace gnomon

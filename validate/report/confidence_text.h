@@ -27,6 +27,10 @@ std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, const st
 /// Empty where there is nothing to compare.
 std::string verdictText(const StudyRecord& record, const std::string& view);
 
+/// What stands behind a method's row: " ≈" where it is not distinguishable from the best, †
+/// (radiusMark) where that depends on the search radius. Two columns at most.
+std::string differenceMark(const DifferenceRecord& toBest);
+
 /// What the intervals of a view are, how many blocks they rest on, and how sure the truth is.
 std::string confidenceNote(const StudyRecord& record, const std::string& view);
 

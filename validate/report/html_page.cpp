@@ -6,6 +6,7 @@
 #include "report/html_text.h"
 #include "report/names.h"
 #include "report/page.h"
+#include "report/radius_text.h"
 #include "report/web_picture.h"
 
 namespace gnomon {
@@ -49,11 +50,13 @@ std::string plural(std::size_t count, std::string_view noun) {
 }
 
 std::string htmlClaim(const ClaimRecord& claim, std::string_view study) {
+  const std::string radius = radiusNote(claim);
   return fmt::format(
-      "<li><span class=\"tag {}\">{}</span><div><p>{}{}</p><p class=\"note\">{}</p>"
+      "<li><span class=\"tag {}\">{}</span><div><p>{}{}</p>{}<p class=\"note\">{}</p>"
       "<p class=\"note\">{}</p></div></li>\n",
       tagClass(claim.verdict), verdictName(claim.verdict),
       study.empty() ? "" : fmt::format("<b>{}</b> ", study), escapeHtml(claim.text),
+      radius.empty() ? "" : fmt::format("<p><b>{}</b></p>", escapeHtml(radius)),
       escapeHtml(claim.detail), escapeHtml(claim.source));
 }
 

@@ -2,6 +2,7 @@
 
 #include "report/names.h"
 #include "report/number_text.h"
+#include "report/radius_text.h"
 
 namespace gnomon {
 namespace {
@@ -88,7 +89,8 @@ Json jsonClaim(const ClaimRecord& claim) {
   return {{"text", claim.text},
           {"source", claim.source},
           {"verdict", verdictName(claim.verdict)},
-          {"detail", claim.detail}};
+          {"detail", claim.detail},
+          {"radius", jsonRadiusCheck(claim)}};
 }
 
 Json jsonMeans(const MethodMeans& means) {

@@ -44,7 +44,7 @@ Json jsonStudy(const StudyRecord& record);
 /// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light;
 /// where an uncertainty was asked for, also wanted_uncertainty and the levels of `refinement`.
 Json jsonTruth(const TruthRecord& truth);
-/// text, source, verdict, detail.
+/// text, source, verdict, detail, and `radius` (jsonRadiusCheck).
 Json jsonClaim(const ClaimRecord& claim);
 /// method, error_rate, false_shadow, false_light, uncertainty.
 Json jsonMeans(const MethodMeans& means);

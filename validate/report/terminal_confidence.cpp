@@ -32,7 +32,7 @@ std::string rowOf(const StudyRecord& record, const ConfidenceRecord& row, const 
   if (row.method == best || !worse) return rowText(row.method, rate, interval, "", "");
   const std::string text = rowText(row.method, rate, interval, signedPercent(worse->difference),
                                    intervalText(worse->interval));
-  return worse->verdict == DifferenceVerdict::notDistinguishable ? text + " ≈" : text;
+  return text + differenceMark(*worse);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "report/names.h"
 #include "report/number_text.h"
+#include "report/radius_text.h"
 #include "report/text_width.h"
 
 namespace gnomon {
@@ -41,6 +42,8 @@ void TerminalPage::claims(const std::vector<ClaimRecord>& records) {
     line(std::string(terminalIndent, ' ') + styled(verdict, verdictColour(claim.verdict)) +
          lines.front());
     for (std::size_t i = 1; i < lines.size(); ++i) line(std::string(margin, ' ') + lines[i]);
+    const std::string radius = radiusNote(claim);
+    if (!radius.empty()) paragraph(radius, margin);
     paragraph(claim.detail, margin);
   }
 }

@@ -26,6 +26,16 @@ struct ConfidenceRecord {
   int blockSide = 0;                 ///< samples
 };
 
+/// A verdict at half and at twice the search radius.
+template <typename Verdict>
+struct RadiusCheck {
+  Verdict atHalf, atTwice;
+  /// Whether it is another there: then it depends on the radius.
+  [[nodiscard]] bool turns(Verdict verdict) const {
+    return atHalf != verdict || atTwice != verdict;
+  }
+};
+
 /// What can be said of the first of two methods.
 enum class DifferenceVerdict { better, worse, notDistinguishable };
 
@@ -43,6 +53,7 @@ struct DifferenceRecord {
   /// Better or worse only where the interval does not hold 0 and the difference is beyond the
   /// truth's uncertainty.
   DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
+  std::optional<RadiusCheck<DifferenceVerdict>> radius = std::nullopt;  ///< if it was varied
 };
 
 }  // namespace gnomon

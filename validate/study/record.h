@@ -139,7 +139,8 @@ struct ClaimRecord {
   std::string text;
   std::string source;
   Verdict verdict = Verdict::notEvaluated;
-  std::string detail;  ///< the figures it was judged by
+  std::string detail;                                         ///< the figures it was judged by
+  std::optional<RadiusCheck<Verdict>> radius = std::nullopt;  ///< if it was varied
 };
 
 /// One picture of a panel. Paths are relative to the run's folder.

@@ -10,6 +10,7 @@
 #include "study/ladder_stage.h"
 #include "study/method_case.h"
 #include "study/method_outcome.h"
+#include "study/no_files.h"
 #include "study/panel_pictures.h"
 #include "study/refine_stage.h"
 #include "study/run_scene.h"
@@ -19,6 +20,9 @@
 
 namespace gnomon {
 namespace {
+
+/// What a run leaves beside its figures.
+enum class Beside { nothing, picturesAndCosts };
 
 /// The order of a run's stages, and what passes from one to the next.
 class StudyRun {
@@ -36,13 +40,14 @@ class StudyRun {
     record_ = startRecord(study, gl);
   }
 
-  StudyRecord run() {
+  StudyRecord run(Beside beside = Beside::picturesAndCosts) {
+    isWhole_ = beside == Beside::picturesAndCosts;
     prepareMethods();
     LadderStage ladders(scene_, surface_.onDemand(), writer_);
     traceTruth(ladders);
     compareMethods(ladders);
     record_.budgets = ladders.attribute(record_.truth);
-    for (MethodCase& method : methods_) record_.cost.push_back(costs_.measure(scene_, method));
+    if (isWhole_) measureCosts();
     record_.thresholds = judgeThresholds(study_.thresholds, record_.results);
     record_.timings = clock_.timings();
     if (scene_.cache.isOn()) record_.cache = scene_.cache.counts() - before_;
@@ -50,6 +55,10 @@ class StudyRun {
   }
 
  private:
+  void measureCosts() {
+    for (MethodCase& method : methods_) record_.cost.push_back(costs_.measure(scene_, method));
+  }
+
   void prepareMethods() {
     // The study's own base is shown and traced even where every method draws another.
     scene_.standardBase();
@@ -68,7 +77,7 @@ class StudyRun {
       shootTables(scene_, methods);
     }
     record_.undefinedSamples = traceTruths(scene_, surface_.onDemand());
-    pictures_.drawDisplaced(surface_.onDemand());
+    if (isWhole_) pictures_.drawDisplaced(surface_.onDemand());
     surface_.onDemand().release();  // the fine mesh goes before the coarse one comes
     traceUncertainty(scene_, record_.truth);
   }
@@ -85,7 +94,7 @@ class StudyRun {
           for (const PanelAnswer& answer : answers) (void)answer.answers();
           ladders.measure(l, found);
         }
-        record_.panels.push_back(pictures_.draw(v, l, answers));
+        if (isWhole_) record_.panels.push_back(pictures_.draw(v, l, answers));
       }
       spread.report(record_);
     }
@@ -155,6 +164,7 @@ class StudyRun {
   PanelPictures pictures_;
   std::vector<MethodCase> methods_;
   StudyRecord record_;
+  bool isWhole_ = true;
 };
 
 }  // namespace
@@ -162,6 +172,12 @@ class StudyRun {
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
                      const StageProgress& progress) {
   return StudyRun(study, gl, writer, kept, progress).run();
+}
+
+StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
+                         const StageProgress& progress) {
+  NoFiles writer;
+  return StudyRun(study, gl, writer, kept, progress).run(Beside::nothing);
 }
 
 }  // namespace gnomon

@@ -18,4 +18,8 @@ namespace gnomon {
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
                      const StageProgress& progress = {});
 
+/// The same without pictures, masks and frame times: the figures alone.
+StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
+                         const StageProgress& progress = {});
+
 }  // namespace gnomon

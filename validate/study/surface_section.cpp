@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "surface/mesh_file.h"
@@ -52,12 +53,15 @@ Cage readCylinder(const TomlReader& section) {
   });
 }
 
+/// Below 0 it is the inside of the sphere.
 Cage readSphere(const TomlReader& section) {
   const Quads quads = readQuads(section);
-  const double curvature = section.number("curvature", positive);
+  const double curvature = section.number("curvature", anyNumber);
+  if (curvature == 0) section.fail("curvature", "0 found, a number above or below 0 expected");
+  const double bend = std::abs(curvature);
   const Vec2 size = section.vec2("size", positive);
   return section.blame("shape", [&] {
-    return makeSphere(1 / curvature, arcAngle(size.x, curvature), size.y * curvature, quads.columns,
+    return makeSphere(1 / curvature, arcAngle(size.x, bend), size.y * bend, quads.columns,
                       quads.rows);
   });
 }

@@ -206,6 +206,8 @@ Cage makeCylinder(double radius, double longitudeSpan, double height, int column
 }
 
 Cage makeSphere(double radius, double longitudeSpan, double latitudeSpan, int columns, int rows) {
+  const double side = radius < 0 ? -1 : 1;
+  radius = std::abs(radius);
   requireLength("sphere", "radius", radius);
   requireLongitude("sphere", longitudeSpan);
   requireLatitude("sphere", latitudeSpan);
@@ -223,7 +225,7 @@ Cage makeSphere(double radius, double longitudeSpan, double latitudeSpan, int co
     const double longitude = columnStep * i - longitudeSpan / 2;
     const double latitude = rowStep * j - latitudeSpan / 2;
     return Vec3(around * std::sin(longitude) * std::cos(latitude), along * std::sin(latitude),
-                around * std::cos(longitude) * std::cos(latitude));
+                side * around * std::cos(longitude) * std::cos(latitude));
   });
 }
 

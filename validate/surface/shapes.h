@@ -13,11 +13,12 @@ namespace gnomon {
 /// columns, v along t and the rows. Normals face outward (+z for the flat patch and the middle of
 /// the sphere patch). Lengths are world units, angles radians.
 ///
-/// Every maker raises InputError naming the parameter: lengths must be above 0 and at most 1e12,
-/// columns and rows 1 to 4096, longitude spans at most 2π, latitude spans below π. Shapes with arcs
-/// refuse faces so large that a curvature would err by 0.1 % of the larger of the two at that
-/// point; the message says how many are needed (58 for a full turn; more rows and columns where a
-/// sphere comes near its poles, since there a tilt of the normal counts for more).
+/// Every maker raises InputError naming the parameter: lengths must be above 0 (a sphere's radius
+/// may be below) and at most 1e12, columns and rows 1 to 4096, longitude spans at most 2π, latitude
+/// spans below π. Shapes with arcs refuse faces so large that a curvature would err by 0.1 % of the
+/// larger of the two at that point; the message says how many are needed (58 for a full turn; more
+/// rows and columns where a sphere comes near its poles, since there a tilt of the normal counts
+/// for more).
 
 /// The rectangle [-width/2, width/2] × [-height/2, height/2] in z = 0. Exact.
 Cage makePlane(double width, double height, int columns, int rows);
@@ -31,7 +32,8 @@ Cage makeCylinder(double radius, double longitudeSpan, double height, int column
 /// on 0. Control points are the sphere's own points times one constant an axis, c = 3 / (2 + cos Δ)
 /// for the angle Δ of one face, which makes the cubic B-spline interpolate at the knots. Position
 /// errs by about Δ⁴/384 · R an axis (less than 1e-6 R, since Δ must be below 0.11), curvature by
-/// Δ²/12 relative. Closed in longitude where longitudeSpan = 2π.
+/// Δ²/12 relative. Closed in longitude where longitudeSpan = 2π. A negative radius makes the inside
+/// of the sphere: the patch mirrored in z = 0, a bowl whose middle faces +z, with the same uv.
 Cage makeSphere(double radius, double longitudeSpan, double latitudeSpan, int columns, int rows);
 
 /// A torus about the y axis: a tube of radius `minor` < `major` about a circle of radius `major`,
