@@ -82,12 +82,12 @@ TEST(HorizonBake, IsTheSupremumUpToABorder) {
       expectExact(noise(19, 14, wrap).withBorder(border), {7, 12.34});
       expectExact(noise(9, 7, wrap, 3).withBorder(border), {12, 33.3});
       expectExact(coarseNoise(13, 17, wrap, 4).withBorder(border), {16, 9.5});
-      expectExact(noise(TexelTile::width + 3, 5, wrap, 5).withBorder(border), {6, 90});
       expectExact(noise(1, 9, wrap).withBorder(border), {8, 5});
     }
   }
+  expectExact(noise(TexelTile::width + 3, 5, Wrap::repeat, 5).withBorder({true, true}), {6, 20});
   // As many azimuths as a study may have come nearest to a border without being parallel to it.
-  expectExact(noise(7, 5, Wrap::clamp, 6).withBorder({true, true}), {1023, 20});
+  expectExact(noise(3, 2, Wrap::clamp, 6).withBorder({true, true}), {1023, 12});
 }
 
 TEST(HorizonBake, ARidgeEndsAtABorder) {

@@ -139,7 +139,7 @@ TEST_F(LadderSection, ErrorsNameFileLineAndKey) {
               AllOf(StartsWith("bumps.toml:48: ladder.0.rung.2.set.lid"), HasSubstr("unknown")));
   EXPECT_THAT(with("stride = 0.5", "strides = 0.5"),
               AllOf(StartsWith("bumps.toml:44: ladder.0.rung.1.set.parameters.strides: "),
-                    HasSubstr("range, stride expected")));
+                    HasSubstr("one of stride expected")));
   EXPECT_THAT(with("stride = 0.5", "stride = 50"),
               AllOf(StartsWith("bumps.toml:44: "), HasSubstr("50 found, 0.01 to 8 expected")));
   EXPECT_THAT(with("\"osculating-march\"", "\"march\""),

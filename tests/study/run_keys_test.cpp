@@ -40,6 +40,7 @@ height_space = "world"
 
 [bake]
 azimuths = 8
+radius = 64
 
 [truth]
 step = 0.25
@@ -144,7 +145,8 @@ TEST_F(RunKeysTest, EveryKeyOfAStudyChangesWhatDependsOnIt) {
       {"truth.step=0.125", "displaced sloan-cohen-surface surface truth"},
       {"bake.azimuths=16", "onoue-2004"},  // eight are Sloan & Cohen's own
       {"bake.bits=16", tables},
-      {"bake.radius=20", tables + " truth"},  // it parts the regions cast and distant
+      // Marches end there, and it parts the regions cast and distant.
+      {"bake.radius=20", tables + " relief-march unshadowed truth"},
       {"bake.limit=80", tables},
       {"base.subdivisions=2", drawn},
       {"base.curvature='vertices'", drawn},

@@ -1,6 +1,7 @@
 #include "study/study_file.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "image_files/image_library.h"
@@ -36,9 +37,23 @@ TEST_F(StudyFile, HoldsWhatItSays) {
   EXPECT_EQ(study.methods[1].file.filename(), "onoue-2004.glsl");
 }
 
-TEST_F(StudyFile, SearchesOccludersOverTheLongerSideUnlessTold) {
-  EXPECT_EQ(read(plainStudy).bake.settings.radiusTexels, 64);
-  EXPECT_EQ(readWith({"bake.radius=12.5"}).bake.settings.radiusTexels, 12.5);
+TEST_F(StudyFile, SearchesOccludersAsFarAsTheLongestShadowUnlessTold) {
+  const StudySpec study = read(plainStudy);
+  EXPECT_EQ(study.bake.settings.radiusTexels, std::ceil(4 / std::tan(radians(30.0))));
+  EXPECT_EQ(study.methods[0].bake.settings.radiusTexels, study.bake.settings.radiusTexels);
+  EXPECT_EQ(study.radius.bound, RadiusBound::leaves);
+  // The longest of all lights.
+  EXPECT_EQ(readWith({"light.0.elevation=[60, 15]"}).bake.settings.radiusTexels,
+            std::ceil(4 / std::tan(radians(15.0))));
+  const StudySpec stated = readWith({"bake.radius=12.5"});
+  EXPECT_EQ(stated.bake.settings.radiusTexels, 12.5);
+  EXPECT_EQ(stated.radius.bound, RadiusBound::stated);
+  EXPECT_EQ(stated.radius.texels, 12.5);
+}
+
+TEST_F(StudyFile, EndsAMapWithAnOpenPatch) {
+  EXPECT_EQ(read(plainStudy).relief.field.border(), (Border{true, true}));
+  EXPECT_EQ(readWith({"relief.repeats=[2, 1]"}).relief.field.border(), (Border{false, true}));
 }
 
 TEST_F(StudyFile, WrapsAndRepeatsOnceUnlessTold) {
