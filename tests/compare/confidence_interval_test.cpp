@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "common/error.h"
@@ -37,15 +36,25 @@ Case independentCase(int side, double rate, std::uint64_t seed) {
   return {tiling, blockErrors(mask, truth, tiling.cellSide)};
 }
 
+/// Cells of weight 100 in `side` × `side` blocks, whose wrong parts are given.
+template <typename Wrong>
+BlockErrors blocksOf(std::size_t side, const Wrong& wrong) {
+  BlockErrors cells{{}, std::vector<double>(4 * side * side, 100)};
+  for (std::size_t y = 0; y < 2 * side; ++y) {
+    for (std::size_t x = 0; x < 2 * side; ++x) cells.wrong.push_back(wrong(x, y));
+  }
+  return cells;
+}
+
 double width(const ConfidenceInterval& confidence) {
   return confidence.interval->high - confidence.interval->low;
 }
 
-TEST(Tiling, HasTheLargestBlocksOfWhichThereAreSixteen) {
-  EXPECT_EQ(chooseTiling(litEverywhere(120, 120)).cellSide, 15);
-  EXPECT_EQ(chooseTiling(litEverywhere(120, 120)).columns, 8);
-  EXPECT_EQ(chooseTiling(litEverywhere(121, 7)).cellSide, 3);
-  EXPECT_EQ(chooseTiling(litEverywhere(121, 7)).columns, 41);
+TEST(Tiling, HasTheLargestBlocksOfWhichThereAreEnough) {
+  EXPECT_EQ(chooseTiling(litEverywhere(180, 180)).cellSide, 10);
+  EXPECT_EQ(chooseTiling(litEverywhere(180, 180)).columns, 18);
+  EXPECT_EQ(chooseTiling(litEverywhere(480, 48)).cellSide, 8);
+  EXPECT_EQ(chooseTiling(litEverywhere(480, 48)).columns, 60);
   EXPECT_EQ(chooseTiling(litEverywhere(3, 3)).cellSide, 1);
   EXPECT_EQ(chooseTiling(Mask{}).cellSide, 1);
   EXPECT_EQ(chooseTiling(Mask{}).columns, 1);
@@ -53,69 +62,59 @@ TEST(Tiling, HasTheLargestBlocksOfWhichThereAreSixteen) {
 
 /// Blocks without a sample, or with hardly any weight, are none.
 TEST(Tiling, CountsBlocksByTheirWeight) {
-  Mask half = litEverywhere(160, 160);
+  Mask half = litEverywhere(360, 360);
   std::vector<double> weights(half.size(), 1);
   for (std::size_t i = 0; i < half.size(); ++i) {
-    if (i % 160 < 80) half.samples[i] = Shade::none;
-    if (i % 160 < 80) weights[i] = 1e-9;
+    if (i % 360 < 180) half.samples[i] = Shade::none;
+    if (i % 360 < 180) weights[i] = 1e-9;
   }
   const int cell = chooseTiling(half).cellSide;
   EXPECT_LE(cell, 14);
-  EXPECT_GE(cell, 10);
-  EXPECT_EQ(chooseTiling(litEverywhere(160, 160), weights).cellSide, cell);
+  EXPECT_GE(cell, 11);
+  EXPECT_EQ(chooseTiling(litEverywhere(360, 360), weights).cellSide, cell);
   EXPECT_THROW(chooseTiling(half, std::vector<double>(7, 1.0)), InputError);
 }
 
-/// A rate of independent samples has the variance p (1 - p) / n, and with 16 blocks to tell it by,
-/// the interval is that of Student's t; wider by what the correction's noise adds.
-TEST(RateConfidence, OfIndependentSamplesIsStudentsT) {
+/// Tables of Student's distribution, 97.5 %.
+TEST(StudentQuantile, IsThatOfTheTables) {
+  EXPECT_NEAR(studentQuantile(2), 4.303, 0.04);
+  EXPECT_NEAR(studentQuantile(3), 3.182, 0.01);
+  EXPECT_NEAR(studentQuantile(5), 2.571, 0.002);
+  EXPECT_NEAR(studentQuantile(10), 2.228, 0.001);
+  EXPECT_NEAR(studentQuantile(30), 2.042, 0.001);
+  EXPECT_NEAR(studentQuantile(1e9), 1.960, 0.001);
+}
+
+/// A rate of independent samples has the variance p (1 - p) / n. The interval is wider by Student's
+/// t of some ten degrees, and by what the correction's noise adds.
+TEST(RateConfidence, OfIndependentSamplesIsThatOfTheBinomial) {
   double ratio = 0;
   constexpr int repeats = 200;
   for (int r = 0; r < repeats; ++r) {
-    const Case c = independentCase(96, 0.2, static_cast<std::uint64_t>(r));
+    const Case c = independentCase(108, 0.2, static_cast<std::uint64_t>(r));
     const ConfidenceInterval confidence = rateConfidence(c.cells, c.tiling);
     ASSERT_TRUE(confidence.interval);
-    EXPECT_EQ(confidence.blocks, 16U);
-    ratio += width(confidence) / 2 / std::sqrt(0.2 * 0.8 / (96 * 96)) / repeats;
+    EXPECT_EQ(confidence.blocks, 81U);
+    ratio += width(confidence) / 2 / std::sqrt(0.2 * 0.8 / (108 * 108)) / repeats;
   }
-  EXPECT_GT(ratio, 2.131);  // t of 15 degrees of freedom, 97.5 %
-  EXPECT_LT(ratio, 2.131 * 1.12);
+  EXPECT_GT(ratio, 1.96);
+  EXPECT_LT(ratio, 2.45);
 }
 
-TEST(RateConfidence, IsTheSameWhereDrawsAreShared) {
-  const Bootstrap shared;
-  for (const int cells : {16, 8, 12, 16}) {  // a side: other numbers of blocks
-    const Mask truth = litEverywhere(96, 96);
-    RandomFields fields(96, 0.1, 5);
-    const Mask mask = errorMask(fields.next(), 96, ErrorShape::blobs, 0.1);
-    const BlockErrors errors = blockErrors(mask, truth, 96 / cells);
-    const Tiling tiling{96 / cells, cells};
-    const ConfidenceInterval own = rateConfidence(errors, tiling);
-    const ConfidenceInterval same = rateConfidence(errors, tiling, shared);
-    ASSERT_TRUE(own.interval);
-    EXPECT_EQ(own.interval->low, same.interval->low);
-    EXPECT_EQ(own.interval->high, same.interval->high);
-  }
-}
-
-TEST(RateConfidence, IsTheSameEachTimeAndWhateverTheWeightsScale) {
+TEST(RateConfidence, IsTheSameWhateverTheWeightsScale) {
   Case c = independentCase(64, 0.1, 3);
   const ConfidenceInterval first = rateConfidence(c.cells, c.tiling);
-  const ConfidenceInterval again = rateConfidence(c.cells, c.tiling);
-  EXPECT_EQ(first.interval->low, again.interval->low);
-  EXPECT_EQ(first.interval->high, again.interval->high);
+  ASSERT_TRUE(first.interval);
   EXPECT_TRUE(first.interval->holds(c.cells.rate()));
+  EXPECT_NEAR(first.interval->low + first.interval->high, 2 * c.cells.rate(), 1e-12);
   for (double& wrong : c.cells.wrong) wrong *= 8;
   for (double& weight : c.cells.weight) weight *= 8;
   const ConfidenceInterval scaled = rateConfidence(c.cells, c.tiling);
   EXPECT_DOUBLE_EQ(scaled.interval->low, first.interval->low);
   EXPECT_DOUBLE_EQ(scaled.interval->high, first.interval->high);
-  EXPECT_GT(width(rateConfidence(c.cells, c.tiling, Bootstrap({1000, 0.99, 1978}))), width(first));
-  EXPECT_NE(rateConfidence(c.cells, c.tiling, Bootstrap({1000, 0.95, 1})).interval->low,
-            first.interval->low);
 }
 
-/// Rows and columns of background change nothing: empty blocks are not drawn.
+/// Rows and columns of background change nothing.
 TEST(RateConfidence, DoesNotSeeBackground) {
   const Case c = independentCase(64, 0.1, 4);
   Case larger = c;
@@ -131,63 +130,97 @@ TEST(RateConfidence, DoesNotSeeBackground) {
   const ConfidenceInterval plain = rateConfidence(c.cells, c.tiling);
   const ConfidenceInterval same = rateConfidence(larger.cells, larger.tiling);
   EXPECT_EQ(same.blocks, plain.blocks);
-  EXPECT_EQ(same.interval->low, plain.interval->low);
-  EXPECT_EQ(same.interval->high, plain.interval->high);
+  EXPECT_DOUBLE_EQ(same.interval->low, plain.interval->low);
+  EXPECT_DOUBLE_EQ(same.interval->high, plain.interval->high);
 }
 
-/// s is multiplied by 2 - s(b/2) / s(b), from 1 to 1.3: blocks of the same sums, whose cells vary
-/// among themselves by as much as gives that ratio.
+/// Any drift f(x) + g(y) adds to every block alike in all draws: it widens nothing.
+TEST(RateConfidence, DoesNotSeeADrift) {
+  RandomFields fields(20, 0.1, 5);
+  const std::vector<float> noise = fields.next();
+  const auto at = [&](std::size_t x, std::size_t y) { return 10 + noise[20 * y + x]; };
+  const ConfidenceInterval plain = rateConfidence(blocksOf(10, at), {1, 20});
+  const ConfidenceInterval drifting =
+      rateConfidence(blocksOf(10,
+                              [&](std::size_t x, std::size_t y) {
+                                return at(x, y) + 40 * std::exp((static_cast<double>(x) - 20) / 3) +
+                                       0.1 * static_cast<double>(y * y);
+                              }),
+                     {1, 20});
+  ASSERT_TRUE(plain.interval);
+  EXPECT_NEAR(width(drifting), width(plain), 1e-9);
+}
+
+/// s is multiplied by 2 - s(b/2) / s(b), from 1 on: blocks of the same sums, whose cells vary among
+/// themselves by as much as gives that ratio. Cells ± a on a checkerboard have the contrast 4 a.
 TEST(RateConfidence, IsCorrectedForWhatNeighboursShare) {
-  constexpr std::size_t blocks = 64;
-  RandomFields fields(8, 0.1, 5);
+  RandomFields fields(10, 0.1, 6);
   const std::vector<float> values = fields.next();
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / blocks;
-  double squares = 0;
-  for (const float value : values) squares += std::pow(value - mean, 2);
-  const auto widthOf = [&](double ratio) {
-    // s(b)² = 64/63 Σ D², s(b/2)² = 256/255 Σ (D²/4 + 4 a²): a, for the ratio of the two.
-    const double wanted = ratio * ratio * squares * (64.0 / 63) / (256.0 / 255);
-    const double apart = std::sqrt(std::max(0.0, wanted - squares / 4) / (4 * blocks));
-    BlockErrors cells{std::vector<double>(4 * blocks), std::vector<double>(4 * blocks, 100)};
-    for (std::size_t y = 0; y < 16; ++y) {
-      for (std::size_t x = 0; x < 16; ++x) {
-        const double sign = (x + y) % 2 == 0 ? 1 : -1;
-        cells.wrong[16 * y + x] =
-            20 + static_cast<double>(values[8 * (y / 2) + x / 2]) / 4 + sign * apart;
-      }
-    }
-    return width(rateConfidence(cells, {1, 16}));
+  const auto widthWith = [&](double apart) {
+    return width(rateConfidence(blocksOf(10,
+                                         [&](std::size_t x, std::size_t y) {
+                                           const double sign = (x + y) % 2 == 0 ? 1 : -1;
+                                           return 20 + values[10 * (y / 2) + x / 2] + sign * apart;
+                                         }),
+                                {1, 20}));
   };
-  EXPECT_NEAR(widthOf(0.85) / widthOf(1), 1.15, 1e-9);
-  EXPECT_NEAR(widthOf(0.75) / widthOf(1), 1.25, 1e-9);
-  EXPECT_NEAR(widthOf(0.6) / widthOf(1), largestCorrection, 1e-9);
-  EXPECT_NEAR(widthOf(1.3) / widthOf(1), 1, 1e-9);
+  // Cells alike within their block have nothing but the blocks' own corners as contrasts.
+  EXPECT_NEAR(widthWith(0) / widthWith(100), largestCorrection, 1e-9);
+  EXPECT_NEAR(widthWith(50) / widthWith(100), 1, 1e-9);
+  double between = 0;
+  for (double apart = 0; apart <= 2; apart += 0.1) {
+    const double factor = widthWith(apart) / widthWith(100);
+    EXPECT_GE(factor, 1 - 1e-9);
+    EXPECT_LE(factor, largestCorrection + 1e-9);
+    if (factor > 1.01 && factor < largestCorrection - 0.01) ++between;
+  }
+  EXPECT_GT(between, 0) << "nothing between the bounds";
 }
 
 TEST(RateConfidence, IsCutToWhatARateCanBe) {
-  // Six of sixteen blocks err a little, one a lot: θ - s t* falls below 0.
-  BlockErrors cells{std::vector<double>(64), std::vector<double>(64, 1)};
-  for (std::size_t i = 0; i < 6; ++i) cells.wrong[2 * i + 16 * (i / 4)] = i == 0 ? 1 : 0.001;
-  const ConfidenceInterval confidence = rateConfidence(cells, {1, 8});
+  RandomFields fields(9, 0.1, 7);
+  const std::vector<float> values = fields.next();
+  // A seventh of the blocks hold errors.
+  const auto rare = [&](std::size_t x, std::size_t y) {
+    const float value = values[9 * (y / 2) + x / 2];
+    return value > 1 ? 100 * value / 4 : 0.0;
+  };
+  const BlockErrors cells = blocksOf(9, rare);
+  const ConfidenceInterval confidence = rateConfidence(cells, {1, 18});
   ASSERT_TRUE(confidence.interval);
   EXPECT_GE(confidence.interval->low, 0);
-  EXPECT_LE(confidence.interval->high, 1);
   EXPECT_TRUE(confidence.interval->holds(cells.rate()));
+  const BlockErrors most =
+      blocksOf(9, [&](std::size_t x, std::size_t y) { return 100 - rare(x, y) / 10; });
+  EXPECT_LE(rateConfidence(most, {1, 18}).interval->high, 1);
+  const BlockErrors none = blocksOf(9, [](std::size_t, std::size_t) { return 0.0; });
+  const BlockErrors halves =
+      blocksOf(9, [](std::size_t x, std::size_t y) { return (x / 2 + y / 2) % 2 == 0 ? 100. : 0; });
+  const ConfidenceInterval difference = differenceConfidence(halves, none, {1, 18});
+  ASSERT_TRUE(difference.interval);
+  EXPECT_GE(difference.interval->low, -1);
+  EXPECT_LE(difference.interval->high, 1);
 }
 
 TEST(RateConfidence, SaysWhyThereIsNone) {
-  const BlockErrors few{std::vector<double>(36, 1), std::vector<double>(36, 2)};
-  EXPECT_FALSE(rateConfidence(few, {1, 6}).interval);
-  EXPECT_EQ(rateConfidence(few, {1, 6}).reason, "the view has too few blocks of samples");
-  EXPECT_EQ(rateConfidence(few, {1, 6}).blocks, 9U);
-  BlockErrors rare{std::vector<double>(64), std::vector<double>(64, 2)};
-  EXPECT_EQ(rateConfidence(rare, {1, 8}).reason, "too few blocks of the view hold an error");
-  for (std::size_t i = 0; i < 5; ++i) rare.wrong[2 * i + 16 * (i / 4)] = 1;
-  EXPECT_FALSE(rateConfidence(rare, {1, 8}).interval);
-  EXPECT_EQ(rateConfidence(rare, {1, 8}).reason, "too few blocks of the view hold an error");
-  rare.wrong[40] = 1;
-  EXPECT_TRUE(rateConfidence(rare, {1, 8}).interval);
-  EXPECT_EQ(rateConfidence(rare, {1, 8}).reason, "");
+  const BlockErrors few{std::vector<double>(256, 1), std::vector<double>(256, 2)};
+  EXPECT_FALSE(rateConfidence(few, {1, 16}).interval);
+  EXPECT_EQ(rateConfidence(few, {1, 16}).reason, "the view has too few blocks of samples");
+  EXPECT_EQ(rateConfidence(few, {1, 16}).blocks, 64U);
+  BlockErrors rare = blocksOf(10, [](std::size_t, std::size_t) { return 0.0; });
+  EXPECT_EQ(rateConfidence(rare, {1, 20}).reason, "no block of the view holds an error");
+  for (std::size_t i = 0; i < 5; ++i) rare.wrong[60 * i + 2 * i] = 1;
+  EXPECT_FALSE(rateConfidence(rare, {1, 20}).interval);
+  EXPECT_EQ(rateConfidence(rare, {1, 20}).reason, "too few blocks of the view hold an error");
+  rare.wrong[399] = 1;
+  EXPECT_TRUE(rateConfidence(rare, {1, 20}).interval);
+  EXPECT_EQ(rateConfidence(rare, {1, 20}).reason, "");
+  rare.wrong[210] = 90;
+  EXPECT_FALSE(rateConfidence(rare, {1, 20}).interval);
+  EXPECT_EQ(rateConfidence(rare, {1, 20}).reason,
+            "a few blocks of the view hold nearly all errors");
+  const BlockErrors alike = blocksOf(10, [](std::size_t, std::size_t) { return 7.0; });
+  EXPECT_EQ(rateConfidence(alike, {1, 20}).reason, "every block of the view gives the same");
 }
 
 TEST(DifferenceConfidence, TurnsWithTheOrder) {
@@ -208,7 +241,7 @@ TEST(DifferenceConfidence, DoesNotSeeWhatBothGetWrong) {
   Case first = a;
   Case second = b;
   for (std::size_t i = 0; i < a.cells.wrong.size(); ++i) {
-    const double both = static_cast<double>(i % 7) * 10;
+    const double both = static_cast<double>(i * i % 7) * 10;
     first.cells.wrong[i] += both;
     second.cells.wrong[i] += both;
   }
@@ -232,12 +265,12 @@ TEST(DifferenceConfidence, TakesEachRateOverItsOwnSamples) {
   EXPECT_NEAR(same.interval->high, plain.interval->high, 1e-12);
 }
 
-TEST(DifferenceConfidence, OfEqualsIsNoneAtAll) {
+/// An interval of no width would say that another draw of the bumps could not differ either.
+TEST(DifferenceConfidence, OfEqualsIsRefused) {
   const Case a = independentCase(64, 0.1, 12);
-  const ConfidenceInterval confidence = differenceConfidence(a.cells, a.cells, a.tiling);
-  ASSERT_TRUE(confidence.interval);
-  EXPECT_EQ(confidence.interval->low, 0);
-  EXPECT_EQ(confidence.interval->high, 0);
+  EXPECT_FALSE(differenceConfidence(a.cells, a.cells, a.tiling).interval);
+  EXPECT_EQ(differenceConfidence(a.cells, a.cells, a.tiling).reason,
+            "no block of the view differs");
   Case other = a;
   other.cells.wrong[3] += 1;
   EXPECT_EQ(differenceConfidence(a.cells, other.cells, a.tiling).reason,
@@ -248,8 +281,6 @@ TEST(DifferenceConfidence, RefusesWhatIsNotOneView) {
   const Case a = independentCase(64, 0.1, 13);
   EXPECT_THROW(rateConfidence(a.cells, {1, 5}), InternalError);
   EXPECT_THROW(rateConfidence(a.cells, {1, 0}), InternalError);
-  EXPECT_THROW(rateConfidence(a.cells, a.tiling, Bootstrap({0, 0.95, 1})), InternalError);
-  EXPECT_THROW(rateConfidence(a.cells, a.tiling, Bootstrap({100, 1, 1})), InternalError);
   const BlockErrors other{std::vector<double>(8, 1), std::vector<double>(8, 2)};
   EXPECT_THROW(differenceConfidence(a.cells, other, a.tiling), InternalError);
 }

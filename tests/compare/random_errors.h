@@ -107,16 +107,27 @@ inline std::vector<float> mixed(const std::vector<float>& common, const std::vec
   return field;
 }
 
-/// A mask over a truth that is lit everywhere, wrong with the probability `rate` at each sample.
-inline Mask errorMask(const std::vector<float>& field, int side, ErrorShape shape, double rate) {
-  const auto level =
-      static_cast<float>(normalAbove(shape == ErrorShape::blobs ? rate : (1 - rate) / 2));
+/// A mask over a truth that is lit everywhere, wrong with a probability of its own in each column.
+/// @param rates  one a column
+inline Mask errorMask(const std::vector<float>& field, int side, ErrorShape shape,
+                      const std::vector<double>& rates) {
+  std::vector<float> levels;
+  for (const double rate : rates) {
+    levels.push_back(
+        static_cast<float>(normalAbove(shape == ErrorShape::blobs ? rate : (1 - rate) / 2)));
+  }
   Mask mask{side, side, {}};
-  for (const float value : field) {
-    const bool wrong = shape == ErrorShape::blobs ? value > level : std::abs(value) < level;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const float level = levels[i % levels.size()];
+    const bool wrong = shape == ErrorShape::blobs ? field[i] > level : std::abs(field[i]) < level;
     mask.samples.push_back(wrong ? Shade::shadowed : Shade::lit);
   }
   return mask;
+}
+
+/// The same with one probability everywhere.
+inline Mask errorMask(const std::vector<float>& field, int side, ErrorShape shape, double rate) {
+  return errorMask(field, side, shape, std::vector<double>{rate});
 }
 
 }  // namespace gnomon::test

@@ -8,6 +8,7 @@
 namespace gnomon {
 namespace {
 
+using test::addDifferences;
 using test::countsOf;
 using test::result;
 using test::sampleRecord;
@@ -31,7 +32,9 @@ TEST(Ranking, BestFirstWithMeansOverAllCases) {
 
 TEST(Ranking, CloserThanTheTruthKnowsIsNotDistinguishable) {
   // Mean uncertainty (0.002 + 0.004) / 2; "best" and "close" are 0.002 apart, "rough" 0.09.
-  const std::vector<RankedMethod> ranked = rankMethods(sampleRecord());
+  StudyRecord record = sampleRecord();
+  addDifferences(record, 1e-6);
+  const std::vector<RankedMethod> ranked = rankMethods(record);
   EXPECT_EQ(ranked[0].label, "best");
   EXPECT_DOUBLE_EQ(*ranked[0].uncertainty, 0.003);
   EXPECT_EQ(ranked[0].indistinguishable, std::vector<std::string>{"close"});
@@ -39,7 +42,21 @@ TEST(Ranking, CloserThanTheTruthKnowsIsNotDistinguishable) {
   EXPECT_TRUE(ranked[2].indistinguishable.empty());
 }
 
-TEST(Ranking, WithoutAnUncertaintyNothingIsCalledEqual) {
+TEST(Ranking, AnIntervalThatHoldsZeroIsNotDistinguishable) {
+  StudyRecord record = sampleRecord();
+  record.truth.flips.clear();
+  record.truth.uncertainty = 0;
+  addDifferences(record, 1e-6);
+  for (const RankedMethod& method : rankMethods(record)) {
+    EXPECT_TRUE(method.indistinguishable.empty());
+  }
+  addDifferences(record, 0.003);
+  EXPECT_EQ(rankMethods(record)[0].indistinguishable, std::vector<std::string>{"close"});
+  addDifferences(record, 0.1);
+  EXPECT_EQ(rankMethods(record)[0].indistinguishable.size(), 2U);
+}
+
+TEST(Ranking, WithoutAMeasurementNothingIsCalledEqual) {
   StudyRecord record = sampleRecord();
   record.truth.flips.clear();
   record.truth.uncertainty = 0;
@@ -80,17 +97,6 @@ TEST(Cases, AnUncertaintyOfZeroIsAMeasurement) {
   StudyRecord record = sampleRecord(1);
   record.truth.flips[0].flipRate = 0;
   EXPECT_EQ(uncertaintyOf(record, {"camera", "elevation 15°"}), 0.0);
-  EXPECT_TRUE(notDistinguishable(0.1, 0.1, 0.0));
-  EXPECT_FALSE(notDistinguishable(0.1, 0.11, 0.0));
-}
-
-TEST(Cases, TheUncertaintyIsTheLimitInBothDirections) {
-  EXPECT_TRUE(notDistinguishable(0.10, 0.11, 0.011));
-  EXPECT_TRUE(notDistinguishable(0.11, 0.10, 0.011));
-  EXPECT_FALSE(notDistinguishable(0.10, 0.11, 0.009));
-  EXPECT_FALSE(notDistinguishable(0.11, 0.10, 0.009));
-  EXPECT_FALSE(notDistinguishable(0.1, std::nullopt, 1.0));
-  EXPECT_FALSE(notDistinguishable(0.1, 0.1, std::nullopt));
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include <vector>
 
 #include "compare/boundaries.h"
+#include "compare/rates.h"
+#include "report/cases.h"
+#include "study/distinguish.h"
 #include "study/record.h"
 
 namespace gnomon::test {
@@ -92,6 +95,35 @@ inline StudyRecord sampleRecord(int lights = 2) {
                    {"No worse at noon", "", Verdict::notDistinguishable, ""},
                    {"Faster", "", Verdict::notEvaluated, ""}};
   return record;
+}
+
+/// Gives a record the differences of all its methods in every view: all lights together and each,
+/// with intervals as wide as is asked for on either side.
+inline void addDifferences(StudyRecord& record, double half) {
+  record.differences.clear();
+  const std::vector<std::string> methods = methodsOf(record);
+  for (std::size_t a = 0; a < methods.size(); ++a) {
+    for (std::size_t b = a + 1; b < methods.size(); ++b) {
+      std::vector<DifferenceRecord> lights;
+      for (const Case& which : casesOf(record)) {
+        const ResultRecord* first = findResult(record, methods[a], which);
+        const ResultRecord* second = findResult(record, methods[b], which);
+        if (first == nullptr || second == nullptr) continue;
+        const double difference = rate(first->counts, "error_rate").value.value_or(0) -
+                                  rate(second->counts, "error_rate").value.value_or(0);
+        const Interval interval{difference - half, difference + half};
+        const double uncertainty = uncertaintyOf(record, which).value_or(0);
+        lights.push_back({which.view, which.light, methods[a], methods[b], difference, interval, "",
+                          uncertainty, verdictOn(difference, interval, uncertainty)});
+      }
+      if (lights.empty()) continue;
+      // One view is enough for the tests.
+      DifferenceRecord all = meanDifference(lights);
+      all.light = allLights;
+      record.differences.push_back(all);
+      record.differences.insert(record.differences.end(), lights.begin(), lights.end());
+    }
+  }
 }
 
 }  // namespace gnomon::test

@@ -37,6 +37,7 @@ StudyRecord study(const std::string& name,
     // Regions must not count.
     record.results.push_back(result(label, "dusk", "camera", "cast", countsOf(1000, 0, 250)));
   }
+  test::addDifferences(record, 1e-6);
   return record;
 }
 
@@ -123,6 +124,19 @@ TEST(StudyRanking, MarksWhatTheTruthCannotTellFromTheBest) {
   EXPECT_FALSE(ranked[0].closeToBest);
   EXPECT_TRUE(ranked[1].closeToBest);
   EXPECT_FALSE(ranked[2].closeToBest);
+}
+
+TEST(StudyRanking, MarksWhatTheIntervalsCannotTellFromTheBest) {
+  StudyRecord a = study("a", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0);
+  StudyRecord b = a;
+  // The mean interval of "close" less "best" is -0.001 to 0.005.
+  test::addDifferences(a, 0.005);
+  test::addDifferences(b, 0.001);
+  const auto ranked = rankOverStudies(meansOf({a, b}));
+  EXPECT_TRUE(ranked[1].closeToBest);
+  EXPECT_FALSE(ranked[2].closeToBest);
+  test::addDifferences(a, 0.001);
+  EXPECT_FALSE(rankOverStudies(meansOf({a, b}))[1].closeToBest);
 }
 
 TEST(StudyRanking, LabelsThatAreNotNamesSayWhatTheyStandFor) {

@@ -60,9 +60,10 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
             (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms", "passes",
                   "frame_ratio", "frame_kept_since"}));
   EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
-  EXPECT_EQ(keysOf(json["thresholds"][0]), (Keys{"method", "light", "view", "answer", "region", "metric",
-                                                 "value", "minimum", "maximum", "passed"}));
-  EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"text", "source", "verdict", "detail"}));
+  EXPECT_EQ(keysOf(json["thresholds"][0]),
+            (Keys{"method", "light", "view", "answer", "region", "metric", "value", "minimum",
+                  "maximum", "passed"}));
+  EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"text", "source", "verdict", "detail", "spread"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
             (Keys{"kind", "method", "caption", "path", "mask"}));
@@ -111,6 +112,21 @@ TEST(SummaryJson, ValuesSurviveTheTrip) {
   EXPECT_EQ(json["claims"][1]["verdict"], "failed");
   EXPECT_EQ(json["claims"][2]["verdict"], "not distinguishable");
   EXPECT_EQ(json["claims"][3]["verdict"], "not evaluated");
+}
+
+TEST(SummaryJson, AClaimTellsHowItFaresOverTheCases) {
+  StudyRecord record = sampleRecord();
+  record.claims[0].spread =
+      ClaimSpread{27, 25, 1, 1, "ratio", Quartiles{0.25, 0.375, 0.5, 0.625, 0.75}, true};
+  record.claims[1].spread = ClaimSpread{2, 0, 1, 1, "value", {}, false};
+  const ordered_json claims = written(record)["claims"];
+  EXPECT_EQ(claims[0]["spread"].dump(),
+            R"({"cases":27,"held":25,"failed":1,"not_distinguishable":1,"intervals":true,)"
+            R"("quantity":"ratio","least":0.25,"quartile_1":0.375,"median":0.5,"quartile_3":0.625,)"
+            R"("most":0.75})");
+  EXPECT_FALSE(claims[1]["spread"]["intervals"]);
+  EXPECT_TRUE(claims[1]["spread"]["median"].is_null());
+  EXPECT_TRUE(claims[2]["spread"].is_null());
 }
 
 TEST(SummaryJson, ARefinementIsThereWithAllItsLevels) {

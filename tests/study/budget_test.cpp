@@ -12,7 +12,7 @@ namespace {
 
 constexpr int samplesPerSide = 40;
 constexpr std::size_t budgetSamples = 1600;
-const Tiling tiling{4, 10};  // 25 blocks of 8 × 8
+const Tiling tiling{2, 20};  // 100 blocks of 4 × 4
 
 Mask maskOf(const std::vector<Shade>& shades) {
   return {samplesPerSide, samplesPerSide, shades};
@@ -29,11 +29,13 @@ Truth madeUpTruth() {
   return truth;
 }
 
-/// The truth, wrong at every `step`-th sample from `first` to before `last`.
+/// The truth, wrong at one of every `step` samples from `first` to before `last`, without a
+/// pattern.
 Mask wrongAt(const Truth& truth, std::size_t first, std::size_t last, std::size_t step) {
   Mask mask = truth.mask;
   for (std::size_t i = first; i < last; i += step) {
-    mask.samples[i] = mask.samples[i] == Shade::lit ? Shade::shadowed : Shade::lit;
+    Shade& shade = mask.samples[i + i / step * 7919 % 101 % step];
+    shade = shade == Shade::lit ? Shade::shadowed : Shade::lit;
   }
   return mask;
 }
@@ -76,7 +78,7 @@ TEST(Budget, IsWhatEachStepOfAMadeUpLadderChanges) {
   EXPECT_DOUBLE_EQ(budget.distant.value, 20.0 / budgetSamples);
   EXPECT_DOUBLE_EQ(budget.other.value, 80.0 / budgetSamples);
   EXPECT_DOUBLE_EQ(orderDependence(budget), 20.0 / budgetSamples);
-  EXPECT_EQ(budget.blocks, 25U);
+  EXPECT_EQ(budget.blocks, 100U);
   EXPECT_EQ(budget.light, "noon");
   ASSERT_EQ(budget.forward.size(), 3U);
   EXPECT_DOUBLE_EQ(budget.forward[1].errorRate, 80.0 / budgetSamples);
@@ -124,7 +126,7 @@ TEST(Budget, TellsWhatCannotBeToldFromNone) {
   const Truth truth = madeUpTruth();
   const StateErrors start = errorsOf(truth, wrongAt(truth, 0, 1200, 3));  // 400, everywhere
   const StateErrors some =
-      errorsOf(truth, wrongAt(truth, 480, 1200, 3));  // 240, right in two rows of blocks
+      errorsOf(truth, wrongAt(truth, 480, 1200, 3));  // 240, right in three rows of blocks
   const StateErrors none = errorsOf(truth, truth.mask);
   const auto first = [&](double uncertainty) {
     return attributeError(ladderOf({"some", "all"}), {"atlas", "noon", uncertainty, tiling},
@@ -137,7 +139,7 @@ TEST(Budget, TellsWhatCannotBeToldFromNone) {
   // The same share where the truth is no surer than that.
   EXPECT_FALSE(first(0.101).causes[0].forward.distinguishable);
   EXPECT_TRUE(first(0.101).causes[1].forward.distinguishable);
-  // In the other order nothing is left for it: its interval is [0, 0].
+  // In the other order nothing is left for it, and no interval.
   EXPECT_EQ(sure.causes[0].backward.value, 0);
   EXPECT_FALSE(sure.causes[0].backward.distinguishable);
   EXPECT_FALSE(sure.distant.distinguishable);

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "study/distinguish.h"
+#include "study/result_metrics.h"
+
 namespace gnomon {
 namespace {
 
@@ -15,7 +20,43 @@ Counts withErrorRate(double rate) {
   return {0.3 * samples - wrong, 0, wrong, 0.7 * samples, static_cast<std::size_t>(samples)};
 }
 
-/// A study whose methods `new` and `old` have given error rates, one pair a light.
+/// Gives a record the intervals of its error rates: as wide as is asked for on either side.
+void measureIntervals(StudyRecord& record, double half) {
+  record.confidence.clear();
+  record.differences.clear();
+  std::vector<ResultRecord> rows;
+  for (const ResultRecord& result : record.results) {
+    if (result.region == "all") rows.push_back(result);
+  }
+  double gains = 0;
+  for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
+    const ResultRecord& first = rows[i];
+    const std::array<double, 2> rates = {metricOf(first, "error_rate").value.value_or(0),
+                                         metricOf(rows[i + 1], "error_rate").value.value_or(0)};
+    const auto around = [&](double value) { return Interval{value - half, value + half}; };
+    const auto flip =
+        std::find_if(record.truth.flips.begin(), record.truth.flips.end(),
+                     [&](const UncertaintyRecord& found) { return found.light == first.light; });
+    const double uncertainty =
+        flip == record.truth.flips.end() ? record.truth.uncertainty : flip->flipRate;
+    const double difference = rates[0] - rates[1];
+    gains += difference / (static_cast<double>(rows.size()) / 2);
+    record.confidence.push_back(
+        {"new", "camera", first.light, rates[0], around(rates[0]), "", 81, 12});
+    record.confidence.push_back(
+        {"old", "camera", first.light, rates[1], around(rates[1]), "", 81, 12});
+    record.differences.push_back({"camera", first.light, "new", "old", difference,
+                                  around(difference), "", uncertainty,
+                                  verdictOn(difference, around(difference), uncertainty)});
+  }
+  const Interval all{gains - half, gains + half};
+  record.differences.push_back({"camera", "all", "new", "old", gains, all, "",
+                                record.truth.uncertainty,
+                                verdictOn(gains, all, record.truth.uncertainty)});
+}
+
+/// A study whose methods `new` and `old` have given error rates, one pair a light; intervals are
+/// narrow.
 StudyRecord study(const std::string& name, const std::vector<std::pair<double, double>>& rates,
                   double uncertainty) {
   StudyRecord record;
@@ -30,6 +71,7 @@ StudyRecord study(const std::string& name, const std::vector<std::pair<double, d
     record.results.push_back({"new", light, "camera", "cast", withErrorRate(0.25)});
     record.results.push_back({"old", light, "camera", "cast", withErrorRate(0.0)});
   }
+  measureIntervals(record, 1e-6);
   return record;
 }
 
@@ -51,14 +93,18 @@ ClaimRecord judge(const ClaimSpec& claim, const std::vector<StudyRecord>& run,
 TEST(Claims, HoldWhereSmallerEverywhereByMoreThanTheUncertainty) {
   const ClaimRecord record = judge(newIsBetter(), {study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::held);
-  EXPECT_THAT(record.detail, HasSubstr("in 2 of 2 comparisons, larger in 0"));
+  EXPECT_THAT(
+      record.detail,
+      HasSubstr("error_rate of new smaller than of old: holds under 2 of 2 lights, fails under 0; "
+                "ratio 0.39 (0.38 to 0.40)"));
   EXPECT_THAT(record.detail, HasSubstr("mean difference 4.00 points"));
 }
 
 TEST(Claims, FailWhereLargerSomewhereByMoreThanTheUncertainty) {
   const ClaimRecord record = judge(newIsBetter(), {study("s", {{0.02, 0.08}, {0.06, 0.03}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::failed);
-  EXPECT_THAT(record.detail, HasSubstr("in 1 of 2 comparisons, larger in 1"));
+  EXPECT_THAT(record.detail,
+              HasSubstr("holds under 1 of 2 lights, fails under 1; ratio 1.12 (0.25 to 2.00)"));
 }
 
 TEST(Claims, AreNotDistinguishableWithinTheUncertainty) {
@@ -78,9 +124,11 @@ TEST(Claims, AreJudgedByTheUncertaintyOfTheirOwnLight) {
   EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::notDistinguishable);
   // The largest uncertainty stays; that of each light is less than its difference.
   for (UncertaintyRecord& flip : record.truth.flips) flip.flipRate = 0.01;
+  measureIntervals(record, 1e-6);
   EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::held);
   // A light without its own is judged by the largest.
   record.truth.flips.pop_back();
+  measureIntervals(record, 1e-6);
   EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::notDistinguishable);
 }
 
@@ -106,7 +154,8 @@ TEST(Claims, SpeakOfTheirRegion) {
   claim.region = "cast";
   const ClaimRecord record = judge(claim, {study("s", {{0.02, 0.05}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::failed) << "there the other order holds";
-  EXPECT_THAT(record.detail, HasSubstr("than of old in the region cast in 0 of 1"));
+  EXPECT_THAT(record.detail,
+              HasSubstr("than of old in the region cast: holds under 0 of 1 light, fails under 1"));
 }
 
 TEST(Claims, TakeAllFlipsToLieInTheRegion) {
@@ -122,6 +171,65 @@ TEST(Claims, TakeAllFlipsToLieInTheRegion) {
   EXPECT_EQ(judge(claim, {record}).verdict, Verdict::held) << "and than 0.1";
   for (UncertaintyRecord& flip : record.truth.flips) flip.flipRate = 0.03;
   EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable) << "not than 0.3";
+}
+
+TEST(Claims, NeedAnIntervalWithoutZero) {
+  StudyRecord record = study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.001);
+  measureIntervals(record, 0.04);
+  const ClaimRecord one = judge(newIsBetter(), {record});
+  EXPECT_EQ(one.verdict, Verdict::notDistinguishable) << "0.03 is less than 0.04";
+  EXPECT_EQ(one.spread->held, 1U);
+  EXPECT_EQ(one.spread->notDistinguishable(), 1U);
+  ClaimSpec reverse = newIsBetter();
+  std::swap(reverse.less, reverse.than);
+  EXPECT_EQ(judge(reverse, {record}).verdict, Verdict::failed) << "under the second light";
+  measureIntervals(record, 0.06);
+  EXPECT_EQ(judge(reverse, {record}).verdict, Verdict::notDistinguishable);
+  measureIntervals(record, 0.02);
+  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::held);
+  record.differences[0].interval.reset();
+  record.differences[0].verdict = DifferenceVerdict::notDistinguishable;
+  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::notDistinguishable)
+      << "an interval was refused";
+}
+
+TEST(Claims, TellHowTheyFareOverManyLights) {
+  const StudyRecord record = study(
+      "s", {{0.012, 0.1}, {0.024, 0.1}, {0.0312, 0.1}, {0.04, 0.1}, {0.2, 0.1}, {0.1, 0.1}}, 0.001);
+  const ClaimRecord judged = judge(newIsBetter(), {record});
+  EXPECT_EQ(judged.verdict, Verdict::failed);
+  ASSERT_TRUE(judged.spread);
+  EXPECT_EQ(judged.spread->cases, 6U);
+  EXPECT_EQ(judged.spread->held, 4U);
+  EXPECT_EQ(judged.spread->failed, 1U);
+  EXPECT_EQ(judged.spread->notDistinguishable(), 1U);
+  EXPECT_EQ(judged.spread->quantity, "ratio");
+  EXPECT_TRUE(judged.spread->hasIntervals);
+  const Quartiles& ratios = *judged.spread->quartiles;
+  EXPECT_NEAR(ratios.least, 0.12, 1e-12);
+  EXPECT_NEAR(ratios.first, 0.258, 1e-12);
+  EXPECT_NEAR(ratios.median, 0.356, 1e-12);
+  EXPECT_NEAR(ratios.third, 0.85, 1e-12);
+  EXPECT_NEAR(ratios.most, 2, 1e-12);
+  EXPECT_THAT(judged.detail, HasSubstr("holds under 4 of 6 lights, fails under 1; ratio 0.36 (0.12 "
+                                       "to 2.00, quartiles 0.26 and 0.85)"));
+}
+
+TEST(Claims, HaveNoRatioToNoErrorAtAll) {
+  const ClaimRecord judged = judge(newIsBetter(), {study("s", {{0.02, 0.0}}, 0.001)});
+  EXPECT_EQ(judged.verdict, Verdict::failed);
+  EXPECT_FALSE(judged.spread->quartiles);
+  EXPECT_THAT(judged.detail, HasSubstr("fails under 1; mean difference"));
+}
+
+TEST(Claims, SayCasesWhereThereAreSeveralViews) {
+  StudyRecord record = study("s", {{0.02, 0.05}}, 0.01);
+  for (ResultRecord& result : study("s", {{0.02, 0.05}}, 0.01).results) {
+    result.view = "atlas";
+    record.results.push_back(result);
+  }
+  EXPECT_THAT(judge(newIsBetter(), {record}).detail,
+              HasSubstr("holds in 1 of 2 cases, fails in 0"));
 }
 
 // ---- lengths
@@ -152,14 +260,17 @@ TEST(Claims, BetweenBoundsHoldWhereWithinEverywhere) {
   const ClaimRecord record =
       judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.03, 0.97}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::held);
-  EXPECT_THAT(record.detail, HasSubstr("shadow_length_ratio of new between 0.95 and 1.05 in 3 of "
-                                       "3 cases, outside in 0; found 0.970 to 1.030"));
+  EXPECT_THAT(record.detail,
+              HasSubstr("shadow_length_ratio of new between 0.95 and 1.05: holds under "
+                        "3 of 3 lights, fails under 0; value 1.00 (0.97 to 1.03); "
+                        "no interval exists for it"));
 }
 
 TEST(Claims, BetweenBoundsFailWhereOutsideSomewhere) {
   const ClaimRecord above = judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.2, 0.97}, 0.01)});
   EXPECT_EQ(above.verdict, Verdict::failed);
-  EXPECT_THAT(above.detail, HasSubstr("in 2 of 3 cases, outside in 1; found 0.970 to 1.200"));
+  EXPECT_THAT(above.detail,
+              HasSubstr("holds under 2 of 3 lights, fails under 1; value 1.00 (0.97 to 1.20)"));
   EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 0.8}, 0.01)}).verdict,
             Verdict::failed);
 }
@@ -173,8 +284,9 @@ TEST(Claims, NearABoundAreNotDistinguishable) {
               ratio > 0.95 && ratio < 1.05 ? Verdict::held : Verdict::failed)
         << ratio << ", by an exact truth";
   }
-  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.05}, 0.0)}).verdict, Verdict::failed)
-      << "below is below";
+  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.05}, 0.0)}).verdict,
+            Verdict::notDistinguishable)
+      << "on the bound itself";
 }
 
 TEST(Claims, MayHaveOneBoundAlone) {
@@ -182,7 +294,7 @@ TEST(Claims, MayHaveOneBoundAlone) {
   EXPECT_EQ(judge(newIsBetween(1.05, {}), {lengthStudy({1.1, 1}, 0.01)}).verdict, Verdict::failed);
   EXPECT_EQ(judge(newIsBetween({}, 1.05), {lengthStudy({1, 0}, 0.01)}).verdict, Verdict::held);
   EXPECT_THAT(judge(newIsBetween({}, 1.05), {lengthStudy({1, 2}, 0.01)}).detail,
-              HasSubstr("of new below 1.05 in 1 of 2 cases, outside in 1"));
+              HasSubstr("of new below 1.05: holds under 1 of 2 lights, fails under 1"));
 }
 
 TEST(Claims, SayWhereTheMetricIsNotDefined) {
@@ -190,7 +302,9 @@ TEST(Claims, SayWhereTheMetricIsNotDefined) {
   record.results.front().lengths = ShadowLengths{};
   const ClaimRecord judged = judge(newIsBetween(0.95, 1.05), {record});
   EXPECT_EQ(judged.verdict, Verdict::held);
-  EXPECT_THAT(judged.detail, HasSubstr("in 1 of 1 cases, outside in 0, not defined in 1 more"));
+  EXPECT_THAT(
+      judged.detail,
+      HasSubstr("holds under 1 of 1 light, fails under 0; value 1.02, not defined in 1 more"));
   ClaimSpec old = newIsBetween(0.95, 1.05);
   old.method = "old";
   EXPECT_EQ(judge(old, {record}).verdict, Verdict::notEvaluated);
@@ -203,6 +317,11 @@ TEST(Claims, AboutRatesBetweenBoundsGoByTheFlips) {
   EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::held);
   EXPECT_EQ(judge(claim, {study("s", {{0.045, 0.1}}, 0.01)}).verdict, Verdict::notDistinguishable);
   EXPECT_EQ(judge(claim, {study("s", {{0.2, 0.1}}, 0.01)}).verdict, Verdict::failed);
+  StudyRecord wide = study("s", {{0.02, 0.1}}, 0.01);
+  measureIntervals(wide, 0.04);
+  EXPECT_EQ(judge(claim, {wide}).verdict, Verdict::notDistinguishable) << "and by the interval";
+  wide.confidence[0].interval.reset();
+  EXPECT_EQ(judge(claim, {wide}).verdict, Verdict::notDistinguishable);
   claim.region = "cast";
   EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::failed);
 }
@@ -282,6 +401,24 @@ TEST(Claims, DoNotDistinguishGainsWithinBothUncertainties) {
   // 3 points apart, 4 uncertain.
   EXPECT_EQ(judge(newIsBetter("there"), {here, there}).verdict, Verdict::notDistinguishable);
   EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::notDistinguishable);
+}
+
+/// Gains of 5 and 1 points: 4 apart. Halves of 3 and 2 come to √13 = 3.6, of 3 and 3 to 4.2.
+TEST(Claims, CompareGainsByTheIntervalsOfBoth) {
+  StudyRecord here = study("here", {{0.02, 0.07}}, 0.001);
+  StudyRecord there = study("there", {{0.02, 0.03}}, 0.001);
+  measureIntervals(here, 0.03);
+  measureIntervals(there, 0.02);
+  const ClaimRecord sure = judge(newIsBetter("there"), {here, there});
+  EXPECT_EQ(sure.verdict, Verdict::held);
+  EXPECT_THAT(sure.detail, HasSubstr("95 % interval of their difference 0.39 to 7.61 points"));
+  EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::failed);
+  measureIntervals(there, 0.03);
+  EXPECT_EQ(judge(newIsBetter("there"), {here, there}).verdict, Verdict::notDistinguishable);
+  there.differences.back().interval.reset();
+  const ClaimRecord unknown = judge(newIsBetter("there"), {here, there});
+  EXPECT_EQ(unknown.verdict, Verdict::notDistinguishable);
+  EXPECT_THAT(unknown.detail, HasSubstr("their difference has no interval"));
 }
 
 TEST(Claims, AboutAStudyThatWasNotRunAreNotEvaluatedAndSayWhatToRun) {

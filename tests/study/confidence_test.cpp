@@ -4,11 +4,12 @@
 
 #include "common/error.h"
 #include "compare/random_errors.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {
 
-constexpr int maskSide = 64;
+constexpr int maskSide = 108;
 
 /// Methods whose errors are the level sets of fields with much in common, under two lights.
 ViewErrors someErrors() {
@@ -48,8 +49,8 @@ TEST(ConfidenceOf, SpeaksOfAllLightsAndOfEach) {
     ASSERT_TRUE(record.interval) << record.reason;
     EXPECT_TRUE(record.interval->holds(record.rate));
     EXPECT_EQ(record.reason, "");
-    EXPECT_EQ(record.blocks, 16U);
-    EXPECT_EQ(record.blockSide, 16);
+    EXPECT_EQ(record.blocks, 81U);
+    EXPECT_EQ(record.blockSide, 12);
   }
   const Interval alone = *rateConfidence(errors.methods[0].lights[1], errors.tiling).interval;
   EXPECT_EQ(records[2].interval->low, alone.low);
@@ -68,8 +69,8 @@ TEST(ConfidenceOf, OneLightIsAllOfThem) {
 TEST(DifferencesOf, ComparesEachMethodWithEveryLaterOne) {
   const ViewErrors errors = someErrors();
   const std::vector<ConfidenceRecord> rates = confidenceOf(errors);
-  const std::vector<DifferenceRecord> records = differencesOf(errors, 0.001);
-  ASSERT_EQ(records.size(), 3U);
+  const std::vector<DifferenceRecord> records = differencesOf(errors, {0.0005, 0.0015});
+  ASSERT_EQ(records.size(), 9U) << "all lights, then each";
   EXPECT_EQ(records[0].first, "rough");
   EXPECT_EQ(records[0].second, "fine");
   EXPECT_EQ(records[1].second, "close");
@@ -78,12 +79,16 @@ TEST(DifferencesOf, ComparesEachMethodWithEveryLaterOne) {
   EXPECT_DOUBLE_EQ(records[0].difference, rates[0].rate - rates[3].rate);
   EXPECT_EQ(records[0].verdict, DifferenceVerdict::worse);
   EXPECT_EQ(records[2].verdict, DifferenceVerdict::notDistinguishable);
-  for (const DifferenceRecord& record : records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const DifferenceRecord& record = records[i];
     EXPECT_EQ(record.view, "camera");
-    EXPECT_EQ(record.light, "all");
-    EXPECT_EQ(record.uncertainty, 0.001);
+    EXPECT_EQ(record.light, i < 3 ? "all" : i < 6 ? "noon" : "evening");
+    EXPECT_DOUBLE_EQ(record.uncertainty, i < 3 ? 0.001 : i < 6 ? 0.0005 : 0.0015);
+    ASSERT_TRUE(record.interval) << record.reason;
     EXPECT_TRUE(record.interval->holds(record.difference));
+    EXPECT_EQ(record.verdict, verdictOn(record.difference, record.interval, record.uncertainty));
   }
+  EXPECT_DOUBLE_EQ(records[0].difference, (records[3].difference + records[6].difference) / 2);
   BlockErrors first = errors.methods[0].lights[0];
   BlockErrors second = errors.methods[1].lights[0];
   first += errors.methods[0].lights[1];
@@ -92,22 +97,21 @@ TEST(DifferencesOf, ComparesEachMethodWithEveryLaterOne) {
             differenceConfidence(first, second, errors.tiling).interval->low);
 }
 
-TEST(DifferencesOf, WithinTheTruthsUncertaintySaysNothing) {
-  const std::vector<DifferenceRecord> sure = differencesOf(someErrors(), 0.1);
-  EXPECT_EQ(sure[0].verdict, DifferenceVerdict::worse);
-  const std::vector<DifferenceRecord> unsure = differencesOf(someErrors(), 0.3);
-  EXPECT_EQ(unsure[0].verdict, DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(unsure[0].difference, sure[0].difference);
+TEST(DifferencesOf, OneLightIsAllOfThem) {
+  ViewErrors errors = someErrors();
+  errors.lights = {"noon"};
+  for (MethodErrors& method : errors.methods) method.lights.pop_back();
+  const std::vector<DifferenceRecord> records = differencesOf(errors, {0.001});
+  ASSERT_EQ(records.size(), 3U);
+  for (const DifferenceRecord& record : records) EXPECT_EQ(record.light, "all");
 }
 
-TEST(VerdictOn, NeedsAnIntervalWithoutZeroAndMoreThanTheTruthsError) {
-  EXPECT_EQ(verdictOn(-0.02, Interval{-0.03, -0.01}, 0.01), DifferenceVerdict::better);
-  EXPECT_EQ(verdictOn(0.02, Interval{0.01, 0.03}, 0.01), DifferenceVerdict::worse);
-  EXPECT_EQ(verdictOn(0.02, Interval{-0.01, 0.03}, 0), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(0.02, Interval{0, 0.03}, 0), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(0.02, Interval{0.01, 0.03}, 0.02), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(-0.02, Interval{-0.03, -0.01}, 0.02), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(0.5, std::nullopt, 0), DifferenceVerdict::notDistinguishable);
+TEST(DifferencesOf, WithinTheTruthsUncertaintySaysNothing) {
+  const std::vector<DifferenceRecord> sure = differencesOf(someErrors(), {0.1, 0.1});
+  EXPECT_EQ(sure[0].verdict, DifferenceVerdict::worse);
+  const std::vector<DifferenceRecord> unsure = differencesOf(someErrors(), {0.3, 0.3});
+  EXPECT_EQ(unsure[0].verdict, DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(unsure[0].difference, sure[0].difference);
 }
 
 }  // namespace

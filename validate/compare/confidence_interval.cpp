@@ -3,14 +3,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "common/error.h"
 #include "compare/mask_checks.h"
-#include "compare/resampling.h"
 
 namespace gnomon {
 namespace {
+
+double ratio(double part, double whole) {
+  return whole > 0 ? part / whole : 0;
+}
 
 /// One block of both answers.
 struct PairedBlock {
@@ -19,77 +24,107 @@ struct PairedBlock {
   double secondWrong = 0;
   double secondWeight = 0;
 
-  PairedBlock& operator+=(const PairedBlock& other) {
-    firstWrong += other.firstWrong;
-    firstWeight += other.firstWeight;
-    secondWrong += other.secondWrong;
-    secondWeight += other.secondWeight;
-    return *this;
-  }
   [[nodiscard]] bool isHeld() const { return firstWeight > 0 || secondWeight > 0; }
+  [[nodiscard]] bool isShared() const { return firstWeight > 0 && secondWeight > 0; }
+  /// r of the header.
+  [[nodiscard]] double difference() const {
+    return ratio(firstWrong, firstWeight) - ratio(secondWrong, secondWeight);
+  }
 };
 
-double ratio(double part, double whole) {
-  return whole > 0 ? part / whole : 0;
-}
+/// Blocks by their place in the view, row by row.
+struct BlockGrid {
+  std::size_t columns = 0;
+  std::vector<PairedBlock> blocks;
 
-/// A difference of rates over some blocks, and how much each block deviates from it.
-class PairedRates {
- public:
-  explicit PairedRates(const PairedBlock& sum)
-      : sum_(sum),
-        first_(ratio(sum.firstWrong, sum.firstWeight)),
-        second_(ratio(sum.secondWrong, sum.secondWeight)) {}
-
-  [[nodiscard]] double difference() const { return first_ - second_; }
-  /// d_k; their sum is 0.
-  [[nodiscard]] double deviation(const PairedBlock& block) const {
-    return ratio(block.firstWrong - first_ * block.firstWeight, sum_.firstWeight) -
-           ratio(block.secondWrong - second_ * block.secondWeight, sum_.secondWeight);
+  [[nodiscard]] std::size_t rows() const { return blocks.size() / columns; }
+  [[nodiscard]] std::size_t held() const {
+    return static_cast<std::size_t>(
+        std::count_if(blocks.begin(), blocks.end(), [](const auto& b) { return b.isHeld(); }));
   }
-
- private:
-  PairedBlock sum_;
-  double first_;
-  double second_;
 };
 
-PairedBlock sumOf(const std::vector<PairedBlock>& blocks) {
-  PairedBlock sum;
-  for (const PairedBlock& block : blocks) sum += block;
-  return sum;
-}
-
-/// √(K / (K - 1) Σ d²)
-double standardError(double squares, std::size_t blocks) {
-  const auto count = static_cast<double>(blocks);
-  return std::sqrt(squares * count / (count - 1));
-}
-
-double standardError(const std::vector<PairedBlock>& blocks) {
-  const PairedRates rates(sumOf(blocks));
-  double squares = 0;
-  for (const PairedBlock& block : blocks) {
-    const double deviation = rates.deviation(block);
-    squares += deviation * deviation;
-  }
-  return standardError(squares, blocks.size());
-}
-
-/// Blocks of `merged` × `merged` cells that hold a sample, row by row.
-std::vector<PairedBlock> blocksOf(const BlockErrors& first, const BlockErrors& second, int columns,
-                                  int merged) {
+/// Blocks of `merged` × `merged` cells.
+BlockGrid blocksOf(const BlockErrors& first, const BlockErrors& second, int columns, int merged) {
   const auto width = static_cast<std::size_t>(columns);
   const auto step = static_cast<std::size_t>(merged);
-  const std::size_t blockColumns = (width + step - 1) / step;
-  const std::size_t rows = (first.wrong.size() / width + step - 1) / step;
-  std::vector<PairedBlock> blocks(blockColumns * rows);
+  BlockGrid grid;
+  grid.columns = (width + step - 1) / step;
+  grid.blocks.resize(grid.columns * ((first.wrong.size() / width + step - 1) / step));
   for (std::size_t i = 0; i < first.wrong.size(); ++i) {
-    blocks[i / width / step * blockColumns + i % width / step] +=
-        PairedBlock{first.wrong[i], first.weight[i], second.wrong[i], second.weight[i]};
+    PairedBlock& block = grid.blocks[i / width / step * grid.columns + i % width / step];
+    block.firstWrong += first.wrong[i];
+    block.firstWeight += first.weight[i];
+    block.secondWrong += second.wrong[i];
+    block.secondWeight += second.weight[i];
   }
-  std::erase_if(blocks, [](const PairedBlock& block) { return !block.isHeld(); });
-  return blocks;
+  return grid;
+}
+
+/// How much a view's rate varies, and how well that is known.
+struct Spread {
+  double standardError = 0;
+  double degrees = 0;
+};
+
+/// p of the header: each block's share of the view's weight, mean of both answers'; 0 for blocks
+/// that one of them lacks, and for slivers of less than a tenth of the mean block.
+std::vector<double> sharesOf(const BlockGrid& grid) {
+  PairedBlock sum;
+  for (const PairedBlock& block : grid.blocks) {
+    sum.firstWeight += block.firstWeight;
+    sum.secondWeight += block.secondWeight;
+  }
+  const double least = 0.1 / static_cast<double>(std::max<std::size_t>(1, grid.held()));
+  std::vector<double> shares;
+  for (const PairedBlock& block : grid.blocks) {
+    const double share =
+        (ratio(block.firstWeight, sum.firstWeight) + ratio(block.secondWeight, sum.secondWeight)) /
+        2;
+    shares.push_back(block.isShared() && share >= least ? share : 0);
+  }
+  return shares;
+}
+
+Spread spreadOf(const BlockGrid& grid) {
+  const std::vector<double> shares = sharesOf(grid);
+  double weight = 0;
+  double sum = 0;      // Σ T
+  double squares = 0;  // Σ T²
+  for (std::size_t y = 0; y + 1 < grid.rows(); ++y) {
+    for (std::size_t x = 0; x + 1 < grid.columns; ++x) {
+      const std::size_t corner = y * grid.columns + x;
+      const std::array<std::size_t, 4> four = {corner, corner + 1, corner + grid.columns,
+                                               corner + grid.columns + 1};
+      constexpr std::array<double, 4> signs = {1, -1, -1, 1};
+      if (std::any_of(four.begin(), four.end(), [&](std::size_t k) { return shares[k] == 0; })) {
+        continue;
+      }
+      double contrast = 0;
+      double inverse = 0;
+      double share = 0;
+      for (std::size_t k = 0; k < four.size(); ++k) {
+        contrast += signs[k] * grid.blocks[four[k]].difference();
+        inverse += 1 / shares[four[k]];
+        share += shares[four[k]];
+      }
+      const double part = contrast * contrast / inverse * share;
+      weight += share;
+      sum += part;
+      squares += part * part;
+    }
+  }
+  return {std::sqrt(ratio(sum, weight)), ratio(sum * sum, 2 * squares)};
+}
+
+/// s of the header, with the degrees of freedom of the whole blocks.
+Spread correctedSpread(const BlockGrid& blocks, const BlockGrid& cells) {
+  Spread spread = spreadOf(blocks);
+  const double halved = spreadOf(cells).standardError;
+  if (spread.standardError > 0) {
+    spread.standardError *= std::clamp(2 - halved / spread.standardError, 1.0, largestCorrection);
+  }
+  return spread;
 }
 
 void requireCells(const BlockErrors& first, const BlockErrors& second, const Tiling& tiling) {
@@ -101,41 +136,6 @@ void requireCells(const BlockErrors& first, const BlockErrors& second, const Til
   }
   throw InternalError(fmt::format("{} and {} cells in {} columns found, the same of both expected",
                                   cells, second.wrong.size(), tiling.columns));
-}
-
-void requireSettings(const BootstrapSettings& settings) {
-  if (settings.resamples >= 1 && settings.confidence > 0 && settings.confidence < 1) return;
-  throw InternalError(
-      fmt::format("{} resamples and confidence {} found", settings.resamples, settings.confidence));
-}
-
-/// t* of one resample, whose sum is not known before all its blocks are.
-double studentised(const std::vector<PairedBlock>& blocks, std::span<const std::uint32_t> drawn,
-                   double difference) {
-  PairedBlock sum;
-  for (const std::uint32_t k : drawn) sum += blocks[k];
-  const PairedRates rates(sum);
-  double squares = 0;
-  for (const std::uint32_t k : drawn) {
-    const double deviation = rates.deviation(blocks[k]);
-    squares += deviation * deviation;
-  }
-  const double moved = rates.difference() - difference;
-  if (moved == 0) return 0;
-  // Infinite where all blocks drawn are alike: rare, and no number would be true.
-  return moved / standardError(squares, blocks.size());
-}
-
-std::vector<double> sortedResamples(const std::vector<PairedBlock>& blocks,
-                                    const Bootstrap& bootstrap) {
-  const double difference = PairedRates(sumOf(blocks)).difference();
-  const std::span<const std::uint32_t> draws = bootstrap.draws(blocks.size());
-  std::vector<double> values(draws.size() / blocks.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = studentised(blocks, draws.subspan(i * blocks.size(), blocks.size()), difference);
-  }
-  std::sort(values.begin(), values.end());
-  return values;
 }
 
 /// (Σ w)² / Σ w² of the weights of square blocks; 0 without any.
@@ -160,17 +160,47 @@ double effectiveBlocks(const Mask& view, std::span<const double> weights, int si
   return ratio(sum * sum, squares);
 }
 
+/// What an interval of a rate and one of a difference say where there is none.
+struct Reasons {
+  std::string_view nothing;
+  std::string_view few;
+  std::string_view concentrated;
+};
+
+/// @param least, most  of what the interval is of
+ConfidenceInterval intervalOf(const BlockErrors& first, const BlockErrors& second,
+                              const Tiling& tiling, double least, double most,
+                              const Reasons& reasons) {
+  requireCells(first, second, tiling);
+  const BlockGrid blocks = blocksOf(first, second, tiling.columns, 2);
+  const std::size_t held = blocks.held();
+  if (held < leastBlocks) return {{}, "the view has too few blocks of samples", held};
+  const auto differing =
+      std::count_if(blocks.blocks.begin(), blocks.blocks.end(),
+                    [](const PairedBlock& block) { return block.firstWrong != block.secondWrong; });
+  if (differing == 0) return {{}, reasons.nothing, held};
+  if (differing < static_cast<std::ptrdiff_t>(leastWrongBlocks)) return {{}, reasons.few, held};
+  const Spread spread = correctedSpread(blocks, blocksOf(first, second, tiling.columns, 1));
+  if (!(spread.standardError > 0)) return {{}, "every block of the view gives the same", held};
+  if (spread.degrees < leastDegrees) return {{}, reasons.concentrated, held};
+  const double centre = first.rate() - second.rate();
+  const double half = studentQuantile(spread.degrees) * spread.standardError;
+  return {Interval{std::max(least, centre - half), std::min(most, centre + half)}, {}, held};
+}
+
 }  // namespace
 
-const std::vector<std::uint32_t>& Bootstrap::draws(std::size_t blocks) const {
-  const std::lock_guard lock(drawing_);
-  std::vector<std::uint32_t>& drawn = draws_[blocks];
-  if (drawn.empty()) {
-    drawn.resize(static_cast<std::size_t>(settings_.resamples) * blocks);
-    Draws draws(settings_.seed, blocks);
-    for (std::uint32_t& k : drawn) k = static_cast<std::uint32_t>(draws.next());
-  }
-  return drawn;
+double studentQuantile(double degrees) {
+  constexpr double z = 1.959963984540054;
+  constexpr double z3 = z * z * z;
+  constexpr double z5 = z3 * z * z;
+  constexpr double z7 = z5 * z * z;
+  constexpr double z9 = z7 * z * z;
+  const double n = 1 / degrees;
+  return z + n * ((z3 + z) / 4 +
+                  n * ((5 * z5 + 16 * z3 + 3 * z) / 96 +
+                       n * ((3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / 384 +
+                            n * (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * z) / 92160)));
 }
 
 Tiling chooseTiling(const Mask& view, std::span<const double> weights) {
@@ -185,49 +215,18 @@ Tiling chooseTiling(const Mask& view, std::span<const double> weights) {
 }
 
 ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErrors& second,
-                                        const Tiling& tiling, const Bootstrap& bootstrap) {
-  requireCells(first, second, tiling);
-  requireSettings(bootstrap.settings());
-  const std::vector<PairedBlock> blocks = blocksOf(first, second, tiling.columns, 2);
-  if (blocks.size() < leastBlocks) {
-    return {{}, "the view has too few blocks of samples", blocks.size()};
-  }
-  const double whole = standardError(blocks);
-  const double difference = PairedRates(sumOf(blocks)).difference();
-  const auto differing = std::count_if(blocks.begin(), blocks.end(), [](const PairedBlock& block) {
-    return block.firstWrong != block.secondWrong;
-  });
-  if (differing == 0 && difference == 0) return {Interval{0, 0}, {}, blocks.size()};
-  if (differing < static_cast<std::ptrdiff_t>(leastWrongBlocks)) {
-    return {{}, "too few blocks of the view differ", blocks.size()};
-  }
-  if (!(whole > 0)) return {Interval{difference, difference}, {}, blocks.size()};
-  const double halved = standardError(blocksOf(first, second, tiling.columns, 1));
-  const double error = whole * std::clamp(2 - halved / whole, 1.0, largestCorrection);
-  const std::vector<double> resamples = sortedResamples(blocks, bootstrap);
-  const double tail = (1 - bootstrap.settings().confidence) / 2;
-  const Interval interval{difference - error * percentile(resamples, 1 - tail),
-                          difference - error * percentile(resamples, tail)};
-  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) {
-    return {{}, "too few blocks of the view differ", blocks.size()};
-  }
-  return {interval, {}, blocks.size()};
+                                        const Tiling& tiling) {
+  return intervalOf(first, second, tiling, -1, 1,
+                    {"no block of the view differs", "too few blocks of the view differ",
+                     "a few blocks of the view hold nearly all of the difference"});
 }
 
-ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling,
-                                  const Bootstrap& bootstrap) {
+ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling) {
   const BlockErrors none{std::vector<double>(cells.wrong.size()), cells.weight};
-  ConfidenceInterval confidence = differenceConfidence(cells, none, tiling, bootstrap);
-  const bool isRight =
-      std::all_of(cells.wrong.begin(), cells.wrong.end(), [](double wrong) { return wrong == 0; });
-  if (isRight || (!confidence.interval && confidence.blocks >= leastBlocks)) {
-    return {{}, "too few blocks of the view hold an error", confidence.blocks};
-  }
-  if (confidence.interval) {
-    confidence.interval->low = std::clamp(confidence.interval->low, 0.0, 1.0);
-    confidence.interval->high = std::clamp(confidence.interval->high, 0.0, 1.0);
-  }
-  return confidence;
+  return intervalOf(
+      cells, none, tiling, 0, 1,
+      {"no block of the view holds an error", "too few blocks of the view hold an error",
+       "a few blocks of the view hold nearly all errors"});
 }
 
 }  // namespace gnomon

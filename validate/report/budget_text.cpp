@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/interval_text.h"
 #include "report/number_text.h"
 #include "study/budget.h"
 
@@ -20,13 +21,13 @@ std::string budgetNote(const BudgetRecord& budget) {
       "Percent of the samples of view {}, {}. A cause’s share is the error before it is undone "
       "less "
       "that after, in the order of the list (forward) or from its end (backward), each time from "
-      "the method as published; below zero where undoing it alone makes matters worse. Intervals "
-      "of 95 % by a bootstrap of {} blocks. ≈ not distinguishable from none: the interval holds 0, "
+      "the method as published; below zero where undoing it alone makes matters worse. {} It "
+      "is told from {} blocks. ≈ not distinguishable from none: the interval holds 0, "
       "there is none, or the share is within the truth’s uncertainty of {} %. What is left is "
       "split into samples that only an occluder beyond the tables’ radius shadows, which takes "
       "global geometry, and the others.",
-      budget.view, budget.light == "all" ? "mean over all lights" : budget.light, budget.blocks,
-      percentText(budget.uncertainty));
+      budget.view, budget.light == "all" ? "mean over all lights" : budget.light, intervalMeaning,
+      budget.blocks, percentText(budget.uncertainty));
 }
 
 std::string orderText(const BudgetRecord& budget) {

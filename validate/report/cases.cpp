@@ -1,7 +1,6 @@
 #include "report/cases.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "compare/rates.h"
 
@@ -67,11 +66,6 @@ std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which
   }
   const bool measured = !record.truth.flips.empty() || record.truth.uncertainty > 0;
   return measured ? std::optional(record.truth.uncertainty) : std::nullopt;
-}
-
-bool notDistinguishable(std::optional<double> a, std::optional<double> b,
-                        std::optional<double> uncertainty) {
-  return a && b && uncertainty && std::abs(*a - *b) <= *uncertainty;
 }
 
 }  // namespace gnomon

@@ -41,9 +41,4 @@ std::optional<double> rateOf(const StudyRecord& record, std::string_view method,
 /// its largest; nothing, if it measured none at all.
 std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which);
 
-/// Whether two error rates differ by no more than the truth's own uncertainty. If one of the three
-/// is not known, that cannot be said.
-bool notDistinguishable(std::optional<double> a, std::optional<double> b,
-                        std::optional<double> uncertainty);
-
 }  // namespace gnomon

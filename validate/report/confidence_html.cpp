@@ -9,6 +9,7 @@
 #include "report/html_text.h"
 #include "report/interval_text.h"
 #include "report/number_text.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {
@@ -19,7 +20,7 @@ std::string intervalCell(const std::optional<Interval>& interval, const std::str
 
 std::string tableRow(const StudyRecord& record, const ConfidenceRecord& row,
                      const std::string& best) {
-  const auto worse = differenceOf(record, row.view, row.method, best);
+  const auto worse = differenceOf(record, row.view, row.light, row.method, best);
   std::string html =
       fmt::format("<tr><td class=\"method\">{}{}</td>{}{}", escapeHtml(row.method),
                   worse ? differenceMark(*worse) : "", numberCell(rateText(row.rate)),

@@ -3,31 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "report/budget_text.h"
 #include "report/interval_text.h"
 #include "report/number_text.h"
 #include "report/radius_text.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {
-
-std::optional<Interval> turned(const std::optional<Interval>& interval) {
-  return interval ? std::optional(Interval{-interval->high, -interval->low}) : std::nullopt;
-}
-
-DifferenceVerdict turned(DifferenceVerdict verdict) {
-  switch (verdict) {
-    case DifferenceVerdict::better:
-      return DifferenceVerdict::worse;
-    case DifferenceVerdict::worse:
-      return DifferenceVerdict::better;
-    case DifferenceVerdict::notDistinguishable:
-      break;
-  }
-  return verdict;
-}
 
 /// "a", "a and b", "a; b; c and 2 more": labels may hold commas.
 std::string listText(const std::vector<std::string>& names) {
@@ -43,12 +27,12 @@ std::string listText(const std::vector<std::string>& names) {
   return text;
 }
 
+/// @param difference  of the worse method, less the best
 std::string betterText(const DifferenceRecord& difference) {
   const std::string radius = radiusNote(difference);
-  return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.first,
-                     difference.second, percentText(-difference.difference),
-                     intervalText(turned(difference.interval)),
-                     radius.empty() ? "" : ", which " + radius);
+  return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.second,
+                     difference.first, percentText(difference.difference),
+                     intervalText(difference.interval), radius.empty() ? "" : ", which " + radius);
 }
 
 }  // namespace
@@ -71,23 +55,6 @@ std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::str
   return ranked;
 }
 
-std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, const std::string& view,
-                                             const std::string& first, const std::string& second) {
-  for (const DifferenceRecord& row : record.differences) {
-    if (row.view != view || row.light != allLights) continue;
-    if (row.first == first && row.second == second) return row;
-    if (row.first != second || row.second != first) continue;
-    DifferenceRecord difference = row;
-    std::swap(difference.first, difference.second);
-    difference.difference = -row.difference;
-    difference.interval = turned(row.interval);
-    difference.verdict = turned(row.verdict);
-    if (row.radius) difference.radius = {turned(row.radius->atHalf), turned(row.radius->atTwice)};
-    return difference;
-  }
-  return std::nullopt;
-}
-
 std::string verdictText(const StudyRecord& record, const std::string& view) {
   const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
   if (ranked.size() < 2) return "";
@@ -95,7 +62,7 @@ std::string verdictText(const StudyRecord& record, const std::string& view) {
   std::string better;
   std::vector<std::string> alike;
   for (std::size_t i = 1; i < ranked.size(); ++i) {
-    const auto difference = differenceOf(record, view, best, ranked[i].method);
+    const auto difference = differenceOf(record, view, allLights, ranked[i].method, best);
     if (!difference) continue;
     if (difference->verdict == DifferenceVerdict::notDistinguishable) {
       alike.push_back(ranked[i].method);
@@ -120,7 +87,7 @@ std::string confidenceNote(const StudyRecord& record, const std::string& view) {
   std::string truth;
   std::string radius;
   for (const DifferenceRecord& row : record.differences) {
-    if (row.view == view) {
+    if (row.view == view && row.light == allLights) {
       if (row.radius) {
         radius = fmt::format(
             " {} depends on the radius: another verdict at half or at twice of it.", radiusMark);
@@ -130,10 +97,11 @@ std::string confidenceNote(const StudyRecord& record, const std::string& view) {
     }
   }
   return fmt::format(
-      "Percent of the samples, mean over the lights; intervals of 95 % by a bootstrap over {} "
-      "blocks of {} × {} samples. ≈ not distinguishable from the best: the interval of the "
-      "difference holds 0{}.{}",
-      ranked.front().blocks, ranked.front().blockSide, ranked.front().blockSide, truth, radius);
+      "Percent of the samples, mean over the lights. {} It is told from {} blocks of {} × {} "
+      "samples. ≈ not distinguishable from the best: the interval of the difference holds 0, there "
+      "is none{}.{}",
+      intervalMeaning, ranked.front().blocks, ranked.front().blockSide, ranked.front().blockSide,
+      truth, radius);
 }
 
 }  // namespace gnomon

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +15,6 @@ std::vector<std::string> confidenceViews(const StudyRecord& record);
 /// The methods of a view from the lowest error rate to the highest, all lights together; equal ones
 /// keep the record's order.
 std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::string& view);
-
-/// The first method less the second, whichever of them the record names first; none where it has no
-/// such pair.
-std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, const std::string& view,
-                                             const std::string& first, const std::string& second);
 
 /// What can be said of the best method of a view, as sentences: "A is better than B by 1.06 % of
 /// the samples (0.75 to 1.32)", B being the next that it can be told from, and which it cannot.

@@ -15,6 +15,7 @@
 #include "report/interval_text.h"
 #include "report/number_text.h"
 #include "report/refinement_text.h"
+#include "study/distinguish.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -79,23 +80,22 @@ std::string lengthCell(const ResultRecord& row) {
                                 text("shadow_length_q3"), row.lengths->runs));
 }
 
-std::vector<std::string> othersInUncertainty(const StudyRecord& record, const ResultRecord& row,
+std::vector<std::string> indistinguishableIn(const StudyRecord& record, const std::string& method,
                                              const Case& which) {
-  const auto error = [](const ResultRecord& r) { return rate(r.counts, "error_rate").value; };
   std::vector<std::string> labels;
-  for (const std::string& method : methodsOf(record)) {
-    const ResultRecord* other = findResult(record, method, which);
-    if (other == nullptr || other == &row) continue;
-    if (notDistinguishable(error(row), error(*other), uncertaintyOf(record, which))) {
-      labels.push_back(method);
+  for (const std::string& other : methodsOf(record)) {
+    const auto difference = differenceOf(record, which.view, which.light, method, other);
+    if (difference && difference->verdict == DifferenceVerdict::notDistinguishable) {
+      labels.push_back(other);
     }
   }
   return labels;
 }
 
 std::string caseRow(const StudyRecord& record, const ResultRecord& row, const Case& which) {
-  std::string cells = fmt::format("<td class=\"method\">{}{}</td>", escapeHtml(row.method),
-                                  indistinguishableText(othersInUncertainty(record, row, which)));
+  std::string cells =
+      fmt::format("<td class=\"method\">{}{}</td>", escapeHtml(row.method),
+                  indistinguishableText(indistinguishableIn(record, row.method, which)));
   for (const std::string_view name : caseMetrics) {
     const Metric metric = rate(row.counts, name);
     cells += name == "mcc" ? correlationCell(metric) : metricCell(metric);

@@ -23,6 +23,24 @@ Json refinementJson(const RefinementRecord& level) {
           {"flip_rate", jsonNumber(level.flipRate, "truth.refinement.flip_rate")}};
 }
 
+Json spreadJson(const ClaimSpread& spread) {
+  const auto quartile = [&](double Quartiles::*which) {
+    return jsonNumber(spread.quartiles ? std::optional((*spread.quartiles).*which) : std::nullopt,
+                      "claims.spread");
+  };
+  return {{"cases", spread.cases},
+          {"held", spread.held},
+          {"failed", spread.failed},
+          {"not_distinguishable", spread.notDistinguishable()},
+          {"intervals", spread.hasIntervals},
+          {"quantity", spread.quantity},
+          {"least", quartile(&Quartiles::least)},
+          {"quartile_1", quartile(&Quartiles::first)},
+          {"median", quartile(&Quartiles::median)},
+          {"quartile_3", quartile(&Quartiles::third)},
+          {"most", quartile(&Quartiles::most)}};
+}
+
 }  // namespace
 
 Json jsonNumber(double value, std::string_view key) {
@@ -90,6 +108,7 @@ Json jsonClaim(const ClaimRecord& claim) {
           {"source", claim.source},
           {"verdict", verdictName(claim.verdict)},
           {"detail", claim.detail},
+          {"spread", claim.spread ? spreadJson(*claim.spread) : Json(nullptr)},
           {"radius", jsonRadiusCheck(claim)}};
 }
 

@@ -44,7 +44,10 @@ Json jsonStudy(const StudyRecord& record);
 /// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light;
 /// where an uncertainty was asked for, also wanted_uncertainty and the levels of `refinement`.
 Json jsonTruth(const TruthRecord& truth);
-/// text, source, verdict, detail, and `radius` (jsonRadiusCheck).
+/// text, source, verdict, detail; `spread` over the study's cases, or null: cases, held, failed,
+/// not_distinguishable (numbers of cases), intervals (false: judged by the truth's uncertainty
+/// alone), quantity ("ratio", `less` over `than`; or "value"), and its least, quartile_1, median,
+/// quartile_3, most (null where no case has it); and `radius` (jsonRadiusCheck).
 Json jsonClaim(const ClaimRecord& claim);
 /// method, error_rate, false_shadow, false_light, uncertainty.
 Json jsonMeans(const MethodMeans& means);

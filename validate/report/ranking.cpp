@@ -6,6 +6,7 @@
 
 #include "compare/rates.h"
 #include "report/cases.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {
@@ -79,11 +80,12 @@ RankedMethod summarise(const StudyRecord& record, const std::string& label,
   return method;
 }
 
-void markIndistinguishable(std::vector<RankedMethod>& ranked) {
+void markIndistinguishable(const StudyRecord& record, std::vector<RankedMethod>& ranked) {
   for (RankedMethod& method : ranked) {
     for (const RankedMethod& other : ranked) {
-      if (&other != &method &&
-          notDistinguishable(method.errorRate.value, other.errorRate.value, method.uncertainty)) {
+      if (&other == &method) continue;
+      const auto difference = differenceOverViews(record, method.label, other.label);
+      if (difference && difference->verdict == DifferenceVerdict::notDistinguishable) {
         method.indistinguishable.push_back(other.label);
       }
     }
@@ -103,7 +105,7 @@ std::vector<RankedMethod> rankMethods(const StudyRecord& record) {
   };
   std::stable_sort(ranked.begin(), ranked.end(),
                    [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  markIndistinguishable(ranked);
+  markIndistinguishable(record, ranked);
   return ranked;
 }
 

@@ -26,8 +26,9 @@ struct RankedMethod {
   /// together. Exact for one view; for several as if they erred together, so never too narrow.
   /// None where a view has none.
   std::optional<Interval> interval;
-  Mean testError;                              ///< error rate of the shadow test alone
-  std::vector<std::string> indistinguishable;  ///< labels whose mean error is as close as that
+  Mean testError;  ///< error rate of the shadow test alone
+  /// Labels that it is not distinguishable from, by differenceOverViews.
+  std::vector<std::string> indistinguishable;
 };
 
 /// The methods from the lowest mean error rate to the highest; equal ones keep the record's order,

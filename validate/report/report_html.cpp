@@ -14,10 +14,12 @@
 #include "report/html_page.h"
 #include "report/html_tables.h"
 #include "report/html_text.h"
+#include "report/interval_text.h"
 #include "report/number_text.h"
 #include "report/page.h"
 #include "report/ranking.h"
 #include "report/refinement_text.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {
@@ -48,8 +50,9 @@ std::string leadHtml(const std::vector<RankedMethod>& ranked) {
   if (!best.uncertainty) return text + " How sure the truth itself is was not measured.";
   text += fmt::format(" The truth itself is uncertain by {}&#8239;%{}.",
                       escapeHtml(percentText(best.uncertainty)),
-                      notDistinguishable(best.errorRate.value, 0.0, best.uncertainty)
-                          ? ": so small an error cannot be told from none"
+                      verdictOn(*best.errorRate.value, best.interval, *best.uncertainty) ==
+                              DifferenceVerdict::notDistinguishable
+                          ? ": so small an error is not distinguishable from none"
                           : "");
   return text;
 }
@@ -83,10 +86,11 @@ std::string rankingSection(const std::vector<RankedMethod>& ranked) {
       "ranking", "Methods, best first",
       "<p class=\"note\">Percent of the samples, mean over all lights and views. <b>±</b> is the "
       "truth’s own uncertainty: the share of its samples that change at half its resolution. "
-      "<b>95&#8239;%</b> is the interval of the mean error by a bootstrap over blocks of the "
-      "view. The bar shows the error’s two parts, <i class=\"chip shadow\"></i> false shadow and "
-      "<i class=\"chip light\"></i> false light, round its end the truth’s uncertainty "
-      "<i class=\"chip truth\"></i> and the interval <i class=\"chip whisker\"></i>.</p>\n" +
+      "<b>95&#8239;%</b> is the interval of the mean error. " +
+          std::string(intervalMeaning) +
+          " The bar shows the error’s two parts, <i class=\"chip shadow\"></i> false shadow and "
+          "<i class=\"chip light\"></i> false light, round its end the truth’s uncertainty "
+          "<i class=\"chip truth\"></i> and the interval <i class=\"chip whisker\"></i>.</p>\n" +
           rankingTable(ranked));
 }
 
@@ -209,10 +213,7 @@ std::string reproduceSection(const StudyRecord& record) {
                               : e.cpu) +
           htmlFact("OpenGL", e.glRenderer) + htmlFact("Frame times by", e.frameClock) +
           htmlFact("OpenGL version", e.glVersion) + htmlFact("Embree", e.embreeVersion) +
-          htmlFact("OpenSubdiv", e.openSubdivVersion) +
-          htmlFact("Seeds", fmt::format("{} of the bootstrap; those of patterns stand in the study",
-                                        BootstrapSettings{}.seed)) +
-          "</dl>\n");
+          htmlFact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
 }
 
 std::string plotSection(std::span<const DrawnPlot> plots) {

@@ -7,6 +7,7 @@
 
 #include "report/cases.h"
 #include "report/ranking.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {
@@ -40,6 +41,19 @@ std::optional<double> meanOf(const std::vector<std::optional<double>>& values) {
   return values.empty() ? std::nullopt : std::optional(sum / static_cast<double>(values.size()));
 }
 
+/// The differences of two labels, turned to the order asked for: one a study that has it.
+std::vector<DifferenceRecord> differencesIn(std::span<const StudyMeans> studies,
+                                            const std::string& first, const std::string& second) {
+  std::vector<DifferenceRecord> found;
+  for (const StudyMeans& study : studies) {
+    for (const DifferenceRecord& row : study.differences) {
+      if (row.first == first && row.second == second) found.push_back(row);
+      if (row.first == second && row.second == first) found.push_back(swapped(row));
+    }
+  }
+  return found;
+}
+
 /// A method's figures over the steps of a sweep.
 MethodMeans meanOver(std::span<const StudyMeans> steps, const std::string& label) {
   MethodMeans mean;
@@ -58,6 +72,19 @@ MethodMeans meanOver(std::span<const StudyMeans> steps, const std::string& label
   mean.falseLight = over(&MethodMeans::falseLight);
   mean.uncertainty = over(&MethodMeans::uncertainty);
   return mean;
+}
+
+std::vector<DifferenceRecord> allDifferences(const StudyRecord& record) {
+  std::vector<DifferenceRecord> all;
+  const std::vector<std::string> labels = methodsOf(record);
+  for (std::size_t first = 0; first < labels.size(); ++first) {
+    for (std::size_t second = first + 1; second < labels.size(); ++second) {
+      if (auto mean = differenceOverViews(record, labels[first], labels[second])) {
+        all.push_back(std::move(*mean));
+      }
+    }
+  }
+  return all;
 }
 
 RankedOverStudies summarise(std::span<const StudyMeans> studies, const std::string& label) {
@@ -95,6 +122,13 @@ std::optional<double> meanWhere(std::span<const StudyMeans> studies, const std::
   return meanOf(errors);
 }
 
+bool isCloseTo(const std::string& best, const std::string& label,
+               std::span<const StudyMeans> studies) {
+  const auto found = differencesIn(studies, label, best);
+  return found.size() == studies.size() &&
+         meanDifference(found).verdict == DifferenceVerdict::notDistinguishable;
+}
+
 /// Numbers the methods of the front part, and says how the others compare with the first.
 void setRanks(std::vector<RankedOverStudies>& methods, std::span<const StudyMeans> studies) {
   const RankedOverStudies& best = methods.front();
@@ -103,8 +137,7 @@ void setRanks(std::vector<RankedOverStudies>& methods, std::span<const StudyMean
     RankedOverStudies& method = methods[i];
     if (method.studies == studies.size()) {
       method.rank = i + 1;
-      method.closeToBest =
-          i > 0 && notDistinguishable(method.meanError, best.meanError, method.uncertainty);
+      method.closeToBest = i > 0 && isCloseTo(best.label, method.label, studies);
     } else if (hasLeader) {
       method.leaderError = meanWhere(studies, best.label, method.label);
     }
@@ -114,7 +147,7 @@ void setRanks(std::vector<RankedOverStudies>& methods, std::span<const StudyMean
 }  // namespace
 
 StudyMeans studyMeans(const StudyRecord& record) {
-  StudyMeans study{record.name, record.title, record.passed(), {}, record.claims};
+  StudyMeans study{record.name, record.title, record.passed(), {}, record.claims, {}};
   const std::vector<RankedMethod> ranked = rankMethods(record);
   for (const std::string& label : methodsOf(record)) {
     const auto found = std::find_if(ranked.begin(), ranked.end(),
@@ -123,14 +156,22 @@ StudyMeans studyMeans(const StudyRecord& record) {
                              found->falseShadow.value, found->falseLight.value,
                              found->uncertainty});
   }
+  study.differences = allDifferences(record);
   return study;
 }
 
 StudyMeans studyMeans(const SweepRecord& sweep) {
   std::vector<StudyMeans> steps;
   for (const StudyRecord& step : sweep.steps) steps.push_back(studyMeans(step));
-  StudyMeans study{sweep.name, sweep.title, sweep.passed(), {}, sweep.claims};
-  for (const std::string& label : labelsOf(steps)) study.methods.push_back(meanOver(steps, label));
+  StudyMeans study{sweep.name, sweep.title, sweep.passed(), {}, sweep.claims, {}};
+  const std::vector<std::string> labels = labelsOf(steps);
+  for (const std::string& label : labels) study.methods.push_back(meanOver(steps, label));
+  for (std::size_t first = 0; first < labels.size(); ++first) {
+    for (std::size_t second = first + 1; second < labels.size(); ++second) {
+      const auto found = differencesIn(steps, labels[first], labels[second]);
+      if (!found.empty()) study.differences.push_back(meanDifference(found));
+    }
+  }
   return study;
 }
 

@@ -27,6 +27,9 @@ struct StudyMeans {
   bool passed = true;  ///< no threshold failed
   std::vector<MethodMeans> methods;
   std::vector<ClaimRecord> claims;
+  /// Of every two methods that answer in one view: differenceOverViews, for a sweep the mean of it
+  /// over the steps that have it.
+  std::vector<DifferenceRecord> differences = {};
 };
 
 StudyMeans studyMeans(const StudyRecord& record);
@@ -51,7 +54,9 @@ struct RankedOverStudies {
   /// Without a rank: the mean error rate of the method of rank 1 over the same studies, which its
   /// own may be compared with.
   std::optional<double> leaderError;
-  bool closeToBest = false;  ///< no farther from rank 1 than the truth's uncertainty
+  /// Not distinguishable from rank 1: by the mean of their differences over all studies, with the
+  /// mean of the intervals' ends. Never without a difference in every study.
+  bool closeToBest = false;
 };
 
 /// Methods from the lowest mean error rate to the highest. A mean over other studies says nothing

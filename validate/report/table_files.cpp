@@ -68,8 +68,9 @@ std::string caption(const StudyRecord& record, const std::vector<RankedMethod>& 
       "intervals of the error. Test: the error of the shadow test without the shading.";
   if (!ranked.empty() && ranked.front().uncertainty) {
     text += fmt::format(
-        " The truth itself is uncertain by {}\\,\\%; $\\approx$ marks methods that differ from the "
-        "best by no more.",
+        " The truth itself is uncertain by {}\\,\\%; $\\approx$ marks methods that are not "
+        "distinguishable from the best: the interval of the difference holds 0, there is none, or "
+        "the difference is no larger than that uncertainty.",
         escapeLatex(percentText(ranked.front().uncertainty)));
   }
   return text;

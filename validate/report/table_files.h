@@ -9,7 +9,7 @@ namespace gnomon {
 /// The ranked table of a study, for a paper.
 
 /// As CSV, best first: rank, method, error_rate, low, high (its 95 % interval), uncertainty (of the
-/// truth), same_as_best (1: not distinguishable from the first by the truth's uncertainty),
+/// truth), same_as_best (1: not distinguishable from the first),
 /// false_shadow, false_light, iou, bytes (tables and height map), frame_ms. Rates are means over
 /// lights and views, 0 to 1; an unknown figure is an empty cell.
 /// @throws InternalError for a number that is not finite

@@ -9,6 +9,7 @@
 #include "report/interval_text.h"
 #include "report/number_text.h"
 #include "report/text_width.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {
@@ -28,7 +29,7 @@ std::string rowText(std::string_view method, std::string_view rate, std::string_
 std::string rowOf(const StudyRecord& record, const ConfidenceRecord& row, const std::string& best) {
   const std::string rate = percentText(row.rate);
   const std::string interval = intervalText(row.interval);
-  const auto worse = differenceOf(record, row.view, row.method, best);
+  const auto worse = differenceOf(record, row.view, row.light, row.method, best);
   if (row.method == best || !worse) return rowText(row.method, rate, interval, "", "");
   const std::string text = rowText(row.method, rate, interval, signedPercent(worse->difference),
                                    intervalText(worse->interval));

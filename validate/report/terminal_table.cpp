@@ -15,6 +15,7 @@
 #include "report/terminal_confidence.h"
 #include "report/terminal_page.h"
 #include "report/text_width.h"
+#include "study/distinguish.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -124,12 +125,12 @@ CaseRows rowsOf(const StudyRecord& record, const std::vector<std::string>& metho
 void appendCase(TerminalPage& page, const StudyRecord& record,
                 const std::vector<std::string>& methods, const Case& which,
                 const NameWidths& widths) {
-  const std::optional<double> uncertainty = uncertaintyOf(record, which);
   const CaseRows found = rowsOf(record, methods, which);
   std::string_view light = which.light;
   for (const ResultRecord* row : found.rows) {
-    const bool close =
-        row != found.best && notDistinguishable(errorOf(*row), errorOf(*found.best), uncertainty);
+    const auto difference =
+        differenceOf(record, which.view, which.light, row->method, found.best->method);
+    const bool close = difference && difference->verdict == DifferenceVerdict::notDistinguishable;
     page.line(tableRow(widths, light, record, *row, close));
     if (widths.light > 0) light = "";
   }

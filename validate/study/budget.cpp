@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/error.h"
-#include "study/confidence.h"
+#include "study/distinguish.h"
 
 namespace gnomon {
 namespace {

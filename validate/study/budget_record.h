@@ -15,7 +15,7 @@ struct BudgetShare {
   double value = 0;
   std::optional<Interval> interval;  ///< 95 %; none where the view is too small to tell
   std::string reason;                ///< why there is none; empty if there is one
-  /// From none: beyond the truth's uncertainty, and no 0 in the interval.
+  /// From none, by verdictOn.
   bool distinguishable = false;
 };
 
@@ -41,7 +41,7 @@ struct BudgetRecord {
   std::string view;
   std::string light;       ///< its name, or "all": the mean over the study's lights
   double uncertainty = 0;  ///< of the truth in this view, mean over these lights
-  std::size_t blocks = 0;  ///< of the view that hold a sample: what the bootstrap draws from
+  std::size_t blocks = 0;  ///< of the view that hold a sample
   BudgetShare total;       ///< the method's error rate
   std::vector<BudgetCause> causes;
   BudgetShare distant;  ///< left, in the region `distant`: only global geometry can tell

@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <set>
 
+#include "study/claim_spread.h"
+#include "study/distinguish.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -14,6 +18,7 @@ namespace {
 
 /// One light and view in which both methods have a value.
 struct Pair {
+  const ResultRecord* result;  ///< of `less`
   double less;
   double than;
   double uncertainty;
@@ -65,7 +70,8 @@ std::vector<Pair> pairs(const ClaimSpec& claim, const StudyRecord& study) {
     }
     const auto less = metricOf(result, claim.metric).value;
     const auto than = valueOf(study, claim.than, result, claim.metric);
-    if (less && than) found.push_back({*less, *than, uncertaintyOf(study, result, claim.metric)});
+    if (less && than)
+      found.push_back({&result, *less, *than, uncertaintyOf(study, result, claim.metric)});
   }
   return found;
 }
@@ -92,44 +98,152 @@ std::string regionText(const ClaimSpec& claim) {
   return claim.region == "all" ? "" : fmt::format(" in the region {}", claim.region);
 }
 
-/// Whether a difference is above nothing by more than the uncertainty.
-Verdict judgeDifference(double difference, double uncertainty) {
-  return difference > uncertainty    ? Verdict::held
-         : difference < -uncertainty ? Verdict::failed
-                                     : Verdict::notDistinguishable;
+/// Whether the claim's metric has intervals: the score does.
+bool hasIntervals(const ClaimSpec& claim) {
+  return claim.metric == "error_rate" && claim.region == "all" && claim.answer == Answer::drawn;
 }
 
-ClaimRecord judgeOrder(const ClaimSpec& claim, const std::vector<Pair>& found) {
-  const auto smaller = std::count_if(found.begin(), found.end(), [](const Pair& pair) {
-    return pair.less < pair.than - pair.uncertainty;
-  });
-  const auto larger = std::count_if(found.begin(), found.end(), [](const Pair& pair) {
-    return pair.less > pair.than + pair.uncertainty;
-  });
-  const auto all = static_cast<std::ptrdiff_t>(found.size());
-  const Verdict verdict = larger > 0       ? Verdict::failed
-                          : smaller == all ? Verdict::held
-                                           : Verdict::notDistinguishable;
-  return {claim.text, claim.source, verdict,
-          fmt::format("{} of {} smaller than of {}{} in {} of {} comparisons, larger in {}; "
-                      "mean difference {}",
-                      claim.metric, claim.less, claim.than, regionText(claim), smaller, all, larger,
-                      differenceText(claim.metric, meanGain(found)))};
+std::string intervalNote(const ClaimSpec& claim) {
+  return hasIntervals(claim)
+             ? ""
+             : "; no interval exists for it, judged by the truth’s uncertainty alone";
+}
+
+ClaimRecord notEvaluated(const ClaimSpec& claim, std::string detail) {
+  return {claim.text, claim.source, Verdict::notEvaluated, std::move(detail)};
+}
+
+/// Of a number that should be above 0.
+Verdict signVerdict(DifferenceVerdict verdict) {
+  return verdict == DifferenceVerdict::worse    ? Verdict::held
+         : verdict == DifferenceVerdict::better ? Verdict::failed
+                                                : Verdict::notDistinguishable;
+}
+
+/// Of the other sign.
+Verdict opposite(Verdict verdict) {
+  return verdict == Verdict::held     ? Verdict::failed
+         : verdict == Verdict::failed ? Verdict::held
+                                      : verdict;
+}
+
+/// A claim over its cases.
+class Cases {
+ public:
+  Cases(const ClaimSpec& claim, const char* quantity) {
+    spread_.quantity = quantity;
+    spread_.hasIntervals = hasIntervals(claim);
+  }
+
+  /// @param quantity  none where the case has none
+  void add(const ResultRecord& result, Verdict verdict, std::optional<double> quantity) {
+    ++spread_.cases;
+    spread_.held += verdict == Verdict::held ? 1 : 0;
+    spread_.failed += verdict == Verdict::failed ? 1 : 0;
+    views_.insert(result.view);
+    if (quantity) quantities_.push_back(*quantity);
+  }
+
+  [[nodiscard]] ClaimSpread spread() const {
+    ClaimSpread spread = spread_;
+    spread.views = views_.size();
+    spread.quartiles = quartilesOf(quantities_);
+    return spread;
+  }
+
+ private:
+  ClaimSpread spread_;
+  std::set<std::string> views_;
+  std::vector<double> quantities_;
+};
+
+Verdict verdictOver(const ClaimSpread& spread) {
+  return spread.failed > 0             ? Verdict::failed
+         : spread.held == spread.cases ? Verdict::held
+                                       : Verdict::notDistinguishable;
+}
+
+/// Whether `less` is smaller in one case.
+Verdict judgePair(const ClaimSpec& claim, const StudyRecord& study, const Pair& pair) {
+  if (!hasIntervals(claim)) {
+    return signVerdict(verdictByTruth(pair.than - pair.less, pair.uncertainty));
+  }
+  const auto difference =
+      differenceOf(study, pair.result->view, pair.result->light, claim.than, claim.less);
+  return difference ? signVerdict(difference->verdict) : Verdict::notDistinguishable;
+}
+
+ClaimRecord judgeOrder(const ClaimSpec& claim, const StudyRecord& study,
+                       const std::vector<Pair>& found) {
+  Cases cases(claim, "ratio");
+  for (const Pair& pair : found) {
+    cases.add(*pair.result, judgePair(claim, study, pair),
+              pair.than > 0 ? std::optional(pair.less / pair.than) : std::nullopt);
+  }
+  const ClaimSpread spread = cases.spread();
+  return {claim.text, claim.source, verdictOver(spread),
+          fmt::format("{} of {} smaller than of {}{}: {}; mean difference {}{}", claim.metric,
+                      claim.less, claim.than, regionText(claim), spreadText(spread),
+                      differenceText(claim.metric, meanGain(found)), intervalNote(claim)),
+          spread};
+}
+
+/// What `less` gains over `than` on average in one study.
+struct Gain {
+  double value;
+  std::optional<Interval> interval;
+  double uncertainty;
+};
+
+Gain gainOf(const ClaimSpec& claim, const StudyRecord& study, const std::vector<Pair>& found) {
+  Gain gain{meanGain(found), {}, largestUncertainty(found)};
+  if (const auto mean = differenceOverViews(study, claim.than, claim.less)) {
+    gain.interval = mean->interval;
+  }
+  return gain;
+}
+
+/// Of the difference of two independent gains.
+std::optional<Interval> intervalOf(const Gain& first, const Gain& second) {
+  if (!first.interval || !second.interval) return std::nullopt;
+  const double difference = first.value - second.value;
+  return Interval{difference - std::hypot(first.value - first.interval->low,
+                                          second.interval->high - second.value),
+                  difference + std::hypot(first.interval->high - first.value,
+                                          second.value - second.interval->low)};
+}
+
+/// Whether one gain is above another.
+Verdict judgeGains(const ClaimSpec& claim, const Gain& first, const Gain& second) {
+  const double difference = first.value - second.value;
+  const double uncertainty = first.uncertainty + second.uncertainty;
+  return signVerdict(hasIntervals(claim)
+                         ? verdictOn(difference, intervalOf(first, second), uncertainty)
+                         : verdictByTruth(difference, uncertainty));
+}
+
+/// " (difference 0.10 to 1.20 points)", or why there is none.
+std::string gainIntervalText(const ClaimSpec& claim, const Gain& first, const Gain& second) {
+  if (!hasIntervals(claim)) return intervalNote(claim);
+  const auto interval = intervalOf(first, second);
+  return interval ? fmt::format("; 95 % interval of their difference {:.2f} to {:.2f} points",
+                                100 * interval->low, 100 * interval->high)
+                  : "; their difference has no interval";
 }
 
 ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study, const StudyRecord& other) {
-  const auto here = pairs(claim, study);
   const auto there = pairs(claim, other);
   if (there.empty()) {
-    return {claim.text, claim.source, Verdict::notEvaluated,
-            fmt::format("{} has no results of {} and {}", other.name, claim.less, claim.than)};
+    return notEvaluated(
+        claim, fmt::format("{} has no results of {} and {}", other.name, claim.less, claim.than));
   }
-  const double difference = meanGain(here) - meanGain(there);
-  const double uncertainty = largestUncertainty(here) + largestUncertainty(there);
-  return {claim.text, claim.source, judgeDifference(difference, uncertainty),
-          fmt::format("mean gain in {}{} {} here, {} in {}", claim.metric, regionText(claim),
-                      differenceText(claim.metric, meanGain(here)),
-                      differenceText(claim.metric, meanGain(there)), other.name)};
+  const Gain own = gainOf(claim, study, pairs(claim, study));
+  const Gain others = gainOf(claim, other, there);
+  return {claim.text, claim.source, judgeGains(claim, own, others),
+          fmt::format("mean gain in {}{} {} here, {} in {}{}", claim.metric, regionText(claim),
+                      differenceText(claim.metric, own.value),
+                      differenceText(claim.metric, others.value), other.name,
+                      gainIntervalText(claim, own, others))};
 }
 
 // ---- one method against bounds
@@ -138,16 +252,29 @@ ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study, const St
 struct Bounded {
   double value;
   double uncertainty;
+  std::optional<Interval> interval;
 };
 
-bool isWithin(const ClaimSpec& claim, const Bounded& found) {
-  return (!claim.above || found.value - found.uncertainty > *claim.above) &&
-         (!claim.below || found.value + found.uncertainty < *claim.below);
+/// Whether the value is above a bound.
+Verdict judgeAbove(const ClaimSpec& claim, const Bounded& found, double bound) {
+  const double distance = found.value - bound;
+  if (!hasIntervals(claim)) return signVerdict(verdictByTruth(distance, found.uncertainty));
+  if (!found.interval) return Verdict::notDistinguishable;
+  const Interval moved{found.interval->low - bound, found.interval->high - bound};
+  return signVerdict(verdictOn(distance, moved, found.uncertainty));
 }
 
-bool isOutside(const ClaimSpec& claim, const Bounded& found) {
-  return (claim.above && found.value + found.uncertainty <= *claim.above) ||
-         (claim.below && found.value - found.uncertainty >= *claim.below);
+/// Of every bound: failed where it fails at one, held where it holds at all.
+Verdict judgeBounded(const ClaimSpec& claim, const Bounded& found) {
+  std::vector<Verdict> verdicts;
+  if (claim.above) verdicts.push_back(judgeAbove(claim, found, *claim.above));
+  if (claim.below) verdicts.push_back(opposite(judgeAbove(claim, found, *claim.below)));
+  const auto has = [&](Verdict verdict) {
+    return std::find(verdicts.begin(), verdicts.end(), verdict) != verdicts.end();
+  };
+  return has(Verdict::failed)               ? Verdict::failed
+         : has(Verdict::notDistinguishable) ? Verdict::notDistinguishable
+                                            : Verdict::held;
 }
 
 std::string boundsText(const ClaimSpec& claim) {
@@ -157,39 +284,32 @@ std::string boundsText(const ClaimSpec& claim) {
 }
 
 ClaimRecord judgeBounds(const ClaimSpec& claim, const StudyRecord& study) {
-  std::vector<Bounded> found;
-  std::size_t cases = 0;
+  Cases cases(claim, "value");
+  std::size_t undefined = 0;
   for (const ResultRecord& result : study.results) {
     if (result.method != claim.method || result.region != claim.region ||
         result.answer != claim.answer) {
       continue;
     }
-    ++cases;
-    if (const auto value = metricOf(result, claim.metric).value) {
-      found.push_back({*value, uncertaintyOf(study, result, claim.metric)});
+    const auto value = metricOf(result, claim.metric).value;
+    if (!value) {
+      ++undefined;
+      continue;
     }
+    const auto confidence = findConfidence(study, result.view, result.light, claim.method);
+    const Bounded found{*value, uncertaintyOf(study, result, claim.metric),
+                        confidence ? confidence->interval : std::nullopt};
+    cases.add(result, judgeBounded(claim, found), value);
   }
-  if (found.empty()) {
-    return {claim.text, claim.source, Verdict::notEvaluated,
-            fmt::format("{} is not defined for {}", claim.metric, claim.method)};
+  const ClaimSpread spread = cases.spread();
+  if (spread.cases == 0) {
+    return notEvaluated(claim, fmt::format("{} is not defined for {}", claim.metric, claim.method));
   }
-  const auto within = std::count_if(found.begin(), found.end(),
-                                    [&](const Bounded& b) { return isWithin(claim, b); });
-  const auto outside = std::count_if(found.begin(), found.end(),
-                                     [&](const Bounded& b) { return isOutside(claim, b); });
-  const Verdict verdict = outside > 0 ? Verdict::failed
-                          : within == static_cast<std::ptrdiff_t>(found.size())
-                              ? Verdict::held
-                              : Verdict::notDistinguishable;
-  const auto [least, most] =
-      std::minmax_element(found.begin(), found.end(),
-                          [](const Bounded& a, const Bounded& b) { return a.value < b.value; });
-  const std::string left =
-      found.size() == cases ? "" : fmt::format(", not defined in {} more", cases - found.size());
-  return {claim.text, claim.source, verdict,
-          fmt::format("{} of {}{} {} in {} of {} cases, outside in {}{}; found {:.3f} to {:.3f}",
-                      claim.metric, claim.method, regionText(claim), boundsText(claim), within,
-                      found.size(), outside, left, least->value, most->value)};
+  const std::string left = undefined == 0 ? "" : fmt::format(", not defined in {} more", undefined);
+  return {claim.text, claim.source, verdictOver(spread),
+          fmt::format("{} of {}{} {}: {}{}{}", claim.metric, claim.method, regionText(claim),
+                      boundsText(claim), spreadText(spread), left, intervalNote(claim)),
+          spread};
 }
 
 /// The gain at the last value of a sweep against that at the first.
@@ -199,17 +319,17 @@ ClaimRecord judgeGrowth(const ClaimSpec& claim, const SweepRecord& sweep) {
   const auto atFirst = pairs(claim, first);
   const auto atLast = pairs(claim, last);
   if (atFirst.empty() || atLast.empty()) {
-    return {claim.text, claim.source, Verdict::notEvaluated,
-            fmt::format("{} is not defined for {} and {} at the first and last value", claim.metric,
-                        claim.less, claim.than)};
+    return notEvaluated(claim,
+                        fmt::format("{} is not defined for {} and {} at the first and last value",
+                                    claim.metric, claim.less, claim.than));
   }
-  const double growth = meanGain(atLast) - meanGain(atFirst);
-  return {
-      claim.text, claim.source,
-      judgeDifference(growth, largestUncertainty(atLast) + largestUncertainty(atFirst)),
-      fmt::format("mean gain in {}{} {} at {} = {}, {} at {}", claim.metric, regionText(claim),
-                  differenceText(claim.metric, meanGain(atLast)), sweep.key, sweep.values.back(),
-                  differenceText(claim.metric, meanGain(atFirst)), sweep.values.front())};
+  const Gain before = gainOf(claim, first, atFirst);
+  const Gain after = gainOf(claim, last, atLast);
+  return {claim.text, claim.source, judgeGains(claim, after, before),
+          fmt::format("mean gain in {}{} {} at {} = {}, {} at {}{}", claim.metric,
+                      regionText(claim), differenceText(claim.metric, after.value), sweep.key,
+                      sweep.values.back(), differenceText(claim.metric, before.value),
+                      sweep.values.front(), gainIntervalText(claim, after, before))};
 }
 
 /// A claim that each step has judged for itself.
@@ -240,20 +360,20 @@ ClaimRecord judgeOverSteps(const ClaimSpec& claim, const SweepRecord& sweep, std
 ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std::size_t own) {
   if (!claim.method.empty()) return judgeBounds(claim, run[own]);
   if (claim.gainGrows) {
-    return {claim.text, claim.source, Verdict::notEvaluated, "judged over the values of the sweep"};
+    return notEvaluated(claim, "judged over the values of the sweep");
   }
   const auto found = pairs(claim, run[own]);
   if (found.empty()) {
-    return {claim.text, claim.source, Verdict::notEvaluated,
-            fmt::format("{} is not defined for {} and {}", claim.metric, claim.less, claim.than)};
+    return notEvaluated(claim, fmt::format("{} is not defined for {} and {}", claim.metric,
+                                           claim.less, claim.than));
   }
-  if (claim.gainExceeds.empty()) return judgeOrder(claim, found);
+  if (claim.gainExceeds.empty()) return judgeOrder(claim, run[own], found);
   const auto other = std::find_if(run.begin(), run.end(), [&](const StudyRecord& study) {
     return study.name == claim.gainExceeds;
   });
   if (other == run.end()) {
-    return {claim.text, claim.source, Verdict::notEvaluated,
-            fmt::format("needs the study {} in the same run", claim.gainExceeds)};
+    return notEvaluated(claim,
+                        fmt::format("needs the study {} in the same run", claim.gainExceeds));
   }
   return judgeGain(claim, run[own], *other);
 }

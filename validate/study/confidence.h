@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,11 @@ struct ViewErrors {
 /// @throws InternalError as rateConfidence
 std::vector<ConfidenceRecord> confidenceOf(const ViewErrors& errors);
 
-/// Every two methods, all lights together: each method with every later one.
-/// @param uncertainty  of the truth in this view, mean over the lights
+/// Every two methods, each with every later one: for all lights together and, where there are
+/// several, under each.
+/// @param uncertainties  of the truth in this view, one a light; all lights together have the mean
 /// @throws InternalError as differenceConfidence
-std::vector<DifferenceRecord> differencesOf(const ViewErrors& errors, double uncertainty);
-
-/// What a difference of error rates says of the first method: nothing, without an interval, where
-/// the interval holds 0, or where the difference is within the truth's uncertainty.
-DifferenceVerdict verdictOn(double difference, const std::optional<Interval>& interval,
-                            double uncertainty);
+std::vector<DifferenceRecord> differencesOf(const ViewErrors& errors,
+                                            const std::vector<double>& uncertainties);
 
 }  // namespace gnomon

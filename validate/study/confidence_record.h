@@ -39,19 +39,19 @@ struct RadiusCheck {
 /// What can be said of the first of two methods.
 enum class DifferenceVerdict { better, worse, notDistinguishable };
 
-/// Two methods of one view, all lights together, paired block by block. Each interval is one of
-/// 95 % by itself: of twenty pairs that do not differ, one may seem to.
+/// Two methods of one view, paired block by block: under one light, or all lights together ("all").
+/// Every view has the row "all"; a study with several lights has one for each of them as well. Each
+/// interval is one of 95 % by itself: of twenty pairs that do not differ, one may seem to.
 struct DifferenceRecord {
   std::string view;
-  std::string light;      ///< "all": the mean over the lights
+  std::string light;      ///< its name, or "all": the mean over the lights
   std::string first;      ///< a MethodRecord's label
   std::string second;     ///< likewise, later in the study
   double difference = 0;  ///< error rate of the first less that of the second: below 0 it is better
   std::optional<Interval> interval;  ///< 95 %, of the difference
   std::string reason;                ///< why there is none; empty if there is one
   double uncertainty = 0;            ///< of the truth in this view, mean over these lights
-  /// Better or worse only where the interval does not hold 0 and the difference is beyond the
-  /// truth's uncertainty.
+  /// By verdictOn.
   DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
   std::optional<RadiusCheck<DifferenceVerdict>> radius = std::nullopt;  ///< if it was varied
 };

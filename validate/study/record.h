@@ -14,6 +14,7 @@
 #include "compare/shadow_length.h"
 #include "study/bin_record.h"
 #include "study/budget_record.h"
+#include "study/claim_spread.h"
 #include "study/confidence_record.h"
 
 namespace gnomon {
@@ -139,7 +140,9 @@ struct ClaimRecord {
   std::string text;
   std::string source;
   Verdict verdict = Verdict::notEvaluated;
-  std::string detail;                                         ///< the figures it was judged by
+  std::string detail;  ///< the figures it was judged by
+  /// Over the study's cases; none where the claim compares means (gains), or was not evaluated.
+  std::optional<ClaimSpread> spread = std::nullopt;
   std::optional<RadiusCheck<Verdict>> radius = std::nullopt;  ///< if it was varied
 };
 

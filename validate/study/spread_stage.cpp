@@ -8,15 +8,16 @@
 namespace gnomon {
 namespace {
 
-double meanUncertainty(const TruthRecord& truth, const std::string& view) {
-  double sum = 0;
-  double lights = 0;
+/// Of the truth in one view, one a light; the largest where a light has none of its own.
+std::vector<double> uncertaintiesIn(const TruthRecord& truth, const ViewErrors& errors) {
+  std::vector<double> uncertainties(errors.lights.size(), truth.uncertainty);
   for (const UncertaintyRecord& flip : truth.flips) {
-    if (flip.view != view) continue;
-    sum += flip.flipRate;
-    ++lights;
+    if (flip.view != errors.view) continue;
+    const auto light = std::find(errors.lights.begin(), errors.lights.end(), flip.light);
+    if (light == errors.lights.end()) continue;
+    uncertainties[static_cast<std::size_t>(light - errors.lights.begin())] = flip.flipRate;
   }
-  return lights > 0 ? sum / lights : truth.uncertainty;
+  return uncertainties;
 }
 
 /// By the samples of the study's own base.
@@ -25,6 +26,7 @@ Tiling tilingOf(RunScene& scene, std::size_t view) {
   const ViewCase& shown = base.views[view];
   KeyBuilder key("tiling");
   key.add("truth", scene.keys.truth(base.choice, view, 0));
+  key.add("blocks", leastBlocks);
   return scene.cache.remember(
       key.key(), [&] { return chooseTiling(shown.truths.front().mask, shown.weights); });
 }
@@ -88,7 +90,7 @@ void SpreadStage::report(StudyRecord& record) const {
   };
   scene_.clock.measure("confidence", [&](const Progress&) {
     append(record.confidence, confidenceOf(errors_));
-    append(record.differences, differencesOf(errors_, meanUncertainty(record.truth, errors_.view)));
+    append(record.differences, differencesOf(errors_, uncertaintiesIn(record.truth, errors_)));
   });
   append(record.bins, bins());
 }
