@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -8,6 +9,7 @@
 #include "common/error.h"
 #include "report/sample_record.h"
 #include "report/study_ranking.h"
+#include "report/sweep_cost_plots.h"
 #include "report/sweep_files.h"
 #include "report/sweep_html.h"
 #include "report/sweep_plot.h"
@@ -49,6 +51,20 @@ SweepRecord sampleSweep() {
                  step({{"flat", 40}, {"curved", 10}}, 0.001),
                  step({{"flat", 80}, {"curved", 30}}, 0.003)};
   sweep.claims = {{"The gain <grows>", "§4", Verdict::held, "5.00 against 3.00"}};
+  return sweep;
+}
+
+/// "flat" reads 1, 1.5 and 4 MB in 8, 4 and 16 ms, as the values come; "curved" as much at every
+/// value, and is never timed.
+SweepRecord costlySweep() {
+  SweepRecord sweep = sampleSweep();
+  const std::array<std::pair<std::uint64_t, double>, 3> costs = {
+      {{1'000'000, 8}, {1'250'000, 4}, {3'750'000, 16}}};
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const std::uint64_t heights = i == 0 ? 0 : 250'000;
+    sweep.steps[i].cost = {{"flat", 960, costs.at(i).first, heights, costs.at(i).second},
+                           {"curved", 960, 2'000'000, 0, std::nullopt}};
+  }
   return sweep;
 }
 
@@ -96,10 +112,11 @@ TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
 
 TEST(SweepCsv, HasARowAMethodAndValue) {
   EXPECT_EQ(sweepCsv(sampleSweep()),
-            "value,method,error_rate,false_shadow,false_light,uncertainty\n"
-            "0.5,flat,0.02,0.01,0.01,0.002\n0.5,curved,0.01,0.005,0.005,0.002\n"
-            "0.25,flat,0.04,0.02,0.02,0.001\n0.25,curved,0.01,0.005,0.005,0.001\n"
-            "1,flat,0.08,0.04,0.04,0.003\n1,curved,0.03,0.015,0.015,0.003\n");
+            "value,method,error_rate,false_shadow,false_light,uncertainty,bytes\n"
+            "0.5,flat,0.02,0.01,0.01,0.002,\n0.5,curved,0.01,0.005,0.005,0.002,\n"
+            "0.25,flat,0.04,0.02,0.02,0.001,\n0.25,curved,0.01,0.005,0.005,0.001,\n"
+            "1,flat,0.08,0.04,0.04,0.003,\n1,curved,0.03,0.015,0.015,0.003,\n");
+  EXPECT_THAT(sweepCsv(costlySweep()), HasSubstr("0.25,flat,0.04,0.02,0.02,0.001,1500000\n"));
 }
 
 TEST(SweepJson, HoldsTheSweep) {
@@ -120,6 +137,11 @@ TEST(SweepJson, HoldsTheSweep) {
   EXPECT_EQ(json["results"][3]["method"], "curved");
   EXPECT_EQ(json["results"][3]["error_rate"], 0.01);
   EXPECT_EQ(json["claims"][0]["verdict"], "held");
+  EXPECT_TRUE(json["results"][0]["bytes"].is_null());
+  const auto costly = nlohmann::json::parse(sweepJson(costlySweep()));
+  EXPECT_EQ(costly["results"][2]["bytes"], 1'500'000);
+  EXPECT_EQ(costly["results"][2]["frame_ms"], 4);
+  EXPECT_TRUE(costly["results"][3]["frame_ms"].is_null());
   sweep.values[0] = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)sweepJson(sweep), InternalError);
   EXPECT_THROW((void)sweepCsv(sweep), InternalError);
@@ -206,6 +228,38 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
   EXPECT_THAT(svgOf(sweepPlot(sweep)), HasSubstr("</svg>"));
 }
 
+// ---- what the values cost
+
+TEST(SweepCostPlots, AreFramesAgainstTheValueAndErrorAgainstMemory) {
+  const std::vector<PlotSheet> sheets = sweepCostPlots(costlySweep());
+  ASSERT_EQ(sheets.size(), 2U);
+  EXPECT_EQ(sheets[0].name, "sweep_frames");
+  EXPECT_THAT(sheets[0].commands, HasSubstr("$m0 << EOD\n0.25 4\n0.5 8\n1 16\nEOD\n"));
+  EXPECT_THAT(sheets[0].commands, HasSubstr("set xlabel 'curvature, 1/world’s'\n"));
+  EXPECT_THAT(sheets[0].commands, Not(HasSubstr("$m1"))) << "never timed";
+  EXPECT_EQ(sheets[1].name, "sweep_memory");
+  EXPECT_THAT(sheets[1].commands, HasSubstr("$m0 << EOD\n1.5 4\n1 2\n4 8\nEOD\n"));
+  EXPECT_THAT(sheets[1].commands, Not(HasSubstr("$m1"))) << "always as much";
+  for (const PlotSheet& sheet : sheets) EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
+}
+
+TEST(SweepCostPlots, AreNotDrawnWhereNothingWasMeasured) {
+  EXPECT_TRUE(sweepCostPlots(sampleSweep()).empty());
+  SweepRecord sweep = costlySweep();
+  for (StudyRecord& record : sweep.steps) record.cost[0].frameMs.reset();
+  ASSERT_EQ(sweepCostPlots(sweep).size(), 1U);
+  EXPECT_EQ(sweepCostPlots(sweep)[0].name, "sweep_memory");
+}
+
+TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
+  SweepRecord sweep = costlySweep();
+  for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
+  sweep.steps[1].cost[0].frameMs.reset();
+  const std::vector<PlotSheet> sheets = sweepCostPlots(sweep);
+  EXPECT_THAT(sheets.at(0).commands, HasSubstr("$m0 << EOD\n0.25 NaN\n0.5 8\n1 16\nEOD\n"));
+  EXPECT_THAT(sheets.at(1).commands, HasSubstr("$m0 << EOD\n1.5 4\nNaN NaN\n4 8\nEOD\n"));
+}
+
 // ---- page
 
 TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
@@ -213,9 +267,13 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   sweep.steps[0].thresholds = {failedGate()};
   sweep.steps[0].thresholds[0].passed = true;
   sweep.steps[2].thresholds = {failedGate()};
-  const std::string html = sweepHtml(sweep, "<svg/>");
+  PlotSheet cost;
+  cost.title = "Time & money";
+  const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}, {cost, "<svg />"}};
+  const std::string html = sweepHtml(sweep, plots);
   for (const char* part :
        {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "data:image/svg+xml;base64,PHN2Zy8+",
+        "data:image/svg+xml;base64,PHN2ZyAvPg==", "<h3>Time &amp; money</h3>",
         "href=\"0.25/report.html\"", ">8.00</td>", "The gain &lt;grows&gt;",
         "1 of 2 thresholds met", "<h3>surface.curvature = 1</h3>", "--heat:1.000"}) {
     EXPECT_THAT(html, HasSubstr(part));

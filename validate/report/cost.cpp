@@ -18,6 +18,10 @@ const CostRecord* costOf(const StudyRecord& record, std::string_view label) {
   return found == record.cost.end() ? nullptr : &*found;
 }
 
+std::uint64_t memoryBytes(const CostRecord& cost) {
+  return cost.tableBytes + cost.heightBytes;
+}
+
 namespace {
 
 /// The cost of the method of that name, of several as `frameRatio` chooses.

@@ -14,6 +14,9 @@ constexpr std::string_view costReference = "max-forsyth";
 /// The cost of the method with that label; none where it has none.
 const CostRecord* costOf(const StudyRecord& record, std::string_view label);
 
+/// What a method reads: its tables and the height map, bytes.
+std::uint64_t memoryBytes(const CostRecord& cost);
+
 /// A method's frame time over that of the method named `costReference` in the same run (of several,
 /// the one with that label, or else the first). None where either was not timed.
 /// @throws InternalError for a frame time that is not finite

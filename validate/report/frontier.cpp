@@ -56,10 +56,9 @@ std::vector<FrontierPoint> frontier(const StudyRecord& record) {
   std::vector<FrontierPoint> points;
   for (const MethodMeans& method : studyMeans(record).methods) {
     const CostRecord* cost = costOf(record, method.label);
-    if (cost == nullptr || !method.errorRate || cost->tableBytes + cost->heightBytes == 0) continue;
-    points.push_back({method.label, method.name,
-                      static_cast<double>(cost->tableBytes + cost->heightBytes),
-                      *method.errorRate});
+    if (cost == nullptr || !method.errorRate || memoryBytes(*cost) == 0) continue;
+    points.push_back(
+        {method.label, method.name, static_cast<double>(memoryBytes(*cost)), *method.errorRate});
   }
   std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
     return std::pair(a.bytes, a.errorRate) < std::pair(b.bytes, b.errorRate);

@@ -18,6 +18,13 @@ constexpr std::array<const char*, 7> plotColours = {"#0072B2", "#D55E00", "#009E
 /// gnuplot's numbers of point shapes, one a colour.
 constexpr std::array<int, 7> plotPoints = {7, 5, 9, 13, 11, 6, 4};
 
+/// The style of a plot's m-th line with its points.
+inline std::string plotLine(std::size_t m) {
+  return "lc rgb '" + std::string(plotColours.at(m % plotColours.size())) + "' pt " +
+         std::to_string(plotPoints.at(m % plotPoints.size())) + " ps 0.7 lw 2 dt " +
+         std::to_string(1 + m / plotColours.size());
+}
+
 /// A label of a legend, shortened where it is too long, quoted for gnuplot.
 inline std::string plotLegend(const std::string& label) {
   constexpr std::size_t longest = 32;

@@ -18,6 +18,7 @@
 #include "report/report_html.h"
 #include "report/study_plots.h"
 #include "report/summary_json.h"
+#include "report/sweep_cost_plots.h"
 #include "report/sweep_files.h"
 #include "report/sweep_html.h"
 #include "report/sweep_plot.h"
@@ -139,8 +140,10 @@ void writeRunFiles(const StudyRecord& record, const fs::path& folder, Cache& cac
 
 void writeSweepFiles(const SweepRecord& sweep, const fs::path& folder, Cache& cache) {
   writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
-  const std::vector<DrawnPlot> plots = writePlots({sweepPlot(sweep)}, folder, cache);
-  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plots.front().svg));
+  std::vector<PlotSheet> sheets = sweepCostPlots(sweep);
+  sheets.insert(sheets.begin(), sweepPlot(sweep));
+  const std::vector<DrawnPlot> plots = writePlots(std::move(sheets), folder, cache);
+  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plots));
   writeTextAtomically(folder / "summary.json", sweepJson(sweep));
 }
 

@@ -22,7 +22,7 @@ void removeRunFiles(const std::filesystem::path& folder);
 ///   InternalError as the writers
 void writeRunFiles(const StudyRecord& record, const std::filesystem::path& folder, Cache& cache);
 
-/// Writes a sweep's: sweep.csv, plots/sweep.svg and .pdf, report.html, summary.json.
+/// Writes a sweep's: sweep.csv, its plots as plots/*.svg and .pdf, report.html, summary.json.
 /// @throws likewise
 void writeSweepFiles(const SweepRecord& sweep, const std::filesystem::path& folder, Cache& cache);
 

@@ -1,5 +1,8 @@
 #include "report/sweep_files.h"
 
+#include <fmt/core.h>
+
+#include "report/cost.h"
 #include "report/csv_text.h"
 #include "report/json_values.h"
 #include "report/number_text.h"
@@ -41,6 +44,10 @@ Json resultsJson(const SweepRecord& sweep) {
     for (const MethodMeans& method : studyMeans(sweep.steps[i]).methods) {
       Json row = {{"value", jsonNumber(sweep.values.at(i), "results.value")}};
       row.update(jsonMeans(method));
+      const CostRecord* cost = costOf(sweep.steps[i], method.label);
+      row["bytes"] = cost != nullptr ? Json(memoryBytes(*cost)) : Json(nullptr);
+      row["frame_ms"] =
+          jsonNumber(cost != nullptr ? cost->frameMs : std::nullopt, "results.frame_ms");
       results.push_back(std::move(row));
     }
   }
@@ -61,13 +68,15 @@ std::string sweepJson(const SweepRecord& sweep) {
 }
 
 std::string sweepCsv(const SweepRecord& sweep) {
-  std::string csv =
-      csvLine({"value", "method", "error_rate", "false_shadow", "false_light", "uncertainty"});
+  std::string csv = csvLine(
+      {"value", "method", "error_rate", "false_shadow", "false_light", "uncertainty", "bytes"});
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     for (const MethodMeans& method : studyMeans(sweep.steps[i]).methods) {
+      const CostRecord* cost = costOf(sweep.steps[i], method.label);
       csv += csvLine({exactText(sweep.values.at(i)), method.label, exactText(method.errorRate),
                       exactText(method.falseShadow), exactText(method.falseLight),
-                      exactText(method.uncertainty)});
+                      exactText(method.uncertainty),
+                      cost != nullptr ? fmt::format("{}", memoryBytes(*cost)) : ""});
     }
   }
   return csv;

@@ -15,12 +15,13 @@ constexpr std::string_view sweepSchema = "gnomon-sweep/1";
 ///   sweep      key, axis, values
 ///   steps[]    value, status, summary (path of its summary, relative to this file)
 ///   results[]  value, method, error_rate, false_shadow, false_light, uncertainty: means over
-///              lights and views
+///              lights and views; bytes (tables and height map), frame_ms: null where not measured
 ///   claims[]   text, source, verdict, detail: judged over all steps
 /// @throws InternalError naming the key for a number that is not finite
 std::string sweepJson(const SweepRecord& sweep);
 
-/// The same results as a tidy table: one row a value × method; an unknown figure is an empty cell.
+/// The same results as a tidy table, without the times of frames, which no two runs share: one row
+/// a value × method; an unknown figure is an empty cell.
 std::string sweepCsv(const SweepRecord& sweep);
 
 }  // namespace gnomon

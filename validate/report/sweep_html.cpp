@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 
 #include "report/html_matrix.h"
 #include "report/html_page.h"
@@ -51,6 +52,15 @@ std::string valueTable(const SweepRecord& sweep) {
   return errorMatrix(labels, steps, heads);
 }
 
+std::string costSection(std::span<const DrawnPlot> plots) {
+  std::string content;
+  for (const DrawnPlot& plot : plots) {
+    content +=
+        "<h3>" + escapeHtml(plot.sheet.title) + "</h3>\n" + htmlPlot(plot.svg, plot.sheet.about);
+  }
+  return content.empty() ? "" : htmlSection("cost", "What the values cost", content);
+}
+
 /// The gates that failed, a table a value.
 std::string failedSection(const SweepRecord& sweep) {
   std::string content;
@@ -67,14 +77,15 @@ std::string failedSection(const SweepRecord& sweep) {
 
 }  // namespace
 
-std::string sweepHtml(const SweepRecord& sweep, const std::string& plot) {
+std::string sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
   return htmlHead(sweep.title.empty() ? sweep.name : sweep.title) + "<body>\n" + header(sweep) +
          "<main>\n" +
          htmlSection("plot", "Error against " + escapeHtml(sweep.axis),
                      "<p class=\"note\">Percent of the samples, mean over all lights and views. "
                      "The grey band is the truth’s own uncertainty: differences as small as it say "
                      "nothing.</p>\n" +
-                         htmlPlot(plot, "Error rate of each method against " + sweep.axis)) +
+                         htmlPlot(plots.front().svg, plots.front().sheet.about)) +
+         costSection(std::span(plots).subspan(1)) +
          htmlSection("values", "Error by value",
                      "<p class=\"note\">The stronger the tint, the larger the error. Each value "
                      "leads to its own report.</p>\n" +

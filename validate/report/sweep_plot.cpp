@@ -105,10 +105,8 @@ std::string plotCommand(const Series& series, const Panel& panel) {
       "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title "
       "'uncertainty of the truth'";
   for (const std::size_t m : legendOrder(series)) {
-    text += fmt::format(
-        ", \\\n  ${}{} using 1:2 with linespoints lc rgb '{}' pt {} ps 0.7 lw 2 dt {} title {}",
-        panel.name, m, plotColours.at(m % plotColours.size()), plotPoints.at(m % plotPoints.size()),
-        1 + m / plotColours.size(), plotLegend(series.methods[m]));
+    text += fmt::format(", \\\n  ${}{} using 1:2 with linespoints {} title {}", panel.name, m,
+                        plotLine(m), plotLegend(series.methods[m]));
   }
   return text + "\n";
 }
