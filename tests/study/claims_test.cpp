@@ -421,6 +421,16 @@ TEST(Claims, CompareGainsByTheIntervalsOfBoth) {
   EXPECT_THAT(unknown.detail, HasSubstr("their difference has no interval"));
 }
 
+TEST(Claims, CompareGainsWithThoseOfASweep) {
+  // Mean gains: 5 points here; 1 and 2, on average 1.5, there.
+  const StudyRecord here = study("here", {{0.02, 0.07}}, 0.01);
+  const std::vector<StudyRecord> run = {here, study("there/1", {{0.02, 0.03}}, 0.01),
+                                        study("there/2.5", {{0.02, 0.04}}, 0.01),
+                                        study("thereabouts", {{0.02, 0.92}}, 0.01)};
+  const ClaimRecord record = judge(newIsBetter("there"), run);
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.50 points in there"));
+}
+
 TEST(Claims, AboutAStudyThatWasNotRunAreNotEvaluatedAndSayWhatToRun) {
   const ClaimRecord record = judge(newIsBetter("other"), {study("s", {{0.02, 0.05}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::notEvaluated);

@@ -188,19 +188,27 @@ ClaimRecord judgeOrder(const ClaimSpec& claim, const StudyRecord& study,
           spread};
 }
 
-/// What `less` gains over `than` on average in one study.
+/// What `less` gains over `than` on average in a study.
 struct Gain {
   double value;
   std::optional<Interval> interval;
   double uncertainty;
 };
 
-Gain gainOf(const ClaimSpec& claim, const StudyRecord& study, const std::vector<Pair>& found) {
-  Gain gain{meanGain(found), {}, largestUncertainty(found)};
-  if (const auto mean = differenceOverViews(study, claim.than, claim.less)) {
-    gain.interval = mean->interval;
+/// Over all of a study's records: several, where it has a sweep. None without any case.
+std::optional<Gain> gainOf(const ClaimSpec& claim, const std::vector<const StudyRecord*>& records) {
+  std::vector<Pair> found;
+  std::vector<DifferenceRecord> differences;
+  for (const StudyRecord* record : records) {
+    const std::vector<Pair> more = pairs(claim, *record);
+    found.insert(found.end(), more.begin(), more.end());
+    const auto mean = differenceOverViews(*record, claim.than, claim.less);
+    if (mean) differences.push_back(*mean);
   }
-  return gain;
+  if (found.empty()) return std::nullopt;
+  const auto interval =
+      differences.size() == records.size() ? meanDifference(differences).interval : std::nullopt;
+  return Gain{meanGain(found), interval, largestUncertainty(found)};
 }
 
 /// Of the difference of two independent gains.
@@ -231,19 +239,32 @@ std::string gainIntervalText(const ClaimSpec& claim, const Gain& first, const Ga
                   : "; their difference has no interval";
 }
 
-ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study, const StudyRecord& other) {
-  const auto there = pairs(claim, other);
-  if (there.empty()) {
-    return notEvaluated(
-        claim, fmt::format("{} has no results of {} and {}", other.name, claim.less, claim.than));
+/// Whether a record is that of a study, or of one value of its sweep, which is named NAME/VALUE.
+bool isOfStudy(const StudyRecord& record, const std::string& name) {
+  return record.name == name || record.name.starts_with(name + "/");
+}
+
+ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study,
+                      std::span<const StudyRecord> run) {
+  std::vector<const StudyRecord*> others;
+  for (const StudyRecord& other : run) {
+    if (isOfStudy(other, claim.gainExceeds)) others.push_back(&other);
   }
-  const Gain own = gainOf(claim, study, pairs(claim, study));
-  const Gain others = gainOf(claim, other, there);
-  return {claim.text, claim.source, judgeGains(claim, own, others),
+  if (others.empty()) {
+    return notEvaluated(claim,
+                        fmt::format("needs the study {} in the same run", claim.gainExceeds));
+  }
+  const std::optional<Gain> own = gainOf(claim, {&study});
+  const std::optional<Gain> there = gainOf(claim, others);
+  if (!own || !there) {
+    return notEvaluated(claim, fmt::format("{} has no results of {} and {}", claim.gainExceeds,
+                                           claim.less, claim.than));
+  }
+  return {claim.text, claim.source, judgeGains(claim, *own, *there),
           fmt::format("mean gain in {}{} {} here, {} in {}{}", claim.metric, regionText(claim),
-                      differenceText(claim.metric, own.value),
-                      differenceText(claim.metric, others.value), other.name,
-                      gainIntervalText(claim, own, others))};
+                      differenceText(claim.metric, own->value),
+                      differenceText(claim.metric, there->value), claim.gainExceeds,
+                      gainIntervalText(claim, *own, *there))};
 }
 
 // ---- one method against bounds
@@ -316,20 +337,18 @@ ClaimRecord judgeBounds(const ClaimSpec& claim, const StudyRecord& study) {
 ClaimRecord judgeGrowth(const ClaimSpec& claim, const SweepRecord& sweep) {
   const StudyRecord& first = sweep.steps.front();
   const StudyRecord& last = sweep.steps.back();
-  const auto atFirst = pairs(claim, first);
-  const auto atLast = pairs(claim, last);
-  if (atFirst.empty() || atLast.empty()) {
+  const std::optional<Gain> before = gainOf(claim, {&first});
+  const std::optional<Gain> after = gainOf(claim, {&last});
+  if (!before || !after) {
     return notEvaluated(claim,
                         fmt::format("{} is not defined for {} and {} at the first and last value",
                                     claim.metric, claim.less, claim.than));
   }
-  const Gain before = gainOf(claim, first, atFirst);
-  const Gain after = gainOf(claim, last, atLast);
-  return {claim.text, claim.source, judgeGains(claim, after, before),
+  return {claim.text, claim.source, judgeGains(claim, *after, *before),
           fmt::format("mean gain in {}{} {} at {} = {}, {} at {}{}", claim.metric,
-                      regionText(claim), differenceText(claim.metric, after.value), sweep.key,
-                      sweep.values.back(), differenceText(claim.metric, before.value),
-                      sweep.values.front(), gainIntervalText(claim, after, before))};
+                      regionText(claim), differenceText(claim.metric, after->value), sweep.key,
+                      sweep.values.back(), differenceText(claim.metric, before->value),
+                      sweep.values.front(), gainIntervalText(claim, *after, *before))};
 }
 
 /// A claim that each step has judged for itself.
@@ -368,14 +387,7 @@ ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std:
                                            claim.less, claim.than));
   }
   if (claim.gainExceeds.empty()) return judgeOrder(claim, run[own], found);
-  const auto other = std::find_if(run.begin(), run.end(), [&](const StudyRecord& study) {
-    return study.name == claim.gainExceeds;
-  });
-  if (other == run.end()) {
-    return notEvaluated(claim,
-                        fmt::format("needs the study {} in the same run", claim.gainExceeds));
-  }
-  return judgeGain(claim, run[own], *other);
+  return judgeGain(claim, run[own], run);
 }
 
 }  // namespace

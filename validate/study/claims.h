@@ -30,7 +30,7 @@ namespace gnomon {
 /// truth's own differs from that of a perfect mask.
 ///
 /// *Gains.* With `gainExceeds` the mean of (than - less) over lights and views is compared with the
-/// same mean in the study of that name, by the sum of both studies' largest uncertainties and by
+/// same mean in the study of that name (over all values, where it has a sweep), by the sum of both studies' largest uncertainties and by
 /// the interval of the difference of two independent means: with gains g and intervals l to h,
 /// low = g₁ - g₂ - √((g₁ - l₁)² + (h₂ - g₂)²), high likewise (Zou & Donner 2008). Without that
 /// study in the run the claim is not evaluated, and says what to run. A claim with `gainGrows` is
