@@ -44,18 +44,15 @@ StudyOptions optionsOf(const ViewRequest& request) {
   StudyOptions options = request.options;
   const toml::table table = studyTable(request.study, request.options);
   std::set<std::string> labels;
-  std::size_t count = 0;
   if (const toml::array* methods = table["method"].as_array()) {
-    count = methods->size();
     for (const toml::node& method : *methods) {
       if (method.is_table()) labels.insert(methodLabel(*method.as_table()));
     }
   }
   // A study without methods is refused by its reader, which says so better.
-  if (count == 0) return options;
+  if (labels.empty()) return options;
   for (const std::string& name : methodNames(shaderFolder())) {
-    if (!labels.insert(name).second) continue;
-    options.overrides.push_back(fmt::format("method.{}.name={}", count++, name));
+    if (labels.insert(name).second) options.addedMethods.push_back(name);
   }
   return options;
 }

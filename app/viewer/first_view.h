@@ -11,7 +11,7 @@ namespace gnomon {
 
 /// What the window opens with.
 
-/// The request's options, and overrides that add all built-in methods after the study's own.
+/// The request's options, with all built-in methods after the study's own.
 /// @throws InputError as parseToml
 StudyOptions optionsOf(const ViewRequest& request);
 

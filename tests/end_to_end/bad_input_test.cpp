@@ -40,7 +40,11 @@ TEST_F(BadInput, CommandLine) {
            {"override into nothing",
             {"run", "small.toml", "--set", "light.7.azimuth=3"},
             2,
-            {"--set light.7.azimuth=3", "`7`"}},
+            {"--set light.7.azimuth=3", "`light.7`"}},
+           {"override that would add a light",
+            {"run", "small.toml", "--set", "light.1.elevation=3"},
+            2,
+            {"--set light.1.elevation=3", "there is no `light.1`", "light has 1 counted from 0"}},
            {"missing study", {"run", "none.toml"}, 3, {"none.toml: no such file"}},
            {"missing second study",
             {"run", "small.toml", "none.toml"},
@@ -130,6 +134,15 @@ TEST_F(BadInput, HeightImages) {
   refuse("nan.tif", {"nan.tif: pixel (1, 0) holds nan", "a finite height expected"});
   writeImage("nan.exr", 16, std::numeric_limits<float>::infinity());
   refuse("nan.exr", {"nan.exr: pixel (1, 0) holds inf", "a finite height expected"});
+
+  // Floats may hold any height: all commands refuse what rays and shaders cannot compute with.
+  write("high.pfm", "Pf\n2 1\n-1.0\n" + std::string("\0\0\0\0\xe7\x84\x11\x55", 8));  // 1e13
+  for (const char* command : {"run", "bake", "truth", "export"}) {
+    expectFailure({command,
+                   {command, "small.toml", "--set", imageChange("high.pfm").front()},
+                   3,
+                   {"relief.height: heights from 0 to 4e+13 found, -1e+06 to 1e+06 expected"}});
+  }
 
   for (const std::string name : {"cut.png", "cut.tif", "cut.exr"}) {
     writeImage(name, 64, 0.5F);
@@ -239,6 +252,9 @@ TEST_F(BadInput, Shaders) {
          "", {"other.glsl:8: ", "distanceAt"});
   refuse("undeclared.glsl", "bool isShadowed(Pixel p, LocalLight l) { return true; }\n", "",
          {"undeclared.glsl:1: ", "declaration expected"});
+  refuse("parameters.glsl",
+         "/* gnomon-method\ntitle = \"t\"\ncitation = \"c\"\nparameters = 3\n*/\n", "",
+         {"parameters.glsl:4: ", "`parameters`: a table expected"});
   refuse("key.glsl", "/* gnomon-method\ntitle = \"t\"\ncitation = \"c\"\nauthor = \"a\"\n*/\n", "",
          {"key.glsl:4: ", "author"});
   expectFailure({"missing",
@@ -253,8 +269,11 @@ TEST_F(BadInput, Shaders) {
                           "\"\nparameters = " + parameters + "\n");
     expectFailure({parameters, {"run", "own.toml"}, 3, mentions});
   };
-  refuseParameter("{bias = 2.5}", {"own.toml: ", "parameter bias = 2.5, -2 to 2 expected"});
-  refuseParameter("{bais = 1}", {"own.toml: ", "no parameter `bais`"});
+  refuseParameter("{bias = 2.5}",
+                  {"own.toml:", "method.1.parameters.bias: 2.5 found, -2 to 2 expected"});
+  refuseParameter("{bais = 1}",
+                  {"own.toml:", "method.1.parameters.bais: biased-horizon has no such parameter"});
+  refuseParameter("3", {"own.toml:", "method.1.parameters: 3 found, a table expected"});
   refuseParameter("{bias = \"big\"}", {"own.toml:", "parameters.bias: the string \"big\" found"});
 }
 

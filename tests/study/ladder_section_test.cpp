@@ -144,7 +144,9 @@ TEST_F(LadderSection, ErrorsNameFileLineAndKey) {
               AllOf(StartsWith("bumps.toml:44: "), HasSubstr("50 found, 0.01 to 8 expected")));
   EXPECT_THAT(with("\"osculating-march\"", "\"march\""),
               AllOf(StartsWith("bumps.toml:44: ladder.0.rung.1.set.name"), HasSubstr("march")));
-  EXPECT_THAT(with("cause = \"method\"", "why = \"method\""), HasSubstr("ladder.0.rung.1.cause"));
+  EXPECT_THAT(with("cause = \"method\"", ""), HasSubstr("ladder.0.rung.1.cause: missing"));
+  EXPECT_THAT(with("cause = \"method\"", "why = \"method\""),
+              HasSubstr("ladder.0.rung.1.why: unknown key, expected cause, change, set"));
 }
 
 TEST_F(LadderSection, RefusesWhatCannotBeAttributed) {

@@ -126,6 +126,8 @@ TEST_F(StudyErrors, NamesTheLine) {
               StartsWith("plain.toml:14: relief.height: true found"));
   EXPECT_THAT(failureOf("height_space = \"world\"\n", ""),
               StartsWith("plain.toml:11: relief.height_space: missing"));
+  EXPECT_THAT(failureOf("height = 4\n", "heigth = 4\n"),
+              StartsWith("plain.toml:14: relief.heigth: unknown key, expected"));
   EXPECT_THAT(failureOf("label =", "lable ="),
               StartsWith("plain.toml:36: method.1.lable: unknown"));
   EXPECT_THAT(failureOf("shape = \"plane\"", "shape = \"sphere\""),
@@ -141,6 +143,12 @@ TEST_F(StudyErrors, MissesEverySection) {
     const std::string opening = "[" + section + "]";
     for (std::size_t at = 0; (at = text.find(opening, at)) != std::string::npos; ++at) {
       text.replace(at, opening.size(), "[x" + section + "]");
+    }
+    EXPECT_THAT(failure(text), HasSubstr("x" + section + ": unknown key, expected "));
+    EXPECT_THAT(failure(text), HasSubstr("Did you mean `" + section + "`?"));
+    // Put where nothing reads it, it is missing.
+    for (std::size_t at = 0; (at = text.find("[x" + section, at)) != std::string::npos; ++at) {
+      text.insert(at + 1, "sweep.");
     }
     EXPECT_THAT(failure(text), HasSubstr(section + ": missing"));
   }

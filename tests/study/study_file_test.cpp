@@ -130,10 +130,10 @@ TEST_F(StudyFile, OneLightMayHaveAName) {
 // ---- methods
 
 TEST_F(StudyFile, MethodsOverrideTheStudysBakeAndBase) {
-  const StudySpec study = readWith({"bake={azimuths=16, bits=16, radius=20}", "base.subdivisions=3",
-                                    "method.1.bake.azimuths=4", "method.1.base.subdivisions=2",
-                                    "method.1.filter=hardware", "method.1.parameters.steps=7",
-                                    "base.curvature=vertices", "method.1.base.curvature=limit"});
+  const StudySpec study = readWith(
+      {"bake={azimuths=16, bits=16, radius=20}", "base.subdivisions=3", "method.1.bake.azimuths=4",
+       "method.1.base.subdivisions=2", "method.1.filter=hardware", "method.1.name=relief-march",
+       "method.1.parameters.steps=7", "base.curvature=vertices", "method.1.base.curvature=limit"});
   const MethodSpec& first = study.methods[0];
   EXPECT_EQ(first.bake.settings.azimuths, 16);
   EXPECT_EQ(first.bake.bits, TableBits::sixteen);

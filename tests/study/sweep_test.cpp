@@ -136,7 +136,7 @@ TEST_F(Sweep, RefusesAKeyThatTheFileCannotHave) {
                     HasSubstr("unknown key")));
   EXPECT_THAT(failure(section("light.3.elevation", "[1, 2]")),
               AllOf(StartsWith("bumps.toml:38: sweep.key: with light.3.elevation=1: "),
-                    HasSubstr("there is no `3`")));
+                    HasSubstr("there is no `light.3`")));
   EXPECT_THAT(failure(section("study.name", "[1, 2]")),
               StartsWith("bumps.toml:38: sweep.key: \"study.name\" found"));
 }

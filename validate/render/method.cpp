@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -54,15 +55,26 @@ class Declaration {
   }
 
   [[nodiscard]] std::string text(std::string_view key) const {
-    const auto value = table_[key].value<std::string>();
-    if (!value)
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) {
       throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", file_, key));
-    return *value;
+    }
+    return textOf(*node, key);
   }
 
   [[nodiscard]] double number(const toml::table& table, std::string_view key) const {
-    const auto value = table[key].value<double>();
-    if (!value) fail(table, fmt::format("`{}` is missing, a number expected", key));
+    const toml::node* node = table.get(key);
+    if (node == nullptr) fail(table, fmt::format("`{}` is missing, a number expected", key));
+    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value)) {
+      fail(*node, fmt::format("`{}`: a finite number expected", key));
+    }
+    return *value;
+  }
+
+  [[nodiscard]] std::string textOf(const toml::node& node, std::string_view key) const {
+    const auto value = node.value_exact<std::string>();
+    if (!value) fail(node, fmt::format("`{}`: a string expected", key));
     return *value;
   }
 
@@ -140,8 +152,10 @@ std::optional<int> readCount(const Declaration& declaration, std::string_view ke
 
 std::map<std::string, MethodParameter> readParameters(const Declaration& declaration) {
   std::map<std::string, MethodParameter> parameters;
-  const toml::table* tables = declaration.table()["parameters"].as_table();
-  if (tables == nullptr) return parameters;
+  const toml::node* found = declaration.table().get("parameters");
+  if (found == nullptr) return parameters;
+  const toml::table* tables = found->as_table();
+  if (tables == nullptr) declaration.fail(*found, "`parameters`: a table expected");
   for (const auto& [name, node] : *tables) {
     const toml::table* table = node.as_table();
     if (table == nullptr) declaration.fail(node, "a table with default, minimum, maximum expected");
@@ -150,7 +164,9 @@ std::map<std::string, MethodParameter> readParameters(const Declaration& declara
     parameter.standard = declaration.number(*table, "default");
     parameter.minimum = declaration.number(*table, "minimum");
     parameter.maximum = declaration.number(*table, "maximum");
-    parameter.about = (*table)["about"].value_or(std::string());
+    if (const toml::node* about = table->get("about")) {
+      parameter.about = declaration.textOf(*about, "about");
+    }
     if (!(parameter.minimum <= parameter.standard && parameter.standard <= parameter.maximum)) {
       declaration.fail(node, "the default lies outside minimum … maximum");
     }

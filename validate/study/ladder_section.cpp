@@ -20,6 +20,7 @@ const MethodSpec& methodOf(const TomlReader& section, const StudySpec& study) {
 }
 
 CauseSpec readCause(const TomlReader& rung, const std::vector<CauseSpec>& before) {
+  rung.allow({"cause", "change", "set"});
   CauseSpec cause{rung.text("cause"), rung.text("change", "")};
   const bool twice = std::any_of(before.begin(), before.end(),
                                  [&](const CauseSpec& other) { return other.name == cause.name; });
@@ -31,6 +32,7 @@ CauseSpec readCause(const TomlReader& rung, const std::vector<CauseSpec>& before
 /// The state after a rung.
 MethodSpec climb(const TomlReader& rung, const MethodSpec& from, const MethodDefaults& defaults) {
   const TomlReader set = rung.table("set");
+  set.allow({"name", "file", "filter", "bake", "base", "parameters"});
   MethodSpec to = changedMethod(set, from, defaults);
   set.finish();
   if (isSameMethod(from, to)) rung.fail("set", "changes nothing, keys with other values expected");
@@ -39,6 +41,7 @@ MethodSpec climb(const TomlReader& rung, const MethodSpec& from, const MethodDef
 
 LadderSpec readLadder(const TomlReader& section, const StudySpec& study,
                       const MethodDefaults& defaults) {
+  section.allow({"method", "name", "file", "filter", "bake", "base", "parameters", "rung"});
   LadderSpec ladder;
   const MethodSpec& method = methodOf(section, study);
   ladder.method = method.label;

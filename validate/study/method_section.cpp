@@ -41,9 +41,18 @@ double checkedValue(const TomlReader& section, const Method& method, const std::
   return value;
 }
 
+void readParameters(const TomlReader& section, const Method& declared, MethodSpec& method) {
+  const auto parameters = section.optionalTable("parameters");
+  if (!parameters) return;
+  for (const auto& [name, value] : parameters->allNumbers()) {
+    method.parameters[name] = checkedValue(*parameters, declared, name, value);
+  }
+}
+
 }  // namespace
 
 BakeSpec readBake(const TomlReader& section, BakeSpec bake, int resample) {
+  section.allow({"azimuths", "radius", "bits", "limit"});
   constexpr std::array bits = {8, 16, 32};
   bake.settings.azimuths = section.integer("azimuths", 1, 1024, bake.settings.azimuths);
   if (const auto radius = section.optionalNumber("radius", Range{0, 1e5, true})) {
@@ -60,6 +69,7 @@ BakeSpec readBake(const TomlReader& section, BakeSpec bake, int resample) {
 }
 
 void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& curvature) {
+  section.allow({"subdivisions", "curvature"});
   constexpr std::array sources = {CurvatureSource::limit, CurvatureSource::vertices};
   subdivisions = section.integer("subdivisions", 1, 1024, subdivisions);
   curvature = sources.at(
@@ -68,6 +78,7 @@ void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& cur
 }
 
 MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
+  section.allow({"name", "file", "label", "filter", "bake", "base", "parameters"});
   section.requireOneOf("name", "file");
   MethodSpec method;
   method.file = readMethodFile(section, defaults);
@@ -85,9 +96,7 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
   if (const auto base = section.optionalTable("base")) {
     readBase(*base, method.baseSubdivisions, method.baseCurvature);
   }
-  if (const auto parameters = section.optionalTable("parameters")) {
-    for (const auto& [name, value] : parameters->allNumbers()) method.parameters[name] = value;
-  }
+  readParameters(section, declared, method);
   section.finish();
   return method;
 }
@@ -108,12 +117,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
   if (const auto base = section.optionalTable("base")) {
     readBase(*base, method.baseSubdivisions, method.baseCurvature);
   }
-  if (const auto parameters = section.optionalTable("parameters")) {
-    const Method declared = readMethod(method.file);
-    for (const auto& [name, value] : parameters->allNumbers()) {
-      method.parameters[name] = checkedValue(*parameters, declared, name, value);
-    }
-  }
+  if (section.has("parameters")) readParameters(section, readMethod(method.file), method);
   return method;
 }
 

@@ -13,6 +13,8 @@
 namespace gnomon {
 namespace {
 
+constexpr double highest = 1e6;  // height units, above and below 0
+
 /// What every pattern takes.
 struct PatternSize {
   int width;
@@ -82,6 +84,13 @@ HeightField readImage(const TomlReader& section, const std::filesystem::path& fo
   return readHeightImage(folder / section.text("image"), channel, height, wrap);
 }
 
+/// Heights as far as `height` may go, which is that of the value 1: floats may have others.
+void requireHeights(const TomlReader& section, const HeightField& field) {
+  if (field.minimum() >= -highest && field.maximum() <= highest) return;
+  section.fail("height", fmt::format("heights from {:g} to {:g} found, {:g} to {:g} expected",
+                                     field.minimum(), field.maximum(), -highest, highest));
+}
+
 /// An even factor would have no texel where an old one was, and so be another function.
 int readResample(const TomlReader& section) {
   constexpr int most = 255;
@@ -95,10 +104,13 @@ int readResample(const TomlReader& section) {
 }  // namespace
 
 Relief readReliefSection(const TomlReader& section, const std::filesystem::path& folder) {
+  section.allow({"pattern", "image", "channel", "texels", "height", "height_space", "wrap",
+                 "repeats", "invert", "resample", "period", "radius", "wall", "jitter", "groove",
+                 "seed", "windward", "meander"});
   section.requireOneOf("pattern", "image");
   constexpr std::array wraps = {Wrap::repeat, Wrap::clamp};
   constexpr std::array spaces = {HeightSpace::world, HeightSpace::texture};
-  const double height = section.number("height", Range{-1e6, 1e6});
+  const double height = section.number("height", Range{-highest, highest});
   const Wrap wrap = wraps.at(section.choice("wrap", {"repeat", "clamp"}, 0));
   const HeightSpace space = spaces.at(section.choice("height_space", {"world", "texture"}));
   const Vec2 repeats = section.vec2("repeats", Range{0, 1e6, true}, Vec2(1));
@@ -106,6 +118,7 @@ Relief readReliefSection(const TomlReader& section, const std::filesystem::path&
   HeightField field = section.has("image") ? readImage(section, folder, height, wrap)
                                            : readPattern(section, height, wrap);
   if (invert) field = inverted(field, height);
+  requireHeights(section, field);
   const int resample = readResample(section);
   // Where heights count texels, there are now more of them in the same height.
   const double scale = space == HeightSpace::texture ? resample : 1;

@@ -67,6 +67,7 @@ Camera readCamera(const TomlReader& section) {
 }
 
 ViewSpec readView(const TomlReader& section, bool quick) {
+  section.allow({"type", "name", "eye", "target", "up", "fov", "width", "height", "samples"});
   const std::size_t kind = section.choice("type", {"camera", "atlas"});
   ViewSpec view;
   view.name = section.text("name", kind == 0 ? "camera" : "atlas");
@@ -87,6 +88,7 @@ ViewSpec readView(const TomlReader& section, bool quick) {
 
 /// A light, or a sweep: every elevation with every azimuth.
 void readLights(const TomlReader& section, std::vector<LightSpec>& lights) {
+  section.allow({"elevation", "azimuth", "name"});
   const auto elevations = section.numbers("elevation", Range{-90, 90});
   const auto azimuths = section.numbers("azimuth", Range{-360, 360}, 0);
   const bool single = elevations.size() * azimuths.size() == 1;
@@ -107,6 +109,7 @@ double quickStep(double step) {
 }
 
 void readTruth(const TomlReader& section, StudySpec& study) {
+  section.allow({"step", "uncertainty"});
   study.truth.stepTexels = section.optionalNumber("step", positive);
   if (study.truth.stepTexels) *study.truth.stepTexels *= study.relief.resample;
   constexpr Range shares{0, 1, true};
@@ -162,6 +165,7 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   const auto label = [](const MethodSpec& method) { return method.label; };
   const auto name = [](const auto& entry) { return entry.name; };
   const auto itself = [](const std::string& text) { return text; };
+  section.allow({"method", "light", "view", "region", "metric", "min", "max", "quick"});
   ThresholdSpec threshold;
   threshold.method = readFilter(section, "method", study.methods, label, "");
   threshold.light = readFilter(section, "light", study.lights, name, "");
@@ -181,6 +185,8 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
 ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
   const auto label = [](const MethodSpec& method) { return method.label; };
   const auto itself = [](const std::string& text) { return text; };
+  section.allow({"text", "source", "less", "than", "gain_exceeds", "gain_grows", "method", "above",
+                 "below", "metric", "region"});
   ClaimSpec claim;
   claim.text = section.text("text");
   claim.source = section.text("source");
@@ -199,6 +205,10 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
     claim.than = readFilter(section, "than", study.methods, label, section.text("than"));
     claim.gainExceeds = section.text("gain_exceeds", "");
     claim.gainGrows = section.flag("gain_grows", false);
+    if (claim.gainExceeds == study.name) {
+      section.fail("gain_exceeds",
+                   fmt::format("\"{}\" found, the name of another study expected", study.name));
+    }
     if (claim.gainGrows && !claim.gainExceeds.empty()) {
       section.fail("gain_grows", "`gain_exceeds` found beside it, one of the two expected");
     }
@@ -242,7 +252,10 @@ Vec3 LightSpec::direction() const {
 StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   const toml::table table = studyTable(file, options);
   const TomlReader root(table, file.string(), "");
+  root.allow({"study", "surface", "relief", "bake", "base", "truth", "view", "light", "method",
+              "threshold", "claim", "ladder", "sweep"});
   const TomlReader header = root.table("study");
+  header.allow({"name", "title", "source", "ranked"});
   const TomlReader surface = root.table("surface");
   const TomlReader relief = root.table("relief");
   StudySpec study{file,

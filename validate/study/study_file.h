@@ -141,6 +141,8 @@ struct StudyOptions {
   bool quick = false;
   /// `LABEL=NAME` or `LABEL=FILE.glsl`: another shader in a method's place, see replaceMethods.
   std::vector<std::string> replacements = {};
+  /// Names of built-in methods after the study's own, where overrides may reach them.
+  std::vector<std::string> addedMethods = {};
   bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate leaves them free
 };
 

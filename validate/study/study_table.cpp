@@ -6,7 +6,13 @@
 namespace gnomon {
 
 toml::table studyTable(const std::filesystem::path& file, const StudyOptions& options) {
-  toml::table table = parseToml(file, options.overrides);
+  toml::table table = parseToml(file);
+  if (toml::array* methods = table["method"].as_array()) {
+    for (const std::string& name : options.addedMethods) {
+      methods->push_back(toml::table{{"name", name}});
+    }
+  }
+  applyOverrides(table, options.overrides);
   replaceMethods(table, file, options.replacements);
   return table;
 }

@@ -99,6 +99,8 @@ Cage readBSpline(const TomlReader& section) {
 }  // namespace
 
 Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& folder) {
+  section.allow({"shape", "mesh", "scheme", "quads", "size", "curvature", "major", "minor",
+                 "points", "columns"});
   section.requireOneOf("shape", "mesh");
   if (section.has("mesh")) {
     constexpr std::array schemes = {SubdivisionScheme::catmullClark, SubdivisionScheme::loop};

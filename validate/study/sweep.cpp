@@ -27,6 +27,7 @@ void requireSweepable(const TomlReader& section, const std::string& key,
 }
 
 SweepSpec readSweep(const TomlReader& section, const StudyOptions& options) {
+  section.allow({"key", "values", "axis"});
   SweepSpec sweep;
   sweep.key = section.text("key");
   requireSweepable(section, sweep.key, options);

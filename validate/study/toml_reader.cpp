@@ -9,6 +9,7 @@
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "common/one_line.h"
+#include "study/nearest_name.h"
 
 namespace gnomon {
 namespace {
@@ -81,12 +82,24 @@ void TomlReader::requireOneOf(std::string_view a, std::string_view b) const {
   if (!has(a) && !has(b)) fail(a, fmt::format("missing, either `{}` or `{}` expected", a, b));
 }
 
+void TomlReader::refuseKey(const toml::node& node, std::string_view key,
+                           const Names& expected) const {
+  const auto nearest = nearestName(key, expected);
+  throw InputError(fmt::format("{}: unknown key, expected {}{}", place(node, key),
+                               fmt::join(expected, ", "),
+                               nearest ? fmt::format(". Did you mean `{}`?", *nearest) : ""));
+}
+
+void TomlReader::allow(std::initializer_list<std::string_view> keys) const {
+  const Names names(keys.begin(), keys.end());
+  for (const auto& [key, node] : *table_) {
+    if (!names.contains(key.str())) refuseKey(node, key.str(), names);
+  }
+}
+
 void TomlReader::finish() const {
   for (const auto& [key, node] : *table_) {
-    if (read_.count(key.str()) == 0) {
-      throw InputError(fmt::format("{}: unknown key, expected {}", place(node, key.str()),
-                                   fmt::join(read_, ", ")));
-    }
+    if (!read_.contains(key.str())) refuseKey(node, key.str(), read_);
   }
 }
 
@@ -278,6 +291,7 @@ toml::table parsedValue(const std::string& text) {
   return toml::table{{"value", text}};
 }
 
+/// What a part of a path leads to; null where there is no such thing.
 toml::node* child(toml::node& node, const std::string& part) {
   if (toml::table* table = node.as_table()) {
     // A table that is not there yet is made: an override may add a whole section.
@@ -289,8 +303,6 @@ toml::node* child(toml::node& node, const std::string& part) {
   const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), index);
   if (array == nullptr || failure != std::errc() || end != part.data() + part.size())
     return nullptr;
-  // One past the end is a new entry: an override may add a method, a light or a view.
-  if (index == array->size() && array->is_array_of_tables()) array->push_back(toml::table{});
   return array->get(index);
 }
 
@@ -304,9 +316,18 @@ void applyOverride(toml::table& root, const std::string& text) {
   const std::string last = parts.back();
   parts.pop_back();
   toml::node* node = &root;
+  std::string path;
   for (const std::string& part : parts) {
-    node = child(*node, part);
-    if (node == nullptr) throw UsageError(fmt::format("--set {}: there is no `{}`", text, part));
+    const toml::array* list = node->as_array();
+    toml::node* next = child(*node, part);
+    if (next == nullptr) {
+      const std::string entries =
+          list != nullptr ? fmt::format(", {} has {} counted from 0", path, list->size()) : "";
+      path += path.empty() ? part : "." + part;
+      throw UsageError(fmt::format("--set {}: there is no `{}`{}", text, path, entries));
+    }
+    path += path.empty() ? part : "." + part;
+    node = next;
   }
   toml::table* table = node->as_table();
   if (table == nullptr || last.empty()) {
@@ -317,12 +338,16 @@ void applyOverride(toml::table& root, const std::string& text) {
 
 }  // namespace
 
+void applyOverrides(toml::table& table, const std::vector<std::string>& overrides) {
+  for (const std::string& change : overrides) applyOverride(table, change);
+}
+
 toml::table parseToml(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides) {
   const std::string text = readFile(path);
   try {
     toml::table table = toml::parse(text, path.string());
-    for (const std::string& change : overrides) applyOverride(table, change);
+    applyOverrides(table, overrides);
     return table;
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}:{}: {}", path.string(), error.source().begin.line,

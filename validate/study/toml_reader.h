@@ -28,7 +28,9 @@ constexpr Range anyNumber{};
 constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
 
 /// A TOML table whose every key must be read: whoever asks for a key names its type and range, and
-/// `finish` refuses the keys that nobody asked for. All errors are InputError and read
+/// `finish` refuses the keys that nobody asked for. `allow` refuses before anything is read what no
+/// form of the table takes: a mistyped key is then not told as one that is missing. All errors are
+/// InputError and read
 /// `file:line: table.key: what was found, what was expected`.
 class TomlReader {
  public:
@@ -70,6 +72,8 @@ class TomlReader {
   /// All keys of this table with a number each.
   [[nodiscard]] std::vector<std::pair<std::string, double>> allNumbers() const;
 
+  /// @throws InputError naming the first key that is none of these, and the nearest that is
+  void allow(std::initializer_list<std::string_view> keys) const;
   /// Refuses a table that has both of two keys, or neither.
   void requireOneOf(std::string_view a, std::string_view b) const;
   /// @throws InputError naming the first key that nobody read
@@ -95,6 +99,9 @@ class TomlReader {
   [[nodiscard]] const toml::node* find(std::string_view key) const;
   [[nodiscard]] const toml::node& require(std::string_view key, std::string_view expected) const;
   [[nodiscard]] std::string place(const toml::node& node, std::string_view key) const;
+  using Names = std::set<std::string, std::less<>>;
+  [[noreturn]] void refuseKey(const toml::node& node, std::string_view key,
+                              const Names& expected) const;
   [[noreturn]] void mismatch(const toml::node& node, std::string_view key,
                              const std::string& expected) const;
   [[nodiscard]] double checked(const toml::node& node, std::string_view key, Range range) const;
@@ -104,14 +111,21 @@ class TomlReader {
   const toml::table* table_;
   std::string file_;
   std::string path_;
-  mutable std::set<std::string, std::less<>> read_;
+  mutable Names read_;
 };
 
 /// Parses a TOML file and applies overrides.
 /// @param overrides  `key.path=value`, as `relief.height=4` or `light.0.elevation=30`; the value is
-///   TOML, or a string where it is not. An index one past the end of a list of tables adds one.
-/// @throws InputError for a file that is missing or no TOML (with line and column); UsageError for
-///   an override without `=` or whose path leads into something that is not a table or list
-toml::table parseToml(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+///   TOML, or a string where it is not. A table that is not there yet is made; an entry of a list
+///   must be there.
+/// @throws InputError for a file that is missing or no TOML (with line and column); UsageError as
+///   applyOverrides
+toml::table parseToml(const std::filesystem::path& path,
+                      const std::vector<std::string>& overrides = {});
+
+/// Applies overrides in their order.
+/// @throws UsageError for an override without `=`, or whose path leads into something that is not a
+///   table or list, or past a list's end
+void applyOverrides(toml::table& table, const std::vector<std::string>& overrides);
 
 }  // namespace gnomon

@@ -91,12 +91,14 @@ TEST_F(SceneMakerTest, ChangingTheTablesBakesAgain) {
 
 TEST_F(SceneMakerTest, OtherMethodsThanTheStudysCanBeShown) {
   SceneRequest request;
-  request.options.overrides = {"method.3.name=onoue-2004"};
+  request.options.addedMethods = {"onoue-2004"};
+  request.options.overrides = {"method.3.bake.azimuths=4"};  // as a slider does
   request.shown = {"onoue-2004"};
   const auto scene =
       maker_.make(request, [](const std::string&) { return Progress([](double) {}); });
   EXPECT_EQ(scene->study->methods.size(), 4U);
-  EXPECT_TRUE(scene->methods.contains("onoue-2004"));
+  ASSERT_TRUE(scene->methods.contains("onoue-2004"));
+  EXPECT_EQ(scene->methods.at("onoue-2004")->spec.bake.settings.azimuths, 4);
 }
 
 TEST_F(SceneMakerTest, AProgressThatThrowsCancelsAndTheNextSceneIsWhole) {
