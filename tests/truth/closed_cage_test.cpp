@@ -77,6 +77,26 @@ TEST(ClosedCage, TrianglesOfLoopStayClosed) {
   expectClosed(MicroMesh(LimitSurface(cage), randomRelief(16, 16, 1, 5), {0.3, 0}), Vec3(0));
 }
 
+TEST(ClosedCage, FacesOfUnequalSizeStayClosed) {
+  // One side of the cube has five times the texels along s, another three times along t.
+  Cage cage = cubeCage();
+  cage.uvs.insert(cage.uvs.end(), {{5, 0}, {5, 1}, {1, 3}, {0, 3}});
+  cage.faceUvs[1] = 4;
+  cage.faceUvs[2] = 5;
+  cage.faceUvs[4 * 3 + 2] = 6;
+  cage.faceUvs[4 * 3 + 3] = 7;
+  const MicroMesh mesh(LimitSurface(cage), randomRelief(16, 16, 1.5, 5), {0.5, 0});
+  const auto hasSide = [&](int vertices) {
+    return std::any_of(mesh.grids().begin(), mesh.grids().end(), [vertices](const auto& grid) {
+      return grid.columns == vertices || grid.rows == vertices;
+    });
+  };
+  EXPECT_TRUE(hasSide(2 * 16 + 1));
+  EXPECT_TRUE(hasSide(2 * 5 * 16 + 1));
+  EXPECT_TRUE(hasSide(2 * 3 * 16 + 1));
+  expectClosed(mesh, Vec3(0));
+}
+
 TEST(ClosedCage, CreasesStayClosed) {
   Cage cage = cubeCage();
   cage.creases = {{{0, 1}, 10}, {{1, 3}, 10}, {{3, 2}, 2.5}};

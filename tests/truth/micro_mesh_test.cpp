@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "common/error.h"
+#include "surface/mesh_file.h"
 #include "surface/texel_frame.h"
 #include "truth/closed_mesh.h"
 #include "truth/micro_scene.h"
@@ -81,6 +84,91 @@ TEST(MicroMesh, ReachesTheAskedNumberOfTrianglesByDefault) {
   const MicroMesh mesh(surface, flatRelief(32, 32), {std::nullopt, 3e5});
   EXPECT_GE(mesh.triangleCount(), 300000U);
   EXPECT_LT(mesh.triangleCount(), 600000U);
+}
+
+/// The longest micro-edge along s or t, texels: all of them measured on the map.
+double longestEdge(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh) {
+  double longest = 0;
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    const MicroMesh::Grid& grid = mesh.grids()[static_cast<std::size_t>(face)];
+    const std::vector<double>& s = mesh.lines(grid.sLines);
+    const std::vector<double>& t = mesh.lines(grid.tLines);
+    const auto texel = [&](double atS, double atT) {
+      return surface.tangentPoint(face, atS, atT).uv * relief.texelsPerUv();
+    };
+    for (std::size_t j = 0; j < t.size(); ++j) {
+      for (std::size_t i = 0; i < s.size(); ++i) {
+        const Vec2 here = texel(s[i], t[j]);
+        if (i > 0) longest = std::max(longest, glm::length(here - texel(s[i - 1], t[j])));
+        if (j > 0) longest = std::max(longest, glm::length(here - texel(s[i], t[j - 1])));
+      }
+    }
+  }
+  return longest;
+}
+
+TEST(MicroMesh, StatesItsLongestMicroEdge) {
+  const Relief relief = randomRelief(128, 128, 0.01, 5);
+  const LimitSurface spot(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  for (const double asked : {0.4, 1.7}) {
+    const MicroMesh onSpot(spot, relief, step(asked));
+    EXPECT_NEAR(onSpot.stepTexels(), longestEdge(spot, relief, onSpot), 1e-9);
+    EXPECT_LE(onSpot.stepTexels(), asked + 1e-9);
+    EXPECT_GT(onSpot.stepTexels(), 0.9 * asked) << "no finer than it has to be";
+    EXPECT_EQ(onSpot.askedStepTexels(), asked);
+    const LimitSurface cube(cubeCage());
+    const MicroMesh onCube(cube, relief, step(asked));
+    EXPECT_NEAR(onCube.stepTexels(), longestEdge(cube, relief, onCube), 1e-9);
+  }
+  // Between lines of texel centres a step need not divide what there is.
+  const LimitSurface plane(makePlane(12, 8, 4, 2));
+  const MicroMesh onPlane(plane, flatRelief(12, 8), step(0.3));
+  EXPECT_NEAR(onPlane.stepTexels(), longestEdge(plane, flatRelief(12, 8), onPlane), 1e-9);
+  EXPECT_EQ(onPlane.stepTexels(), 0.25);
+}
+
+TEST(MicroMesh, LargerFacesGetMorePieces) {
+  const LimitSurface surface(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const Relief relief = randomRelief(256, 256, 0.01, 5);
+  const MicroMesh mesh(surface, relief, step(0.5));
+  int fewest = std::numeric_limits<int>::max();
+  int most = 0;
+  std::uint64_t triangles = 0;
+  for (const MicroMesh::Grid& grid : mesh.grids()) {
+    fewest = std::min({fewest, grid.columns, grid.rows});
+    most = std::max({most, grid.columns, grid.rows});
+    triangles += 2 * static_cast<std::uint64_t>((grid.columns - 1) * (grid.rows - 1));
+  }
+  EXPECT_GT(most, 2 * fewest);
+  EXPECT_EQ(mesh.triangleCount(), triangles);
+  const auto whole = static_cast<std::uint64_t>(most - 1);
+  EXPECT_LT(triangles, 2 * whole * whole * static_cast<std::uint64_t>(surface.faceCount()));
+}
+
+TEST(MicroMesh, HalfTheStepGivesAboutFourTimesTheTriangles) {
+  // What the truth's own uncertainty rests on: the same everywhere, on small faces too.
+  const LimitSurface surface(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const Relief relief = randomRelief(256, 256, 0.01, 5);
+  const MicroMesh coarse(surface, relief, step(1));
+  const MicroMesh fine(surface, relief, step(0.5));
+  for (std::size_t face = 0; face < coarse.grids().size(); ++face) {
+    const MicroMesh::Grid& half = coarse.grids()[face];
+    const MicroMesh::Grid& whole = fine.grids()[face];
+    EXPECT_EQ(half.columns - 1, (whole.columns - 1 + 1) / 2);
+    EXPECT_EQ(half.rows - 1, (whole.rows - 1 + 1) / 2);
+  }
+}
+
+TEST(MicroMesh, ByDefaultTakesTheLargestStepThatGivesEnoughTriangles) {
+  const LimitSurface surface(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const Relief relief = randomRelief(128, 128, 0.01, 5);
+  constexpr double wanted = 5e6;
+  const MicroMesh mesh(surface, relief, {std::nullopt, wanted});
+  const double quarters = 1 / (4 * mesh.askedStepTexels());
+  EXPECT_EQ(quarters, std::round(quarters));
+  ASSERT_GT(quarters, 1) << "else there is no larger step to compare with";
+  EXPECT_GE(mesh.triangleCount(), wanted);
+  EXPECT_LT(MicroMesh(surface, relief, step(1 / (4 * (quarters - 1)))).triangleCount(), wanted);
 }
 
 TEST(MicroMesh, ClosedCageGivesClosedMeshAcrossSeams) {

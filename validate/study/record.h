@@ -49,7 +49,7 @@ struct UncertaintyRecord {
 
 /// One level of a refinement to a wanted uncertainty.
 struct RefinementRecord {
-  double stepTexels = 0;
+  double stepTexels = 0;  ///< that it was cut by: the `truth.step` that gives it
   std::uint64_t microTriangles = 0;
   /// The largest share of samples, over views and lights, that differ from the level before; none
   /// for the first, and where that has more than half the triangles.
@@ -58,8 +58,9 @@ struct RefinementRecord {
 
 struct TruthRecord {
   std::uint64_t microTriangles = 0;
-  double stepTexels = 0;   ///< longest micro-edge along a texture axis, texels
-  double uncertainty = 0;  ///< the largest flip rate below
+  double stepTexels = 0;       ///< longest micro-edge along s or t of any face, texels on the map
+  double askedStepTexels = 0;  ///< the `truth.step` that gives this mesh: no micro-edge is longer
+  double uncertainty = 0;      ///< the largest flip rate below
   std::uint64_t bvhBytes = 0;
   std::uint64_t meshBytes = 0;
   std::vector<UncertaintyRecord> flips;

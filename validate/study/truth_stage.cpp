@@ -51,18 +51,18 @@ void requireCoarser(const TracedSurface& half, const TruthRecord& truth) {
   throw InputError(fmt::format(
       "truth.step: {} texels found, but twice that gives {} micro-triangles instead of {}: too "
       "alike to tell the truth's own error. A smaller step expected",
-      truth.stepTexels, half.mesh.triangleCount(), truth.microTriangles));
+      truth.askedStepTexels, half.mesh.triangleCount(), truth.microTriangles));
 }
 
 /// What is kept of the sizes of a surface.
 struct SurfaceSizes {
   std::uint64_t triangles = 0, bvhBytes = 0, meshBytes = 0;
-  double stepTexels = 0;
+  double stepTexels = 0, askedStepTexels = 0;
 };
 
 template <typename Stream, SameAs<SurfaceSizes> T>
 void fields(Stream& stream, T& sizes) {
-  stream(sizes.triangles, sizes.bvhBytes, sizes.meshBytes, sizes.stepTexels);
+  stream(sizes.triangles, sizes.bvhBytes, sizes.meshBytes, sizes.stepTexels, sizes.askedStepTexels);
 }
 
 /// What is kept of the uncertainty of one view under one light.
@@ -198,11 +198,13 @@ TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface) {
   const SurfaceSizes sizes = scene.cache.remember(key, [&] {
     const MicroMesh& mesh = surface.get().mesh;
     return SurfaceSizes{mesh.triangleCount(), surface.get().scene.byteCount(),
-                        mesh.coordinates().size() * sizeof(float), mesh.stepTexels()};
+                        mesh.coordinates().size() * sizeof(float), mesh.stepTexels(),
+                        mesh.askedStepTexels()};
   });
   TruthRecord truth;
   truth.microTriangles = sizes.triangles;
   truth.stepTexels = sizes.stepTexels;
+  truth.askedStepTexels = sizes.askedStepTexels;
   truth.bvhBytes = sizes.bvhBytes;
   truth.meshBytes = sizes.meshBytes;
   return truth;
@@ -235,7 +237,7 @@ ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, doub
 
 void traceUncertainty(RunScene& scene, TruthRecord& truth) {
   MicroMeshSettings twice = scene.study.truth;
-  twice.stepTexels = 2 * truth.stepTexels;
+  twice.stepTexels = 2 * truth.askedStepTexels;
   SurfaceOnDemand half([&] {
     return std::make_unique<const TracedSurface>(scene, twice, "uncertainty", "uncertainty");
   });

@@ -61,7 +61,7 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 
 /// Traces the standard base's samples once more at half the resolution and half the lift: what
 /// flips is the truth's own error.
-/// @param truth  its step is doubled; gets the flip rates and the uncertainty
+/// @param truth  the step that it was cut by is doubled; gets the flip rates and the uncertainty
 /// @throws InputError where the coarser mesh has more than half the triangles: too alike to tell
 void traceUncertainty(RunScene& scene, TruthRecord& truth);
 

@@ -22,101 +22,6 @@ namespace {
 // Measured on Embree 3.13: what its grid hierarchy takes beside the vertices.
 constexpr double hierarchyBytesPerQuad = 18;
 constexpr double bytesPerVertex = 12;
-// Embree stores a grid's sides in 16 bits.
-constexpr std::size_t longestSide = 32767;
-
-/// Refuses a face that needs more lines than a grid can have.
-void requireSide(double lines, double step) {
-  if (!(lines < static_cast<double>(longestSide))) {
-    throw InputError(
-        fmt::format("truth.step = {}: {:.0f} lines across one face, at most {} are possible: use a "
-                    "cage of more faces, or fewer repeats",
-                    step, lines, longestSide));
-  }
-}
-
-/// Rising parameters in [0, 1]: the places of texel centres where the axis runs from texel `begin`
-/// to `end`, and between them even steps of at most `step` texels.
-std::vector<double> alignedLines(double begin, double end, double step) {
-  const double length = end - begin;
-  requireSide(length / std::min(step, 1.0), step);
-  const double tolerance = 1e-9 * std::max(1.0, std::abs(end));
-  std::vector<double> stops = {begin};
-  const auto centres = static_cast<int>(std::ceil(end - std::floor(begin)));
-  for (int k = 0; k < centres; ++k) {
-    const double centre = std::floor(begin) + 0.5 + k;
-    if (centre > begin + tolerance && centre < end - tolerance) stops.push_back(centre);
-  }
-  stops.push_back(end);
-  std::vector<double> lines = {0};
-  for (std::size_t k = 1; k < stops.size(); ++k) {
-    const double gap = stops[k] - stops[k - 1];
-    const int pieces = std::max(1, static_cast<int>(std::ceil(gap / step - 1e-6)));
-    for (int p = 1; p <= pieces; ++p) {
-      lines.push_back((stops[k - 1] - begin + gap * p / pieces) / length);
-    }
-  }
-  lines.back() = 1;
-  requireSide(static_cast<double>(lines.size()), step);  // rounding up may have added some
-  return lines;
-}
-
-std::vector<double> evenLines(int pieces) {
-  std::vector<double> lines(static_cast<std::size_t>(pieces) + 1);
-  for (int i = 0; i <= pieces; ++i) lines[static_cast<std::size_t>(i)] = double(i) / pieces;
-  return lines;
-}
-
-double texelArea(const LimitSurface& surface, Vec2 texelsPerUv, int face) {
-  const LimitPoint middle = surface.evaluate(face, 0.5, 0.5);
-  const Vec2 ds = middle.uvDs * texelsPerUv;
-  const Vec2 dt = middle.uvDt * texelsPerUv;
-  return std::abs(ds.x * dt.y - ds.y * dt.x);
-}
-
-/// The side of a face in texels if all faces with an area there were squares of its mean.
-double meanFaceSide(const LimitSurface& surface, Vec2 texelsPerUv) {
-  double sum = 0;
-  int faces = 0;
-  for (int face = 0; face < surface.faceCount(); ++face) {
-    const double area = texelArea(surface, texelsPerUv, face);
-    sum += area;
-    faces += area > 0 ? 1 : 0;
-  }
-  return faces > 0 ? std::sqrt(sum / faces) : 0;
-}
-
-/// Triangles that a step gives, without placing a line.
-/// @param faceSide  meanFaceSide; only where the faces form no grid
-double estimatedTriangles(const LimitSurface& surface, Vec2 texelsPerUv, double faceSide,
-                          double step) {
-  if (const auto grid = surface.grid()) {
-    const double longest = std::min(step, 1.0);  // lines of texel centres are one texel apart
-    const double perColumn = std::ceil(texelsPerUv.x / grid->columns / longest);
-    const double perRow = std::ceil(texelsPerUv.y / grid->rows / longest);
-    return 2 * perColumn * grid->columns * perRow * grid->rows;
-  }
-  const double pieces = std::ceil(faceSide / step);
-  return 2 * pieces * pieces * surface.faceCount();
-}
-
-double chooseStep(const LimitSurface& surface, Vec2 texelsPerUv, double faceSide,
-                  const MicroMeshSettings& settings) {
-  if (settings.stepTexels) return *settings.stepTexels;
-  constexpr int finest = 1 << 16;  // where one texel holds a whole face, and more
-  for (int perTexel = 4; perTexel <= finest; perTexel += 4) {
-    const double step = 1.0 / perTexel;
-    if (estimatedTriangles(surface, texelsPerUv, faceSide, step) >= settings.leastTriangles) {
-      return step;
-    }
-  }
-  throw InputError(fmt::format(
-      "truth.step: pieces of 1/{} texel do not give {:g} micro-triangles: the surface or its "
-      "texture coordinates have no area, or too few texels lie on it. More relief.repeats, other "
-      "texture coordinates, or a truth.step expected",
-      finest, settings.leastTriangles));
-}
-
 /// The cell of rising lines from 0 to 1 that holds a place: lines[k] <= at < lines[k + 1], or the
 /// nearest to that. Lines are about evenly spaced: the guess is right or a few cells off.
 std::size_t cellOf(const std::vector<double>& lines, double at) {
@@ -160,45 +65,22 @@ Vec3 cageCentre(const LimitSurface& surface) {
 }  // namespace
 
 MicroMesh::MicroMesh(const LimitSurface& surface, const Relief& relief,
-                     const MicroMeshSettings& settings, const Progress& progress) {
-  const Vec2 texelsPerUv = relief.texelsPerUv();
-  const double faceSide = surface.grid() ? 0 : meanFaceSide(surface, texelsPerUv);
-  stepTexels_ = chooseStep(surface, texelsPerUv, faceSide, settings);
-  if (!(stepTexels_ > 0) || !std::isfinite(stepTexels_)) {
-    throw InputError(
-        fmt::format("truth.step: {} texels found, a positive length expected", stepTexels_));
-  }
-  const double quads = estimatedTriangles(surface, texelsPerUv, faceSide, stepTexels_) / 2;
-  requireMemory(
-      quads * (bytesPerVertex + hierarchyBytesPerQuad),
-      fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", stepTexels_, 2 * quads));
-  placeLines(surface, texelsPerUv, stepTexels_);
+                     const MicroMeshSettings& settings, const Progress& progress)
+    : lines_(placeMicroLines(surface, relief.texelsPerUv(), settings,
+                             bytesPerVertex + hierarchyBytesPerQuad)) {
+  makeGrids();
   centre_ = cageCentre(surface);
   displace(surface, relief, progress);
   weld(surface);
   measureExtent();
 }
 
-void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double step) {
-  const auto chart = surface.grid();
-  if (chart) {
-    const Vec2 side = texelsPerUv / Vec2(chart->columns, chart->rows);
-    for (int c = 0; c < chart->columns; ++c) {
-      lines_.push_back(alignedLines(c * side.x, (c + 1) * side.x, step));
-    }
-    for (int r = 0; r < chart->rows; ++r) {
-      lines_.push_back(alignedLines(r * side.y, (r + 1) * side.y, step));
-    }
-  } else {
-    const double pieces = std::ceil(meanFaceSide(surface, texelsPerUv) / step);
-    requireSide(pieces, step);
-    lines_.push_back(evenLines(std::max(1, static_cast<int>(pieces))));
-  }
+void MicroMesh::makeGrids() {
   std::uint64_t vertices = 0;
-  for (int face = 0; face < surface.faceCount(); ++face) {
+  for (const MicroLines::Face& face : lines_.faces) {
     Grid grid{};
-    grid.sLines = chart ? face % chart->columns : 0;
-    grid.tLines = chart ? chart->columns + face / chart->columns : 0;
+    grid.sLines = face.s;
+    grid.tLines = face.t;
     grid.columns = static_cast<int>(lines(grid.sLines).size());
     grid.rows = static_cast<int>(lines(grid.tLines).size());
     grid.firstVertex = static_cast<std::uint32_t>(vertices);
@@ -210,10 +92,10 @@ void MicroMesh::placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double
   }
   if (vertices > std::numeric_limits<std::uint32_t>::max()) {
     throw InputError(fmt::format("truth.step = {}: {} micro-vertices, at most 2^32 can be numbered",
-                                 step, vertices));
+                                 askedStepTexels(), vertices));
   }
   requireMemory(static_cast<double>(vertices) * (bytesPerVertex + hierarchyBytesPerQuad),
-                fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", step,
+                fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", askedStepTexels(),
                             static_cast<double>(triangleCount_)));
   vertexCount_ = static_cast<std::size_t>(vertices);
   // One float of padding: Embree reads vertices as four floats.

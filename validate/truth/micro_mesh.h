@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,16 +8,9 @@
 #include "common/raw_vector.h"
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
+#include "truth/micro_lines.h"
 
 namespace gnomon {
-
-/// How finely the displaced surface is cut.
-struct MicroMeshSettings {
-  /// Longest micro-edge along a texture axis, texels. Where unset, the largest 1/4, 1/8, 1/12 … of
-  /// a texel that gives at least `leastTriangles`.
-  std::optional<double> stepTexels;
-  double leastTriangles = 4e6;
-};
 
 /// A flat piece of the displaced surface.
 struct Facet {
@@ -36,14 +28,12 @@ struct Facet {
 /// would need slivers where they meet. The same holds at a crease, where the two sides' normals
 /// differ.
 ///
-/// On a cage that is a regular grid with affine texture coordinates the lines of texel centres are
-/// among the grid lines: the kinks of the bilinear relief then lie on micro-edges. Elsewhere
-/// every face has the same number of evenly spaced lines.
+/// Where the grid lines run: see MicroLines.
 class MicroMesh {
  public:
   /// @param progress  may throw to cancel, see common/progress.h
-  /// @throws MemoryError naming `truth.step` where mesh and hierarchy cannot fit;
-  ///   InputError for a step that is not positive
+  /// @throws MemoryError naming `truth.step` where mesh and hierarchy cannot fit; InputError as
+  ///   placeMicroLines, and for 2^32 vertices and more
   MicroMesh(const LimitSurface& surface, const Relief& relief, const MicroMeshSettings& settings,
             const Progress& progress = {});
 
@@ -59,7 +49,7 @@ class MicroMesh {
   [[nodiscard]] const std::vector<Grid>& grids() const { return grids_; }
   /// Rising parameters from 0 to 1.
   [[nodiscard]] const std::vector<double>& lines(int index) const {
-    return lines_[static_cast<std::size_t>(index)];
+    return lines_.lines[static_cast<std::size_t>(index)];
   }
   /// x, y, z of each vertex relative to `centre()`, and one float of padding at the end.
   [[nodiscard]] std::span<const float> coordinates() const { return coordinates_; }
@@ -68,25 +58,27 @@ class MicroMesh {
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   /// Largest absolute coordinate, world units: the scale of float rounding.
   [[nodiscard]] double extent() const { return extent_; }
-  [[nodiscard]] double stepTexels() const { return stepTexels_; }
+  /// Longest micro-edge along s or t of any face, texels on the map.
+  [[nodiscard]] double stepTexels() const { return lines_.longestTexels; }
+  /// The step that lines were placed by: a micro-edge may be shorter, none is longer.
+  [[nodiscard]] double askedStepTexels() const { return lines_.askedTexels; }
 
   /// The facet above (s, t) of a face, and the point on it: no search, no ray.
   [[nodiscard]] Facet facet(int face, double s, double t) const;
 
  private:
-  void placeLines(const LimitSurface& surface, Vec2 texelsPerUv, double step);
+  void makeGrids();
   void displace(const LimitSurface& surface, const Relief& relief, const Progress& progress);
   void weld(const LimitSurface& surface);
   void measureExtent();
   [[nodiscard]] Vec3 vertex(std::size_t index) const;
 
-  std::vector<std::vector<double>> lines_;
+  MicroLines lines_;
   std::vector<Grid> grids_;
   RawVector<float> coordinates_;
   std::size_t vertexCount_ = 0;
   Vec3 centre_{0, 0, 0};
   double extent_ = 0;
-  double stepTexels_ = 0;
   std::uint64_t triangleCount_ = 0;
 };
 
