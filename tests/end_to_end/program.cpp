@@ -113,15 +113,30 @@ void runAndKillWhen(const fs::path& folder, const std::vector<std::string>& argu
   waitpid(process, nullptr, 0);
 }
 
-GreyImage readGrey(const fs::path& path) {
+namespace {
+
+/// The first channels of an image, beside each other in each pixel.
+GreyImage readChannels(const fs::path& path, int channels) {
   const auto image = OIIO::ImageInput::open(path.string());
   if (!image) throw std::runtime_error(path.string() + ": " + OIIO::geterror());
   const OIIO::ImageSpec spec = image->spec();
-  GreyImage grey{spec.width, spec.height, std::vector<unsigned char>(spec.image_pixels())};
-  if (!image->read_image(0, 0, 0, 1, OIIO::TypeDesc::UINT8, grey.pixels.data())) {
+  GreyImage read{
+      spec.width, spec.height,
+      std::vector<unsigned char>(spec.image_pixels() * static_cast<std::size_t>(channels))};
+  if (!image->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, read.pixels.data())) {
     throw std::runtime_error(path.string() + ": " + image->geterror());
   }
-  return grey;
+  return read;
+}
+
+}  // namespace
+
+GreyImage readGrey(const fs::path& path) {
+  return readChannels(path, 1);
+}
+
+std::vector<unsigned char> readColours(const fs::path& path) {
+  return readChannels(path, 3).pixels;
 }
 
 void EndToEnd::write(const std::string& name, const std::string& text) const {

@@ -42,6 +42,10 @@ struct GreyImage {
 /// @throws std::runtime_error for an image that is not whole
 GreyImage readGrey(const std::filesystem::path& path);
 
+/// A PNG's colours: red, green and blue of each pixel, row by row from the top.
+/// @throws as readGrey
+std::vector<unsigned char> readColours(const std::filesystem::path& path);
+
 /// A test that runs studies in a folder of its own.
 class EndToEnd : public TemporaryFolder {
  protected:

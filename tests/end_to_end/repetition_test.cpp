@@ -23,9 +23,10 @@ class Repetition : public EndToEnd {
   void expectSameBytes(const std::string& a, const std::string& b) const {
     const auto files = lastingFiles(a);
     ASSERT_EQ(files, lastingFiles(b));
-    // Two lights: 4 masks and 3 of tests alone each in 2 views; 4 pictures, 3 differences, 1
-    // displaced in one view. Two tables; plots of four axes in both views, as SVG and PDF.
-    EXPECT_EQ(files.size(), 2U + 2 * 4 * 2 + 2 * (2 * (4 + 3 + 4 + 3) + 1));
+    // Two lights: 4 masks, 3 of tests alone and the truth's regions each in 2 views; 4 pictures, 3
+    // differences, 1 displaced in one view. Two tables; plots of four axes in both views, as SVG
+    // and PDF.
+    EXPECT_EQ(files.size(), 2U + 2 * 4 * 2 + 2 * (2 * (4 + 3 + 1 + 4 + 3) + 1));
     for (const std::string& name : files) {
       const std::string file = "/" + name;
       const bool same = read(a + file) == read(b + file);

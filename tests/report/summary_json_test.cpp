@@ -42,10 +42,26 @@ using Keys = std::vector<std::string>;
 
 TEST(SummaryJson, HasEveryKeyInOrder) {
   const ordered_json json = written(recordWithPanel());
-  EXPECT_EQ(keysOf(json),
-            (Keys{"schema", "status", "study", "environment", "truth", "methods", "results",
-                  "confidence", "differences", "bins", "cost", "timings", "thresholds", "claims",
-                  "budget", "panels", "undefined_samples", "cache"}));
+  EXPECT_EQ(keysOf(json), (Keys{"schema",
+                                "status",
+                                "study",
+                                "environment",
+                                "truth",
+                                "methods",
+                                "results",
+                                "confidence",
+                                "differences",
+                                "bins",
+                                "cost",
+                                "timings",
+                                "thresholds",
+                                "claims",
+                                "budget",
+                                "panels",
+                                "region_colours",
+                                "notices",
+                                "undefined_samples",
+                                "cache"}));
   EXPECT_EQ(json["schema"], "gnomon-summary/1");
   EXPECT_EQ(keysOf(json["study"]), (Keys{"name", "title", "source", "file", "command"}));
   EXPECT_EQ(keysOf(json["environment"]),
@@ -66,7 +82,13 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"text", "source", "verdict", "detail", "spread"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
-            (Keys{"kind", "method", "caption", "path", "mask"}));
+            (Keys{"kind", "method", "caption", "path", "mask", "truth"}));
+  EXPECT_TRUE(json["panels"][0]["pictures"][0]["truth"].is_null());
+  StudyRecord withTruth = recordWithPanel();
+  withTruth.panels[0].pictures[0].truth = {"masks/t.png", "regions/t.png", ""};
+  const ordered_json truth = written(withTruth)["panels"][0]["pictures"][0]["truth"];
+  EXPECT_EQ(truth, ordered_json(
+                       {{"mask", "masks/t.png"}, {"regions", "regions/t.png"}, {"seam", nullptr}}));
 
   Keys resultKeys{"method", "light", "view", "answer", "region", "samples", "tp", "fp", "fn", "tn"};
   for (const std::string_view name : metricNames()) resultKeys.emplace_back(name);

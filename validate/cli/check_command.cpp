@@ -169,6 +169,12 @@ void judge(Study& study, const CheckRequest& request, const Records& records) {
   check.gates.insert(check.gates.begin(), gates.begin(), gates.end());
   // The quick form's values scatter: they say nothing of how tight a limit could be.
   if (!request.run.options.quick) check.notices = looseThresholds(first.thresholds, steps);
+  for (const StudyRecord& step : steps) {
+    for (const std::string& text : step.notices) {
+      const std::string where = steps.size() > 1 ? step.name + ": " : "";
+      check.notices.push_back({where + text});
+    }
+  }
   if (!request.baseline) return;
   const fs::path file = baselineFile(*request.baseline, check.name);
   check.baseline = file.string();

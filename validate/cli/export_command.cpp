@@ -43,6 +43,10 @@ ExitStatus forEachStudy(const RunRequest& request, const Work& work) {
   return ExitStatus::pass;
 }
 
+void printNotices(const StudyRecord& record) {
+  for (const std::string& notice : record.notices) fmt::print("Notice: {}\n", notice);
+}
+
 void traceOne(const StudySpec& study, const GlContext& gl, StageClock& clock, Cache& cache,
               const RunRequest& request) {
   const fs::path folder = request.out / study.name / "truth";
@@ -55,6 +59,7 @@ void traceOne(const StudySpec& study, const GlContext& gl, StageClock& clock, Ca
              (folder / "truth.json").string(), study.views.size(), study.lights.size(),
              groupedText(record.truth.microTriangles), percentText(record.truth.uncertainty));
   if (record.truth.wantedUncertainty) fmt::print("{}\n", refinementText(record.truth));
+  printNotices(record);
 }
 
 ExportedMesh writeDisplaced(const fs::path& path, const RunScene& scene,
@@ -97,6 +102,7 @@ void exportOne(const StudySpec& study, const GlContext& gl, StageClock& clock, C
   fmt::print("{}: {} triangles displaced ({} pieces a face's side), {} views, {} lights\n",
              (folder / "export.json").string(), groupedText(mesh.triangles), mesh.subdivisions,
              study.views.size(), study.lights.size());
+  printNotices(record);
 }
 
 }  // namespace

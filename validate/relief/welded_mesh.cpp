@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/parallel.h"
+#include "surface/closed_surface.h"
 #include "surface/shared_vertices.h"
 #include "surface/texel_frame.h"
 
@@ -110,17 +111,6 @@ std::vector<std::uint32_t> trianglesOf(const std::vector<std::uint32_t>& numbers
     }
   }
   return triangles;
-}
-
-/// Whether every edge of the cage has a face on both sides.
-bool isClosed(const LimitSurface& surface) {
-  std::map<std::pair<int, int>, int> faces;
-  for (int face = 0; face < surface.faceCount(); ++face) {
-    const std::array<int, 4> corners = surface.corners(face);
-    for (std::size_t k = 0; k < 4; ++k)
-      ++faces[std::minmax(corners.at(k), corners.at((k + 1) % 4))];
-  }
-  return std::all_of(faces.begin(), faces.end(), [](const auto& edge) { return edge.second == 2; });
 }
 
 }  // namespace

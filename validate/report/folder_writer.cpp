@@ -3,12 +3,17 @@
 #include "common/atomic_file.h"
 #include "report/displaced_image.h"
 #include "report/images.h"
+#include "report/region_image.h"
 #include "report/web_picture.h"
 
 namespace gnomon {
 
 std::string FolderWriter::mask(const Mask& mask) const {
   return pngOf(maskImage(mask));
+}
+
+std::string FolderWriter::regions(const Truth& truth) const {
+  return pngOf(regionImage(truth));
 }
 
 std::string FolderWriter::picture(int width, int height,

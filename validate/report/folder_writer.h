@@ -14,6 +14,7 @@ class FolderWriter : public RunWriter {
   explicit FolderWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   [[nodiscard]] std::string mask(const Mask& mask) const override;
+  [[nodiscard]] std::string regions(const Truth& truth) const override;
   [[nodiscard]] std::string picture(int width, int height,
                                     const std::vector<std::uint8_t>& rgb) const override;
   [[nodiscard]] std::string difference(const Mask& candidate, const Mask& truth) const override;

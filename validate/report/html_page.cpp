@@ -60,6 +60,14 @@ std::string htmlClaim(const ClaimRecord& claim, std::string_view study) {
       escapeHtml(claim.detail), escapeHtml(claim.source));
 }
 
+std::string htmlNotices(const std::vector<std::string>& notices) {
+  std::string html;
+  for (const std::string& notice : notices) {
+    html += fmt::format("<p class=\"lead\"><b>Notice:</b> {}</p>\n", escapeHtml(notice));
+  }
+  return html;
+}
+
 std::string htmlClaims(const std::vector<ClaimRecord>& claims) {
   std::string items;
   for (const ClaimRecord& claim : claims) items += htmlClaim(claim);

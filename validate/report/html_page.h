@@ -36,6 +36,9 @@ std::string plural(std::size_t count, std::string_view noun);
 /// @param study  whose claim it is, as HTML; empty where that is clear
 std::string htmlClaim(const ClaimRecord& claim, std::string_view study = "");
 
+/// What is to be read before the figures, a paragraph each.
+std::string htmlNotices(const std::vector<std::string>& notices);
+
 /// A section of claims with their verdicts; nothing, if there are none.
 std::string htmlClaims(const std::vector<ClaimRecord>& claims);
 

@@ -3,6 +3,7 @@
 #include "report/names.h"
 #include "report/number_text.h"
 #include "report/radius_text.h"
+#include "report/region_image.h"
 
 namespace gnomon {
 namespace {
@@ -75,6 +76,15 @@ Json jsonEnvironment(const EnvironmentRecord& environment) {
           {"gl_version", environment.glVersion},
           {"embree_version", environment.embreeVersion},
           {"opensubdiv_version", environment.openSubdivVersion}};
+}
+
+Json jsonRegionColours() {
+  Json colours = Json::object();
+  for (const Region region : reportedRegions) {
+    colours[std::string(regionName(region))] = regionColour(region);
+  }
+  colours[std::string(regionName(Region::none))] = regionColour(Region::none);
+  return colours;
 }
 
 Json jsonStudy(const StudyRecord& record) {

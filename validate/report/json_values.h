@@ -37,6 +37,8 @@ Json jsonList(const Records& records, const Convert& convert) {
 
 /// How far occluders are searched: texels, and reason.
 Json jsonRadius(const RadiusRecord& radius);
+/// The colours of a picture of regions, by the regions' names.
+Json jsonRegionColours();
 
 Json jsonEnvironment(const EnvironmentRecord& environment);
 /// name, title, source, file, command.

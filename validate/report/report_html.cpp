@@ -77,7 +77,7 @@ std::string header(const StudyRecord& record, const std::vector<RankedMethod>& r
       "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n"
       "{}</header>\n",
       headingOf(record), escapeHtml(record.source), verdictHtml(record), leadHtml(ranked),
-      comparedHtml(record));
+      comparedHtml(record) + htmlNotices(record.notices));
 }
 
 std::string rankingSection(const std::vector<RankedMethod>& ranked) {

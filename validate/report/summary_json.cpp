@@ -67,12 +67,20 @@ Json thresholdJson(const ThresholdRecord& threshold) {
           {"passed", threshold.passed}};
 }
 
+Json truthFilesJson(const std::optional<TruthFilesRecord>& truth) {
+  if (!truth) return nullptr;
+  return {{"mask", truth->mask},
+          {"regions", truth->regions},
+          {"seam", truth->seam.empty() ? Json(nullptr) : Json(truth->seam)}};
+}
+
 Json pictureJson(const PictureRecord& picture) {
   return {{"kind", pictureKindName(picture.kind)},
           {"method", picture.method},
           {"caption", picture.caption},
           {"path", picture.path},
-          {"mask", picture.mask.empty() ? Json(nullptr) : Json(picture.mask)}};
+          {"mask", picture.mask.empty() ? Json(nullptr) : Json(picture.mask)},
+          {"truth", truthFilesJson(picture.truth)}};
 }
 
 Json panelJson(const PanelRecord& panel) {
@@ -105,6 +113,8 @@ std::string summaryJson(const StudyRecord& record) {
       {"claims", jsonList(record.claims, jsonClaim)},
       {"budget", jsonList(record.budgets, jsonBudget)},
       {"panels", jsonList(record.panels, panelJson)},
+      {"region_colours", jsonRegionColours()},
+      {"notices", record.notices},
       {"undefined_samples", record.undefinedSamples},
       {"cache", cacheJson(record.cache)}};
   return jsonText(json);

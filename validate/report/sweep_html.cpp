@@ -34,9 +34,10 @@ std::string header(const SweepRecord& sweep) {
   return fmt::format(
       "<header>\n<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n<h1>{}</h1>\n"
       "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
-      "<p class=\"lead\">One study at {} of <code>{}</code>.</p>\n</header>\n",
+      "<p class=\"lead\">One study at {} of <code>{}</code>.</p>\n{}</header>\n",
       escapeHtml(sweep.title.empty() ? sweep.name : sweep.title), escapeHtml(sweep.source),
-      verdictHtml(sweep), plural(sweep.values.size(), "value"), escapeHtml(sweep.key));
+      verdictHtml(sweep), plural(sweep.values.size(), "value"), escapeHtml(sweep.key),
+      htmlNotices(sweep.notices()));
 }
 
 std::string valueTable(const SweepRecord& sweep) {

@@ -30,6 +30,11 @@ std::string TerminalPage::styled(const std::string& text, const char* code) cons
   return colours_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
 }
 
+void TerminalPage::notices(const std::vector<std::string>& texts) {
+  if (!texts.empty()) blank();
+  for (const std::string& text : texts) paragraph("Notice: " + text);
+}
+
 void TerminalPage::claims(const std::vector<ClaimRecord>& records) {
   if (records.empty()) return;
   constexpr std::size_t margin = terminalIndent + 21;

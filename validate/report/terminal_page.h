@@ -29,6 +29,8 @@ class TerminalPage {
   /// Text of any length, broken to the page's width.
   void paragraph(std::string_view text, std::size_t margin = 0);
   void heading(std::string_view text);
+  /// What is to be read before the figures.
+  void notices(const std::vector<std::string>& texts);
   /// A section of claims with their verdicts; nothing, if there are none.
   void claims(const std::vector<ClaimRecord>& claims);
 

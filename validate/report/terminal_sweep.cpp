@@ -97,6 +97,7 @@ std::string sweepTable(const SweepRecord& sweep, bool colours) {
   TerminalPage page(colours);
   page.heading(sweep.title.empty() ? sweep.name : sweep.title);
   page.paragraph(sweep.source);
+  page.notices(sweep.notices());
   page.paragraph(
       fmt::format("Error rate in percent, mean over lights and views, by {}", sweep.axis));
   appendValues(page, sweep);

@@ -283,6 +283,7 @@ std::string resultTable(const StudyRecord& record, bool colours) {
   TerminalPage page(colours);
   page.heading(record.title.empty() ? record.name : record.title);
   page.paragraph(record.source);
+  page.notices(record.notices);
   appendConfidence(page, record);
   appendResults(page, record);
   page.claims(record.claims);

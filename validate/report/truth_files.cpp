@@ -16,15 +16,6 @@ std::string regionFile(const CaseNames& names, std::size_t view, std::size_t lig
   return fmt::format("regions/{}_{}.png", names.views[view], names.lights[light]);
 }
 
-Json coloursJson() {
-  Json colours = Json::object();
-  for (const Region region : reportedRegions) {
-    colours[std::string(regionName(region))] = regionColour(region);
-  }
-  colours[std::string(regionName(Region::none))] = regionColour(Region::none);
-  return colours;
-}
-
 Json regionCountsJson(const Truth& truth) {
   Json counts = Json::object();
   for (const Region region : reportedRegions) {
@@ -89,9 +80,10 @@ void writeTruth(const std::filesystem::path& folder, RunScene& scene, const Stud
                      {"study", jsonStudy(record)},
                      {"environment", jsonEnvironment(record.environment)},
                      {"truth", jsonTruth(record.truth)},
-                     {"region_colours", coloursJson()},
+                     {"region_colours", jsonRegionColours()},
                      {"cases", std::move(cases)},
-                     {"undefined_samples", record.undefinedSamples}};
+                     {"undefined_samples", record.undefinedSamples},
+                     {"notices", record.notices}};
   writeTextAtomically(folder / "truth.json", jsonText(json));
 }
 

@@ -32,6 +32,38 @@ void fields(Stream& stream, T& bytes) {
   stream(bytes.file, bytes.embedded);
 }
 
+/// What tells the truth at the samples of a mesh, as files.
+struct TruthBytes {
+  std::string mask, regions, seam;
+};
+
+template <typename Stream, SameAs<TruthBytes> T>
+void fields(Stream& stream, T& bytes) {
+  stream(bytes.mask, bytes.regions, bytes.seam);
+}
+
+/// Where a sample's path to the light crosses a seam: lit.
+Mask seamMask(const Truth& truth) {
+  Mask mask = truth.mask;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask.samples[i] == Shade::none) continue;
+    mask.samples[i] = truth.crossesSeam[i] != 0 ? Shade::lit : Shade::shadowed;
+  }
+  return mask;
+}
+
+/// How file names call the truth at a mesh's samples.
+std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_t view,
+                      std::size_t light) {
+  const Truth& own = base.views[view].truths[light];
+  const Truth& other = standard.views[view].truths[light];
+  const bool isSame = own.mask.samples == other.mask.samples && own.regions == other.regions &&
+                      own.crossesSeam == other.crossesSeam;
+  if (isSame) return "truth";
+  const char* kind = base.choice.kind == DrawnMesh::displaced ? "displaced" : "base";
+  return fmt::format("truth_{}-{}", kind, base.choice.subdivisions);
+}
+
 }  // namespace
 
 /// An answer of a panel with the keys of its pictures. Its mask is asked for only where one of them
@@ -210,6 +242,36 @@ std::string PanelPictures::writeAnswer(std::size_t view, std::size_t light, cons
   return std::move(*pictures.front().bytes);
 }
 
+TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
+                                           const BaseCase& base) {
+  const BaseCase& standard = scene_.standardBase();
+  const Truth& truth = base.views[view].truths[light];
+  const bool crosses =
+      std::find(truth.crossesSeam.begin(), truth.crossesSeam.end(), 1) != truth.crossesSeam.end();
+  const std::string name = truthName(base, standard, view, light);
+  const ContentKey key =
+      KeyBuilder("truth files").add("truth", scene_.keys.truth(base.choice, view, light)).key();
+  const TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
+                               crosses ? path("regions", view, light, name + "_seam") : ""};
+  const TruthBytes bytes = scene_.cache.remember(key, [&] {
+    return scene_.clock.measure("writing", [&](const Progress&) {
+      TruthBytes made;
+      parallelFor(0, 3, [&](std::size_t i) {
+        if (i == 0) made.mask = writer_.mask(truth.mask);
+        if (i == 1) made.regions = writer_.regions(truth);
+        if (i == 2 && crosses) made.seam = writer_.mask(seamMask(truth));
+      });
+      return made;
+    });
+  });
+  scene_.clock.measure("writing", [&](const Progress&) {
+    if (name != "truth") writer_.write(paths.mask, bytes.mask);
+    writer_.write(paths.regions, bytes.regions);
+    if (crosses) writer_.write(paths.seam, bytes.seam);
+  });
+  return paths;
+}
+
 PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
                                 std::span<const PanelAnswer> answers) {
   using Kind = PictureRecord::Kind;
@@ -226,6 +288,12 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
     if (found != meshes.end()) return found->second;
     return meshes.emplace(&base, panelMesh(view, light, base, panel)).first->second;
   };
+  std::map<const BaseCase*, TruthFilesRecord> truths;
+  const auto truthAt = [&](const BaseCase& base) {
+    const auto found = truths.find(&base);
+    if (found != truths.end()) return found->second;
+    return truths.emplace(&base, writeTruth(view, light, base)).first->second;
+  };
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     const std::string& name = methodFiles_[answer.place];
@@ -237,7 +305,8 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
          [&]() -> const Mask& { return answer.answers().drawn; },
          [&]() -> const Mask& { return answer.answers().test; }});
     panel.pictures.push_back({Kind::shaded, label, label, path("images", view, light, name),
-                              path("masks", view, light, name), std::move(embedded), mesh.layers});
+                              path("masks", view, light, name), std::move(embedded), mesh.layers,
+                              truthAt(base)});
   }
   if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
@@ -249,7 +318,8 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
                   {scene_.keys.truth(standard.choice, view, light), mesh, nullptr,
                    [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
   panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
-                            path("masks", view, light, "truth"), std::move(embedded), mesh.layers});
+                            path("masks", view, light, "truth"), std::move(embedded), mesh.layers,
+                            truthAt(standard)});
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     panel.pictures.push_back(

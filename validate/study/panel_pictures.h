@@ -31,6 +31,10 @@ struct PanelAnswer {
 /// them shadowed: its shadings are composed of the two. Files are named
 /// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
 /// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone.
+/// The truth's
+/// regions are `regions/VIEW_LIGHT_truth.png`; where a method draws a mesh at whose samples the
+/// truth is another than at the standard base's, it is `truth_displaced-9`, after the mesh's pieces
+/// a side.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);
@@ -53,6 +57,9 @@ class PanelPictures {
   /// @return the shading as a page embeds it
   std::string writeAnswer(std::size_t view, std::size_t light, const std::string& name,
                           const Answer& answer);
+  /// Writes the truth at a mesh's samples. The mask of the standard base's truth is not among it:
+  /// that is written with its shading.
+  TruthFilesRecord writeTruth(std::size_t view, std::size_t light, const BaseCase& base);
   /// Draws one view of a mesh under one light.
   std::vector<std::uint8_t> shade(std::size_t view, std::size_t light, const BaseCase& base,
                                   Shade everywhere);

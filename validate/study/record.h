@@ -58,14 +58,14 @@ struct RefinementRecord {
 
 struct TruthRecord {
   std::uint64_t microTriangles = 0;
-  double stepTexels = 0;       ///< longest micro-edge along s or t of any face, texels on the map
-  double askedStepTexels = 0;  ///< the `truth.step` that gives this mesh: no micro-edge is longer
-  double uncertainty = 0;      ///< the largest flip rate below
+  double stepTexels = 0;   ///< longest micro-edge along s or t of any face, texels on the map
+  double uncertainty = 0;  ///< the largest flip rate below
   std::uint64_t bvhBytes = 0;
   std::uint64_t meshBytes = 0;
   std::vector<UncertaintyRecord> flips;
   std::optional<double> wantedUncertainty = std::nullopt;  ///< what the study asks for
   std::vector<RefinementRecord> refinement = {};           ///< the levels up to it, coarsest first
+  double askedStepTexels = 0;  ///< the `truth.step` that gives this mesh: no micro-edge is longer
 };
 
 /// How far occluders are searched, by tables and by marches: D.
@@ -147,6 +147,15 @@ struct ClaimRecord {
   std::optional<RadiusCheck<Verdict>> radius = std::nullopt;  ///< if it was varied
 };
 
+/// Files that tell the truth at the samples of one mesh, in one view under one light. With a
+/// method's mask they give its rows again: its counts over all samples, over those of a region, and
+/// over those whose path to the light crosses a seam. Paths are relative to the run's folder.
+struct TruthFilesRecord {
+  std::string mask;
+  std::string regions;  ///< a picture in regions' colours
+  std::string seam;     ///< white where the path crosses a seam, else black; empty where none does
+};
+
 /// One picture of a panel. Paths are relative to the run's folder.
 struct PictureRecord {
   enum class Kind { shaded, difference, displaced };
@@ -159,6 +168,8 @@ struct PictureRecord {
   /// Of a shading: which of its panel's layers it is composed of, and its mask. Then what is
   /// embedded is small.
   std::optional<std::size_t> layers = std::nullopt;
+  /// Of a shading: the truth at its own samples.
+  std::optional<TruthFilesRecord> truth = std::nullopt;
 };
 
 /// One mesh in one view under one light, with all its samples lit and with all of them shadowed: as
@@ -201,6 +212,7 @@ struct StudyRecord {
   std::vector<BudgetRecord>
       budgets;  ///< a ladder for all lights together, then for each of several
   std::vector<PanelRecord> panels;
+  std::vector<std::string> notices;    ///< to be read before the figures; see study/notices.h
   std::uint64_t undefinedSamples = 0;  ///< left out: no frame exists there
   std::optional<CacheCounts> cache;    ///< none where the run used no cache
 

@@ -11,6 +11,7 @@
 #include "study/method_case.h"
 #include "study/method_outcome.h"
 #include "study/no_files.h"
+#include "study/notices.h"
 #include "study/panel_pictures.h"
 #include "study/refine_stage.h"
 #include "study/run_scene.h"
@@ -45,6 +46,7 @@ class StudyRun {
     prepareMethods();
     LadderStage ladders(scene_, surface_.onDemand(), writer_);
     traceTruth(ladders);
+    record_.notices = noticesOf(scene_, record_.truth, methods_);
     compareMethods(ladders);
     record_.budgets = ladders.attribute(record_.truth);
     if (isWhole_) measureCosts();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "truth/shadow_tracer.h"
 
 namespace gnomon {
 
@@ -23,6 +24,8 @@ class RunWriter {
 
   /// A mask as data, for other programs.
   [[nodiscard]] virtual std::string mask(const Mask& mask) const = 0;
+  /// In which region each sample of a truth lies, in colours that can be read back.
+  [[nodiscard]] virtual std::string regions(const Truth& truth) const = 0;
   /// A picture: RGB, 8 bits, row 0 at the top.
   [[nodiscard]] virtual std::string picture(int width, int height,
                                             const std::vector<std::uint8_t>& rgb) const = 0;

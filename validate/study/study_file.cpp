@@ -285,6 +285,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   if (const auto truth = root.optionalTable("truth")) {
     readTruth(*truth, study);
   }
+  study.quick = options.quick;
   if (options.quick) {
     if (study.truth.stepTexels) *study.truth.stepTexels = quickStep(*study.truth.stepTexels);
     if (study.truthUncertainty) *study.truthUncertainty *= 4;  // it falls as the step does

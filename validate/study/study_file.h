@@ -127,6 +127,7 @@ struct StudySpec {
   /// same samples.
   std::vector<LadderSpec> ladders;
   bool ranked = true;  ///< counts in a ranking over the studies of a run
+  bool quick = false;  ///< see StudyOptions
   std::vector<LeftOutThreshold> leftOut = {};
   std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
   SearchRadius radius = {};                      ///< of `bake`, and why

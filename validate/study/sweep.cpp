@@ -1,8 +1,10 @@
 #include "study/sweep.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "common/error.h"
@@ -85,6 +87,25 @@ StudyPlan singlePlan(StudySpec study) {
 bool SweepRecord::passed() const {
   return std::all_of(steps.begin(), steps.end(),
                      [](const StudyRecord& step) { return step.passed(); });
+}
+
+std::vector<std::string> SweepRecord::notices() const {
+  std::vector<std::string> texts;
+  std::map<std::string, std::vector<std::string>> valuesOf;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    for (const std::string& text : steps[i].notices) {
+      std::vector<std::string>& at = valuesOf[text];
+      if (at.empty()) texts.push_back(text);
+      at.push_back(sweepValueText(values.at(i)));
+    }
+  }
+  for (std::string& text : texts) {
+    const std::vector<std::string>& at = valuesOf[text];
+    if (at.size() < steps.size()) {
+      text = fmt::format("At {} = {}: {}", key, fmt::join(at, ", "), text);
+    }
+  }
+  return texts;
 }
 
 std::string sweepValueText(double value) {

@@ -22,6 +22,8 @@ struct SweepRecord {
 
   /// True unless a threshold failed in a step.
   [[nodiscard]] bool passed() const;
+  /// Those of the steps, each once; with the values that it holds at, where these are not all.
+  [[nodiscard]] std::vector<std::string> notices() const;
 };
 
 }  // namespace gnomon

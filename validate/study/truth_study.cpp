@@ -3,6 +3,7 @@
 #include "relief/stored_bake.h"
 #include "study/environment.h"
 #include "study/file_names.h"
+#include "study/notices.h"
 #include "study/refine_stage.h"
 
 namespace gnomon {
@@ -18,6 +19,7 @@ StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
     if (whileTraced) whileTraced(surface.onDemand().get());
   }  // the fine mesh goes before the coarse one comes
   traceUncertainty(scene, record.truth);
+  record.notices = noticesOf(scene, record.truth, {});
   record.timings = scene.clock.timings();
   return record;
 }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -13,6 +12,7 @@
 #include "common/memory.h"
 #include "common/parallel.h"
 #include "surface/edge_rings.h"
+#include "surface/face_texels.h"
 
 namespace gnomon {
 namespace {
@@ -100,39 +100,19 @@ class Chart {
   Vec2 side_;  ///< of a face, texels
 };
 
-/// A face on the map, texels.
-struct FaceSize {
-  double s, t;  ///< the longest lines along s and t: texture coordinates are bilinear, so edges
-  double area;
-};
-
-FaceSize sizeOf(const LimitSurface& surface, Vec2 texelsPerUv, int face) {
-  const auto at = [&](double s, double t) {
-    return surface.tangentPoint(face, s, t).uv * texelsPerUv;
-  };
-  const std::array corners = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
-  const auto edge = [&](std::size_t from, std::size_t to) {
-    return glm::length(corners.at(to) - corners.at(from));
-  };
-  const Vec2 a = corners[2] - corners[0];
-  const Vec2 b = corners[3] - corners[1];
-  return {std::max(edge(0, 1), edge(3, 2)), std::max(edge(0, 3), edge(1, 2)),
-          std::abs(a.x * b.y - a.y * b.x) / 2};
-}
-
 /// Faces that form no such grid.
 class Rings {
  public:
   Rings(const LimitSurface& surface, Vec2 texelsPerUv)
       : rings_(makeEdgeRings(surface)), texels_(static_cast<std::size_t>(rings_.count), 0.0) {
-    std::vector<FaceSize> sizes(rings_.faces.size());
+    std::vector<FaceTexels> sizes(rings_.faces.size());
     parallelFor(0, sizes.size(), [&](std::size_t face) {
-      sizes[face] = sizeOf(surface, texelsPerUv, static_cast<int>(face));
+      sizes[face] = faceTexels(surface, texelsPerUv, static_cast<int>(face));
     });
     double area = 0;
     int withArea = 0;
     for (std::size_t face = 0; face < sizes.size(); ++face) {
-      const FaceSize& size = sizes[face];
+      const FaceTexels& size = sizes[face];
       double& s = texels_[static_cast<std::size_t>(rings_.faces[face].s)];
       s = std::max(s, size.s);
       double& t = texels_[static_cast<std::size_t>(rings_.faces[face].t)];

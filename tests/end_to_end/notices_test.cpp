@@ -1,0 +1,119 @@
+// What a reader has to know before the figures stands in all that a run leaves, in the same words.
+
+#include <gmock/gmock.h>
+
+#include "end_to_end/program.h"
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A cube of 16 units about the origin, every face the whole map.
+std::string cubeObj(bool isInsideOut) {
+  std::string obj =
+      "v -8 -8 -8\nv 8 -8 -8\nv -8 8 -8\nv 8 8 -8\nv -8 -8 8\nv 8 -8 8\nv -8 8 8\nv 8 8 8\n"
+      "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+  const int faces[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                           {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+  for (const auto& face : faces) {
+    obj += "f";
+    for (int k = 0; k < 4; ++k) {
+      const int corner = isInsideOut ? 3 - k : k;
+      obj += " " + std::to_string(face[corner]) + "/" + std::to_string(corner + 1);
+    }
+    obj += "\n";
+  }
+  return obj;
+}
+
+class Notices : public EndToEnd {
+ protected:
+  /// Runs a study and expects its notices to be told the same everywhere.
+  [[nodiscard]] std::vector<std::string> noticesOf(const std::string& text,
+                                                   const std::vector<std::string>& options = {}) {
+    write("small.toml", text);
+    std::vector<std::string> arguments = {"run", "small.toml"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::vector<std::string> notices = summary("small").at("notices");
+    const std::string report = read("out/small/report.html");
+    for (const std::string& notice : notices) {
+      EXPECT_THAT(report, HasSubstr("<b>Notice:</b> " + notice.substr(0, 60)));
+      // The terminal breaks lines.
+      EXPECT_THAT(outcome.out, HasSubstr("Notice: " + notice.substr(0, 60)));
+    }
+    if (notices.empty()) {
+      EXPECT_EQ(report.find("Notice:"), std::string::npos);
+      EXPECT_EQ(outcome.out.find("Notice:"), std::string::npos);
+    }
+    return notices;
+  }
+  /// The small study on a cube.
+  [[nodiscard]] std::string onCube(bool isInsideOut) const {
+    write("cube.obj", cubeObj(isInsideOut));
+    const std::string text = replaced(
+        smallStudy(), "shape = \"plane\"\nquads = [4, 4]\nsize = [32, 32]", "mesh = \"cube.obj\"");
+    return replaced(replaced(text, "height = 4\n", "height = 0.4\n"), "step = 0.25",
+                    "step = 0.125");
+  }
+};
+
+TEST_F(Notices, ASoundStudyHasNone) {
+  EXPECT_EQ(noticesOf(replaced(smallStudy(), "step = 0.25", "step = 0.05")).size(), 0U);
+}
+
+TEST_F(Notices, AnUncertainTruthSaysSoAndTheStepThatItNamesMendsIt) {
+  const std::string rough = replaced(smallStudy(), "step = 0.25", "step = 0.5");
+  const std::vector<std::string> notices = noticesOf(rough);
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_THAT(notices[0], HasSubstr("Set truth.step = 0.25 (now 0.5)."));
+  EXPECT_GT(summary("small").at("truth").at("uncertainty"), 0.003);
+  // A check says it as well.
+  write("gated.toml", rough + "\n[[threshold]]\nmethod = \"max-forsyth\"\nmax = 0.9\n");
+  EXPECT_THAT(gnomon({"check", "gated.toml"}).out, HasSubstr("Notice: gated.toml: The truth"));
+  EXPECT_THAT(gnomon({"truth", "small.toml"}).out, HasSubstr("Notice: " + notices[0]));
+}
+
+TEST_F(Notices, AClosedMeshInsideOutIsNoticed) {
+  const auto tellsIt = [](const std::vector<std::string>& notices) {
+    return !notices.empty() && notices[0].find("turned inside out") != std::string::npos;
+  };
+  const auto prevalence = [this]() -> double {
+    return resultOf(summary("small"), "max-forsyth", "evening", "camera").at("prevalence");
+  };
+  EXPECT_FALSE(tellsIt(noticesOf(onCube(false))));
+  EXPECT_LT(prevalence(), 0.9);
+  EXPECT_TRUE(tellsIt(noticesOf(onCube(true))));
+  EXPECT_EQ(prevalence(), 1);
+}
+
+TEST_F(Notices, PiecesTooCoarseForTheMapAreNoticedAndThoseItNamesAreNot) {
+  // A single face under 32 × 32 texels.
+  const std::string arch = replaced(replaced(smallStudy(), "quads = [4, 4]", "quads = [1, 1]"),
+                                    "step = 0.25", "step = 0.05") +
+                           "\n[[method]]\nname = \"shadow-volume\"\n";
+  const std::vector<std::string> notices = noticesOf(arch);
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_THAT(notices[0], HasSubstr("shadow-volume: "));
+  EXPECT_THAT(notices[0], HasSubstr("3.6 texels"));
+  EXPECT_THAT(notices[0], HasSubstr("base.subdivisions = 32 "));
+  const double coarse =
+      resultOf(summary("small"), "shadow-volume", "evening", "camera").at("error_rate");
+  EXPECT_EQ(noticesOf(arch + "base = { subdivisions = 32 }\n").size(), 0U);
+  EXPECT_LT(resultOf(summary("small"), "shadow-volume", "evening", "camera").at("error_rate"),
+            coarse / 2);
+}
+
+TEST_F(Notices, ASweepTellsEachOnceAndWhereItHolds) {
+  write("small.toml", smallStudy() + "\n[sweep]\nkey = \"truth.step\"\nvalues = [0.05, 0.5]\n");
+  const Outcome outcome = gnomon({"run", "small.toml"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Notice: At truth.step = 0.5: The truth itself"));
+  EXPECT_THAT(read("out/small/report.html"),
+              HasSubstr("<b>Notice:</b> At truth.step = 0.5: The truth itself"));
+}
+
+}  // namespace
+}  // namespace gnomon::test
