@@ -13,6 +13,7 @@ find_package(tinyobjloader REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(hwy REQUIRED)
 find_package(PNG REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/ImagePackages.cmake)
 

@@ -4,10 +4,6 @@
 
 namespace gnomon {
 
-/// The number of degrees, with as few digits as it takes, whose `radians` are this number to the
-/// bit; the nearest where there is none (there always is for an angle that was read in degrees).
-double degreesOf(double angle);
-
 /// A light as it is dragged and saved, in degrees, so that a study file holds it to the bit.
 struct LightAngles {
   double azimuth = 0;     ///< counter-clockwise from +x about +z, [0, 360) after a drag

@@ -7,10 +7,12 @@
 #include <cctype>
 
 #include "common/atomic_file.h"
+#include "common/degrees.h"
 #include "common/error.h"
-#include "model/toml_text.h"
 #include "study/method_replacement.h"
+#include "study/study_paths.h"
 #include "study/study_table.h"
+#include "study/toml_text.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -52,23 +54,6 @@ std::string plainName(std::string name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_') c = '-';
   }
   return name.empty() ? "saved" : name;
-}
-
-/// A relative path of the opened study as one of the saved.
-void movePath(toml::table& table, const char* key, const fs::path& from, const fs::path& to) {
-  const auto path = table[key].value<std::string>();
-  if (!path || fs::path(*path).is_absolute()) return;
-  table.insert_or_assign(key, fs::proximate(fs::absolute(from / *path), to).generic_string());
-}
-
-void movePaths(toml::table& study, const fs::path& from, const fs::path& to) {
-  if (toml::table* relief = study["relief"].as_table()) movePath(*relief, "image", from, to);
-  if (toml::table* surface = study["surface"].as_table()) movePath(*surface, "mesh", from, to);
-  toml::array* methods = study["method"].as_array();
-  if (methods == nullptr) return;
-  for (toml::node& method : *methods) {
-    if (toml::table* table = method.as_table()) movePath(*table, "file", from, to);
-  }
 }
 
 bool isNamed(const toml::table& method, const std::string& name) {

@@ -1,8 +1,9 @@
 #include "cli/baseline_check.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
-#include <optional>
+#include <algorithm>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
@@ -28,6 +29,21 @@ void requireSameRun(const Baseline& baseline, const BaselineRun& run) {
   }
 }
 
+/// A value of a step that is not run could never be judged.
+void requireSteps(const Baseline& baseline, const std::vector<std::string>& steps) {
+  for (const BaselineEntry& entry : baseline.entries) {
+    if (std::find(steps.begin(), steps.end(), entry.step) != steps.end()) continue;
+    throw InputError(fmt::format("values.study: \"{}\" found, the study has {}", entry.step,
+                                 fmt::join(steps, ", ")));
+  }
+}
+
+/// What it holds of one step.
+Baseline partOf(Baseline baseline, const std::string& step) {
+  std::erase_if(baseline.entries, [&](const BaselineEntry& entry) { return entry.step != step; });
+  return baseline;
+}
+
 bool saysTheSame(const Baseline& a, const Baseline& b) {
   return a.study == b.study && a.quick == b.quick && a.entries == b.entries;
 }
@@ -38,49 +54,65 @@ fs::path baselineFile(const fs::path& folder, const std::string& study) {
   return folder / (study + ".json");
 }
 
-void checkBaseline(const fs::path& file, const BaselineRun& run, std::span<const StudyRecord> steps,
-                   const std::vector<std::string>& leftOut, CheckRecord& check) {
+fs::path pictureFolder(const fs::path& folder, const std::string& step) {
+  return folder / "pictures" / step;
+}
+
+Baseline readReferences(const fs::path& file, const BaselineRun& run,
+                        const std::vector<std::string>& steps) {
   if (!fs::exists(file)) {
     throw InputError(fmt::format(
         "{}: missing, the references of {} expected; --update-baseline --reason TEXT writes them",
         file.string(), run.study));
   }
-  const Baseline baseline = readBaseline(file);
+  Baseline baseline = readBaseline(file);
   try {
     requireSameRun(baseline, run);
-    std::vector<GateRecord> gates = judgeBaseline(baseline, steps, leftOut);
-    const std::vector<NoticeRecord> notices = betterThan(baseline, gates);
-    check.gates.insert(check.gates.end(), gates.begin(), gates.end());
-    check.notices.insert(check.notices.end(), notices.begin(), notices.end());
+    requireSteps(baseline, steps);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
+  return baseline;
 }
 
-void updateBaseline(const fs::path& file, const BaselineRun& run,
-                    std::span<const StudyRecord> steps, CheckRecord& check) {
+void judgeReferences(const fs::path& file, const Baseline& baseline,
+                     const std::vector<std::string>& leftOut, StudyRecord& record) {
+  try {
+    record.references = judgeBaseline(partOf(baseline, record.name), {&record, 1}, leftOut);
+  } catch (const InputError& error) {
+    record.problems.push_back(
+        {"baseline", error.status(), fmt::format("{}: {}", file.string(), error.what())});
+  }
+}
+
+std::optional<Baseline> readFormerReferences(const fs::path& file) {
+  return fs::exists(file) ? std::optional(readBaseline(file)) : std::nullopt;
+}
+
+bool updateBaseline(const fs::path& file, const BaselineRun& run,
+                    const std::optional<Baseline>& former, std::span<const StudyRecord> steps,
+                    CheckRecord& check) {
   Baseline baseline{run.study, run.quick, steps.front().environment, {}, referenceValues(steps)};
-  std::optional<Baseline> before;
-  if (fs::exists(file)) before = readBaseline(file);
   if (check.status() != ExitStatus::pass) {
     check.notices.push_back(
         {fmt::format("{} left as it is: the check has not passed", file.string())});
-    return;
+    return false;
   }
   if (baseline.entries.empty()) {
     throw InputError(
         fmt::format("{}: no value is defined that could be a reference", file.string()));
   }
-  if (before && saysTheSame(*before, baseline)) {
+  if (former && saysTheSame(*former, baseline)) {
     check.notices.push_back({fmt::format("{} left as it is: no value has changed", file.string())});
-    return;
+    return true;
   }
-  if (before) baseline.history = before->history;
+  if (former) baseline.history = former->history;
   baseline.history.push_back(
       {run.reason, baseline.environment.gnomonVersion, baseline.environment.commit});
   writeTextAtomically(file, baselineJson(baseline));
   check.notices.push_back(
       {fmt::format("{} written: {} references", file.string(), baseline.entries.size())});
+  return true;
 }
 
 }  // namespace gnomon

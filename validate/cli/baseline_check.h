@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@ namespace gnomon {
 /// The file of a study's references in a folder: `NAME.json`.
 std::filesystem::path baselineFile(const std::filesystem::path& folder, const std::string& study);
 
+/// The folder of the pictures that are kept with the references of a study, or of a sweep's step:
+/// `pictures/NAME`.
+std::filesystem::path pictureFolder(const std::filesystem::path& folder, const std::string& step);
+
 /// What a run is, that its references must be of too.
 struct BaselineRun {
   std::string study;
@@ -20,19 +25,30 @@ struct BaselineRun {
   std::string reason = {};  ///< of an update
 };
 
-/// Judges a run by its references and adds the gates and notices to the check.
-/// @throws InputError naming the file: it is missing or no baseline, or is of another study, form
-///   or set of rows
-void checkBaseline(const std::filesystem::path& file, const BaselineRun& run,
-                   std::span<const StudyRecord> steps, const std::vector<std::string>& leftOut,
-                   CheckRecord& check);
+/// The references of a study, read before it is run.
+/// @param steps  the names of its runs: the study's, or those of a sweep's steps
+/// @throws InputError naming the file: it is missing or no baseline, or is of another study or
+///   form, or holds values of steps that the study does not have
+Baseline readReferences(const std::filesystem::path& file, const BaselineRun& run,
+                        const std::vector<std::string>& steps);
+
+/// Judges one run by its part of the references: its gates, and what kept it from being judged.
+/// @param leftOut  labels of the methods that the run takes no part of
+void judgeReferences(const std::filesystem::path& file, const Baseline& baseline,
+                     const std::vector<std::string>& leftOut, StudyRecord& record);
+
+/// The references that an update replaces; none where there is no file.
+/// @throws InputError for a file that is no baseline, so that its history is not lost
+std::optional<Baseline> readFormerReferences(const std::filesystem::path& file);
 
 /// Writes a run's values as references, with the reason after those of the file that was there, and
 /// tells of it in a notice. Leaves the file alone where the check has not passed, and where every
 /// value is the one that it holds: its reasons are those of its values.
-/// @throws InputError for a file that is there and is no baseline, so that its history is not lost;
-///   and where the run has no value to write
-void updateBaseline(const std::filesystem::path& file, const BaselineRun& run,
-                    std::span<const StudyRecord> steps, CheckRecord& check);
+/// @param former  what the file holds
+/// @return whether the references are now this run's
+/// @throws InputError where the run has no value to write
+bool updateBaseline(const std::filesystem::path& file, const BaselineRun& run,
+                    const std::optional<Baseline>& former, std::span<const StudyRecord> steps,
+                    CheckRecord& check);
 
 }  // namespace gnomon

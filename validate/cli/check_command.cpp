@@ -18,6 +18,7 @@
 #include "report/github_annotations.h"
 #include "report/gnuplot.h"
 #include "report/junit.h"
+#include "report/reference_pictures.h"
 #include "report/terminal_check.h"
 #include "study/gate_record.h"
 #include "study/sweep.h"
@@ -32,12 +33,17 @@ struct Study {
   CheckRecord check;
   std::optional<StudyPlan> plan;    ///< none, if the file cannot be read
   std::optional<PlanRecords> part;  ///< none, until it has been run
+  /// What it is judged by, or what an update replaces; none, if the file is missing or no baseline.
+  std::optional<Baseline> baseline;
 };
 
 void requireSense(const CheckRequest& request) {
   const StudyOptions& options = request.run.options;
   if (!request.updateBaseline) {
     if (!request.reason.empty()) throw UsageError("--reason: --update-baseline expected with it");
+    if (request.baselinePictures) {
+      throw UsageError("--baseline-pictures: --update-baseline expected with it");
+    }
     return;
   }
   if (!request.baseline) throw UsageError("--update-baseline: --baseline DIR expected with it");
@@ -101,6 +107,26 @@ void requireGates(const StudyPlan& plan, const CheckRequest& request) {
                   study.leftOut.empty() ? "no [[threshold]]" : "every [[threshold]] is left out"));
 }
 
+BaselineRun baselineRun(const StudyPlan& plan, const CheckRequest& request) {
+  return {plan.name, plan.steps.front().quick, request.reason};
+}
+
+/// Before the study is run, so that its reports can say what became of it.
+void readBaselineOf(Study& study, const CheckRequest& request) {
+  if (!request.baseline || !study.plan) return;
+  const fs::path file = baselineFile(*request.baseline, study.plan->name);
+  study.check.baseline = file.string();
+  std::vector<std::string> steps;
+  for (const StudySpec& step : study.plan->steps) steps.push_back(step.name);
+  try {
+    study.baseline = request.updateBaseline
+                         ? readFormerReferences(file)
+                         : readReferences(file, baselineRun(*study.plan, request), steps);
+  } catch (...) {
+    addProblem(study.check, "baseline");
+  }
+}
+
 Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::string>& names) {
   Study study;
   study.check.name = file.stem().string();
@@ -120,6 +146,7 @@ Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::s
   } catch (...) {
     addProblem(study.check, "study");
   }
+  readBaselineOf(study, request);
   return study;
 }
 
@@ -136,6 +163,19 @@ void writeJunit(const CheckRequest& request, const std::vector<Study>& studies, 
   writeTextAtomically(*request.junit, junitXml(checks));
 }
 
+/// Judges a run by the study's references. What kept the study from having any kept this run from
+/// being judged.
+void judgeStep(const Study& study, const CheckRequest& request, StudyRecord& record) {
+  if (!request.baseline) return;
+  record.baseline = study.check.baseline;
+  record.problems = study.check.problems;
+  if (request.updateBaseline || !study.baseline) return;
+  judgeReferences(record.baseline, *study.baseline, study.plan->steps.front().leftOutMethods,
+                  record);
+  record.referencePictures = drawReferencePictures(record, request.run.out / record.name,
+                                                   pictureFolder(*request.baseline, record.name));
+}
+
 /// Runs what can be run.
 void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cache,
             Records& records) {
@@ -146,7 +186,8 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
       askGnuplotVersion();  // which it tells while OpenGL starts
       if (!gl) gl = std::make_unique<GlContext>();
       requirePlots();
-      study.part = runPlan(*study.plan, *gl, request.run, cache, records);
+      study.part = runPlan(*study.plan, *gl, request.run, cache, records,
+                           [&](StudyRecord& record) { judgeStep(study, request, record); });
     } catch (...) {
       addProblem(study.check, "study");
     }
@@ -157,37 +198,64 @@ std::span<const StudyRecord> recordsOf(const Study& study, const Records& record
   return std::span(records.all).subspan(study.part->first, study.plan->steps.size());
 }
 
-void judge(Study& study, const CheckRequest& request, const Records& records) {
+/// Each once: a problem of the study is one of all its steps.
+void addProblems(CheckRecord& check, const std::vector<ProblemRecord>& problems) {
+  for (const ProblemRecord& problem : problems) {
+    const bool isThere =
+        std::any_of(check.problems.begin(), check.problems.end(),
+                    [&](const ProblemRecord& other) { return other.message == problem.message; });
+    if (!isThere) check.problems.push_back(problem);
+  }
+}
+
+/// Takes over what the runs were judged by.
+void collect(Study& study, const CheckRequest& request, const Records& records) {
   CheckRecord& check = study.check;
-  const StudySpec& first = study.plan->steps.front();
   const std::span<const StudyRecord> steps = recordsOf(study, records);
   std::vector<GateRecord> gates;
+  std::vector<GateRecord> references;
   for (const StudyRecord& step : steps) {
     for (const TimingRecord& timing : step.timings) check.seconds += timing.seconds;
-    for (const ThresholdRecord& row : step.thresholds) gates.push_back(gateOf(row, step.name));
+    for (GateRecord& gate : gatesOf(step)) {
+      (gate.kind == GateKind::threshold ? gates : references).push_back(std::move(gate));
+    }
+    addProblems(check, step.problems);
   }
   check.gates.insert(check.gates.begin(), gates.begin(), gates.end());
+  check.gates.insert(check.gates.end(), references.begin(), references.end());
+  const StudySpec& first = study.plan->steps.front();
   // The quick form's values scatter: they say nothing of how tight a limit could be.
-  if (!request.run.options.quick) check.notices = looseThresholds(first.thresholds, steps);
+  if (!first.quick) check.notices = looseThresholds(first.thresholds, steps);
   for (const StudyRecord& step : steps) {
     for (const std::string& text : step.notices) {
       const std::string where = steps.size() > 1 ? step.name + ": " : "";
       check.notices.push_back({where + text});
     }
   }
-  if (!request.baseline) return;
-  const fs::path file = baselineFile(*request.baseline, check.name);
-  check.baseline = file.string();
+  if (request.updateBaseline || !study.baseline) return;
+  const std::vector<NoticeRecord> notices = betterThan(*study.baseline, references);
+  check.notices.insert(check.notices.end(), notices.begin(), notices.end());
+}
+
+/// Writes the references anew. What goes wrong here is told in the reports too.
+void update(Study& study, const CheckRequest& request, Cache& cache, Records& records) {
+  const std::span<StudyRecord> steps =
+      std::span(records.all).subspan(study.part->first, study.plan->steps.size());
+  const std::size_t before = study.check.problems.size();
   try {
-    if (request.updateBaseline) {
-      updateBaseline(file, {check.name, request.run.options.quick, request.reason}, steps, check);
-    } else {
-      checkBaseline(file, {check.name, request.run.options.quick, ""}, steps, first.leftOutMethods,
-                    check);
+    const bool isWritten = updateBaseline(study.check.baseline, baselineRun(*study.plan, request),
+                                          study.baseline, steps, study.check);
+    for (const StudyRecord& step : steps) {
+      if (!isWritten || !request.baselinePictures) break;
+      keepReferencePictures(step, request.run.out / step.name,
+                            pictureFolder(*request.baseline, step.name));
     }
   } catch (...) {
-    addProblem(check, "baseline");
+    addProblem(study.check, "baseline");
   }
+  if (study.check.problems.size() == before) return;
+  for (StudyRecord& step : steps) step.problems = study.check.problems;
+  reportPlan(*study.part, request.run, cache, records);
 }
 
 void finish(std::vector<Study>& studies, const CheckRequest& request, Cache& cache,
@@ -196,9 +264,10 @@ void finish(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
   for (Study& study : studies) {
     if (!study.part) continue;
     try {
+      collect(study, request, records);
+      if (request.updateBaseline) update(study, request, cache, records);
       StudyMeans means = finishPlan(*study.part, request.run, cache, records);
       if (isRanked(*study.plan)) ranked.push_back(std::move(means));
-      judge(study, request, records);
     } catch (...) {
       addProblem(study.check, "study");
     }

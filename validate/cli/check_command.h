@@ -17,6 +17,7 @@ struct CheckRequest {
   std::optional<std::filesystem::path> baseline;  ///< folder of the references, NAME.json a study
   bool updateBaseline = false;                    ///< writes them in place of judging by them
   std::string reason;                             ///< why; kept in the file
+  bool baselinePictures = false;                  ///< keeps pictures beside them
 };
 
 /// Runs the studies as runStudies does and judges their thresholds, and with a baseline their

@@ -112,6 +112,10 @@ void addCheckOptions(CLI::App& command, CheckRequest& request) {
                    "Write the references anew, of studies whose thresholds hold");
   command.add_option("--reason", request.reason, "Why they change; kept in the references")
       ->type_name("TEXT");
+  command.add_flag("--baseline-pictures", request.baselinePictures,
+                   "With --update-baseline: keep each method's signed difference beside the "
+                   "references, some 20 kB each, so that a report of a reference that fails shows "
+                   "old, new and what changed");
 }
 
 ExitStatus listParts() {

@@ -8,6 +8,7 @@
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
 #include "common/atomic_file.h"
+#include "common/shell_quote.h"
 #include "report/folder_writer.h"
 #include "report/gnuplot.h"
 #include "report/ranking_html.h"
@@ -17,7 +18,9 @@
 #include "report/terminal_table.h"
 #include "study/claims.h"
 #include "study/radius_check.h"
+#include "study/resolved_study.h"
 #include "study/run_study.h"
+#include "study/study_inputs.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -32,18 +35,35 @@ void removeFiles(const fs::path& folder, std::span<const char* const> names) {
   }
 }
 
-StudyRecord runOne(const StudySpec& study, const GlContext& gl, const RunRequest& request,
-                   Cache& cache) {
+void writeCopy(const toml::table& study, const fs::path& file) {
+  writeTextAtomically(file, studyCopyText(study, file));
+}
+
+/// The command that runs a step again: its own copy, as the file's study has all values.
+std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunRequest& request) {
+  if (!plan.sweep) return request.command;
+  const fs::path copy = request.out / step.name / studyCopyName(step.name);
+  return "gnomon run " + shellQuoted(copy.string());
+}
+
+StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
+                   const RunRequest& request, Cache& cache) {
   const fs::path folder = request.out / study.name;
+  CaseRecord reproduction = inStudy(study, [&] {
+    return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder),
+                      studyInputs(study, folder)};
+  });
   // Older figures must not stand beside newer pictures.
   removeRunFiles(folder);
+  writeCopy(reproduction.settings, folder / reproduction.file);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
   StudyRecord record = inStudy(study, [&] {
     return runStudy(study, gl, writer, cache,
                     [&](std::string_view stage, double share) { progress.update(stage, share); });
   });
-  record.command = request.command;
+  record.command = commandOf(plan, study, request);
+  record.reproduction = std::move(reproduction);
   return record;
 }
 
@@ -57,15 +77,24 @@ StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl
   });
 }
 
-void runStep(const StudySpec& step, const GlContext& gl, const RunRequest& request, Cache& cache,
-             Records& records) {
-  StudyRecord record = runOne(step, gl, request, cache);
+void runStep(const StudyPlan& plan, const StudySpec& step, const GlContext& gl,
+             const RunRequest& request, Cache& cache, Records& records) {
+  StudyRecord record = runOne(plan, step, gl, request, cache);
   if (request.varyRadius) {
     StudyRecord half = runVaried(step, 0.5, gl, cache);
     records.twice.push_back(runVaried(step, 2, gl, cache));
     records.half.push_back(std::move(half));
   }
   records.all.push_back(std::move(record));
+}
+
+/// Before the first step, so that nothing is run whose copy could not be written.
+void requireCopies(const StudyPlan& plan, const RunRequest& request) {
+  const auto require = [&](const std::string& name) {
+    requireCopyOrNothing(request.out / name / studyCopyName(name));
+  };
+  require(plan.name);
+  for (const StudySpec& step : plan.steps) require(step.name);
 }
 
 /// Judges a study's claims by what the run holds so far, and writes its reports.
@@ -102,29 +131,40 @@ SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRe
 }  // namespace
 
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
-                    Cache& cache, Records& records) {
+                    Cache& cache, Records& records, const StepJudge& judge) {
+  requireCopies(plan, request);
   const PlanRecords part{&plan, records.all.size()};
-  if (plan.sweep) removeRunFiles(request.out / plan.name);
+  const fs::path folder = request.out / plan.name;
+  if (plan.sweep) {
+    removeRunFiles(folder);
+    writeCopy(sweepStudy(plan.steps.front(), request.options, folder),
+              folder / studyCopyName(plan.name));
+  }
   for (const StudySpec& step : plan.steps) {
-    runStep(step, gl, request, cache, records);
+    runStep(plan, step, gl, request, cache, records);
+    if (judge) judge(records.all.back());
     // At once, so that a later failure leaves this one's report.
     report(step, records, records.all.size() - 1, request, cache);
   }
-  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), request.out / plan.name, cache);
+  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), folder, cache);
   return part;
+}
+
+void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
+                Records& records) {
+  const StudyPlan& plan = *part.plan;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    report(plan.steps[i], records, part.first + i, request, cache);
+  }
+  if (!plan.sweep) return;
+  writeSweepFiles(sweepOf(part, records, request), request.out / plan.name, cache);
 }
 
 StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
                       Records& records) {
-  const StudyPlan& plan = *part.plan;
-  const bool again = speaksOfOthers(plan.steps.front());
-  for (std::size_t i = 0; again && i < plan.steps.size(); ++i) {
-    report(plan.steps[i], records, part.first + i, request, cache);
-  }
-  if (!plan.sweep) return studyMeans(records.all[part.first]);
-  const SweepRecord sweep = sweepOf(part, records, request);
-  if (again) writeSweepFiles(sweep, request.out / plan.name, cache);
-  return studyMeans(sweep);
+  if (speaksOfOthers(part.plan->steps.front())) reportPlan(part, request, cache, records);
+  return part.plan->sweep ? studyMeans(sweepOf(part, records, request))
+                          : studyMeans(records.all[part.first]);
 }
 
 void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records) {

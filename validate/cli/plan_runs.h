@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,12 +30,20 @@ struct PlanRecords {
 /// @throws as runGnuplot
 void requirePlots();
 
-/// Runs all steps of a plan, adds their records and writes its folder with its reports. With
-/// `varyRadius` every step is measured at half and at twice its radius too, and its claims and
-/// differences say what becomes of them there.
+/// Judges the record of a step before anything is written of it.
+using StepJudge = std::function<void(StudyRecord&)>;
+
+/// Runs all steps of a plan, adds their records and writes its folder with its reports, and the
+/// study itself, so that it can be run again from there. With `varyRadius` every step is measured
+/// at half and at twice its radius too, and its claims and differences say what becomes of them
+/// there.
 /// @param cache  what earlier runs left, and what this one leaves
+/// @throws InputError also where a file of somebody else stands in the place of the study's copy
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
-                    Cache& cache, Records& records);
+                    Cache& cache, Records& records, const StepJudge& judge = {});
+
+/// Writes a plan's reports anew.
+void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache, Records& records);
 
 /// Judges again what speaks of other studies, now that all have run, and writes that anew.
 /// @return what the plan gives to the ranking

@@ -58,15 +58,6 @@ std::string letters(std::size_t index) {
   return index < 26 ? last : letters(index / 26 - 1) + last;
 }
 
-/// A picture as it is, byte for byte.
-std::string pngAddress(const fs::path& path) {
-  const std::string bytes = readFile(path);
-  if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) {
-    throw InternalError(fmt::format("{}: the report can embed PNG only", path.string()));
-  }
-  return dataAddress("image/png", bytes);
-}
-
 std::string alternativeText(const PictureRecord& picture) {
   const bool difference = picture.kind == PictureRecord::Kind::difference;
   return difference ? picture.method + ": signed difference from the truth" : picture.caption;
@@ -171,6 +162,14 @@ std::string differenceLegend() {
 }
 
 }  // namespace
+
+std::string pngAddress(const fs::path& path) {
+  const std::string bytes = readFile(path);
+  if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) {
+    throw InternalError(fmt::format("{}: the report can embed PNG only", path.string()));
+  }
+  return dataAddress("image/png", bytes);
+}
 
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
                          const fs::path& folder) {

@@ -16,6 +16,10 @@ namespace gnomon {
 std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
                          const std::filesystem::path& folder);
 
+/// A picture's file as an address that a page embeds, byte for byte.
+/// @throws InputError if it cannot be read, InternalError if it is no PNG
+std::string pngAddress(const std::filesystem::path& path);
+
 /// CSS properties --false-shadow, --false-light, --both-lit, --both-shadowed: the colours that the
 /// difference pictures hold.
 std::string differenceProperties();

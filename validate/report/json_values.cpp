@@ -1,5 +1,6 @@
 #include "report/json_values.h"
 
+#include "report/gate_text.h"
 #include "report/names.h"
 #include "report/number_text.h"
 #include "report/radius_text.h"
@@ -16,6 +17,26 @@ Json flipJson(const UncertaintyRecord& flip) {
           {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
           {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
           {"boundaries", std::move(boundaries)}};
+}
+
+/// A study's settings hold no dates, which JSON does not know.
+Json tomlJson(const toml::node& node) {
+  if (const auto* table = node.as_table()) {
+    Json json = Json::object();
+    for (const auto& [key, value] : *table) json[std::string(key.str())] = tomlJson(value);
+    return json;
+  }
+  if (const auto* array = node.as_array()) return jsonList(*array, tomlJson);
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto flag = node.value_exact<bool>()) return *flag;
+  if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
+  const auto number = node.value_exact<double>();
+  if (!number) throw InternalError("study.settings: a value that is neither text nor number");
+  return jsonNumber(*number, "study.settings");
+}
+
+Json inputJson(const InputRecord& input) {
+  return {{"kind", inputKindName(input.kind)}, {"file", input.file}, {"sha256", input.sha256}};
 }
 
 Json refinementJson(const RefinementRecord& level) {
@@ -92,7 +113,10 @@ Json jsonStudy(const StudyRecord& record) {
           {"title", record.title},
           {"source", record.source},
           {"file", record.file},
-          {"command", record.command}};
+          {"command", record.command},
+          {"copy", record.reproduction.file},
+          {"settings", tomlJson(record.reproduction.settings)},
+          {"inputs", jsonList(record.reproduction.inputs, inputJson)}};
 }
 
 Json jsonRadius(const RadiusRecord& radius) {
@@ -130,8 +154,25 @@ Json jsonMeans(const MethodMeans& means) {
           {"uncertainty", jsonNumber(means.uncertainty, "results.uncertainty")}};
 }
 
-Json jsonStatus(bool passed) {
-  return passed ? "pass" : "fail";
+Json jsonStatus(RunStatus status) {
+  return runStatusName(status);
+}
+
+Json jsonReference(const GateRecord& gate) {
+  return {{"method", gate.method},
+          {"light", gate.light},
+          {"view", gate.view},
+          {"metric", gate.metric},
+          {"committed", jsonNumber(gate.expected, "references.committed")},
+          {"value", jsonNumber(gate.value, "references.value")},
+          {"minimum", jsonNumber(gate.minimum, "references.minimum")},
+          {"maximum", jsonNumber(gate.maximum, "references.maximum")},
+          {"verdict", gateVerdictName(gate.verdict)},
+          {"reason", jsonReason(gate.reason)}};
+}
+
+Json jsonProblem(const ProblemRecord& problem) {
+  return {{"part", problem.part}, {"message", problem.message}};
 }
 
 std::string jsonText(const Json& json) {

@@ -41,7 +41,7 @@ Json jsonRadius(const RadiusRecord& radius);
 Json jsonRegionColours();
 
 Json jsonEnvironment(const EnvironmentRecord& environment);
-/// name, title, source, file, command.
+/// name, title, source, file, command, copy, settings, inputs.
 Json jsonStudy(const StudyRecord& record);
 /// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light;
 /// where an uncertainty was asked for, also wanted_uncertainty and the levels of `refinement`.
@@ -53,8 +53,13 @@ Json jsonTruth(const TruthRecord& truth);
 Json jsonClaim(const ClaimRecord& claim);
 /// method, error_rate, false_shadow, false_light, uncertainty.
 Json jsonMeans(const MethodMeans& means);
-/// "pass" or "fail".
-Json jsonStatus(bool passed);
+/// The status of a run by its name.
+Json jsonStatus(RunStatus status);
+/// A gate that is a reference: method, light, view, metric, committed, value, minimum, maximum,
+/// verdict, reason.
+Json jsonReference(const GateRecord& gate);
+/// part, message.
+Json jsonProblem(const ProblemRecord& problem);
 
 /// The file's text: two spaces of indent, UTF-8 (bytes that are not become U+FFFD), a last LF.
 std::string jsonText(const Json& json);

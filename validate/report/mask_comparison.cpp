@@ -131,7 +131,7 @@ std::vector<MaskGate> judged(std::vector<MaskGate> gates, const std::vector<Metr
 
 std::string maskComparisonJson(const MaskComparison& c) {
   Json json = {{"schema", "gnomon-comparison/1"},
-               {"status", jsonStatus(c.passed())},
+               {"status", jsonStatus(c.passed() ? RunStatus::pass : RunStatus::fail)},
                {"command", c.command},
                {"candidate", fileJson(c.candidate)},
                {"truth", fileJson(c.truth)},

@@ -18,6 +18,32 @@ std::string_view verdictName(Verdict verdict) {
   throw InternalError("verdict: not one of its four values");
 }
 
+std::string_view runStatusName(RunStatus status) {
+  switch (status) {
+    case RunStatus::pass:
+      return "pass";
+    case RunStatus::fail:
+      return "fail";
+    case RunStatus::notJudged:
+      return "not judged";
+  }
+  throw InternalError("status of a run: not one of its three values");
+}
+
+std::string_view inputKindName(InputRecord::Kind kind) {
+  switch (kind) {
+    case InputRecord::Kind::study:
+      return "study";
+    case InputRecord::Kind::mesh:
+      return "mesh";
+    case InputRecord::Kind::image:
+      return "image";
+    case InputRecord::Kind::shader:
+      return "shader";
+  }
+  throw InternalError("input: not one of its four kinds");
+}
+
 std::string_view differenceVerdictName(DifferenceVerdict verdict) {
   switch (verdict) {
     case DifferenceVerdict::better:

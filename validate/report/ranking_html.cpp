@@ -8,6 +8,7 @@
 #include "report/html_matrix.h"
 #include "report/html_page.h"
 #include "report/html_text.h"
+#include "report/names.h"
 
 namespace gnomon {
 namespace {
@@ -20,13 +21,16 @@ std::string studyLink(const StudyMeans& study) {
 }
 
 std::string verdictHtml(std::span<const StudyMeans> studies) {
-  const auto failed = std::count_if(studies.begin(), studies.end(),
-                                    [](const StudyMeans& study) { return !study.passed; });
-  if (failed == 0) return "<span class=\"tag held\">pass</span> no threshold failed";
+  const auto count = [&](RunStatus status) {
+    return std::count_if(studies.begin(), studies.end(),
+                         [&](const StudyMeans& study) { return study.status == status; });
+  };
+  const RunStatus all = statusOf(studies);
+  const char* tag = all == RunStatus::pass ? "held" : all == RunStatus::fail ? "failed" : "open";
   return fmt::format(
-      "<span class=\"tag failed\">fail</span> thresholds failed in {} of {} "
-      "studies",
-      failed, studies.size());
+      "<span class=\"tag {}\">{}</span> of {} studies {} passed, {} failed, {} not judged", tag,
+      runStatusName(all), studies.size(), count(RunStatus::pass), count(RunStatus::fail),
+      count(RunStatus::notJudged));
 }
 
 std::string leadHtml(const Ranking& ranking, std::size_t studies) {

@@ -12,7 +12,7 @@ namespace {
 Json studyJson(const StudyMeans& study) {
   return {{"name", study.name},
           {"title", study.title},
-          {"status", jsonStatus(study.passed)},
+          {"status", jsonStatus(study.status)},
           {"report", study.name + "/report.html"}};
 }
 
@@ -55,10 +55,8 @@ Json claimsJson(std::span<const StudyMeans> studies) {
 }  // namespace
 
 std::string rankingJson(std::span<const StudyMeans> studies, std::string_view command) {
-  const bool passed = std::all_of(studies.begin(), studies.end(),
-                                  [](const StudyMeans& study) { return study.passed; });
   const Json json = {{"schema", rankingSchema},
-                     {"status", jsonStatus(passed)},
+                     {"status", jsonStatus(statusOf(studies))},
                      {"command", command},
                      {"studies", jsonList(studies, studyJson)},
                      {"methods", jsonList(rankOverStudies(studies), methodJson)},

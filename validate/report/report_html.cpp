@@ -10,32 +10,26 @@
 #include "report/confidence_html.h"
 #include "report/confidence_text.h"
 #include "report/cost.h"
+#include "report/html_cells.h"
 #include "report/html_figures.h"
 #include "report/html_page.h"
 #include "report/html_tables.h"
 #include "report/html_text.h"
 #include "report/interval_text.h"
+#include "report/names.h"
 #include "report/number_text.h"
 #include "report/page.h"
 #include "report/ranking.h"
+#include "report/reference_html.h"
 #include "report/refinement_text.h"
 #include "study/distinguish.h"
+#include "study/gate_record.h"
 
 namespace gnomon {
 namespace {
 
 std::string headingOf(const StudyRecord& record) {
   return escapeHtml(record.title.empty() ? record.name : record.title);
-}
-
-std::string verdictHtml(const StudyRecord& record) {
-  const auto& thresholds = record.thresholds;
-  if (thresholds.empty()) return "<span class=\"tag open\">no thresholds set</span>";
-  const auto met = std::count_if(thresholds.begin(), thresholds.end(),
-                                 [](const ThresholdRecord& t) { return t.passed; });
-  return fmt::format("<span class=\"tag {}\">{}</span> {} of {} met",
-                     record.passed() ? "held" : "failed", record.passed() ? "pass" : "fail", met,
-                     plural(thresholds.size(), "threshold"));
 }
 
 /// One sentence: which method is closest to the truth, and how sure the truth is.
@@ -76,7 +70,8 @@ std::string header(const StudyRecord& record, const std::vector<RankedMethod>& r
       "<header>\n<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n<h1>{}</h1>\n"
       "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n"
       "{}</header>\n",
-      headingOf(record), escapeHtml(record.source), verdictHtml(record), leadHtml(ranked),
+      headingOf(record), escapeHtml(record.source),
+      statusHtml(record.status(), gatesOf(record), record.problems.size()), leadHtml(ranked),
       comparedHtml(record) + htmlNotices(record.notices));
 }
 
@@ -200,20 +195,36 @@ std::string citations(const std::vector<MethodRecord>& methods) {
   return items.empty() ? "" : htmlSection("methods", "The methods", "<dl>\n" + items + "</dl>\n");
 }
 
+/// Each file that the run was made of, folded away.
+std::string inputTable(const std::vector<InputRecord>& inputs) {
+  if (inputs.empty()) return "";
+  std::string body;
+  for (const InputRecord& input : inputs) {
+    body += fmt::format("<tr>{}{}<td><code>{}</code></td></tr>\n",
+                        textCell(inputKindName(input.kind)), textCell(input.file), input.sha256);
+  }
+  return fmt::format(
+      "<details><summary>{} of the run, with their SHA-256</summary>\n{}</details>\n",
+      plural(inputs.size(), "file"),
+      htmlTable("inputs", headCells({"Kind", "File", "SHA-256"}, {}), body));
+}
+
 std::string reproduceSection(const StudyRecord& record) {
   const EnvironmentRecord& e = record.environment;
   return htmlSection(
       "reproduce", "Run it again",
       fmt::format("<pre><code>{}</code></pre>\n<dl>\n", escapeHtml(record.command)) +
-          htmlFact("Study", record.file) + htmlFact("Gnomon", e.gnomonVersion) +
-          htmlFact("Commit", e.commit) +
+          htmlFact("Study", record.file) +
+          htmlFact("With every setting, in this folder", record.reproduction.file) +
+          htmlFact("Gnomon", e.gnomonVersion) + htmlFact("Commit", e.commit) +
           htmlFact("CPU", e.threads > 0
                               ? fmt::format("{}, {}", e.cpu,
                                             plural(static_cast<std::size_t>(e.threads), "thread"))
                               : e.cpu) +
           htmlFact("OpenGL", e.glRenderer) + htmlFact("Frame times by", e.frameClock) +
           htmlFact("OpenGL version", e.glVersion) + htmlFact("Embree", e.embreeVersion) +
-          htmlFact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n");
+          htmlFact("OpenSubdiv", e.openSubdivVersion) + "</dl>\n" +
+          inputTable(record.reproduction.inputs));
 }
 
 std::string plotSection(std::span<const DrawnPlot> plots) {
@@ -253,6 +264,7 @@ std::string reportHtml(const StudyRecord& record, const std::filesystem::path& f
                               hasPictures ? viewerScriptHash() : "") +
                      "<body>\n" + header(record, ranked) + "<main>\n" + rankingSection(ranked) +
                      htmlClaims(record.claims) + thresholdSection(record) +
+                     referenceSection(record, folder) +
                      (hasPictures ? std::string(viewerMarkup()) : "") + navigation(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     html += caseSection(record, cases[i], i + 1, folder);

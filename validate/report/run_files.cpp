@@ -112,17 +112,24 @@ std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, const fs::path&
   return plots;
 }
 
+void removeOfKinds(const fs::path& folder, const std::vector<std::string>& extensions) {
+  std::error_code ignored;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string kind = entry.path().extension().string();
+    const bool isOne = std::find(extensions.begin(), extensions.end(), kind) != extensions.end();
+    if (isOne) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
 }  // namespace
 
 void removeRunFiles(const fs::path& folder) {
   std::error_code ignored;
   for (const char* name : runFiles) fs::remove(folder / name, ignored);
-  std::vector<fs::path> plots;
-  for (const auto& entry : fs::directory_iterator(folder / plotFolder, ignored)) {
-    const std::string kind = entry.path().extension().string();
-    if (kind == ".svg" || kind == ".pdf") plots.push_back(entry.path());
-  }
-  for (const fs::path& plot : plots) fs::remove(plot, ignored);
+  removeOfKinds(folder / plotFolder, {".svg", ".pdf"});
+  removeOfKinds(folder / "references", {".png"});
 }
 
 void writeRunFiles(const StudyRecord& record, const fs::path& folder, Cache& cache) {

@@ -147,7 +147,7 @@ void setRanks(std::vector<RankedOverStudies>& methods, std::span<const StudyMean
 }  // namespace
 
 StudyMeans studyMeans(const StudyRecord& record) {
-  StudyMeans study{record.name, record.title, record.passed(), {}, record.claims, {}};
+  StudyMeans study{record.name, record.title, record.status(), {}, record.claims, {}};
   const std::vector<RankedMethod> ranked = rankMethods(record);
   for (const std::string& label : methodsOf(record)) {
     const auto found = std::find_if(ranked.begin(), ranked.end(),
@@ -163,7 +163,7 @@ StudyMeans studyMeans(const StudyRecord& record) {
 StudyMeans studyMeans(const SweepRecord& sweep) {
   std::vector<StudyMeans> steps;
   for (const StudyRecord& step : sweep.steps) steps.push_back(studyMeans(step));
-  StudyMeans study{sweep.name, sweep.title, sweep.passed(), {}, sweep.claims, {}};
+  StudyMeans study{sweep.name, sweep.title, sweep.status(), {}, sweep.claims, {}};
   const std::vector<std::string> labels = labelsOf(steps);
   for (const std::string& label : labels) study.methods.push_back(meanOver(steps, label));
   for (std::size_t first = 0; first < labels.size(); ++first) {
@@ -173,6 +173,15 @@ StudyMeans studyMeans(const SweepRecord& sweep) {
     }
   }
   return study;
+}
+
+RunStatus statusOf(std::span<const StudyMeans> studies) {
+  const auto has = [&](RunStatus status) {
+    return std::any_of(studies.begin(), studies.end(),
+                       [&](const StudyMeans& study) { return study.status == status; });
+  };
+  if (has(RunStatus::fail)) return RunStatus::fail;
+  return has(RunStatus::pass) ? RunStatus::pass : RunStatus::notJudged;
 }
 
 std::optional<double> largestUncertainty(const StudyMeans& study) {

@@ -24,7 +24,7 @@ struct MethodMeans {
 struct StudyMeans {
   std::string name;  ///< also its folder beside the ranking
   std::string title;
-  bool passed = true;  ///< no threshold failed
+  RunStatus status = RunStatus::notJudged;
   std::vector<MethodMeans> methods;
   std::vector<ClaimRecord> claims;
   /// Of every two methods that answer in one view: differenceOverViews, for a sweep the mean of it
@@ -36,6 +36,9 @@ StudyMeans studyMeans(const StudyRecord& record);
 
 /// A sweep as one study: each figure the mean over its steps, none where a step has none.
 StudyMeans studyMeans(const SweepRecord& sweep);
+
+/// What the statuses say together: fail where one does, pass where one does and none fails.
+RunStatus statusOf(std::span<const StudyMeans> studies);
 
 /// The largest of the methods' means of the truth's uncertainty. They differ only where a method
 /// draws another base mesh.

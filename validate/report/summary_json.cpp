@@ -96,7 +96,7 @@ Json panelJson(const PanelRecord& panel) {
 std::string summaryJson(const StudyRecord& record) {
   const Json json = {
       {"schema", summarySchema},
-      {"status", jsonStatus(record.passed())},
+      {"status", jsonStatus(record.status())},
       {"study", jsonStudy(record)},
       {"environment", jsonEnvironment(record.environment)},
       {"search_radius", jsonRadius(record.radius)},
@@ -110,6 +110,9 @@ std::string summaryJson(const StudyRecord& record) {
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},
       {"thresholds", jsonList(record.thresholds, thresholdJson)},
+      {"baseline", record.baseline.empty() ? Json(nullptr) : Json(record.baseline)},
+      {"references", jsonList(record.references, jsonReference)},
+      {"problems", jsonList(record.problems, jsonProblem)},
       {"claims", jsonList(record.claims, jsonClaim)},
       {"budget", jsonList(record.budgets, jsonBudget)},
       {"panels", jsonList(record.panels, panelJson)},

@@ -13,11 +13,8 @@ namespace gnomon {
 namespace {
 
 Json studyJson(const SweepRecord& sweep) {
-  return {{"name", sweep.name},
-          {"title", sweep.title},
-          {"source", sweep.source},
-          {"file", sweep.file},
-          {"command", sweep.command}};
+  return {{"name", sweep.name}, {"title", sweep.title},     {"source", sweep.source},
+          {"file", sweep.file}, {"command", sweep.command}, {"copy", sweep.copy}};
 }
 
 Json sweptJson(const SweepRecord& sweep) {
@@ -32,7 +29,7 @@ Json stepsJson(const SweepRecord& sweep) {
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     const double value = sweep.values.at(i);
     steps.push_back({{"value", jsonNumber(value, "steps.value")},
-                     {"status", jsonStatus(sweep.steps[i].passed())},
+                     {"status", jsonStatus(sweep.steps[i].status())},
                      {"summary", sweepValueText(value) + "/summary.json"}});
   }
   return steps;
@@ -60,7 +57,7 @@ std::string sweepJson(const SweepRecord& sweep) {
   const EnvironmentRecord environment =
       sweep.steps.empty() ? EnvironmentRecord{} : sweep.steps.front().environment;
   const Json json = {
-      {"schema", sweepSchema},         {"status", jsonStatus(sweep.passed())},
+      {"schema", sweepSchema},         {"status", jsonStatus(sweep.status())},
       {"study", studyJson(sweep)},     {"environment", jsonEnvironment(environment)},
       {"sweep", sweptJson(sweep)},     {"steps", stepsJson(sweep)},
       {"results", resultsJson(sweep)}, {"claims", jsonList(sweep.claims, jsonClaim)}};

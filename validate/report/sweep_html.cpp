@@ -9,25 +9,23 @@
 #include "report/html_page.h"
 #include "report/html_tables.h"
 #include "report/html_text.h"
+#include "report/reference_html.h"
 #include "report/study_ranking.h"
+#include "study/gate_record.h"
 #include "study/sweep.h"
 
 namespace gnomon {
 namespace {
 
 std::string verdictHtml(const SweepRecord& sweep) {
-  std::size_t gates = 0;
-  std::size_t met = 0;
+  std::vector<GateRecord> gates;
+  std::size_t problems = 0;
   for (const StudyRecord& step : sweep.steps) {
-    gates += step.thresholds.size();
-    met += static_cast<std::size_t>(
-        std::count_if(step.thresholds.begin(), step.thresholds.end(),
-                      [](const ThresholdRecord& threshold) { return threshold.passed; }));
+    const std::vector<GateRecord> own = gatesOf(step);
+    gates.insert(gates.end(), own.begin(), own.end());
+    problems += step.problems.size();
   }
-  if (gates == 0) return "<span class=\"tag open\">no thresholds set</span>";
-  return fmt::format("<span class=\"tag {}\">{}</span> {} of {} met, over all values",
-                     sweep.passed() ? "held" : "failed", sweep.passed() ? "pass" : "fail", met,
-                     plural(gates, "threshold"));
+  return statusHtml(sweep.status(), gates, problems, "over all values");
 }
 
 std::string header(const SweepRecord& sweep) {
@@ -62,6 +60,21 @@ std::string costSection(std::span<const DrawnPlot> plots) {
   return content.empty() ? "" : htmlSection("cost", "What the values cost", content);
 }
 
+/// What kept a check from judging the values, and where the references that do not hold are.
+std::string referenceSection(const SweepRecord& sweep) {
+  std::string content;
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    const StudyRecord& step = sweep.steps[i];
+    std::vector<GateRecord> references = step.references;
+    if (runStatus(references, step.problems) != RunStatus::fail) continue;
+    const std::string value = escapeHtml(sweepValueText(sweep.values.at(i)));
+    content += fmt::format("<p>{}</p>\n<p><a href=\"{}/report.html#references\">{} = {}</a></p>\n",
+                           statusHtml(RunStatus::fail, references, step.problems.size()), value,
+                           escapeHtml(sweep.key), value);
+  }
+  return htmlSection("references", "References that do not hold", content);
+}
+
 /// The gates that failed, a table a value.
 std::string failedSection(const SweepRecord& sweep) {
   std::string content;
@@ -91,10 +104,11 @@ std::string sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& pl
                      "<p class=\"note\">The stronger the tint, the larger the error. Each value "
                      "leads to its own report.</p>\n" +
                          valueTable(sweep)) +
-         htmlClaims(sweep.claims) + failedSection(sweep) +
+         htmlClaims(sweep.claims) + failedSection(sweep) + referenceSection(sweep) +
          htmlSection("reproduce", "Run it again",
                      fmt::format("<pre><code>{}</code></pre>\n<dl>\n", escapeHtml(sweep.command)) +
-                         htmlFact("Study", sweep.file) + "</dl>\n") +
+                         htmlFact("Study", sweep.file) +
+                         htmlFact("With the options, in this folder", sweep.copy) + "</dl>\n") +
          "</main>\n</body>\n</html>\n";
 }
 

@@ -24,6 +24,10 @@ std::string plainName(const std::string& name) {
 
 }  // namespace
 
+bool isNameCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
+}
+
 std::vector<std::string> fileNames(const std::vector<std::string>& names,
                                    std::set<std::string> taken) {
   std::vector<std::string> result;

@@ -1,25 +1,8 @@
 #include "study/gate_record.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gnomon {
-
-std::optional<double> GateRecord::margin() const {
-  if (!value) return std::nullopt;
-  std::optional<double> least;
-  if (minimum) least = *value - *minimum;
-  if (maximum) least = std::min(least.value_or(*maximum - *value), *maximum - *value);
-  return least;
-}
-
-GateVerdict verdictOf(const GateRecord& gate) {
-  if (!gate.value || !std::isfinite(*gate.value)) return GateVerdict::undefined;
-  const bool bounded = gate.minimum || gate.maximum;
-  const bool holds = (!gate.minimum || *gate.minimum <= *gate.value) &&
-                     (!gate.maximum || *gate.value <= *gate.maximum);
-  return bounded && holds ? GateVerdict::passed : GateVerdict::failed;
-}
 
 GateRecord gateOf(const ThresholdRecord& threshold, const std::string& step) {
   GateRecord gate{GateKind::threshold,
@@ -53,16 +36,20 @@ GateRecord gateOf(const LeftOutThreshold& threshold, const std::string& step) {
           gate.line,           {},           gate.answer};
 }
 
+std::vector<GateRecord> gatesOf(const StudyRecord& record) {
+  std::vector<GateRecord> gates;
+  for (const ThresholdRecord& threshold : record.thresholds) {
+    gates.push_back(gateOf(threshold, record.name));
+  }
+  gates.insert(gates.end(), record.references.begin(), record.references.end());
+  return gates;
+}
+
 ExitStatus CheckRecord::status() const {
-  ExitStatus worst = ExitStatus::pass;
+  if (runStatus(gates, problems) == RunStatus::pass) return ExitStatus::pass;
+  ExitStatus worst = ExitStatus::thresholdFailed;
   for (const ProblemRecord& problem : problems) worst = std::max(worst, problem.status);
-  const auto isPassed = [](const GateRecord& g) { return g.verdict == GateVerdict::passed; };
-  const auto isFine = [&](const GateRecord& g) {
-    return isPassed(g) || g.verdict == GateVerdict::skipped;
-  };
-  const bool passed = std::any_of(gates.begin(), gates.end(), isPassed) &&
-                      std::all_of(gates.begin(), gates.end(), isFine);
-  return passed ? worst : std::max(worst, ExitStatus::thresholdFailed);
+  return worst;
 }
 
 }  // namespace gnomon

@@ -45,6 +45,7 @@ LadderSpec readLadder(const TomlReader& section, const StudySpec& study,
   LadderSpec ladder;
   const MethodSpec& method = methodOf(section, study);
   ladder.method = method.label;
+  ladder.written = section.written();
   const MethodSpec start = changedMethod(section, method, defaults);
   ladder.forward.push_back(start);
   ladder.backward.push_back(start);

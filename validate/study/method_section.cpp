@@ -121,6 +121,10 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
   return method;
 }
 
+bool isBuiltIn(const MethodSpec& method) {
+  return method.file.parent_path() == shaderFolder() / "methods";
+}
+
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
   const auto parts = [](const MethodSpec& m) {
     return std::tie(m.file, m.bake.settings.azimuths, m.bake.settings.radiusTexels, m.bake.bits,

@@ -35,6 +35,9 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
 MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
                          const MethodDefaults& defaults);
 
+/// Whether the method comes with the program, so that a study names it by its `name`.
+bool isBuiltIn(const MethodSpec& method);
+
 /// Whether two entries ask for the same masks, whatever their labels.
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b);
 

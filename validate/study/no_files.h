@@ -8,6 +8,7 @@ namespace gnomon {
 class NoFiles final : public RunWriter {
  public:
   [[nodiscard]] std::string mask(const Mask&) const override { return {}; }
+  [[nodiscard]] std::string regions(const Truth&) const override { return {}; }
   [[nodiscard]] std::string picture(int, int, const std::vector<std::uint8_t>&) const override {
     return {};
   }

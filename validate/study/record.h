@@ -1,21 +1,22 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cache/cache_counts.h"
 #include "compare/counts.h"
 #include "compare/rates.h"
 #include "compare/shadow_length.h"
+#include "study/answer.h"
 #include "study/bin_record.h"
 #include "study/budget_record.h"
+#include "study/case_record.h"
 #include "study/claim_spread.h"
 #include "study/confidence_record.h"
+#include "study/gate.h"
 
 namespace gnomon {
 
@@ -81,17 +82,6 @@ struct MethodRecord {
   std::string title;
   std::string citation;
 };
-
-/// Which of a method's two answers a figure is of (`MethodAnswers`): `drawn` is the score.
-enum class Answer { drawn, test };
-
-/// Both, the score first.
-constexpr std::array<Answer, 2> allAnswers = {Answer::drawn, Answer::test};
-
-/// "drawn", "test".
-std::string_view answerName(Answer answer);
-/// The answer of a name; none for another text.
-std::optional<Answer> answerOfName(std::string_view name);
 
 /// One answer of a method against the truth, for one light, view and region ("all" or a region's
 /// name).
@@ -191,12 +181,23 @@ struct PanelRecord {
   std::vector<LayersRecord> layers = {};
 };
 
+/// The pictures of a row of which a reference does not hold. Paths are relative to the run's
+/// folder.
+struct ReferencePictures {
+  std::string method, view, light;
+  std::string before;  ///< signed difference as committed; empty where none was kept
+  std::string after;   ///< signed difference of this run
+  std::string change;  ///< of the method's mask; empty likewise
+  std::string note;    ///< why there is no picture of before
+};
+
 struct StudyRecord {
   std::string name;
   std::string title;
   std::string source;   ///< the figure or question the study stands for
   std::string file;     ///< the study file, as given
   std::string command;  ///< reproduces the run
+  CaseRecord reproduction;
   EnvironmentRecord environment;
   RadiusRecord radius = {};
   TruthRecord truth;
@@ -208,6 +209,11 @@ struct StudyRecord {
   std::vector<CostRecord> cost;
   std::vector<TimingRecord> timings;
   std::vector<ThresholdRecord> thresholds;
+  /// Where a check judged the run by references: their file, the gates, and what kept it from it.
+  std::string baseline;
+  std::vector<GateRecord> references;
+  std::vector<ProblemRecord> problems;
+  std::vector<ReferencePictures> referencePictures;
   std::vector<ClaimRecord> claims;
   std::vector<BudgetRecord>
       budgets;  ///< a ladder for all lights together, then for each of several
@@ -216,8 +222,8 @@ struct StudyRecord {
   std::uint64_t undefinedSamples = 0;  ///< left out: no frame exists there
   std::optional<CacheCounts> cache;    ///< none where the run used no cache
 
-  /// True unless a threshold failed.
-  [[nodiscard]] bool passed() const;
+  /// What thresholds, references and problems say of the run.
+  [[nodiscard]] RunStatus status() const;
 };
 
 }  // namespace gnomon

@@ -11,6 +11,7 @@
 #include "common/error.h"
 #include "relief/patch_border.h"
 #include "render/method.h"
+#include "study/file_names.h"
 #include "study/ladder_section.h"
 #include "study/light_name.h"
 #include "study/method_section.h"
@@ -117,6 +118,11 @@ void readTruth(const TomlReader& section, StudySpec& study) {
   if (study.truth.stepTexels && study.truthUncertainty) {
     section.fail("uncertainty", "`step` found beside it, one of the two expected");
   }
+  constexpr Range triangles{1, 1e9};
+  if (section.has("triangles") && (study.truth.stepTexels || study.truthUncertainty)) {
+    section.fail("triangles", "`step` or `uncertainty` found beside it, one of them expected");
+  }
+  study.truth.leastTriangles = section.number("triangles", triangles, study.truth.leastTriangles);
   section.finish();
 }
 
@@ -178,6 +184,7 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   threshold.answer = readAnswer(section);
   threshold.quick = section.flag("quick", true);
   threshold.line = section.line();
+  threshold.written = section.written();
   section.finish();
   return threshold;
 }
@@ -216,6 +223,7 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
   claim.metric = readMetric(section);
   claim.region = readFilter(section, "region", regionNames(), itself, "all");
   claim.answer = readAnswer(section);
+  claim.written = section.written();
   section.finish();
   return claim;
 }
@@ -234,10 +242,7 @@ void requireDistinct(const Entries& entries, const NameOf& nameOf, const std::st
 
 /// Names become file names.
 void requirePlainName(const TomlReader& section, const std::string& name) {
-  const auto plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
-  };
-  if (name.front() == '.' || !std::all_of(name.begin(), name.end(), plain)) {
+  if (name.front() == '.' || !std::all_of(name.begin(), name.end(), isNameCharacter)) {
     section.fail("name", fmt::format("\"{}\" found, letters, digits, - and _ expected", name));
   }
 }
@@ -276,6 +281,9 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
                   {},
                   {}};
   study.ranked = header.flag("ranked", true);
+  study.quick = header.flag("quick", false) || options.quick;
+  study.surfaceSection = surface.given();
+  study.reliefSection = relief.given();
   requirePlainName(header, study.name);
   for (const TomlReader* section : {&header, &surface, &relief}) section->finish();
 
@@ -285,14 +293,13 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   if (const auto truth = root.optionalTable("truth")) {
     readTruth(*truth, study);
   }
-  study.quick = options.quick;
-  if (options.quick) {
+  if (study.quick) {
     if (study.truth.stepTexels) *study.truth.stepTexels = quickStep(*study.truth.stepTexels);
     if (study.truthUncertainty) *study.truthUncertainty *= 4;  // it falls as the step does
     study.truth.leastTriangles /= 16;
   }
   for (const TomlReader& view : root.tables("view")) {
-    study.views.push_back(readView(view, options.quick));
+    study.views.push_back(readView(view, study.quick));
   }
   for (const TomlReader& light : root.tables("light")) readLights(light, study.lights);
   readStudyBake(root, study);

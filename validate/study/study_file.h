@@ -1,5 +1,7 @@
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -62,8 +64,9 @@ struct MethodSpec {
 struct ThresholdSpec {
   std::string method, light, view, region, metric;
   std::optional<double> minimum, maximum;
-  int line = 0;       ///< of its table in the study's file; 0 for one that an override made
-  bool quick = true;  ///< holds for the quick form too; otherwise for the full one only
+  int line = 0;              ///< of its table in the study's file; 0 for one that an override made
+  bool quick = true;         ///< holds for the quick form too; otherwise for the full one only
+  toml::table written = {};  ///< its table in the study's file
   Answer answer = Answer::drawn;
 };
 
@@ -88,6 +91,7 @@ struct ClaimSpec {
   std::optional<double> above = std::nullopt, below = std::nullopt;
   bool gainGrows = false;
   Answer answer = Answer::drawn;
+  toml::table written = {};  ///< its table in the study's file
 };
 
 /// What one cause of a ladder is, and what undoes it.
@@ -105,6 +109,7 @@ struct LadderSpec {
   std::vector<CauseSpec> causes;
   std::vector<MethodSpec> forward;
   std::vector<MethodSpec> backward;
+  toml::table written = {};  ///< its table in the study's file
 };
 
 struct StudySpec {
@@ -127,10 +132,12 @@ struct StudySpec {
   /// same samples.
   std::vector<LadderSpec> ladders;
   bool ranked = true;  ///< counts in a ranking over the studies of a run
-  bool quick = false;  ///< see StudyOptions
+  bool quick = false;  ///< the quick form, see StudyOptions
   std::vector<LeftOutThreshold> leftOut = {};
   std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
   SearchRadius radius = {};                      ///< of `bake`, and why
+  /// The values of `[surface]` and `[relief]`, defaults among them; paths as the file has them.
+  toml::table surfaceSection = {}, reliefSection = {};
 };
 
 /// What the command line changes in a study.

@@ -74,7 +74,7 @@ void keepGated(StudySpec& study) {
 
 void reduce(StudySpec& study, const StudyOptions& options) {
   if (!options.methods.empty()) keepNamed(study, options.methods);
-  if (options.quick) {
+  if (study.quick) {
     leaveOut(study, "it holds for the full form only",
              [](const ThresholdSpec& gate) { return !gate.quick; });
   }

@@ -9,6 +9,8 @@
 
 #include "common/error.h"
 #include "study/claims.h"
+#include "study/gate_record.h"
+#include "study/resolved_study.h"
 #include "study/toml_reader.h"
 
 namespace gnomon {
@@ -84,9 +86,15 @@ StudyPlan singlePlan(StudySpec study) {
 
 }  // namespace
 
-bool SweepRecord::passed() const {
-  return std::all_of(steps.begin(), steps.end(),
-                     [](const StudyRecord& step) { return step.passed(); });
+RunStatus SweepRecord::status() const {
+  std::vector<GateRecord> gates;
+  std::vector<ProblemRecord> problems;
+  for (const StudyRecord& step : steps) {
+    const std::vector<GateRecord> own = gatesOf(step);
+    gates.insert(gates.end(), own.begin(), own.end());
+    problems.insert(problems.end(), step.problems.begin(), step.problems.end());
+  }
+  return runStatus(gates, problems);
 }
 
 std::vector<std::string> SweepRecord::notices() const {
@@ -137,11 +145,17 @@ SweepRecord makeSweepRecord(const StudyPlan& plan, std::vector<StudyRecord> step
     throw InternalError(
         fmt::format("sweep {}: {} records found, one a value expected", plan.name, steps.size()));
   }
-  SweepRecord record{plan.name,        plan.title,
-                     plan.source,      plan.steps.front().file.string(),
-                     command,          plan.sweep->key,
-                     plan.sweep->axis, plan.sweep->values,
-                     std::move(steps), {}};
+  SweepRecord record{plan.name,
+                     plan.title,
+                     plan.source,
+                     plan.steps.front().file.string(),
+                     command,
+                     studyCopyName(plan.name),
+                     plan.sweep->key,
+                     plan.sweep->axis,
+                     plan.sweep->values,
+                     std::move(steps),
+                     {}};
   record.claims = judgeSweepClaims(plan.steps.front().claims, record);
   return record;
 }

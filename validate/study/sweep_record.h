@@ -14,14 +14,15 @@ struct SweepRecord {
   std::string source;
   std::string file;
   std::string command;
+  std::string copy;  ///< name of the study's copy in its folder
   std::string key;   ///< as `--set` takes it
   std::string axis;  ///< what its values are, for a plot's axis
   std::vector<double> values;
   std::vector<StudyRecord> steps;   ///< one a value, in their order
   std::vector<ClaimRecord> claims;  ///< judged over all steps
 
-  /// True unless a threshold failed in a step.
-  [[nodiscard]] bool passed() const;
+  /// What the gates of all steps say together.
+  [[nodiscard]] RunStatus status() const;
   /// Those of the steps, each once; with the values that it holds at, where these are not all.
   [[nodiscard]] std::vector<std::string> notices() const;
 };

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "common/error.h"
+#include "study/gate_record.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -20,8 +21,7 @@ ThresholdRecord judge(const ThresholdSpec& gate, const ResultRecord& result) {
   record.reason = metric.reason;
   record.line = gate.line;
   record.answer = gate.answer;
-  record.passed = record.value && (!gate.maximum || *record.value <= *gate.maximum) &&
-                  (!gate.minimum || *record.value >= *gate.minimum);
+  record.passed = gateOf(record, "").verdict == GateVerdict::passed;
   return record;
 }
 

@@ -48,7 +48,18 @@ bool TomlReader::has(std::string_view key) const {
 
 const toml::node* TomlReader::find(std::string_view key) const {
   read_.emplace(key);
-  return table_->get(key);
+  const toml::node* node = table_->get(key);
+  if (node != nullptr && !node->is_table() && !node->is_array_of_tables()) {
+    node->visit([&](const auto& value) { given_.insert_or_assign(key, value); });
+  }
+  return node;
+}
+
+template <typename Value>
+bool TomlReader::hasOr(std::string_view key, const Value& fallback) const {
+  if (find(key) != nullptr) return true;
+  given_.insert_or_assign(key, fallback);
+  return false;
 }
 
 std::string TomlReader::place(const toml::node& node, std::string_view key) const {
@@ -142,7 +153,7 @@ std::string TomlReader::text(std::string_view key) const {
 }
 
 std::string TomlReader::text(std::string_view key, std::string_view fallback) const {
-  return find(key) == nullptr ? std::string(fallback) : text(key);
+  return hasOr(key, std::string(fallback)) ? text(key) : std::string(fallback);
 }
 
 std::size_t TomlReader::choice(std::string_view key,
@@ -161,14 +172,14 @@ std::size_t TomlReader::choice(std::string_view key,
 std::size_t TomlReader::choice(std::string_view key,
                                std::initializer_list<std::string_view> choices,
                                std::size_t fallback) const {
-  return find(key) == nullptr ? fallback : choice(key, choices);
+  return hasOr(key, std::string(choices.begin()[fallback])) ? choice(key, choices) : fallback;
 }
 
 bool TomlReader::flag(std::string_view key, bool fallback) const {
-  const toml::node* node = find(key);
-  if (node == nullptr) return fallback;
-  const auto value = node->value_exact<bool>();
-  if (!value) mismatch(*node, key, "true or false");
+  if (!hasOr(key, fallback)) return fallback;
+  const toml::node& node = require(key, "true or false");
+  const auto value = node.value_exact<bool>();
+  if (!value) mismatch(node, key, "true or false");
   return *value;
 }
 
@@ -185,7 +196,7 @@ double TomlReader::number(std::string_view key, Range range) const {
 }
 
 double TomlReader::number(std::string_view key, Range range, double fallback) const {
-  return optionalNumber(key, range).value_or(fallback);
+  return hasOr(key, fallback) ? number(key, range) : fallback;
 }
 
 std::optional<double> TomlReader::optionalNumber(std::string_view key, Range range) const {
@@ -203,7 +214,7 @@ int TomlReader::integer(std::string_view key, int least, int most) const {
 }
 
 int TomlReader::integer(std::string_view key, int least, int most, int fallback) const {
-  return find(key) == nullptr ? fallback : integer(key, least, most);
+  return hasOr(key, fallback) ? integer(key, least, most) : fallback;
 }
 
 std::vector<double> TomlReader::list(const toml::node& node, std::string_view key, Range range,
@@ -226,7 +237,7 @@ std::vector<double> TomlReader::numbers(std::string_view key, Range range) const
 }
 
 std::vector<double> TomlReader::numbers(std::string_view key, Range range, double fallback) const {
-  return find(key) == nullptr ? std::vector<double>{fallback} : numbers(key, range);
+  return hasOr(key, fallback) ? numbers(key, range) : std::vector<double>{fallback};
 }
 
 Vec2 TomlReader::vec2(std::string_view key, Range range) const {
@@ -235,7 +246,7 @@ Vec2 TomlReader::vec2(std::string_view key, Range range) const {
 }
 
 Vec2 TomlReader::vec2(std::string_view key, Range range, Vec2 fallback) const {
-  return find(key) == nullptr ? fallback : vec2(key, range);
+  return hasOr(key, toml::array{fallback.x, fallback.y}) ? vec2(key, range) : fallback;
 }
 
 Vec3 TomlReader::vec3(std::string_view key) const {
@@ -244,7 +255,7 @@ Vec3 TomlReader::vec3(std::string_view key) const {
 }
 
 Vec3 TomlReader::vec3(std::string_view key, Vec3 fallback) const {
-  return find(key) == nullptr ? fallback : vec3(key);
+  return hasOr(key, toml::array{fallback.x, fallback.y, fallback.z}) ? vec3(key) : fallback;
 }
 
 std::vector<Vec3> TomlReader::points(std::string_view key) const {

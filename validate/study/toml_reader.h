@@ -91,12 +91,20 @@ class TomlReader {
     }
   }
 
+  /// The table as the file and the overrides have it.
+  [[nodiscard]] const toml::table& written() const { return *table_; }
+  /// The values that this reader has given out so far, defaults among them: what holds for whoever
+  /// read them. Tables below are not in it.
+  [[nodiscard]] const toml::table& given() const { return given_; }
   [[nodiscard]] const std::string& file() const { return file_; }
   /// The line of the file that this table begins in, from 1; 0 for one that an override made.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
 
  private:
   [[nodiscard]] const toml::node* find(std::string_view key) const;
+  /// Whether a key is there; where it is not, its default is what is given.
+  template <typename Value>
+  [[nodiscard]] bool hasOr(std::string_view key, const Value& fallback) const;
   [[nodiscard]] const toml::node& require(std::string_view key, std::string_view expected) const;
   [[nodiscard]] std::string place(const toml::node& node, std::string_view key) const;
   using Names = std::set<std::string, std::less<>>;
@@ -112,6 +120,7 @@ class TomlReader {
   std::string file_;
   std::string path_;
   mutable Names read_;
+  mutable toml::table given_;
 };
 
 /// Parses a TOML file and applies overrides.

@@ -1,4 +1,4 @@
-#include "model/toml_text.h"
+#include "study/toml_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,126 @@
+#include "report/reference_pictures.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/atomic_file.h"
+#include "common/error.h"
+#include "report/grey_picture.h"
+#include "report/images.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+using Kind = PictureRecord::Kind;
+constexpr const char* pictureFolder = "references";
+
+/// The method's answer in a colour of a signed difference, of which the red part is enough.
+Shade shadeOf(float red, const fs::path& path) {
+  const auto is = [&](const Rgb& colour) {
+    return std::lround(255 * red) == static_cast<long>(colour[0]);
+  };
+  if (is(DifferenceColours::none)) return Shade::none;
+  if (is(DifferenceColours::bothLit) || is(DifferenceColours::falseLight)) return Shade::lit;
+  if (is(DifferenceColours::bothShadowed) || is(DifferenceColours::falseShadow)) {
+    return Shade::shadowed;
+  }
+  throw InputError(fmt::format("{}: a colour found that no signed difference has", path.string()));
+}
+
+/// Leaves only the samples that both have.
+void keepCommon(Mask& a, Mask& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a.samples[i] == Shade::none) b.samples[i] = Shade::none;
+    if (b.samples[i] == Shade::none) a.samples[i] = Shade::none;
+  }
+}
+
+/// The path of the signed difference of a row; empty where the run has none.
+std::string differenceOf(const StudyRecord& record, const ReferencePictures& row) {
+  for (const PanelRecord& panel : record.panels) {
+    if (panel.view != row.view || panel.light != row.light) continue;
+    for (const PictureRecord& picture : panel.pictures) {
+      if (picture.kind == Kind::difference && picture.method == row.method) return picture.path;
+    }
+  }
+  return "";
+}
+
+/// Nothing else that lies there.
+void removeDifferences(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().string().ends_with("_difference.png")) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) fs::remove(file);
+}
+
+/// Copies what was kept and draws the change.
+void drawChange(ReferencePictures& row, const fs::path& folder, const fs::path& old) {
+  Mask before = maskOfDifference(old);
+  Mask after = maskOfDifference(folder / row.after);
+  if (before.width != after.width || before.height != after.height) {
+    row.note = fmt::format("{} has {} × {} pixels, this run {} × {}", old.string(), before.width,
+                           before.height, after.width, after.height);
+    return;
+  }
+  keepCommon(before, after);
+  const std::string name = fs::path(row.after).stem().string();
+  row.before = fmt::format("{}/{}_before.png", pictureFolder, name);
+  row.change = fmt::format("{}/{}_change.png", pictureFolder, name);
+  writeTextAtomically(folder / row.before, readFile(old));
+  writePng(folder / row.change, differenceImage(after, before));
+}
+
+}  // namespace
+
+Mask maskOfDifference(const fs::path& path) {
+  const GreyPicture picture = readGreyPicture(path, "R");
+  Mask mask{picture.width, picture.height, {}};
+  mask.samples.reserve(picture.values.size());
+  for (const float red : picture.values) mask.samples.push_back(shadeOf(red, path));
+  return mask;
+}
+
+void keepReferencePictures(const StudyRecord& record, const fs::path& folder,
+                           const fs::path& kept) {
+  removeDifferences(kept);
+  for (const PanelRecord& panel : record.panels) {
+    for (const PictureRecord& picture : panel.pictures) {
+      if (picture.kind != Kind::difference) continue;
+      const fs::path path = picture.path;
+      writeTextAtomically(kept / path.filename(), readFile(folder / path));
+    }
+  }
+}
+
+std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record,
+                                                     const fs::path& folder, const fs::path& kept) {
+  std::vector<ReferencePictures> rows;
+  for (const GateRecord& gate : record.references) {
+    if (gate.verdict == GateVerdict::passed || gate.verdict == GateVerdict::skipped) continue;
+    const bool isThere = std::any_of(rows.begin(), rows.end(), [&](const ReferencePictures& row) {
+      return row.method == gate.method && row.view == gate.view && row.light == gate.light;
+    });
+    if (isThere) continue;
+    ReferencePictures row{gate.method, gate.view, gate.light, "", "", "", ""};
+    row.after = differenceOf(record, row);
+    if (row.after.empty()) continue;
+    const fs::path old = kept / fs::path(row.after).filename();
+    if (fs::exists(old)) {
+      drawChange(row, folder, old);
+    } else {
+      row.note =
+          "No picture was kept with the reference: --update-baseline --baseline-pictures "
+          "keeps one.";
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace gnomon

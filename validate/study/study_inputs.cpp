@@ -1,0 +1,69 @@
+#include "study/study_inputs.h"
+
+#include <algorithm>
+#include <string>
+
+#include "common/atomic_file.h"
+#include "common/sha256.h"
+#include "render/shader_files.h"
+#include "study/study_paths.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+using Kind = InputRecord::Kind;
+
+class Inputs {
+ public:
+  explicit Inputs(const fs::path& folder) : folder_(folder), shaders_(shaderFolder()) {}
+
+  void add(Kind kind, const fs::path& file) {
+    const fs::path inside = file.lexically_relative(shaders_);
+    const bool isOurs = kind == Kind::shader && !inside.empty() && *inside.begin() != "..";
+    const std::string name =
+        isOurs ? (fs::path("shaders") / inside).generic_string() : pathFrom(file, folder_);
+    const auto isSame = [&](const InputRecord& input) { return input.file == name; };
+    if (std::any_of(list.begin(), list.end(), isSame)) return;
+    list.push_back({kind, name, sha256(readFile(file))});
+  }
+
+  void addCommonShaders() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(shaders_ / "common")) {
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) add(Kind::shader, file);
+  }
+
+  std::vector<InputRecord> list;
+
+ private:
+  fs::path folder_;
+  fs::path shaders_;
+};
+
+}  // namespace
+
+std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& folder) {
+  const fs::path home = study.file.parent_path();
+  Inputs inputs(folder);
+  inputs.add(Kind::study, study.file);
+  if (const auto mesh = study.surfaceSection["mesh"].value<std::string>()) {
+    inputs.add(Kind::mesh, home / *mesh);
+  }
+  if (const auto image = study.reliefSection["image"].value<std::string>()) {
+    inputs.add(Kind::image, home / *image);
+  }
+  inputs.addCommonShaders();
+  for (const MethodSpec& method : study.methods) inputs.add(Kind::shader, method.file);
+  for (const LadderSpec& ladder : study.ladders) {
+    for (const auto* states : {&ladder.forward, &ladder.backward}) {
+      for (const MethodSpec& state : *states) inputs.add(Kind::shader, state.file);
+    }
+  }
+  return std::move(inputs.list);
+}
+
+}  // namespace gnomon
