@@ -65,6 +65,111 @@ TEST_F(BaselineCheck, FailsWhatHasBecomeWorse) {
   EXPECT_THAT(worse.out, Not(HasSubstr("unshadowed, error_rate ≤"))) << "that one is as it was";
 }
 
+/// Exit status, summary and report have one opinion.
+TEST_F(BaselineCheck, IsToldByTheSummaryAndTheReport) {
+  writeStudy();
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  EXPECT_EQ(summary("small").at("status"), "pass");
+  EXPECT_EQ(filesBelow("ref/pictures/small").size(), 2U) << "one for each method";
+
+  ASSERT_EQ(check().status, 0);
+  EXPECT_EQ(summary("small").at("status"), "pass");
+  EXPECT_EQ(summary("small").at("baseline"), "ref/small.json");
+  EXPECT_EQ(summary("small").at("references").size(), reference().at("values").size());
+  EXPECT_THAT(read("out/small/report.html"),
+              HasSubstr("<span class=\"tag held\">pass</span> 2 of 2 thresholds met, "));
+  EXPECT_THAT(read("out/small/report.html"), Not(HasSubstr("what changed")));
+  EXPECT_TRUE(filesBelow("out/small/references").empty());
+
+  ASSERT_EQ(check({"--set", "method.1.bake.azimuths=1"}).status, 1);
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  const nlohmann::json references = summary("small").at("references");
+  std::size_t failed = 0;
+  for (const nlohmann::json& row : references) {
+    const bool fails = row.at("verdict") == "fail";
+    failed += fails ? 1U : 0U;
+    EXPECT_TRUE(!fails || row.at("method") == "max-forsyth") << row;
+    if (row.at("metric") != "error_rate") continue;
+    EXPECT_EQ(row.at("value"),
+              resultOf(summary("small"), row.at("method"), "evening", "camera").at("error_rate"));
+    EXPECT_EQ(row.at("verdict") == "fail", row.at("value") > row.at("maximum"));
+  }
+  EXPECT_GT(failed, 0U);
+  const std::string report = read("out/small/report.html");
+  EXPECT_THAT(report, HasSubstr("<span class=\"tag failed\">fail</span> 2 of 2 thresholds met, "));
+  EXPECT_THAT(report, HasSubstr("as committed, against its truth"));
+  EXPECT_THAT(report, HasSubstr("what changed: orange has become dark, blue lit"));
+}
+
+/// The change is that of the masks, sample by sample.
+TEST_F(BaselineCheck, DrawsWhatChanged) {
+  writeStudy();
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  const GreyImage before = mask("small", "camera_evening_max-forsyth");
+  const std::string kept = read("ref/pictures/small/camera_evening_max-forsyth_difference.png");
+  EXPECT_EQ(kept, read("out/small/images/camera_evening_max-forsyth_difference.png"));
+  ASSERT_EQ(check({"--set", "method.1.bake.azimuths=1"}).status, 1);
+  const GreyImage after = mask("small", "camera_evening_max-forsyth");
+  const std::string name = "out/small/references/camera_evening_max-forsyth_difference_";
+  EXPECT_EQ(read(name + "before.png"), kept);
+  const GreyImage red = readGrey(file(name + "change.png"));
+  ASSERT_EQ(red.pixels.size(), after.pixels.size());
+  int changed = 0;
+  for (std::size_t i = 0; i < red.pixels.size(); ++i) {
+    // Red of the colours of a signed difference.
+    const int expected = before.pixels[i] == 128               ? 255
+                         : before.pixels[i] == after.pixels[i] ? (after.pixels[i] == 255 ? 226 : 92)
+                         : after.pixels[i] == 0                ? 230
+                                                               : 26;
+    ASSERT_EQ(red.pixels[i], expected) << i;
+    changed += before.pixels[i] != after.pixels[i] ? 1 : 0;
+  }
+  EXPECT_GT(changed, 20);
+  // Nothing of it stays once the reference holds again.
+  ASSERT_EQ(check().status, 0);
+  EXPECT_TRUE(filesBelow("out/small/references").empty());
+}
+
+TEST_F(BaselineCheck, WithoutKeptPicturesSaysSo) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  EXPECT_TRUE(filesBelow("ref/pictures").empty());
+  ASSERT_EQ(check({"--set", "method.1.bake.azimuths=1"}).status, 1);
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("No picture was kept with the reference"));
+}
+
+TEST_F(BaselineCheck, ASummaryOfWhatCouldNotBeJudgedIsNoPass) {
+  writeStudy();
+  EXPECT_EQ(check().status, 3) << "no references";
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  EXPECT_THAT(summary("small").at("problems").at(0).at("message").get<std::string>(),
+              HasSubstr("ref/small.json: missing"));
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("ref/small.json: missing"));
+  ASSERT_EQ(update().status, 0);
+  writeStudy(anotherMethod);
+  EXPECT_EQ(check().status, 3) << "no reference for a method";
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  write("ref/small.json", "no JSON");
+  EXPECT_EQ(update().status, 3);
+  EXPECT_EQ(summary("small").at("status"), "fail");
+}
+
+/// Of a sweep each value is judged by its own.
+TEST_F(BaselineCheck, OfASweepFailsTheValueThatFails) {
+  writeStudy("\n[sweep]\nkey = \"relief.height\"\nvalues = [1, 6]\n");
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  ASSERT_EQ(check().status, 0);
+  const std::string text = read("ref/small.json");
+  const std::size_t row = text.find("\"study\":\"small/6\"");
+  const std::size_t value = text.find("\"value\":", row) + 8;
+  write("ref/small.json", text.substr(0, value) + "0.0001" + text.substr(text.find(',', value)));
+  EXPECT_EQ(check().status, 1);
+  EXPECT_EQ(summary("small/1").at("status"), "pass");
+  EXPECT_EQ(summary("small/6").at("status"), "fail");
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("6/report.html#references"));
+}
+
 TEST_F(BaselineCheck, TellsWhatHasBecomeBetter) {
   writeStudy();
   ASSERT_EQ(update().status, 0);

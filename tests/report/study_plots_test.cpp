@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include "common/error.h"
 #include "report/bin_plot.h"
 #include "report/sample_record.h"
@@ -54,6 +56,17 @@ TEST(StudyPlots, AreNamedApartAndDrawn) {
   }
   EXPECT_THAT(names, ElementsAre("error-by-elevation_camera", "error-by-elevation_atlas"));
   EXPECT_TRUE(studyPlots(StudyRecord{}).empty());
+}
+
+TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const std::string here = pdfsOf({sheet}).front();
+  const char* before = std::getenv("TZ");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("TZ", "XYZ-05:30", 1);
+  const std::string elsewhere = pdfsOf({sheet}).front();
+  before == nullptr ? ::unsetenv("TZ") : ::setenv("TZ", kept.c_str(), 1);
+  EXPECT_TRUE(elsewhere == here);
 }
 
 TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {

@@ -184,7 +184,8 @@ TEST(RankingTerminal, FitsWhateverTheNames) {
 TEST(RankingJson, HoldsRanksResultsAndClaims) {
   std::vector<StudyMeans> studies = threeStudies();
   studies[1].claims = {{"Curved is better", "§4", Verdict::held, "1 of 1"}};
-  studies[1].passed = false;
+  studies[0].status = RunStatus::pass;
+  studies[1].status = RunStatus::fail;
   const auto json = nlohmann::json::parse(rankingJson(studies, "gnomon run a b c"));
   EXPECT_EQ(json["schema"], "gnomon-ranking/1");
   EXPECT_EQ(json["status"], "fail");

@@ -46,6 +46,7 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
                                 "status",
                                 "study",
                                 "environment",
+                                "search_radius",
                                 "truth",
                                 "methods",
                                 "results",
@@ -55,6 +56,9 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
                                 "cost",
                                 "timings",
                                 "thresholds",
+                                "baseline",
+                                "references",
+                                "problems",
                                 "claims",
                                 "budget",
                                 "panels",
@@ -62,8 +66,9 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
                                 "notices",
                                 "undefined_samples",
                                 "cache"}));
-  EXPECT_EQ(json["schema"], "gnomon-summary/1");
-  EXPECT_EQ(keysOf(json["study"]), (Keys{"name", "title", "source", "file", "command"}));
+  EXPECT_EQ(json["schema"], "gnomon-summary/2");
+  EXPECT_EQ(keysOf(json["study"]),
+            (Keys{"name", "title", "source", "file", "command", "copy", "settings", "inputs"}));
   EXPECT_EQ(keysOf(json["environment"]),
             (Keys{"gnomon_version", "commit", "cpu", "threads", "gl_renderer", "frame_clock",
                   "gl_version", "embree_version", "opensubdiv_version"}));
@@ -78,8 +83,9 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
   EXPECT_EQ(keysOf(json["thresholds"][0]),
             (Keys{"method", "light", "view", "answer", "region", "metric", "value", "minimum",
-                  "maximum", "passed"}));
-  EXPECT_EQ(keysOf(json["claims"][0]), (Keys{"text", "source", "verdict", "detail", "spread"}));
+                  "maximum", "passed", "reason"}));
+  EXPECT_EQ(keysOf(json["claims"][0]),
+            (Keys{"text", "source", "verdict", "detail", "spread", "radius"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
             (Keys{"kind", "method", "caption", "path", "mask", "truth"}));
@@ -151,6 +157,61 @@ TEST(SummaryJson, AClaimTellsHowItFaresOverTheCases) {
   EXPECT_TRUE(claims[2]["spread"].is_null());
 }
 
+TEST(SummaryJson, SettingsAreTheStudysOwnAndInputsHaveTheirHashes) {
+  StudyRecord record = sampleRecord();
+  record.reproduction = {
+      "sample.toml",
+      toml::parse("[relief]\nheight = 0.1\ninvert = false\nrepeats = [2, 1.5]\n[[light]]\nname = "
+                  "'a'\n[[light]]\nname = 'b'\n"),
+      {{InputRecord::Kind::mesh, "../cage.obj", "00ff"},
+       {InputRecord::Kind::shader, "shaders/common/mask.frag", "11ee"}}};
+  const ordered_json study = written(record)["study"];
+  EXPECT_EQ(study["copy"], "sample.toml");
+  EXPECT_EQ(study["settings"]["relief"]["height"].get<double>(), 0.1);
+  EXPECT_EQ(study["settings"]["relief"]["invert"], false);
+  EXPECT_EQ(study["settings"]["relief"]["repeats"], (ordered_json{2, 1.5}));
+  EXPECT_TRUE(study["settings"]["relief"]["repeats"][0].is_number_integer());
+  EXPECT_EQ(study["settings"]["light"][1]["name"], "b");
+  ASSERT_EQ(study["inputs"].size(), 2U);
+  EXPECT_EQ(keysOf(study["inputs"][0]), (Keys{"kind", "file", "sha256"}));
+  EXPECT_EQ(study["inputs"][0]["kind"], "mesh");
+  EXPECT_EQ(study["inputs"][1]["kind"], "shader");
+}
+
+TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
+  StudyRecord record = sampleRecord();
+  record.thresholds.pop_back();
+  EXPECT_EQ(written(record)["status"], "pass");
+  EXPECT_TRUE(written(record)["baseline"].is_null());
+  record.baseline = "reference/sample.json";
+  GateRecord gate;
+  gate.kind = GateKind::reference;
+  gate.method = "best";
+  gate.view = "camera";
+  gate.light = "elevation 15°";
+  gate.metric = "error_rate";
+  gate.expected = 0.004;
+  gate.value = 0.01;
+  gate.maximum = 0.006;
+  gate.verdict = verdictOf(gate);
+  record.references = {gate};
+  const ordered_json json = written(record);
+  EXPECT_EQ(json["status"], "fail");
+  EXPECT_EQ(json["baseline"], "reference/sample.json");
+  EXPECT_EQ(keysOf(json["references"][0]),
+            (Keys{"method", "light", "view", "metric", "committed", "value", "minimum", "maximum",
+                  "verdict", "reason"}));
+  EXPECT_EQ(json["references"][0]["verdict"], "fail");
+  EXPECT_EQ(json["references"][0]["committed"], 0.004);
+  record.references.clear();
+  record.problems = {{"baseline", ExitStatus::badInput, "reference/sample.json: missing"}};
+  EXPECT_EQ(written(record)["status"], "fail");
+  EXPECT_EQ(keysOf(written(record)["problems"][0]), (Keys{"part", "message"}));
+  record.problems.clear();
+  record.thresholds.clear();
+  EXPECT_EQ(written(record)["status"], "not judged");
+}
+
 TEST(SummaryJson, ARefinementIsThereWithAllItsLevels) {
   StudyRecord record = sampleRecord();
   record.truth.wantedUncertainty = 0.001;
@@ -188,7 +249,7 @@ TEST(SummaryJson, StatusFollowsTheThresholds) {
   record.thresholds.pop_back();
   EXPECT_EQ(written(record)["status"], "pass");
   record.thresholds.clear();
-  EXPECT_EQ(written(record)["status"], "pass");
+  EXPECT_EQ(written(record)["status"], "not judged");
 }
 
 TEST(SummaryJson, EmptyListsAreListsAndNotNull) {

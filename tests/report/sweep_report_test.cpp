@@ -77,7 +77,7 @@ ThresholdRecord failedGate() {
 TEST(SweepMeans, AreMeansOverTheSteps) {
   const StudyMeans study = studyMeans(sampleSweep());
   EXPECT_EQ(study.name, "bumps");
-  EXPECT_TRUE(study.passed);
+  EXPECT_EQ(study.status, RunStatus::notJudged);
   ASSERT_EQ(study.methods.size(), 2U);
   const MethodMeans& flat = study.methods[0];
   EXPECT_EQ(flat.label, "flat");
@@ -101,7 +101,7 @@ TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
   SweepRecord sweep = sampleSweep();
   sweep.steps[1].thresholds = {failedGate()};
   const std::vector<StudyMeans> studies = {studyMeans(sweep), studyMeans(step({{"flat", 10}}, 0))};
-  EXPECT_FALSE(studies[0].passed);
+  EXPECT_EQ(studies[0].status, RunStatus::fail);
   const auto ranked = rankOverStudies(studies);
   EXPECT_EQ(ranked[0].label, "flat");
   EXPECT_DOUBLE_EQ(*ranked[0].meanError, (0.14 / 3 + 0.01) / 2);
@@ -130,7 +130,7 @@ TEST(SweepJson, HoldsTheSweep) {
   EXPECT_EQ(json["sweep"]["key"], "surface.curvature");
   EXPECT_EQ(json["sweep"]["values"], (std::vector<double>{0.5, 0.25, 1}));
   EXPECT_EQ(json["steps"][1]["summary"], "0.25/summary.json");
-  EXPECT_EQ(json["steps"][1]["status"], "pass");
+  EXPECT_EQ(json["steps"][1]["status"], "not judged");
   EXPECT_EQ(json["steps"][2]["status"], "fail");
   ASSERT_EQ(json["results"].size(), 6U);
   EXPECT_EQ(json["results"][3]["value"], 0.25);
@@ -265,6 +265,7 @@ TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
 TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   SweepRecord sweep = sampleSweep();
   sweep.steps[0].thresholds = {failedGate()};
+  sweep.steps[0].thresholds[0].maximum = 0.1;
   sweep.steps[0].thresholds[0].passed = true;
   sweep.steps[2].thresholds = {failedGate()};
   PlotSheet cost;

@@ -86,6 +86,37 @@ TEST(CheckRecord, PassesOnlyWithAGateThatPassed) {
   EXPECT_EQ(check({passed, undefined}).status(), ExitStatus::thresholdFailed);
 }
 
+/// A run and its check have one notion of what passes.
+TEST(RunStatus, IsTheChecks) {
+  using enum GateVerdict;
+  const auto status = [](const CheckRecord& check) {
+    StudyRecord run;
+    run.references = check.gates;
+    run.problems = check.problems;
+    EXPECT_EQ(run.status() == RunStatus::pass, check.status() == ExitStatus::pass);
+    return run.status();
+  };
+  EXPECT_EQ(status(check({passed, skipped})), RunStatus::pass);
+  EXPECT_EQ(status(check({})), RunStatus::notJudged);
+  EXPECT_EQ(status(check({skipped})), RunStatus::notJudged);
+  EXPECT_EQ(status(check({passed, failed})), RunStatus::fail);
+  EXPECT_EQ(status(check({passed, undefined})), RunStatus::fail);
+  EXPECT_EQ(status(check({passed}, {ExitStatus::badInput})), RunStatus::fail);
+}
+
+TEST(RunStatus, HoldsThresholdsAndReferences) {
+  StudyRecord run;
+  run.name = "study";
+  run.thresholds = {{"a", "dusk", "camera", "all", "iou", 0.6, 0.5, {}, true}};
+  EXPECT_EQ(run.status(), RunStatus::pass);
+  run.references = {gate(0.4, {}, 0.3)};
+  run.references[0].kind = GateKind::reference;
+  EXPECT_EQ(run.status(), RunStatus::fail);
+  ASSERT_EQ(gatesOf(run).size(), 2U);
+  EXPECT_EQ(gatesOf(run)[0].step, "study");
+  EXPECT_EQ(gatesOf(run)[1].kind, GateKind::reference);
+}
+
 TEST(CheckRecord, HasTheLargestStatus) {
   using enum GateVerdict;
   EXPECT_EQ(check({passed}, {ExitStatus::badInput}).status(), ExitStatus::badInput);

@@ -199,9 +199,12 @@ TEST_F(Sweep, RecordHoldsThePlanAndItsSteps) {
   EXPECT_EQ(record.key, "relief.height");
   EXPECT_EQ(record.command, "gnomon run bumps.toml");
   EXPECT_EQ(record.claims.at(0).verdict, Verdict::held);
-  EXPECT_FALSE(record.passed()) << "one gate failed in one step";
-  steps[1].thresholds[0].passed = true;
-  EXPECT_TRUE(makeSweepRecord(plan, steps, "").passed());
+  EXPECT_EQ(record.copy, "bumps.toml");
+  EXPECT_EQ(record.status(), RunStatus::fail) << "one gate failed in one step";
+  steps[1].thresholds[0].maximum = 0.3;
+  EXPECT_EQ(makeSweepRecord(plan, steps, "").status(), RunStatus::pass);
+  steps[1].thresholds.clear();
+  EXPECT_EQ(makeSweepRecord(plan, steps, "").status(), RunStatus::notJudged);
   steps.pop_back();
   EXPECT_THROW(makeSweepRecord(plan, steps, ""), InternalError);
 }

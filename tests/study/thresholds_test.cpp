@@ -108,11 +108,11 @@ TEST(Thresholds, NoneGiveNoRecords) {
 
 TEST(Thresholds, OneThatFailsFailsTheStudy) {
   StudyRecord study;
-  EXPECT_TRUE(study.passed());
+  EXPECT_EQ(study.status(), RunStatus::notJudged);
   study.thresholds = judgeThresholds({gate("error_rate", {}, 0.06)}, results());
-  EXPECT_TRUE(study.passed());
+  EXPECT_EQ(study.status(), RunStatus::pass);
   study.thresholds.push_back(judged(gate("error_rate", {}, 0.04)));
-  EXPECT_FALSE(study.passed());
+  EXPECT_EQ(study.status(), RunStatus::fail);
 }
 
 }  // namespace

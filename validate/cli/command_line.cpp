@@ -167,8 +167,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App* run = app.add_subcommand("run", "Measure studies and write their reports");
   addRunOptions(*run, request);
   run->footer(runExamples);
-  CLI::App* check =
-      app.add_subcommand("check", "As run, then the studies' thresholds decide the exit status");
+  CLI::App* check = app.add_subcommand(
+      "check", "As run, then the studies' thresholds and references decide the exit status");
   addCheckOptions(*check, checkRequest);
   check->footer(checkExamples);
   CLI::App* bake = app.add_subcommand("bake", "Bake the horizon and distance tables into an EXR");

@@ -23,7 +23,8 @@ struct RunRequest {
 /// as they are made, then metrics.csv, report.html and last summary.json, whose presence says that
 /// the run is whole. Prints a table for each.
 /// A sweep has such a folder for each value, `out/NAME/VALUE`, and in `out/NAME` its own sweep.csv,
-/// sweep.svg, report.html and last summary.json.
+/// plots/sweep.svg, report.html and last summary.json.
+/// Every folder holds its study, with the options in it, as NAME.toml: see resolved_study.h.
 /// Two studies or more are followed by a ranking of the methods over all of them: printed, and
 /// written as `out/ranking.csv`, `ranking.html` and last `ranking.json`.
 /// Thresholds are judged and recorded, but decide nothing: see checkStudies.

@@ -15,7 +15,7 @@ struct FrontierPoint {
   std::string name;        ///< the method's own: entries of one name are one series
   double bytes = 0;        ///< its tables and the height map, where it reads it
   double errorRate = 0;    ///< mean over lights and views, share of the samples
-  bool efficient = false;  ///< no other entry has both less or equal memory and a smaller error
+  bool efficient = false;  ///< no other entry has as little memory and as small an error
 };
 
 /// The entries that read tables or the height map, by memory, then error. Empty unless some method

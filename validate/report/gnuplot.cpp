@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "common/error.h"
@@ -49,11 +50,25 @@ std::string contentOf(std::FILE* file) {
   return text;
 }
 
+/// This process's variables, with the time in UTC: a PDF tells the hour's distance from it.
+std::vector<std::string> variablesInUtc() {
+  std::vector<std::string> variables = {"TZ=UTC"};
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view variable = *entry;
+    if (!variable.starts_with("TZ=")) variables.emplace_back(variable);
+  }
+  return variables;
+}
+
 /// Starts gnuplot with the three files as its standard streams.
 pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
   std::string program = "gnuplot";
   std::string noSettings = "-d";
   std::array<char*, 3> words = {program.data(), noSettings.data(), nullptr};
+  std::vector<std::string> variables = variablesInUtc();
+  std::vector<char*> environment;
+  for (std::string& variable : variables) environment.push_back(variable.data());
+  environment.push_back(nullptr);
   posix_spawn_file_actions_t streams;
   posix_spawn_file_actions_init(&streams);
   posix_spawn_file_actions_adddup2(&streams, fileno(in), STDIN_FILENO);
@@ -61,7 +76,7 @@ pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
   posix_spawn_file_actions_adddup2(&streams, fileno(err), STDERR_FILENO);
   pid_t process = 0;
   const int failure =
-      posix_spawnp(&process, program.c_str(), &streams, nullptr, words.data(), environ);
+      posix_spawnp(&process, program.c_str(), &streams, nullptr, words.data(), environment.data());
   posix_spawn_file_actions_destroy(&streams);
   if (failure != 0) {
     fail(fmt::format("cannot be started: {}; reports need it for their plots (gnuplot-nox)",

@@ -129,7 +129,9 @@ void removeRunFiles(const fs::path& folder) {
   std::error_code ignored;
   for (const char* name : runFiles) fs::remove(folder / name, ignored);
   removeOfKinds(folder / plotFolder, {".svg", ".pdf"});
-  removeOfKinds(folder / "references", {".png"});
+  for (const char* name : {"images", "masks", "references"}) {
+    removeOfKinds(folder / name, {".png"});
+  }
 }
 
 void writeRunFiles(const StudyRecord& record, const fs::path& folder, Cache& cache) {

@@ -10,8 +10,8 @@ namespace gnomon {
 
 /// The files of a run beside its pictures. Each is written whole or not at all.
 
-/// Removes what tells of an earlier run of a study or sweep, so that no older figure stands beside
-/// newer pictures: all files below, and the plots.
+/// Removes what tells of an earlier run of a study or sweep, so that nothing older stands beside the
+/// newer: all files below, plots, pictures and masks. The study's copy stays.
 void removeRunFiles(const std::filesystem::path& folder);
 
 /// Writes a study's: metrics.csv, bins.csv, frontier.csv, budget.csv (where there are any),

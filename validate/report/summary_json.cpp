@@ -64,7 +64,8 @@ Json thresholdJson(const ThresholdRecord& threshold) {
           {"value", jsonNumber(threshold.value, "thresholds.value")},
           {"minimum", jsonNumber(threshold.minimum, "thresholds.minimum")},
           {"maximum", jsonNumber(threshold.maximum, "thresholds.maximum")},
-          {"passed", threshold.passed}};
+          {"passed", threshold.passed},
+          {"reason", jsonReason(threshold.reason)}};
 }
 
 Json truthFilesJson(const std::optional<TruthFilesRecord>& truth) {

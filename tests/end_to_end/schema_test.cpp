@@ -1,0 +1,165 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "end_to_end/program.h"
+#include "study/result_metrics.h"
+#include "study/sample_axes.h"
+
+// docs/summary.md names every key and column that a run writes, and no other.
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Keys by the heading that they stand under.
+using Schema = std::map<std::string, std::set<std::string>>;
+
+bool isMetric(const std::string& name) {
+  const auto& names = metricNames();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The first cell of every row under a second-level heading, where it is code.
+Schema documented() {
+  Schema schema;
+  std::ifstream page(std::string(GNOMON_DOCS) + "/summary.md");
+  std::string heading;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("## ")) heading = line.substr(3);
+    if (!line.starts_with("| `")) continue;
+    schema[heading].insert(line.substr(3, line.find('`', 3) - 3));
+  }
+  return schema;
+}
+
+/// Adds the paths of all keys below a value.
+void addKeys(const nlohmann::json& json, const std::string& path, std::set<std::string>& keys) {
+  if (path == "study.settings" || path.ends_with("undefined")) return;
+  if (json.is_array()) {
+    for (const nlohmann::json& entry : json) {
+      keys.insert(path + "[]");
+      addKeys(entry, path + "[]", keys);
+    }
+    return;
+  }
+  if (!json.is_object()) return;
+  const bool hasAllMetrics = json.contains("undefined");
+  for (const auto& [key, value] : json.items()) {
+    const std::string name = hasAllMetrics && isMetric(key) ? "METRIC" : key;
+    const std::string below = path.empty() ? name : path + "." + name;
+    // What a list holds is documented under its own name.
+    if (!value.is_array()) keys.insert(below);
+    addKeys(value, below, keys);
+  }
+}
+
+class SummarySchema : public EndToEnd {
+ protected:
+  [[nodiscard]] static std::string study() {
+    std::string text = replaced(smallStudy(), "elevation = 30", "elevation = [50, 20]");
+    text = replaced(text, "name = \"evening\"\n", "");
+    text = replaced(text, "step = 0.25", "uncertainty = 0.02");
+    return text + R"(
+[[method]]
+name = "max-forsyth"
+label = "coarse"
+bake = { azimuths = 4 }
+
+[[view]]
+type = "atlas"
+samples = 17
+
+[[threshold]]
+max = 0.9
+
+[[claim]]
+text = "Shadows matter"
+source = "a test"
+less = "max-forsyth"
+than = "unshadowed"
+
+[[ladder]]
+method = "max-forsyth"
+[[ladder.rung]]
+cause = "azimuths"
+change = "64"
+set = { bake = { azimuths = 64 } }
+)";
+  }
+  void add(Schema& schema, const std::string& heading, const std::string& file) const {
+    addKeys(nlohmann::json::parse(read(file)), "", schema[heading]);
+  }
+  void addColumns(Schema& schema, const std::string& heading, const std::string& file) const {
+    std::istringstream head(read(file).substr(0, read(file).find('\n')));
+    for (std::string column; std::getline(head, column, ',');) {
+      const bool all = heading == "metrics.csv" && isMetric(column);
+      schema[heading].insert(all ? "METRIC" : column);
+    }
+  }
+};
+
+TEST_F(SummarySchema, IsThatOfThePage) {
+  write("small.toml", study());
+  const std::vector<std::string> check = {"check", "small.toml", "--baseline"};
+  const auto checked = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = check;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return gnomon(arguments, {"GNOMON_CACHE=" + file("kept").string()});
+  };
+  Schema written;
+  ASSERT_EQ(checked({"ref", "--update-baseline", "--reason", "a test"}).status, 0);
+  ASSERT_EQ(checked({"ref"}).status, 0);
+  add(written, "summary.json", "out/small/summary.json");
+  for (const char* name : {"metrics.csv", "bins.csv", "budget.csv", "frontier.csv", "table.csv"}) {
+    addColumns(written, name, std::string("out/small/") + name);
+  }
+  ASSERT_EQ(checked({"nowhere", "--out", "problem"}).status, 3);
+  add(written, "summary.json", "problem/small/summary.json");
+
+  write("swept.toml", replaced(smallStudy(), "\"small\"", "\"swept\"") +
+                          "\n[sweep]\nkey = \"relief.height\"\nvalues = [1, 6]\n" + R"(
+[[claim]]
+text = "Shadows matter more the higher the relief"
+source = "a test"
+less = "max-forsyth"
+than = "unshadowed"
+gain_grows = true
+)");
+  write("other.toml", replaced(smallStudy(), "\"small\"", "\"other\""));
+  const Outcome outcome = gnomon({"run", "swept.toml", "other.toml"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  add(written, "sweep: summary.json", "out/swept/summary.json");
+  add(written, "ranking.json", "out/ranking.json");
+  addColumns(written, "sweep.csv", "out/swept/sweep.csv");
+  addColumns(written, "ranking.csv", "out/ranking.csv");
+
+  const Schema page = documented();
+  for (const auto& [heading, keys] : written) {
+    ASSERT_TRUE(page.contains(heading)) << heading;
+    for (const std::string& key : keys) {
+      EXPECT_TRUE(page.at(heading).contains(key)) << heading << " writes " << key;
+    }
+    for (const std::string& key : page.at(heading)) {
+      EXPECT_TRUE(keys.contains(key)) << heading << ": nothing writes " << key;
+    }
+  }
+  EXPECT_EQ(page.size(), written.size());
+}
+
+TEST_F(SummarySchema, NamesEveryAxis) {
+  std::ifstream file(std::string(GNOMON_DOCS) + "/summary.md");
+  std::ostringstream page;
+  page << file.rdbuf();
+  for (const SampleAxis& axis : sampleAxes()) {
+    EXPECT_THAT(page.str(), HasSubstr("\n| " + std::string(axis.name) + " | "));
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::test
