@@ -48,7 +48,7 @@ TEST_F(SweepRun, EveryStepIsTheRunThatAnOverrideGives) {
 TEST_F(SweepRun, LeavesItsPlotTableAndSummary) {
   runStudy("small", sweepStudy());
   const nlohmann::json json = summary("small");
-  EXPECT_EQ(json.at("schema"), "gnomon-sweep/1");
+  EXPECT_EQ(json.at("schema"), "gnomon-sweep/2");
   EXPECT_EQ(json.at("sweep").at("axis"), "height, world units");
   ASSERT_EQ(json.at("results").size(), 4U);
   for (const nlohmann::json& row : json.at("results")) {
@@ -144,7 +144,7 @@ TEST_F(SweepRun, ErrorsNameFileLineAndKey) {
   EXPECT_EQ(coarse.status, 3);
   EXPECT_THAT(coarse.err, HasSubstr("small.toml: small/100: truth.step"));
   // The first value's report is whole, the sweep has none.
-  EXPECT_EQ(summary("small/0.25").at("schema"), "gnomon-summary/1");
+  EXPECT_EQ(summary("small/0.25").at("schema"), "gnomon-summary/2");
   EXPECT_FALSE(std::filesystem::exists(file("out/small/summary.json")));
 }
 

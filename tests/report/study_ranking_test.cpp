@@ -187,7 +187,7 @@ TEST(RankingJson, HoldsRanksResultsAndClaims) {
   studies[0].status = RunStatus::pass;
   studies[1].status = RunStatus::fail;
   const auto json = nlohmann::json::parse(rankingJson(studies, "gnomon run a b c"));
-  EXPECT_EQ(json["schema"], "gnomon-ranking/1");
+  EXPECT_EQ(json["schema"], "gnomon-ranking/2");
   EXPECT_EQ(json["status"], "fail");
   EXPECT_EQ(json["command"], "gnomon run a b c");
   EXPECT_EQ(json["studies"][0]["report"], "a/report.html");

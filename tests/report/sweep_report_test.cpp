@@ -123,7 +123,7 @@ TEST(SweepJson, HoldsTheSweep) {
   SweepRecord sweep = sampleSweep();
   sweep.steps[2].thresholds = {failedGate()};
   const auto json = nlohmann::json::parse(sweepJson(sweep));
-  EXPECT_EQ(json["schema"], "gnomon-sweep/1");
+  EXPECT_EQ(json["schema"], "gnomon-sweep/2");
   EXPECT_EQ(json["status"], "fail");
   EXPECT_EQ(json["study"]["name"], "bumps");
   EXPECT_EQ(json["environment"]["gl_renderer"], "A rasteriser");
@@ -297,7 +297,10 @@ TEST(SweepTable, HasAColumnAValue) {
                               "  truth ±     0.20     0.10     0.30\n"));
   EXPECT_THAT(text, HasSubstr("  held                 The gain <grows>\n"));
   EXPECT_THAT(text, HasSubstr("Thresholds: 0 of 1 met"));
-  EXPECT_THAT(text, HasSubstr("surface.curvature = 1: flat, noon, camera, region all"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "surface.curvature = 1: flat, error_rate ≤ 0.05, camera, noon: 0.08"));
 }
 
 TEST(SweepTable, FitsHoweverManyTheValues) {

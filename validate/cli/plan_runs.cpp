@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
@@ -39,6 +40,12 @@ void writeCopy(const toml::table& study, const fs::path& file) {
   writeTextAtomically(file, studyCopyText(study, file));
 }
 
+/// Removes the copy of an earlier run, unless it is what this one reads.
+void removeCopy(const fs::path& copy, const fs::path& study) {
+  std::error_code ignored;
+  if (!fs::equivalent(copy, study, ignored)) fs::remove(copy, ignored);
+}
+
 /// The command that runs a step again: its own copy, as the file's study has all values.
 std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunRequest& request) {
   if (!plan.sweep) return request.command;
@@ -55,13 +62,14 @@ StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContex
   });
   // Older figures must not stand beside newer pictures.
   removeRunFiles(folder);
-  writeCopy(reproduction.settings, folder / reproduction.file);
+  removeCopy(folder / reproduction.file, study.file);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
   StudyRecord record = inStudy(study, [&] {
     return runStudy(study, gl, writer, cache,
                     [&](std::string_view stage, double share) { progress.update(stage, share); });
   });
+  writeCopy(reproduction.settings, folder / reproduction.file);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
   return record;
@@ -135,10 +143,12 @@ PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest
   requireCopies(plan, request);
   const PlanRecords part{&plan, records.all.size()};
   const fs::path folder = request.out / plan.name;
+  const fs::path copy = folder / studyCopyName(plan.name);
+  std::optional<toml::table> swept;
   if (plan.sweep) {
+    swept = sweepStudy(plan.steps.front(), request.options, folder);
     removeRunFiles(folder);
-    writeCopy(sweepStudy(plan.steps.front(), request.options, folder),
-              folder / studyCopyName(plan.name));
+    removeCopy(copy, plan.steps.front().file);
   }
   for (const StudySpec& step : plan.steps) {
     runStep(plan, step, gl, request, cache, records);
@@ -146,7 +156,10 @@ PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest
     // At once, so that a later failure leaves this one's report.
     report(step, records, records.all.size() - 1, request, cache);
   }
-  if (plan.sweep) writeSweepFiles(sweepOf(part, records, request), folder, cache);
+  if (swept) {
+    writeCopy(*swept, copy);
+    writeSweepFiles(sweepOf(part, records, request), folder, cache);
+  }
   return part;
 }
 

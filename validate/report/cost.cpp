@@ -69,6 +69,10 @@ std::string publishedRates(const StudyRecord& record) {
       record.environment.glRenderer, *flat / *curved, *flat / *volumes);
 }
 
+std::string frameText(const CostRecord& cost) {
+  return cost.frameMs ? fmt::format("{:.2f}", requireFinite(*cost.frameMs, "frame_ms")) : "–";
+}
+
 std::string keptFrames(const StudyRecord& record) {
   std::set<std::string> days;
   std::vector<std::string> measured;

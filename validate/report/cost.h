@@ -22,6 +22,10 @@ std::uint64_t memoryBytes(const CostRecord& cost);
 /// @throws InternalError for a frame time that is not finite
 std::optional<double> frameRatio(const StudyRecord& record, const CostRecord& cost);
 
+/// A method's frame time, milliseconds with two decimals, or "–".
+/// @throws InternalError for one that is not finite
+std::string frameText(const CostRecord& cost);
+
 /// Which frame times an earlier run measured, and when, as a sentence. Empty if this run measured
 /// all.
 std::string keptFrames(const StudyRecord& record);

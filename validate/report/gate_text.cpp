@@ -61,6 +61,10 @@ std::string gateTitle(const GateRecord& gate) {
   return nameWith(gate, gate.minimum && gate.maximum ? "range" : gate.maximum ? "max" : "min");
 }
 
+std::string gateFaultText(const GateRecord& gate) {
+  return fmt::format("{}: {}", gateName(gate), gateOutcome(gate));
+}
+
 std::string gateOutcome(const GateRecord& gate) {
   if (gate.verdict == GateVerdict::skipped) return "skipped: " + gate.reason;
   if (gate.verdict == GateVerdict::undefined || !gate.value) return "undefined: " + gate.reason;

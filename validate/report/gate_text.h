@@ -21,6 +21,9 @@ std::string gateName(const GateRecord& gate);
 /// "onoue-2004, error_rate max, camera, elevation 24° azimuth 165°".
 std::string gateTitle(const GateRecord& gate);
 
+/// A gate that does not hold: its name, then what came of it.
+std::string gateFaultText(const GateRecord& gate);
+
 /// What came of it: "0.0412, too large by 0.0112", "undefined: no samples", "skipped: …"; with a
 /// reference its committed value.
 std::string gateOutcome(const GateRecord& gate);

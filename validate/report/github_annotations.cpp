@@ -42,8 +42,7 @@ std::string gateAnnotation(const CheckRecord& check, const GateRecord& gate) {
   const bool threshold = gate.kind == GateKind::threshold;
   const char* what = threshold ? "threshold" : "reference";
   const char* outcome = gate.verdict == GateVerdict::failed ? "failed" : "undefined";
-  const std::string message =
-      fmt::format("{}: {}\n{}", gateName(gate), gateOutcome(gate), check.command);
+  const std::string message = fmt::format("{}\n{}", gateFaultText(gate), check.command);
   return command("error", threshold ? check.file : check.baseline, gate.line,
                  fmt::format("{}: {} {}", check.name, what, outcome), message);
 }

@@ -19,6 +19,11 @@ std::string numberCell(std::string_view html, std::string_view tooltip) {
   return fmt::format("<td class=\"n\"{}>{}</td>", title, html);
 }
 
+std::string gateValueCell(const std::optional<double>& value, std::string_view reason) {
+  return value ? numberCell(fmt::format("{:.4g}", *value), exactText(*value))
+               : numberCell("undefined", reason);
+}
+
 std::string heatCell(double share, double worst, std::string_view tooltip) {
   // By the square root: beside a control that gets everything wrong, small errors still differ.
   const double shade = worst > 0 ? std::sqrt(share / worst) : 0;

@@ -15,6 +15,9 @@ std::string textCell(std::string_view text);
 /// @param tooltip  as text; none, if empty
 std::string numberCell(std::string_view html, std::string_view tooltip = "");
 
+/// The value of a gate, or "undefined" with the reason for whoever points at it.
+std::string gateValueCell(const std::optional<double>& value, std::string_view reason);
+
 /// A share in percent, shaded by its size.
 /// @param worst  the table's largest share: its cell gets the full shade
 std::string heatCell(double share, double worst, std::string_view tooltip);

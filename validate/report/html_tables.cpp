@@ -10,12 +10,14 @@
 #include "report/budget_text.h"
 #include "report/cost.h"
 #include "report/error_bars.h"
+#include "report/gate_text.h"
 #include "report/html_cells.h"
 #include "report/html_text.h"
 #include "report/interval_text.h"
 #include "report/number_text.h"
 #include "report/refinement_text.h"
 #include "study/distinguish.h"
+#include "study/gate_record.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -132,14 +134,6 @@ std::string regionSamples(const StudyRecord& record, const Case& which, std::str
   return samples ? groupedText(*samples) + " samples" : "";
 }
 
-std::string boundText(const ThresholdRecord& threshold) {
-  std::string text;
-  if (threshold.minimum) text += "≥ " + exactText(*threshold.minimum);
-  if (threshold.minimum && threshold.maximum) text += ", ";
-  if (threshold.maximum) text += "≤ " + exactText(*threshold.maximum);
-  return text;
-}
-
 }  // namespace
 
 std::string rankingTable(const std::vector<RankedMethod>& ranked) {
@@ -200,14 +194,14 @@ std::string regionTable(const StudyRecord& record, const Case& which) {
 
 std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds) {
   std::string body;
-  for (const ThresholdRecord& t : thresholds) {
-    body +=
-        fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}</tr>\n",
-                    t.passed ? "held" : "failed", t.passed ? "met" : "failed", textCell(t.method),
-                    textCell(t.view), textCell(t.light), textCell(t.region), textCell(t.metric),
-                    t.value ? numberCell(fmt::format("{:.4g}", *t.value), exactText(*t.value))
-                            : numberCell("undefined"),
-                    numberCell(boundText(t)));
+  for (const ThresholdRecord& threshold : thresholds) {
+    const GateRecord gate = gateOf(threshold, "");
+    body += fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}</tr>\n",
+                        gate.verdict == GateVerdict::passed ? "held" : "failed",
+                        gateVerdictName(gate.verdict), textCell(gate.method), textCell(gate.view),
+                        textCell(gate.light), textCell(gate.region), textCell(gate.metric),
+                        gateValueCell(gate.value, gate.reason),
+                        numberCell(escapeHtml(limitText(gate))));
   }
   return htmlTable(
       "thresholds",
@@ -223,8 +217,7 @@ std::string costTable(const StudyRecord& record) {
         "<tr><td class=\"method\">{}</td>{}{}{}{}{}{}</tr>\n", escapeHtml(c.method),
         numberCell(groupedText(c.polygons)), numberCell(bytes(c.tableBytes)),
         numberCell(bytes(c.heightBytes)), numberCell(fmt::format("{}", c.passes)),
-        c.frameMs ? numberCell(fmt::format("{:.2f}", requireFinite(*c.frameMs, "frame_ms")))
-                  : numberCell("–", "not measured"),
+        numberCell(frameText(c), c.frameMs ? "" : "not measured"),
         numberCell(timesText(ratio), ratio ? "" : fmt::format("{} was not timed", costReference)));
   }
   return htmlTable("cost",

@@ -63,8 +63,7 @@ Tally addGate(pugi::xml_node suite, const CheckRecord& check, const GateRecord& 
   const char* kind = gate.kind == GateKind::threshold ? "threshold" : "reference";
   pugi::xml_node node = addCase(suite, fmt::format("{}.{}", check.name, kind), gateTitle(gate));
   Tally counts{1, 0, 0, 0};
-  const std::string message =
-      fmt::format("{}: {}: {}", placeOf(check, gate), gateName(gate), gateOutcome(gate));
+  const std::string message = fmt::format("{}: {}", placeOf(check, gate), gateFaultText(gate));
   switch (gate.verdict) {
     case GateVerdict::passed:
       break;

@@ -9,15 +9,9 @@
 namespace gnomon {
 
 /// The value of "schema". A reader may rely on the keys below as long as it does not change.
-constexpr std::string_view rankingSchema = "gnomon-ranking/1";
+constexpr std::string_view rankingSchema = "gnomon-ranking/2";
 
-/// The ranking of methods over all studies of a run, as JSON:
-///   schema, status ("pass" or "fail"), command
-///   studies[]  name, title, status, report (path of its page, relative to this file)
-///   methods[]  rank (null where not in every study), label, names, studies, mean_error_rate,
-///              worst_error_rate, worst_study, uncertainty, leader_error_rate (null with a rank)
-///   results[]  study, method, error_rate, false_shadow, false_light, uncertainty
-///   claims[]   study, text, source, verdict, detail
+/// The ranking of methods over all studies of a run, as JSON: docs/summary.md documents every key.
 /// @throws InternalError naming the key for a number that is not finite
 std::string rankingJson(std::span<const StudyMeans> studies, std::string_view command);
 

@@ -21,19 +21,14 @@ bool holds(const GateRecord& gate) {
   return gate.verdict == GateVerdict::passed || gate.verdict == GateVerdict::skipped;
 }
 
-std::string valueCell(const std::optional<double>& value, const std::string& reason) {
-  return value ? numberCell(fmt::format("{:.4g}", *value), exactText(*value))
-               : numberCell("undefined", reason);
-}
-
 std::string referenceRow(const GateRecord& gate) {
   const std::string change =
       gate.value && gate.expected ? fmt::format("{:+.3g}", *gate.value - *gate.expected) : "–";
   return fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}{}</tr>\n",
                      holds(gate) ? "held" : "failed", gateVerdictName(gate.verdict),
                      textCell(gate.method), textCell(gate.view), textCell(gate.light),
-                     textCell(gate.metric), valueCell(gate.expected, ""),
-                     valueCell(gate.value, gate.reason), numberCell(change),
+                     textCell(gate.metric), gateValueCell(gate.expected, ""),
+                     gateValueCell(gate.value, gate.reason), numberCell(change),
                      numberCell(escapeHtml(limitText(gate))));
 }
 

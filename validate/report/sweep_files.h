@@ -8,15 +8,9 @@
 namespace gnomon {
 
 /// The value of "schema". A reader may rely on the keys below as long as it does not change.
-constexpr std::string_view sweepSchema = "gnomon-sweep/1";
+constexpr std::string_view sweepSchema = "gnomon-sweep/2";
 
-/// A sweep as JSON:
-///   schema, status ("pass" or "fail"), study (as in the steps' summaries), environment
-///   sweep      key, axis, values
-///   steps[]    value, status, summary (path of its summary, relative to this file)
-///   results[]  value, method, error_rate, false_shadow, false_light, uncertainty: means over
-///              lights and views; bytes (tables and height map), frame_ms: null where not measured
-///   claims[]   text, source, verdict, detail: judged over all steps
+/// A sweep as JSON: docs/summary.md documents every key.
 /// @throws InternalError naming the key for a number that is not finite
 std::string sweepJson(const SweepRecord& sweep);
 

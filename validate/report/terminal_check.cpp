@@ -137,8 +137,7 @@ void appendFaults(TerminalPage& page, const CheckRecord& check) {
   for (const GateRecord& gate : check.gates) {
     if (!isFault(gate)) continue;
     const bool failed = gate.verdict == GateVerdict::failed;
-    fault(failed ? "failed" : "undefined",
-          fmt::format("{}: {}", gateName(gate), gateOutcome(gate)));
+    fault(failed ? "failed" : "undefined", gateFaultText(gate));
   }
 }
 

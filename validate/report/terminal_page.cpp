@@ -53,15 +53,4 @@ void TerminalPage::claims(const std::vector<ClaimRecord>& records) {
   }
 }
 
-std::string thresholdFailureText(const ThresholdRecord& threshold) {
-  std::string text =
-      fmt::format("{}, {}, {}, region {}: {} is {}", threshold.method, threshold.light,
-                  threshold.view, threshold.region, threshold.metric,
-                  threshold.value ? exactText(*threshold.value) : "undefined");
-  if (threshold.maximum) text += fmt::format(", at most {} allowed", exactText(*threshold.maximum));
-  if (threshold.minimum)
-    text += fmt::format(", at least {} required", exactText(*threshold.minimum));
-  return text;
-}
-
 }  // namespace gnomon

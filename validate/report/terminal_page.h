@@ -42,7 +42,4 @@ class TerminalPage {
   std::string text_;
 };
 
-/// Which gate failed, by what value: "METHOD, LIGHT, VIEW, region REGION: METRIC is …".
-std::string thresholdFailureText(const ThresholdRecord& threshold);
-
 }  // namespace gnomon

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "report/gate_text.h"
 #include "report/number_text.h"
 #include "report/study_ranking.h"
 #include "report/terminal_page.h"
 #include "report/text_width.h"
+#include "study/gate_record.h"
 #include "study/sweep.h"
 
 namespace gnomon {
@@ -79,7 +81,7 @@ void appendFailures(TerminalPage& page, const SweepRecord& sweep) {
       ++gates;
       if (threshold.passed) continue;
       failures.push_back(fmt::format("{} = {}: {}", sweep.key, sweepValueText(sweep.values.at(i)),
-                                     thresholdFailureText(threshold)));
+                                     gateFaultText(gateOf(threshold, sweep.name))));
     }
   }
   if (gates == 0) return;

@@ -9,6 +9,7 @@
 #include "common/memory.h"
 #include "report/cases.h"
 #include "report/cost.h"
+#include "report/gate_text.h"
 #include "report/number_text.h"
 #include "report/refinement_text.h"
 #include "report/terminal_budget.h"
@@ -16,6 +17,7 @@
 #include "report/terminal_page.h"
 #include "report/text_width.h"
 #include "study/distinguish.h"
+#include "study/gate_record.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -202,7 +204,7 @@ void appendThresholds(TerminalPage& page, const StudyRecord& record) {
   for (const ThresholdRecord& threshold : record.thresholds) {
     if (threshold.passed) continue;
     page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
-    page.paragraph(thresholdFailureText(threshold), 2 * terminalIndent);
+    page.paragraph(gateFaultText(gateOf(threshold, record.name)), 2 * terminalIndent);
   }
 }
 
@@ -231,9 +233,7 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
     page.line(costRow(
         width, cost.method,
         {groupedText(cost.polygons), formatBytes(static_cast<double>(cost.tableBytes)),
-         fmt::format("{}", cost.passes),
-         cost.frameMs ? fmt::format("{:.2f}", requireFinite(*cost.frameMs, "frame_ms")) : "–",
-         timesText(frameRatio(record, cost))}));
+         fmt::format("{}", cost.passes), frameText(cost), timesText(frameRatio(record, cost))}));
   }
   const std::string kept = keptFrames(record);
   if (!kept.empty()) page.paragraph(kept);
