@@ -21,7 +21,7 @@ using test::ErrorShape;
 using test::mixed;
 using test::RandomFields;
 
-constexpr int drawnSide = 120;
+constexpr int drawnSide = 144;
 constexpr int maskCount = 400;
 
 Mask litEverywhere() {
@@ -122,8 +122,8 @@ TEST_P(CoverageOfRates, IsThatOfTheMasks) {
   EXPECT_LE(all.share(), 0.97);
 }
 
-INSTANTIATE_TEST_SUITE_P(FeaturesFromAHundredthToATenthOfTheSide, CoverageOfRates,
-                         testing::Values(1.0, 2.0, 3.5));
+INSTANTIATE_TEST_SUITE_P(FeaturesUpToASixteenthOfTheSide, CoverageOfRates,
+                         testing::Values(1.0, 1.8, 2.6));
 
 /// Two methods whose errors are alike, and alike under three lights.
 TEST(CoverageOfDifferences, IsThatOfTheMasks) {
@@ -176,7 +176,7 @@ TEST(CoverageOfRates, IsThatOfTheMasksBehindASilhouetteAndUnderWeights) {
   for (int y = 0; y < drawnSide; ++y) {
     for (int x = 0; x < drawnSide; ++x) {
       const auto i = static_cast<std::size_t>(y) * drawnSide + static_cast<std::size_t>(x);
-      if (std::hypot(x - 55.0, y - 66.0) > 50) truth.samples[i] = Shade::none;
+      if (std::hypot(x - 66.0, y - 79.0) > 60) truth.samples[i] = Shade::none;
       weights[i] = 1 + 3.0 * x / drawnSide;
     }
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int samplesPerSide = 40;
 constexpr std::size_t budgetSamples = 1600;
-const Tiling tiling{2, 20};  // 100 blocks of 4 × 4
+const Tiling tiling{1, 40};  // 400 blocks of 2 × 2
 
 Mask maskOf(const std::vector<Shade>& shades) {
   return {samplesPerSide, samplesPerSide, shades};
@@ -78,7 +78,7 @@ TEST(Budget, IsWhatEachStepOfAMadeUpLadderChanges) {
   EXPECT_DOUBLE_EQ(budget.distant.value, 20.0 / budgetSamples);
   EXPECT_DOUBLE_EQ(budget.other.value, 80.0 / budgetSamples);
   EXPECT_DOUBLE_EQ(orderDependence(budget), 20.0 / budgetSamples);
-  EXPECT_EQ(budget.blocks, 100U);
+  EXPECT_EQ(budget.blocks, 400U);
   EXPECT_EQ(budget.light, "noon");
   ASSERT_EQ(budget.forward.size(), 3U);
   EXPECT_DOUBLE_EQ(budget.forward[1].errorRate, 80.0 / budgetSamples);
@@ -126,7 +126,7 @@ TEST(Budget, TellsWhatCannotBeToldFromNone) {
   const Truth truth = madeUpTruth();
   const StateErrors start = errorsOf(truth, wrongAt(truth, 0, 1200, 3));  // 400, everywhere
   const StateErrors some =
-      errorsOf(truth, wrongAt(truth, 480, 1200, 3));  // 240, right in three rows of blocks
+      errorsOf(truth, wrongAt(truth, 480, 1200, 3));  // 240, right in six rows of blocks
   const StateErrors none = errorsOf(truth, truth.mask);
   const auto first = [&](double uncertainty) {
     return attributeError(ladderOf({"some", "all"}), {"atlas", "noon", uncertainty, tiling},
@@ -145,8 +145,8 @@ TEST(Budget, TellsWhatCannotBeToldFromNone) {
   EXPECT_FALSE(sure.distant.distinguishable);
 }
 
-/// A large share that one block alone has is not sure: another part of the surface may lack it.
-TEST(Budget, OneBlockIsNoEvidence) {
+/// A large share that one place alone has is not sure: another draw of the bumps may lack it.
+TEST(Budget, OnePlaceIsNoEvidence) {
   const Truth truth = madeUpTruth();
   Mask mask = truth.mask;
   for (int y = 0; y < 8; ++y) {
@@ -159,7 +159,7 @@ TEST(Budget, OneBlockIsNoEvidence) {
                      {errorsOf(truth, mask), none});
   EXPECT_DOUBLE_EQ(budget.causes[0].forward.value, 0.04);
   EXPECT_FALSE(budget.causes[0].forward.interval);
-  EXPECT_EQ(budget.causes[0].forward.reason, "too few blocks of the view differ");
+  EXPECT_EQ(budget.causes[0].forward.reason, "a few blocks of the view hold nearly all of the difference");
   EXPECT_FALSE(budget.causes[0].forward.distinguishable);
 }
 

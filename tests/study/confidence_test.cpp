@@ -9,7 +9,7 @@
 namespace gnomon {
 namespace {
 
-constexpr int maskSide = 108;
+constexpr int maskSide = 144;
 
 /// Methods whose errors are the level sets of fields with much in common, under two lights.
 ViewErrors someErrors() {
@@ -49,7 +49,7 @@ TEST(ConfidenceOf, SpeaksOfAllLightsAndOfEach) {
     ASSERT_TRUE(record.interval) << record.reason;
     EXPECT_TRUE(record.interval->holds(record.rate));
     EXPECT_EQ(record.reason, "");
-    EXPECT_EQ(record.blocks, 81U);
+    EXPECT_EQ(record.blocks, 144U);
     EXPECT_EQ(record.blockSide, 12);
   }
   const Interval alone = *rateConfidence(errors.methods[0].lights[1], errors.tiling).interval;

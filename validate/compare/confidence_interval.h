@@ -49,8 +49,8 @@ struct Interval {
 ///
 /// *Checked* by simulation (tests/compare/confidence_coverage_test.cpp) with and without drift, and
 /// against new draws of the bumps (tests/end_to_end/redrawn_bumps_test.cpp). It is too narrow where
-/// a bump is larger than a tenth of the view's side, and too wide where the errors form a regular
-/// lattice.
+/// bumps larger than a sixteenth of the view's side lie at random, and too wide, by a factor of 2
+/// or so, where the errors form a regular lattice or pile up at one sharp place.
 struct ConfidenceInterval {
   std::optional<Interval> interval;  ///< none where too little is known
   std::string_view reason;           ///< why there is none; empty if there is one
@@ -58,7 +58,7 @@ struct ConfidenceInterval {
 };
 
 /// Fewer blocks than this give no interval.
-constexpr std::size_t leastBlocks = 81;
+constexpr std::size_t leastBlocks = 144;
 /// Fewer blocks than this in which anything deviates from none at all give no interval.
 constexpr std::size_t leastWrongBlocks = 6;
 /// Fewer degrees of freedom than this give no interval: one or two blocks decide everything.
