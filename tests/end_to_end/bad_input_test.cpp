@@ -270,10 +270,10 @@ TEST_F(BadInput, Shaders) {
     expectFailure({parameters, {"run", "own.toml"}, 3, mentions});
   };
   refuseParameter("{bias = 2.5}",
-                  {"own.toml:", "method.1.parameters.bias: 2.5 found, -2 to 2 expected"});
+                  {"own.toml:", "method.2.parameters.bias: 2.5 found, -2 to 2 expected"});
   refuseParameter("{bais = 1}",
-                  {"own.toml:", "method.1.parameters.bais: biased-horizon has no such parameter"});
-  refuseParameter("3", {"own.toml:", "method.1.parameters: 3 found, a table expected"});
+                  {"own.toml:", "method.2.parameters.bais: biased-horizon has no such parameter"});
+  refuseParameter("3", {"own.toml:", "method.2.parameters: 3 found, a table expected"});
   refuseParameter("{bias = \"big\"}", {"own.toml:", "parameters.bias: the string \"big\" found"});
 }
 

@@ -123,7 +123,7 @@ TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
   changes.curvature = 1.0 / 90;
   changes.bake = {24, 16, 40.5};
   changes.subdivisions = 3;
-  changes.methods["relief-march"].parameters["stride"] = 0.3;
+  changes.methods["relief-march"].parameters["steps"] = 30;
   changes.methods["onoue-2004"].bake.azimuths = 12;
   changes.methods["onoue-2004"].subdivisions = 2;
   StudyState state;
@@ -153,7 +153,7 @@ TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
   EXPECT_EQ(saved.methods[0].bake.settings.azimuths, 12);
   EXPECT_EQ(saved.methods[0].bake.bits, TableBits::sixteen);
   EXPECT_EQ(saved.methods[0].baseSubdivisions, 2);
-  EXPECT_EQ(saved.methods[1].parameters.at("stride"), 0.3);
+  EXPECT_EQ(saved.methods[1].parameters.at("steps"), 30);
   EXPECT_EQ(saved.methods[1].baseSubdivisions, 3);
   ASSERT_EQ(saved.views.size(), 1U);
   EXPECT_TRUE(sameCamera(std::get<Camera>(saved.views[0].kind), camera));
