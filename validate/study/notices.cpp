@@ -20,9 +20,9 @@ std::string finerTruth(const StudySpec& study, const TruthRecord& truth) {
   const double factor = study.quick ? quickFactor : 1;
   const std::string change =
       study.truthUncertainty
-          ? fmt::format("truth.uncertainty = {:g} (now {:.3g})", mostUncertainty,
+          ? fmt::format("truth.uncertainty = {:g} (now {:g})", mostUncertainty,
                         *study.truthUncertainty / factor)
-          : fmt::format("truth.step = {:.3g} (now {:.3g})", truth.askedStepTexels / factor / 2,
+          : fmt::format("truth.step = {:g} (now {:g})", truth.askedStepTexels / factor / 2,
                         truth.askedStepTexels / factor);
   return study.quick ? "Leave out --quick; or set " + change : "Set " + change;
 }
