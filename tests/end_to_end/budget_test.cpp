@@ -90,9 +90,9 @@ TEST_F(BudgetRun, AddsUpToTheErrorOfTheMethod) {
       for (const nlohmann::json& cause : budget.at("causes")) sum += shareOf(cause.at(way));
       EXPECT_NEAR(sum, total, 1e-15) << light << " " << way;
     }
-    // As few as give 16 of equal weight; those at the border may be slivers.
-    EXPECT_GE(budget.at("blocks"), 16);
-    EXPECT_LE(budget.at("blocks"), 36);
+    // As few as give 144 of equal weight; those at the border may be slivers.
+    EXPECT_GE(budget.at("blocks"), 144);
+    EXPECT_LE(budget.at("blocks"), 256);
     if (budget.at("method") != "onoue-2004") continue;
     if (light == "all") continue;
     ofLights.push_back(total);
