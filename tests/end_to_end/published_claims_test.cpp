@@ -70,8 +70,10 @@ class PublishedClaims : public EndToEnd {
 };
 
 /// Beyond the terminator both methods err alike where the light stands at 60°: no order is found.
+/// The flat horizon map is wrong half as often as no shadows at all, but elsewhere: at 30° the
+/// interval of the difference holds 0.
 const std::vector<std::string> sphereVerdicts = {"held", "held", "held", "not distinguishable",
-                                                 "held"};
+                                                 "not distinguishable"};
 
 TEST_F(PublishedClaims, HoldInAPreview) {
   runSpheres({"--quick"});
@@ -110,8 +112,9 @@ TEST_F(PublishedClaims, AClaimAcrossStudiesNeedsBoth) {
   const Outcome outcome = gnomon(runClaimed({GNOMON_SCENES "/sphere-columns.toml"},
                                             {"--quick", "--set", "light.0.elevation=30"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(verdicts("sphere-columns"), (std::vector<std::string>{"held", "not evaluated", "held",
-                                                                  "not distinguishable", "held"}));
+  EXPECT_EQ(verdicts("sphere-columns"),
+            (std::vector<std::string>{"held", "not evaluated", "held", "not distinguishable",
+                                      "not distinguishable"}));
   EXPECT_THAT(outcome.out, ::testing::HasSubstr("sphere-columns-flat"));
 }
 
