@@ -59,7 +59,8 @@ TEST_P(ResampledHeights, CountTexelsOnceMoreWhereHeightsDo) {
   const HeightField once = resampledHeights(coarse, factor, 1);
   const HeightField scaled = resampledHeights(coarse, factor, factor);
   for (std::size_t i = 0; i < once.texels().size(); ++i) {
-    ASSERT_NEAR(scaled.texels()[i], factor * once.texels()[i], factor * 0x1p-23);
+    ASSERT_NEAR(scaled.texels()[i], static_cast<float>(factor) * once.texels()[i],
+                factor * 0x1p-23);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "report/radius_text.h"
+#include "study/distinguish.h"
 
 #include <gmock/gmock.h>
 
@@ -64,7 +65,7 @@ TEST(RadiusText, ADifferenceSeenFromTheOtherSideTurnsWithItsCheck) {
   row.verdict = DifferenceVerdict::better;
   row.radius = {DifferenceVerdict::worse, DifferenceVerdict::better};
   record.differences = {row};
-  const auto turned = differenceOf(record, "camera", "b", "a");
+  const auto turned = differenceOf(record, "camera", allLights, "b", "a");
   ASSERT_TRUE(turned);
   EXPECT_EQ(turned->radius->atHalf, DifferenceVerdict::better);
   EXPECT_EQ(turned->radius->atTwice, DifferenceVerdict::worse);
