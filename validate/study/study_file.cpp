@@ -110,7 +110,7 @@ double quickStep(double step) {
 }
 
 void readTruth(const TomlReader& section, StudySpec& study) {
-  section.allow({"step", "uncertainty"});
+  section.allow({"step", "uncertainty", "triangles"});
   study.truth.stepTexels = section.optionalNumber("step", positive);
   if (study.truth.stepTexels) *study.truth.stepTexels *= study.relief.resample;
   constexpr Range shares{0, 1, true};
@@ -171,7 +171,7 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   const auto label = [](const MethodSpec& method) { return method.label; };
   const auto name = [](const auto& entry) { return entry.name; };
   const auto itself = [](const std::string& text) { return text; };
-  section.allow({"method", "light", "view", "region", "metric", "min", "max", "quick"});
+  section.allow({"method", "light", "view", "region", "metric", "min", "max", "answer", "quick"});
   ThresholdSpec threshold;
   threshold.method = readFilter(section, "method", study.methods, label, "");
   threshold.light = readFilter(section, "light", study.lights, name, "");
@@ -193,7 +193,7 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
   const auto label = [](const MethodSpec& method) { return method.label; };
   const auto itself = [](const std::string& text) { return text; };
   section.allow({"text", "source", "less", "than", "gain_exceeds", "gain_grows", "method", "above",
-                 "below", "metric", "region"});
+                 "below", "metric", "region", "answer"});
   ClaimSpec claim;
   claim.text = section.text("text");
   claim.source = section.text("source");
@@ -260,7 +260,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   root.allow({"study", "surface", "relief", "bake", "base", "truth", "view", "light", "method",
               "threshold", "claim", "ladder", "sweep"});
   const TomlReader header = root.table("study");
-  header.allow({"name", "title", "source", "ranked"});
+  header.allow({"name", "title", "source", "ranked", "quick"});
   const TomlReader surface = root.table("surface");
   const TomlReader relief = root.table("relief");
   StudySpec study{file,
