@@ -4,7 +4,7 @@
 
 uniform sampler2D heightMap;
 uniform float searchRadius;  // how far tables are searched and the map is marched, texels
-uniform vec2 heightBounds;  // the lowest and the highest texel, height units
+uniform vec2 heightBounds;   // the lowest and the highest texel, height units
 
 struct Cell {
   vec4 heights;   // h00, h10, h01, h11

@@ -29,7 +29,8 @@ std::string listText(const std::vector<std::string>& names) {
 
 /// @param difference  of the worse method, less the best
 std::string betterText(const DifferenceRecord& difference) {
-  const std::string radius = radiusNote(difference);
+  // It says what becomes of the best.
+  const std::string radius = radiusNote(swapped(difference));
   return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.second,
                      difference.first, percentText(difference.difference),
                      intervalText(difference.interval), radius.empty() ? "" : ", which " + radius);

@@ -241,6 +241,7 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
 
 /// How far tables and marches look.
 void appendRadius(TerminalPage& page, const StudyRecord& record) {
+  if (record.methods.empty()) return;
   page.blank();
   page.paragraph("Search radius " + radiusText(record.radius));
 }

@@ -30,11 +30,10 @@ struct PanelAnswer {
 /// writer. A mesh is drawn twice for each view and light, with all its samples lit and with all of
 /// them shadowed: its shadings are composed of the two. Files are named
 /// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
-/// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone.
-/// The truth's
-/// regions are `regions/VIEW_LIGHT_truth.png`; where a method draws a mesh at whose samples the
-/// truth is another than at the standard base's, it is `truth_displaced-9`, after the mesh's pieces
-/// a side.
+/// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone. The
+/// truth's regions are `regions/VIEW_LIGHT_truth.png`; where a method draws a mesh at whose samples
+/// the truth is another than at the standard base's, it is `truth_displaced-9`, after the mesh's
+/// pieces a side.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);
