@@ -99,6 +99,10 @@ TEST_F(PublishedClaims, FigureEightHasThePapersCounts) {
   int displaced = 0;
   for (const nlohmann::json& cost : json.at("cost")) {
     const std::string method = cost.at("method");
+    if (method.ends_with(", fine")) {  // 16 × 16 pieces instead of 9 × 9
+      EXPECT_EQ(cost.at("polygons"), 960 * 16 * 16) << method;
+      continue;
+    }
     const bool geometry = method == "shadow-volume" || method == "shadow-map";
     displaced += geometry ? 1 : 0;
     EXPECT_EQ(cost.at("polygons"), geometry ? 77760 : 960) << method;
@@ -113,7 +117,7 @@ TEST_F(PublishedClaims, AClaimAcrossStudiesNeedsBoth) {
                                             {"--quick", "--set", "light.0.elevation=30"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(verdicts("sphere-columns"),
-            (std::vector<std::string>{"held", "not evaluated", "held", "not distinguishable",
+            (std::vector<std::string>{"held", "not evaluated", "held", "held",
                                       "not distinguishable"}));
   EXPECT_THAT(outcome.out, ::testing::HasSubstr("sphere-columns-flat"));
 }

@@ -37,7 +37,7 @@ Cage bowl() {
 Mask with(const RenderScene& scene, const std::string& method, const RenderView& view,
           const Vec3& light, const std::map<std::string, double>& parameters) {
   const Method read = readMethod(methodFile(shaderFolder(), method));
-  return scene.test(read, view, light, TableFilter::exact, parameters);
+  return scene.answer(read, view, light, TableFilter::exact, parameters);
 }
 
 TEST(MethodLimits, TheEarlierPaperIsTheFlatMethodWhereTheSurfaceIsConcave) {

@@ -226,7 +226,7 @@ TEST(PublishedMethods, MarchOnTheCircleEndsAShadowWhereTheCircleSays) {
   constexpr double height = 6;
   const RenderScene scene(makeSphere(radius, 1.6, 0.4, 64, 16),
                           stepRelief(128, 32, height, [](int i, int) { return i >= 60 && i < 64; }),
-                          {4, 4}, TableBits::eight, 4);
+                          {4, 64}, TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 15);
   const Mask mask = scene.test("osculating-march", view, lightToward(180, 25));
   const double edge = (63.5 - 64) / 128 * 1.6;  // longitude of the wall's upper edge

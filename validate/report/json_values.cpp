@@ -162,6 +162,7 @@ Json jsonReference(const GateRecord& gate) {
   return {{"method", gate.method},
           {"light", gate.light},
           {"view", gate.view},
+          {"answer", answerName(gate.answer)},
           {"metric", gate.metric},
           {"committed", jsonNumber(gate.expected, "references.committed")},
           {"value", jsonNumber(gate.value, "references.value")},
