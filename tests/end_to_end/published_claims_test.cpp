@@ -116,9 +116,8 @@ TEST_F(PublishedClaims, AClaimAcrossStudiesNeedsBoth) {
   const Outcome outcome = gnomon(runClaimed({GNOMON_SCENES "/sphere-columns.toml"},
                                             {"--quick", "--set", "light.0.elevation=30"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(verdicts("sphere-columns"),
-            (std::vector<std::string>{"held", "not evaluated", "held", "held",
-                                      "not distinguishable"}));
+  EXPECT_EQ(verdicts("sphere-columns"), (std::vector<std::string>{"held", "not evaluated", "held",
+                                                                  "held", "not distinguishable"}));
   EXPECT_THAT(outcome.out, ::testing::HasSubstr("sphere-columns-flat"));
 }
 

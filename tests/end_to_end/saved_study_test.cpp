@@ -1,5 +1,7 @@
 #include "model/saved_study.h"
+#include "study/study_file.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "end_to_end/program.h"
@@ -32,6 +34,10 @@ TEST_F(SavedRun, HasTheFiguresAndMasksOfTheStateItHolds) {
   std::filesystem::create_directories(file("saved"));
   saveStudy(state, file("saved/state.toml"));
 
+  // The state keeps the radius of the tables that it shows, which the rule chose by the file's
+  // light.
+  const std::string radius = fmt::format(
+      "bake.radius={}", readStudy(state.file, state.options).bake.settings.radiusTexels);
   const Outcome saved = gnomon({"run", "saved/state.toml", "--quick"});
   ASSERT_EQ(saved.status, 0) << saved.err;
   const Outcome original = gnomon({"run",
@@ -41,6 +47,8 @@ TEST_F(SavedRun, HasTheFiguresAndMasksOfTheStateItHolds) {
                                    "relief.height=6.5",
                                    "--set",
                                    "bake.azimuths=12",
+                                   "--set",
+                                   radius,
                                    "--set",
                                    "view.0.eye=[20, -60.5, 55]",
                                    "--set",

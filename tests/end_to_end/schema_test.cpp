@@ -114,7 +114,7 @@ TEST_F(SummarySchema, IsThatOfThePage) {
   };
   Schema written;
   ASSERT_EQ(checked({"ref", "--update-baseline", "--reason", "a test"}).status, 0);
-  ASSERT_EQ(checked({"ref"}).status, 0);
+  ASSERT_EQ(checked({"ref", "--vary-radius"}).status, 0);
   add(written, "summary.json", "out/small/summary.json");
   for (const char* name : {"metrics.csv", "bins.csv", "budget.csv", "frontier.csv", "table.csv"}) {
     addColumns(written, name, std::string("out/small/") + name);
@@ -131,8 +131,14 @@ less = "max-forsyth"
 than = "unshadowed"
 gain_grows = true
 )");
-  write("other.toml", replaced(smallStudy(), "\"small\"", "\"other\""));
-  const Outcome outcome = gnomon({"run", "swept.toml", "other.toml"});
+  write("other.toml", replaced(smallStudy(), "\"small\"", "\"other\"") + R"(
+[[claim]]
+text = "Shadows matter"
+source = "a test"
+less = "max-forsyth"
+than = "unshadowed"
+)");
+  const Outcome outcome = gnomon({"run", "swept.toml", "other.toml", "--vary-radius"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   add(written, "sweep: summary.json", "out/swept/summary.json");
   add(written, "ranking.json", "out/ranking.json");

@@ -88,7 +88,7 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
             (Keys{"text", "source", "verdict", "detail", "spread", "radius"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
-            (Keys{"kind", "method", "caption", "path", "mask", "truth"}));
+            (Keys{"kind", "method", "caption", "path", "mask", "test_mask", "truth"}));
   EXPECT_TRUE(json["panels"][0]["pictures"][0]["truth"].is_null());
   StudyRecord withTruth = recordWithPanel();
   withTruth.panels[0].pictures[0].truth = {"masks/t.png", "regions/t.png", ""};
@@ -199,8 +199,8 @@ TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
   EXPECT_EQ(json["status"], "fail");
   EXPECT_EQ(json["baseline"], "reference/sample.json");
   EXPECT_EQ(keysOf(json["references"][0]),
-            (Keys{"method", "light", "view", "metric", "committed", "value", "minimum", "maximum",
-                  "verdict", "reason"}));
+            (Keys{"method", "light", "view", "answer", "metric", "committed", "value", "minimum",
+                  "maximum", "verdict", "reason"}));
   EXPECT_EQ(json["references"][0]["verdict"], "fail");
   EXPECT_EQ(json["references"][0]["committed"], 0.004);
   record.references.clear();

@@ -81,6 +81,7 @@ Json pictureJson(const PictureRecord& picture) {
           {"caption", picture.caption},
           {"path", picture.path},
           {"mask", picture.mask.empty() ? Json(nullptr) : Json(picture.mask)},
+          {"test_mask", picture.testMask.empty() ? Json(nullptr) : Json(picture.testMask)},
           {"truth", truthFilesJson(picture.truth)}};
 }
 

@@ -306,7 +306,7 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
          [&]() -> const Mask& { return answer.answers().test; }});
     panel.pictures.push_back({Kind::shaded, label, label, path("images", view, light, name),
                               path("masks", view, light, name), std::move(embedded), mesh.layers,
-                              truthAt(base)});
+                              truthAt(base), path("masks/test", view, light, name)});
   }
   if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",

@@ -160,6 +160,7 @@ struct PictureRecord {
   std::optional<std::size_t> layers = std::nullopt;
   /// Of a shading: the truth at its own samples.
   std::optional<TruthFilesRecord> truth = std::nullopt;
+  std::string testMask = {};  ///< of a method's shading: what its shadow test alone says
 };
 
 /// One mesh in one view under one light, with all its samples lit and with all of them shadowed: as
