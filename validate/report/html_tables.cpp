@@ -33,7 +33,8 @@ std::string indistinguishableText(const std::vector<std::string>& labels) {
   constexpr std::size_t shown = 3;
   std::string names;
   for (std::size_t i = 0; i < std::min(shown, labels.size()); ++i) {
-    names += (i > 0 ? ", " : "") + escapeHtml(labels[i]);
+    // Labels may hold commas.
+    names += (i > 0 ? "; " : "") + escapeHtml(labels[i]);
   }
   if (labels.size() > shown) names += fmt::format(" and {} more", labels.size() - shown);
   return fmt::format("<small class=\"same\">not distinguishable from {}</small>", names);

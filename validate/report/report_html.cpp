@@ -83,7 +83,8 @@ std::string rankingSection(const std::vector<RankedMethod>& ranked) {
       "truth’s own uncertainty: the share of its samples that change at half its resolution. "
       "<b>95&#8239;%</b> is the interval of the mean error. " +
           std::string(intervalMeaning) +
-          " The bar shows the error’s two parts, <i class=\"chip shadow\"></i> false shadow and "
+          " <b>Test alone</b>: the error of the shadow test without the shading. The bar shows the "
+          "error’s two parts, <i class=\"chip shadow\"></i> false shadow and "
           "<i class=\"chip light\"></i> false light, round its end the truth’s uncertainty "
           "<i class=\"chip truth\"></i> and the interval <i class=\"chip whisker\"></i>.</p>\n" +
           rankingTable(ranked));
