@@ -172,9 +172,10 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
   for (const auto& [label, method] : scene->methods) {
     if (!method->tables || tables) continue;
     const TableImage& image = method->tables->horizon;
-    tables.emplace(SectionTables{image.values,
-                                 method->tables->distance.values,
-                                 {image.width, image.height, image.layers, image.wrap, image.border}});
+    tables.emplace(
+        SectionTables{image.values,
+                      method->tables->distance.values,
+                      {image.width, image.height, image.layers, image.wrap, image.border}});
   }
   section_ = crossSection(*scene->surface, scene->study->relief, sample, light, {radius, 8},
                           tables ? &*tables : nullptr);

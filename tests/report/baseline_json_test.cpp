@@ -63,7 +63,8 @@ TEST_F(BaselineFile, HasALineForEachValueAndNothingOfTheMachine) {
   const std::string text = baselineJson(sampleBaseline());
   EXPECT_THAT(text,
               HasSubstr("\n    {\"study\":\"sample/1\",\"method\":\"a, b\",\"view\":\"camera\","
-                        "\"light\":\"elevation 30°\",\"answer\":\"drawn\",\"metric\":\"error_rate\",\"value\":0.1,"
+                        "\"light\":\"elevation "
+                        "30°\",\"answer\":\"drawn\",\"metric\":\"error_rate\",\"value\":0.1,"
                         "\"spread\":0.0125,\"tolerance\":0.025},\n"));
   EXPECT_THAT(text, EndsWith("]\n}\n"));
   Baseline elsewhere = sampleBaseline();

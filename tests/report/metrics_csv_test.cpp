@@ -94,9 +94,10 @@ TEST(MetricsCsv, QuotesWhatNeedsIt) {
   record.results.resize(1);
   record.results[0].light = "two\nlines";
   const std::string csv = metricsCsv(record);
-  EXPECT_NE(csv.find("\nsample,\"rough, \"\"old\"\"\",\"two\nlines\",camera,drawn,all,1000,230,80,20,670,"
-                     "0.1,0.08,0.02,"),
-            std::string::npos)
+  EXPECT_NE(
+      csv.find("\nsample,\"rough, \"\"old\"\"\",\"two\nlines\",camera,drawn,all,1000,230,80,20,670,"
+               "0.1,0.08,0.02,"),
+      std::string::npos)
       << csv;
   EXPECT_EQ(parse(csv)[1][2], "two\nlines");
 }

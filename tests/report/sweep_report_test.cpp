@@ -297,10 +297,8 @@ TEST(SweepTable, HasAColumnAValue) {
                               "  truth ±     0.20     0.10     0.30\n"));
   EXPECT_THAT(text, HasSubstr("  held                 The gain <grows>\n"));
   EXPECT_THAT(text, HasSubstr("Thresholds: 0 of 1 met"));
-  EXPECT_THAT(
-      text,
-      HasSubstr(
-          "surface.curvature = 1: flat, error_rate ≤ 0.05, camera, noon: 0.08"));
+  EXPECT_THAT(text,
+              HasSubstr("surface.curvature = 1: flat, error_rate ≤ 0.05, camera, noon: 0.08"));
 }
 
 TEST(SweepTable, FitsHoweverManyTheValues) {

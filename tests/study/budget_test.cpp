@@ -159,7 +159,8 @@ TEST(Budget, OnePlaceIsNoEvidence) {
                      {errorsOf(truth, mask), none});
   EXPECT_DOUBLE_EQ(budget.causes[0].forward.value, 0.04);
   EXPECT_FALSE(budget.causes[0].forward.interval);
-  EXPECT_EQ(budget.causes[0].forward.reason, "a few blocks of the view hold nearly all of the difference");
+  EXPECT_EQ(budget.causes[0].forward.reason,
+            "a few blocks of the view hold nearly all of the difference");
   EXPECT_FALSE(budget.causes[0].forward.distinguishable);
 }
 

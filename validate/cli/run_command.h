@@ -16,7 +16,7 @@ struct RunRequest {
   StudyOptions options;
   bool noCache = false;
   bool varyRadius = false;  ///< judge at half and at twice the search radius too
-  std::string command;  ///< the command line, for the report
+  std::string command;      ///< the command line, for the report
 };
 
 /// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks
