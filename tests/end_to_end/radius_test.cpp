@@ -17,7 +17,8 @@ class RadiusRun : public EndToEnd {};
 
 /// What --vary-radius says of half and of twice the radius is what runs at these radii find.
 TEST_F(RadiusRun, JudgesAtHalfAndAtTwiceAsRunsOfTheirOwnDo) {
-  const std::string study = smallStudy() + claim;
+  // So high a light leaves shadows that half of this radius is too short to tell.
+  const std::string study = replaced(smallStudy(), "elevation = 30", "elevation = 62") + claim;
   runStudy("small", study, {"--vary-radius", "--set", "bake.radius=1.2"});
   const nlohmann::json varied = summary("small");
   bool anyTurns = false;
@@ -32,7 +33,7 @@ TEST_F(RadiusRun, JudgesAtHalfAndAtTwiceAsRunsOfTheirOwnDo) {
       anyTurns = anyTurns || row.at("radius").at("depends");
     }
   }
-  EXPECT_TRUE(anyTurns) << "the columns' shadows are longer than half of this radius";
+  EXPECT_TRUE(anyTurns) << "at half of the radius next to nothing is shadowed";
   EXPECT_EQ(varied.at("search_radius").at("texels"), 1.2);
 }
 

@@ -44,9 +44,13 @@ TEST_F(SceneMakerTest, KeepsWhatAChangeDoesNotTouch) {
   EXPECT_NE(higher->methods.at("max-forsyth")->tables, first->methods.at("max-forsyth")->tables);
   EXPECT_NE(higher->keys.truth, first->keys.truth);
 
-  const auto bent = made(maker_, {"relief.height=5", "surface.curvature=0.03"}, {"max-forsyth"});
+  // A radius that is stated: the rule looks at the surface.
+  const std::string radius = "bake.radius=20";
+  const auto stated = made(maker_, {"relief.height=5", radius}, {"max-forsyth"});
+  const auto bent =
+      made(maker_, {"relief.height=5", radius, "surface.curvature=0.03"}, {"max-forsyth"});
   EXPECT_NE(bent->surface, first->surface);
-  EXPECT_EQ(bent->methods.at("max-forsyth")->tables, higher->methods.at("max-forsyth")->tables)
+  EXPECT_EQ(bent->methods.at("max-forsyth")->tables, stated->methods.at("max-forsyth")->tables)
       << "tables of the flat relief do not know the surface";
 }
 
