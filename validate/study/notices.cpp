@@ -91,7 +91,9 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
     const MeshChoice& mesh = method.base->choice;
     if (mesh.kind != DrawnMesh::displaced) continue;
     if (!longestEdge) {
-      longestEdge = longestEdgeTexels(scene.surface, scene.study.relief.texelsPerUv());
+      // A resampled map is the same relief: its features are as wide as the texels before.
+      const Relief& relief = scene.study.relief;
+      longestEdge = longestEdgeTexels(scene.surface, relief.texelsPerUv()) / relief.resample;
     }
     add(coarsePiecesNotice(method.spec->label, mesh.subdivisions, *longestEdge));
   }
