@@ -165,29 +165,71 @@ void writeJunit(const CheckRequest& request, const std::vector<Study>& studies, 
 
 /// Judges a run by the study's references. What kept the study from having any kept this run from
 /// being judged.
-void judgeStep(const Study& study, const CheckRequest& request, StudyRecord& record) {
+void judgeStep(const Study& study, const CheckRequest& request, RunFolder& folder,
+               StudyRecord& record) {
   if (!request.baseline) return;
   record.baseline = study.check.baseline;
   record.problems = study.check.problems;
   if (request.updateBaseline || !study.baseline) return;
   judgeReferences(record.baseline, *study.baseline, study.plan->steps.front().leftOutMethods,
                   record);
-  record.referencePictures = drawReferencePictures(record, request.run.out / record.name,
-                                                   pictureFolder(*request.baseline, record.name));
+  record.referencePictures =
+      drawReferencePictures(record, folder, pictureFolder(*request.baseline, record.name));
+}
+
+/// How many studies a ranking would hold.
+std::ptrdiff_t rankedCount(const std::vector<Study>& studies) {
+  return std::count_if(studies.begin(), studies.end(),
+                       [](const Study& study) { return study.plan && isRanked(*study.plan); });
+}
+
+/// Claims and clears the folders of all that can be run: before the first is, so that no summary of
+/// an earlier check stays behind where this one ends.
+void claimFolders(std::vector<Study>& studies, const CheckRequest& request, RunFolders& folders) {
+  for (Study& study : studies) {
+    if (!study.plan) continue;
+    try {
+      folders.claim(*study.plan, request.run.out);
+    } catch (...) {
+      addProblem(study.check, "study");
+    }
+  }
+  if (rankedCount(studies) > 1) folders.claimRanking(request.run.out);
+  folders.clear(request.run.out);
+}
+
+/// Makes what every run needs; none where nothing can be run, which is then a problem of each
+/// study.
+std::unique_ptr<GlContext> prepare(std::vector<Study>& studies, const CheckRequest& request,
+                                   RunFolders& folders) {
+  try {
+    askGnuplotVersion();  // which it tells while OpenGL starts
+    auto gl = std::make_unique<GlContext>();
+    requirePlots();
+    claimFolders(studies, request, folders);
+    return gl;
+  } catch (...) {
+    for (Study& study : studies) {
+      if (study.plan) addProblem(study.check, "study");
+    }
+    return nullptr;
+  }
 }
 
 /// Runs what can be run.
 void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cache,
             Records& records) {
-  std::unique_ptr<GlContext> gl;
+  const bool isAny = std::any_of(studies.begin(), studies.end(),
+                                 [](const Study& study) { return study.plan.has_value(); });
+  if (!isAny) return;
+  const std::unique_ptr<GlContext> gl = prepare(studies, request, records.folders);
+  if (!gl) return;
   for (Study& study : studies) {
-    if (!study.plan) continue;
+    if (!study.plan || !records.folders.holds(study.plan->name)) continue;
     try {
-      askGnuplotVersion();  // which it tells while OpenGL starts
-      if (!gl) gl = std::make_unique<GlContext>();
-      requirePlots();
-      study.part = runPlan(*study.plan, *gl, request.run, cache, records,
-                           [&](StudyRecord& record) { judgeStep(study, request, record); });
+      study.part = runPlan(*study.plan, *gl, request.run, cache, records, [&](StudyRecord& record) {
+        judgeStep(study, request, records.folders.of(record.name), record);
+      });
     } catch (...) {
       addProblem(study.check, "study");
     }
@@ -273,7 +315,7 @@ void finish(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
     }
     study.check.command = commandFor(request, study.check.file, faultyMethods(study.check));
   }
-  if (ranked.size() > 1) reportRanking(ranked, request.run);
+  if (ranked.size() > 1) reportRanking(ranked, request.run, records.folders.ranking());
 }
 
 void print(const std::vector<CheckRecord>& checks, const CheckRequest& request, ExitStatus status) {
@@ -301,10 +343,6 @@ ExitStatus checkStudies(const CheckRequest& request) {
     studies.push_back(readOne(file, request, names));
   }
   writeJunit(request, studies, false);
-  const auto ranked = std::count_if(studies.begin(), studies.end(), [](const Study& study) {
-    return study.plan && isRanked(*study.plan);
-  });
-  if (ranked > 1) removeRanking(request.run);
   Records records;
   const std::unique_ptr<Cache> cache = openCache(request.run.noCache);
   runAll(studies, request, *cache, records);

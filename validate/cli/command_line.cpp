@@ -17,6 +17,7 @@
 #include "cli/run_command.h"
 #include "cli/view_command.h"
 #include "common/error.h"
+#include "common/interruption.h"
 #include "common/shell_quote.h"
 #include "render/method.h"
 #include "study/result_metrics.h"
@@ -233,6 +234,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv, const Viewer& viewer) {
+  cleanUpOnSignals();
   try {
     return dispatch(argc, argv, viewer);
   } catch (...) {

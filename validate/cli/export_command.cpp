@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "cli/cache_command.h"
+#include "cli/run_folders.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
-#include "common/atomic_file.h"
 #include "report/export_files.h"
 #include "report/export_json.h"
 #include "report/mesh_files.h"
@@ -20,24 +20,43 @@ namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-/// Older files must not pass for a part of what is written now.
-void removeFile(const fs::path& path) {
-  std::error_code ignored;
-  fs::remove(path, ignored);
+/// The folder of one step, locked.
+struct StepFolder {
+  RunFolder folder;
+  FileLock lock;
+};
+
+/// Locks `out/NAME/SUBFOLDER` of every step, then removes what an earlier command left in them.
+std::vector<StepFolder> claimFolders(const std::vector<StudyPlan>& plans, const fs::path& out,
+                                     const std::string& subfolder) {
+  const FolderKind kind{subfolder + ".json"};
+  std::vector<StepFolder> steps;
+  for (const StudyPlan& plan : plans) {
+    for (const StudySpec& study : plan.steps) {
+      const fs::path path = out / study.name / subfolder;
+      FileLock lock = lockFolder(RunFolder(path, kind));
+      steps.push_back({RunFolder(path, kind), std::move(lock)});
+    }
+  }
+  for (StepFolder& step : steps) step.folder.removeIndex();
+  for (StepFolder& step : steps) step.folder.clear();
+  return steps;
 }
 
-/// Calls `work(study, gl, clock, cache)` for every step of every study.
+/// Calls `work(study, folder, gl, clock, cache)` for every step of every study.
 template <typename Work>
-ExitStatus forEachStudy(const RunRequest& request, const Work& work) {
+ExitStatus forEachStudy(const RunRequest& request, const std::string& subfolder, const Work& work) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
   const GlContext gl;
+  std::vector<StepFolder> folders = claimFolders(plans, request.out, subfolder);
+  auto next = folders.begin();
   const std::unique_ptr<Cache> cache = openCache(request.noCache);
   for (const StudyPlan& plan : plans) {
     for (const StudySpec& study : plan.steps) {
       TerminalProgress progress(study.name);
       StageClock clock(
           [&](std::string_view stage, double share) { progress.update(stage, share); });
-      inStudy(study, [&] { work(study, gl, clock, *cache); });
+      inStudy(study, [&] { work(study, (next++)->folder, gl, clock, *cache); });
     }
   }
   return ExitStatus::pass;
@@ -47,16 +66,14 @@ void printNotices(const StudyRecord& record) {
   for (const std::string& notice : record.notices) fmt::print("Notice: {}\n", notice);
 }
 
-void traceOne(const StudySpec& study, const GlContext& gl, StageClock& clock, Cache& cache,
-              const RunRequest& request) {
-  const fs::path folder = request.out / study.name / "truth";
-  removeFile(folder / "truth.json");
+void traceOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, StageClock& clock,
+              Cache& cache, const RunRequest& request) {
   RunScene scene(study, clock, gl, cache);
   StudyRecord record = traceStudy(scene, gl);
   record.command = request.command;
   writeTruth(folder, scene, record);
   fmt::print("{}: {} views, {} lights, {} micro-triangles, uncertain by at most {} %\n",
-             (folder / "truth.json").string(), study.views.size(), study.lights.size(),
+             (folder.path() / "truth.json").string(), study.views.size(), study.lights.size(),
              groupedText(record.truth.microTriangles), percentText(record.truth.uncertainty));
   if (record.truth.wantedUncertainty) fmt::print("{}\n", refinementText(record.truth));
   printNotices(record);
@@ -77,19 +94,17 @@ void writeBase(const fs::path& path, RunScene& scene) {
            fmt::format("base mesh, {} x {} pieces a face", pieces, pieces));
 }
 
-void exportOne(const StudySpec& study, const GlContext& gl, StageClock& clock, Cache& cache,
-               const RunRequest& request, std::optional<int> subdivisions) {
-  const fs::path folder = request.out / study.name / "export";
-  removeFile(folder / "export.json");
+void exportOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, StageClock& clock,
+               Cache& cache, const RunRequest& request, std::optional<int> subdivisions) {
   RunScene scene(study, clock, gl, cache);
   const ExportedMesh mesh = clock.measure("meshes", [&](const Progress&) {
-    return writeDisplaced(folder / "displaced.ply", scene, subdivisions);
+    return writeDisplaced(folder.newFile("displaced.ply"), scene, subdivisions);
   });
-  writeBase(folder / "base.obj", scene);
+  writeBase(folder.newFile("base.obj"), scene);
   writeHeights(folder, study.relief.field);
   const StoredHorizons tables = clock.measure(
       "bake", [&](const Progress& progress) { return bakeStudyTables(study, cache, progress); });
-  writeHorizons(folder / "tables.exr", tables);
+  writeHorizons(folder.newFile("tables.exr"), tables);
   double rayLift = 0;
   StudyRecord record = traceStudy(scene, gl, [&](const TracedSurface& surface) {
     rayLift = standardLift * surface.mesh.extent();
@@ -98,25 +113,27 @@ void exportOne(const StudySpec& study, const GlContext& gl, StageClock& clock, C
   record.command = request.command;
   writeTruthMasks(folder, scene);
   writeRegionsOfInterest(folder, scene);
-  writeTextAtomically(folder / "export.json", exportJson(scene, record, mesh, tables, rayLift));
+  folder.finish(exportJson(scene, record, mesh, tables, rayLift));
   fmt::print("{}: {} triangles displaced ({} pieces a face's side), {} views, {} lights\n",
-             (folder / "export.json").string(), groupedText(mesh.triangles), mesh.subdivisions,
-             study.views.size(), study.lights.size());
+             (folder.path() / "export.json").string(), groupedText(mesh.triangles),
+             mesh.subdivisions, study.views.size(), study.lights.size());
   printNotices(record);
 }
 
 }  // namespace
 
 ExitStatus traceStudies(const RunRequest& request) {
-  return forEachStudy(request, [&](const StudySpec& study, const GlContext& gl, StageClock& clock,
-                                   Cache& cache) { traceOne(study, gl, clock, cache, request); });
+  return forEachStudy(
+      request, "truth",
+      [&](const StudySpec& study, RunFolder& folder, const GlContext& gl, StageClock& clock,
+          Cache& cache) { traceOne(study, folder, gl, clock, cache, request); });
 }
 
 ExitStatus exportStudies(const RunRequest& request, std::optional<int> subdivisions) {
   return forEachStudy(
-      request, [&](const StudySpec& study, const GlContext& gl, StageClock& clock, Cache& cache) {
-        exportOne(study, gl, clock, cache, request, subdivisions);
-      });
+      request, "export",
+      [&](const StudySpec& study, RunFolder& folder, const GlContext& gl, StageClock& clock,
+          Cache& cache) { exportOne(study, folder, gl, clock, cache, request, subdivisions); });
 }
 
 }  // namespace gnomon

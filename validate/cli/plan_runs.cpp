@@ -3,12 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
-#include "common/atomic_file.h"
 #include "common/shell_quote.h"
 #include "report/folder_writer.h"
 #include "report/gnuplot.h"
@@ -27,23 +25,8 @@ namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array rankingFiles = {"ranking.json", "ranking.csv", "ranking.html"};
-
-void removeFiles(const fs::path& folder, std::span<const char* const> names) {
-  for (const char* name : names) {
-    std::error_code ignored;
-    fs::remove(folder / name, ignored);
-  }
-}
-
-void writeCopy(const toml::table& study, const fs::path& file) {
-  writeTextAtomically(file, studyCopyText(study, file));
-}
-
-/// Removes the copy of an earlier run, unless it is what this one reads.
-void removeCopy(const fs::path& copy, const fs::path& study) {
-  std::error_code ignored;
-  if (!fs::equivalent(copy, study, ignored)) fs::remove(copy, ignored);
+void writeCopy(const toml::table& study, RunFolder& folder, const std::string& name) {
+  folder.write(name, studyCopyText(study, folder.path() / name));
 }
 
 /// The command that runs a step again: its own copy, as the file's study has all values.
@@ -54,22 +37,18 @@ std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunReq
 }
 
 StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
-                   const RunRequest& request, Cache& cache) {
-  const fs::path folder = request.out / study.name;
+                   const RunRequest& request, RunFolder& folder, Cache& cache) {
   CaseRecord reproduction = inStudy(study, [&] {
-    return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder),
-                      studyInputs(study, folder)};
+    return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder.path()),
+                      studyInputs(study, folder.path())};
   });
-  // Older figures must not stand beside newer pictures.
-  removeRunFiles(folder);
-  removeCopy(folder / reproduction.file, study.file);
   FolderWriter writer(folder);
   TerminalProgress progress(study.name);
   StudyRecord record = inStudy(study, [&] {
     return runStudy(study, gl, writer, cache,
                     [&](std::string_view stage, double share) { progress.update(stage, share); });
   });
-  writeCopy(reproduction.settings, folder / reproduction.file);
+  writeCopy(reproduction.settings, folder, reproduction.file);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
   return record;
@@ -87,22 +66,13 @@ StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl
 
 void runStep(const StudyPlan& plan, const StudySpec& step, const GlContext& gl,
              const RunRequest& request, Cache& cache, Records& records) {
-  StudyRecord record = runOne(plan, step, gl, request, cache);
+  StudyRecord record = runOne(plan, step, gl, request, records.folders.of(step.name), cache);
   if (request.varyRadius) {
     StudyRecord half = runVaried(step, 0.5, gl, cache);
     records.twice.push_back(runVaried(step, 2, gl, cache));
     records.half.push_back(std::move(half));
   }
   records.all.push_back(std::move(record));
-}
-
-/// Before the first step, so that nothing is run whose copy could not be written.
-void requireCopies(const StudyPlan& plan, const RunRequest& request) {
-  const auto require = [&](const std::string& name) {
-    requireCopyOrNothing(request.out / name / studyCopyName(name));
-  };
-  require(plan.name);
-  for (const StudySpec& step : plan.steps) require(step.name);
 }
 
 /// Judges a study's claims by what the run holds so far, and writes its reports.
@@ -115,7 +85,7 @@ void report(const StudySpec& study, Records& records, std::size_t own, const Run
     records.twice[own].claims = judgeClaims(study.claims, records.twice, own);
     keepRadiusChecks(record, records.half[own], records.twice[own]);
   }
-  writeRunFiles(record, request.out / record.name, cache);
+  writeRunFiles(record, records.folders.of(record.name), cache);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
@@ -140,16 +110,10 @@ SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRe
 
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
                     Cache& cache, Records& records, const StepJudge& judge) {
-  requireCopies(plan, request);
   const PlanRecords part{&plan, records.all.size()};
-  const fs::path folder = request.out / plan.name;
-  const fs::path copy = folder / studyCopyName(plan.name);
+  RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;
-  if (plan.sweep) {
-    swept = sweepStudy(plan.steps.front(), request.options, folder);
-    removeRunFiles(folder);
-    removeCopy(copy, plan.steps.front().file);
-  }
+  if (plan.sweep) swept = sweepStudy(plan.steps.front(), request.options, folder.path());
   for (const StudySpec& step : plan.steps) {
     runStep(plan, step, gl, request, cache, records);
     if (judge) judge(records.all.back());
@@ -157,7 +121,7 @@ PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest
     report(step, records, records.all.size() - 1, request, cache);
   }
   if (swept) {
-    writeCopy(*swept, copy);
+    writeCopy(*swept, folder, studyCopyName(plan.name));
     writeSweepFiles(sweepOf(part, records, request), folder, cache);
   }
   return part;
@@ -170,7 +134,7 @@ void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache
     report(plan.steps[i], records, part.first + i, request, cache);
   }
   if (!plan.sweep) return;
-  writeSweepFiles(sweepOf(part, records, request), request.out / plan.name, cache);
+  writeSweepFiles(sweepOf(part, records, request), records.folders.of(plan.name), cache);
 }
 
 StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
@@ -196,14 +160,12 @@ bool isRanked(const StudyPlan& plan) {
   return plan.steps.front().ranked;
 }
 
-void removeRanking(const RunRequest& request) {
-  removeFiles(request.out, rankingFiles);
-}
-
-void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request) {
-  writeTextAtomically(request.out / "ranking.csv", rankingCsv(studies));
-  writeTextAtomically(request.out / "ranking.html", rankingHtml(studies, request.command));
-  writeTextAtomically(request.out / "ranking.json", rankingJson(studies, request.command));
+void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request,
+                   RunFolder& folder) {
+  for (const StudyMeans& study : studies) folder.add(study.name + "/");
+  folder.write("ranking.csv", rankingCsv(studies));
+  folder.write("ranking.html", rankingHtml(studies, request.command));
+  folder.finish(rankingJson(studies, request.command));
 }
 
 void requirePlots() {

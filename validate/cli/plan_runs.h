@@ -7,6 +7,7 @@
 
 #include "cache/cache.h"
 #include "cli/run_command.h"
+#include "cli/run_folders.h"
 #include "render/gl_context.h"
 #include "report/study_ranking.h"
 #include "study/record.h"
@@ -15,9 +16,11 @@
 namespace gnomon {
 
 /// The records of all steps of all plans of a command, one after the other; where the radius is
-/// varied, those at half and at twice of it in the same order.
+/// varied, those at half and at twice of it in the same order; and the folders that they are
+/// written to.
 struct Records {
   std::vector<StudyRecord> all, half, twice;
+  RunFolders folders;
 };
 
 /// The part of the records that belongs to a plan.
@@ -37,8 +40,8 @@ using StepJudge = std::function<void(StudyRecord&)>;
 /// study itself, so that it can be run again from there. With `varyRadius` every step is measured
 /// at half and at twice its radius too, and its claims and differences say what becomes of them
 /// there.
-/// @param cache  what earlier runs left, and what this one leaves
-/// @throws InputError also where a file of somebody else stands in the place of the study's copy
+/// @param cache    what earlier runs left, and what this one leaves
+/// @param records  its folders have been claimed and cleared
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
                     Cache& cache, Records& records, const StepJudge& judge = {});
 
@@ -57,10 +60,8 @@ void printPlan(const PlanRecords& part, const RunRequest& request, const Records
 bool isRanked(const StudyPlan& plan);
 bool isRanking(std::span<const StudyPlan> plans);
 
-/// Removes a ranking that stands in the folder of results.
-void removeRanking(const RunRequest& request);
-
 /// Ranks the methods over all studies, and writes that.
-void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request);
+void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request,
+                   RunFolder& folder);
 
 }  // namespace gnomon

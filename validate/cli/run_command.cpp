@@ -9,6 +9,7 @@
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
 #include "common/memory.h"
+#include "common/part_file.h"
 #include "relief/table_file.h"
 #include "report/gnuplot.h"
 #include "report/terminal_ranking.h"
@@ -23,6 +24,7 @@ void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
   const StoredHorizons stored =
       bakeStudyTables(study, cache, [&](double share) { progress.update("bake", share); });
   const fs::path path = out / study.name / "tables.exr";
+  removeLeftovers(path.parent_path());
   writeHorizons(path, stored);
   fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), stored.width,
              stored.height, stored.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
@@ -37,8 +39,10 @@ ExitStatus runStudies(const RunRequest& request) {
   const GlContext gl;
   requirePlots();
   const std::unique_ptr<Cache> cache = openCache(request.noCache);
-  if (isRanking(plans)) removeRanking(request);
   Records records;
+  for (const StudyPlan& plan : plans) records.folders.claim(plan, request.out);
+  if (isRanking(plans)) records.folders.claimRanking(request.out);
+  records.folders.clear(request.out);
   std::vector<PlanRecords> parts;
   parts.reserve(plans.size());
   for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, *cache, records));
@@ -49,7 +53,7 @@ ExitStatus runStudies(const RunRequest& request) {
     if (isRanked(*part.plan)) studies.push_back(std::move(means));
   }
   if (isRanking(plans)) {
-    reportRanking(studies, request);
+    reportRanking(studies, request, records.folders.ranking());
     fmt::print("{}\nReport: {}\n", rankingOverStudies(studies, coloursWanted()),
                (request.out / "ranking.html").string());
   }

@@ -27,7 +27,10 @@ struct RunRequest {
 /// Every folder holds its study, with the options in it, as NAME.toml: see resolved_study.h.
 /// Two studies or more are followed by a ranking of the methods over all of them: printed, and
 /// written as `out/ranking.csv`, `ranking.html` and last `ranking.json`.
-/// Thresholds are judged and recorded, but decide nothing: see checkStudies.
+/// Before the first study is run, what earlier runs of these studies left is removed, as the lists
+/// of their files (`files.txt`, `ranking.txt`) name it, and nothing else: see RunFolder. Meanwhile
+/// the folders are locked; a second run into one of them is refused. Thresholds are judged and
+/// recorded, but decide nothing: see checkStudies.
 ExitStatus runStudies(const RunRequest& request);
 
 /// Bakes the tables of the studies and writes them as `out/NAME/tables.exr`.

@@ -7,15 +7,30 @@
 
 namespace gnomon {
 
+/// When a file's bytes must have reached the disk. `now`: before it takes its name, so that after a
+/// power cut the name stands for the old file or the whole new one. `later`: where the caller sees
+/// to it before it relies on the file, or can tell a damaged one: a wait for the disk may take 10
+/// ms.
+enum class Sync { now, later };
+
 /// Writes a file whole or not at all: `write` fills a temporary file beside `path`, which then
 /// takes the name. If `write` throws, the temporary file is removed and `path` is as it was.
 /// The temporary name keeps the extension, since image writers choose their format by it.
-/// @throws InputError when the file cannot be created or renamed
+/// Links are followed. What is there and is no file (a device, a pipe, an open stream as
+/// /dev/stdout) is never replaced: it is written directly.
+/// @throws InputError naming the file and the system's reason when it cannot be written
 void writeAtomically(const std::filesystem::path& path,
-                     const std::function<void(const std::filesystem::path&)>& write);
+                     const std::function<void(const std::filesystem::path&)>& write,
+                     Sync sync = Sync::now);
 
-/// As above, with the content at hand.
+/// As above, with the content at hand. Removes what killed writers left in the file's folder.
 void writeTextAtomically(const std::filesystem::path& path, std::string_view text);
+
+/// Replaces `path`, which lies in a folder that is the program's own. Links are not followed, and
+/// leftovers are somebody else's care: see removeLeftovers.
+/// @param workplace  the folder of the temporary file, in the same file system
+void replaceFile(const std::filesystem::path& path, std::string_view text, Sync sync,
+                 const std::filesystem::path& workplace);
 
 /// The whole content of a file, bytes as they are.
 /// @throws InputError naming the file when it cannot be read or is no file; MemoryError for one

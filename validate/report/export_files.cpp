@@ -77,7 +77,7 @@ std::string roiFile(const CaseNames& names, std::size_t view) {
   return fmt::format("roi/{}.png", names.views[view]);
 }
 
-void writeHeights(const std::filesystem::path& folder, const HeightField& field) {
+void writeHeights(RunFolder& folder, const HeightField& field) {
   ChannelImage image{field.width(), field.height(), {"height"}, {}};
   image.values.reserve(field.texels().size());
   for (int row = field.height() - 1; row >= 0; --row) {
@@ -85,25 +85,25 @@ void writeHeights(const std::filesystem::path& folder, const HeightField& field)
       image.values.push_back(field.texel(column, row));
     }
   }
-  writeExr(folder / "heights.exr", image);
+  writeExr(folder.newFile("heights.exr"), image);
 }
 
-void writeSampleMaps(const std::filesystem::path& folder, RunScene& scene, const MicroMesh& mesh) {
+void writeSampleMaps(RunFolder& folder, RunScene& scene, const MicroMesh& mesh) {
   const CaseNames names = caseNames(scene.study);
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
-    writeExr(folder / sampleMapFile(names, v),
+    writeExr(folder.newFile(sampleMapFile(names, v)),
              sampleMap(scene, scene.standardBase().views[v], mesh));
   }
 }
 
-void writeRegionsOfInterest(const std::filesystem::path& folder, RunScene& scene) {
+void writeRegionsOfInterest(RunFolder& folder, RunScene& scene) {
   const CaseNames names = caseNames(scene.study);
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
     Mask roi = scene.standardBase().views[v].truths.front().mask;
     for (Shade& shade : roi.samples) {
       shade = shade == Shade::none ? Shade::shadowed : Shade::lit;
     }
-    writePng(folder / roiFile(names, v), maskImage(roi));
+    folder.write(roiFile(names, v), pngOf(maskImage(roi)));
   }
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "relief/welded_mesh.h"
+#include "report/run_folder.h"
 #include "study/run_scene.h"
 #include "study/truth_study.h"
 
@@ -18,7 +18,7 @@ std::string roiFile(const CaseNames& names, std::size_t view);
 
 /// Writes the height map as `heights.exr`, channel `height`, in height units; the first row is the
 /// one with the largest v.
-void writeHeights(const std::filesystem::path& folder, const HeightField& field);
+void writeHeights(RunFolder& folder, const HeightField& field);
 
 /// Writes a sample map for every view of the standard base, whose truths are not needed. Channels:
 ///   face, s, t          the sample; face is -1, and all else 0, where the truth has no answer
@@ -29,9 +29,9 @@ void writeHeights(const std::filesystem::path& folder, const HeightField& field)
 ///   facet.X, .Y, .Z     normal of the facet that holds it, unit, outward
 ///   weight              area that the sample stands for in an atlas; 1 in a camera's view
 /// @throws MemoryError for a map that cannot fit
-void writeSampleMaps(const std::filesystem::path& folder, RunScene& scene, const MicroMesh& mesh);
+void writeSampleMaps(RunFolder& folder, RunScene& scene, const MicroMesh& mesh);
 
 /// Writes, for every view, where the truths have an answer: white there, black elsewhere.
-void writeRegionsOfInterest(const std::filesystem::path& folder, RunScene& scene);
+void writeRegionsOfInterest(RunFolder& folder, RunScene& scene);
 
 }  // namespace gnomon

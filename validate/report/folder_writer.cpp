@@ -1,6 +1,5 @@
 #include "report/folder_writer.h"
 
-#include "common/atomic_file.h"
 #include "report/displaced_image.h"
 #include "report/images.h"
 #include "report/region_image.h"
@@ -38,7 +37,7 @@ std::vector<std::uint8_t> FolderWriter::displaced(int width, int height,
 }
 
 void FolderWriter::write(const std::string& path, const std::string& bytes) {
-  writeTextAtomically(folder_ / path, bytes);
+  folder_.write(path, bytes);
 }
 
 }  // namespace gnomon

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "report/run_folder.h"
 #include "study/run_writer.h"
 
 namespace gnomon {
@@ -11,7 +11,8 @@ namespace gnomon {
 /// Writes the pictures of a run into its folder, as PNG files; what a page embeds is WebP.
 class FolderWriter : public RunWriter {
  public:
-  explicit FolderWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// @param folder  outlives the writer
+  explicit FolderWriter(RunFolder& folder) : folder_(folder) {}
 
   [[nodiscard]] std::string mask(const Mask& mask) const override;
   [[nodiscard]] std::string regions(const Truth& truth) const override;
@@ -25,7 +26,7 @@ class FolderWriter : public RunWriter {
   void write(const std::string& path, const std::string& bytes) override;
 
  private:
-  std::filesystem::path folder_;
+  RunFolder& folder_;
 };
 
 }  // namespace gnomon

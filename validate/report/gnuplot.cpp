@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +16,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "common/interruption.h"
 #include "report/html_text.h"
 
 namespace gnomon {
@@ -74,9 +76,20 @@ pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
   posix_spawn_file_actions_adddup2(&streams, fileno(in), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&streams, fileno(out), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&streams, fileno(err), STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t noSignal;  // of those that this process's threads block
+  sigemptyset(&noSignal);
+  posix_spawnattr_setsigmask(&attributes, &noSignal);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t process = 0;
-  const int failure =
-      posix_spawnp(&process, program.c_str(), &streams, nullptr, words.data(), environment.data());
+  int failure = 0;
+  changeUnfinished([&](Unfinished& unfinished) {
+    failure = posix_spawnp(&process, program.c_str(), &streams, &attributes, words.data(),
+                           environment.data());
+    if (failure == 0) unfinished.helpers.insert(process);
+  });
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&streams);
   if (failure != 0) {
     fail(fmt::format("cannot be started: {}; reports need it for their plots (gnuplot-nox)",
@@ -85,11 +98,24 @@ pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
   return process;
 }
 
-bool succeeded(pid_t process) {
-  int state = 0;
-  while (waitpid(process, &state, 0) < 0) {
-    if (errno != EINTR) fail(std::strerror(errno));
+/// Waits for its end.
+/// @return as waitpid tells it; -1 where there is no such process
+int awaitEnd(pid_t process) {
+  siginfo_t ended;
+  while (waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT) != 0) {
+    if (errno != EINTR) return -1;
   }
+  int state = -1;
+  // Together, so that its number is never another process's while it is in the list.
+  changeUnfinished([&](Unfinished& unfinished) {
+    ::waitpid(process, &state, 0);
+    unfinished.helpers.erase(process);
+  });
+  return state;
+}
+
+bool succeeded(pid_t process) {
+  const int state = awaitEnd(process);
   return WIFEXITED(state) && WEXITSTATUS(state) == 0;
 }
 
@@ -114,7 +140,7 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
   ~Running() {
-    if (process_ > 0) ::waitpid(process_, nullptr, 0);
+    if (process_ > 0) awaitEnd(process_);
   }
 
   /// Waits for its end. Once.

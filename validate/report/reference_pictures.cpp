@@ -60,9 +60,9 @@ void removeDifferences(const fs::path& folder) {
 }
 
 /// Copies what was kept and draws the change.
-void drawChange(ReferencePictures& row, const fs::path& folder, const fs::path& old) {
+void drawChange(ReferencePictures& row, RunFolder& folder, const fs::path& old) {
   Mask before = maskOfDifference(old);
-  Mask after = maskOfDifference(folder / row.after);
+  Mask after = maskOfDifference(folder.path() / row.after);
   if (before.width != after.width || before.height != after.height) {
     row.note = fmt::format("{} has {} × {} pixels, this run {} × {}", old.string(), before.width,
                            before.height, after.width, after.height);
@@ -72,8 +72,8 @@ void drawChange(ReferencePictures& row, const fs::path& folder, const fs::path& 
   const std::string name = fs::path(row.after).stem().string();
   row.before = fmt::format("{}/{}_before.png", pictureFolder, name);
   row.change = fmt::format("{}/{}_change.png", pictureFolder, name);
-  writeTextAtomically(folder / row.before, readFile(old));
-  writePng(folder / row.change, differenceImage(after, before));
+  folder.write(row.before, readFile(old));
+  folder.write(row.change, pngOf(differenceImage(after, before)));
 }
 
 }  // namespace
@@ -98,8 +98,8 @@ void keepReferencePictures(const StudyRecord& record, const fs::path& folder,
   }
 }
 
-std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record,
-                                                     const fs::path& folder, const fs::path& kept) {
+std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, RunFolder& folder,
+                                                     const fs::path& kept) {
   std::vector<ReferencePictures> rows;
   for (const GateRecord& gate : record.references) {
     if (gate.verdict == GateVerdict::passed || gate.verdict == GateVerdict::skipped) continue;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "report/run_folder.h"
 #include "study/record.h"
 
 namespace gnomon {
@@ -26,8 +27,7 @@ void keepReferencePictures(const StudyRecord& record, const std::filesystem::pat
 /// change drawn beside it: in the colours of a signed difference of the method's mask now from that
 /// which was committed, without the samples that only one of them has.
 /// @throws InputError where a picture of the run cannot be read or one cannot be written
-std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record,
-                                                     const std::filesystem::path& folder,
+std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, RunFolder& folder,
                                                      const std::filesystem::path& kept);
 
 }  // namespace gnomon

@@ -1,5 +1,7 @@
 #include "report/run_files.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -8,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/atomic_file.h"
 #include "common/parallel.h"
 #include "report/bin_files.h"
 #include "report/budget_files.h"
@@ -25,14 +26,7 @@
 #include "report/table_files.h"
 
 namespace gnomon {
-namespace fs = std::filesystem;
 namespace {
-
-/// The last two are where plots lay before they had a folder.
-constexpr std::array runFiles = {"summary.json", "report.html",  "metrics.csv", "bins.csv",
-                                 "sweep.csv",    "frontier.csv", "budget.csv",  "table.csv",
-                                 "table.tex",    "sweep.svg",    "frontier.svg"};
-constexpr const char* plotFolder = "plots";
 
 /// Fonts are the one thing that it does not hold: they are the system's, and change no figure.
 ContentKey keyOf(const PlotSheet& sheet, std::string_view format) {
@@ -93,15 +87,14 @@ std::vector<PlotFile> plotFiles(const std::vector<PlotSheet>& sheets, const Plot
 }
 
 /// Draws all plots in both formats, and writes them.
-std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, const fs::path& folder,
-                                  Cache& cache) {
+std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, RunFolder& folder, Cache& cache) {
   std::array<std::vector<PlotFile>, plotFormats.size()> drawn;
   parallelFor(0, plotFormats.size(),
               [&](std::size_t i) { drawn.at(i) = plotFiles(sheets, plotFormats.at(i), cache); });
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     for (const PlotFile& file : drawn.at(i)) {
-      const std::string name = file.sheet->name + "." + std::string(plotFormats.at(i).name);
-      writeTextAtomically(folder / plotFolder / name, file.bytes);
+      folder.write(fmt::format("plots/{}.{}", file.sheet->name, plotFormats.at(i).name),
+                   file.bytes);
     }
   }
   std::vector<DrawnPlot> plots(sheets.size());
@@ -112,48 +105,30 @@ std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, const fs::path&
   return plots;
 }
 
-void removeOfKinds(const fs::path& folder, const std::vector<std::string>& extensions) {
-  std::error_code ignored;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string kind = entry.path().extension().string();
-    const bool isOne = std::find(extensions.begin(), extensions.end(), kind) != extensions.end();
-    if (isOne) files.push_back(entry.path());
-  }
-  for (const fs::path& file : files) fs::remove(file, ignored);
-}
-
 }  // namespace
 
-void removeRunFiles(const fs::path& folder) {
-  std::error_code ignored;
-  for (const char* name : runFiles) fs::remove(folder / name, ignored);
-  removeOfKinds(folder / plotFolder, {".svg", ".pdf"});
-  for (const char* name : {"images", "masks", "references"}) {
-    removeOfKinds(folder / name, {".png"});
-  }
-}
-
-void writeRunFiles(const StudyRecord& record, const fs::path& folder, Cache& cache) {
-  writeTextAtomically(folder / "metrics.csv", metricsCsv(record));
-  writeTextAtomically(folder / "table.csv", tableCsv(record));
-  writeTextAtomically(folder / "table.tex", tableTex(record));
-  if (!record.bins.empty()) writeTextAtomically(folder / "bins.csv", binsCsv(record));
+void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache) {
+  folder.removeIndex();
+  folder.write("metrics.csv", metricsCsv(record));
+  folder.write("table.csv", tableCsv(record));
+  folder.write("table.tex", tableTex(record));
+  if (!record.bins.empty()) folder.write("bins.csv", binsCsv(record));
   const std::vector<FrontierPoint> points = frontier(record);
-  if (!points.empty()) writeTextAtomically(folder / "frontier.csv", frontierCsv(points));
-  if (!record.budgets.empty()) writeTextAtomically(folder / "budget.csv", budgetCsv(record));
+  if (!points.empty()) folder.write("frontier.csv", frontierCsv(points));
+  if (!record.budgets.empty()) folder.write("budget.csv", budgetCsv(record));
   const std::vector<DrawnPlot> plots = writePlots(studyPlots(record), folder, cache);
-  writeTextAtomically(folder / "report.html", reportHtml(record, folder, plots));
-  writeTextAtomically(folder / "summary.json", summaryJson(record));
+  folder.write("report.html", reportHtml(record, folder.path(), plots));
+  folder.finish(summaryJson(record));
 }
 
-void writeSweepFiles(const SweepRecord& sweep, const fs::path& folder, Cache& cache) {
-  writeTextAtomically(folder / "sweep.csv", sweepCsv(sweep));
+void writeSweepFiles(const SweepRecord& sweep, RunFolder& folder, Cache& cache) {
+  folder.removeIndex();
+  folder.write("sweep.csv", sweepCsv(sweep));
   std::vector<PlotSheet> sheets = sweepCostPlots(sweep);
   sheets.insert(sheets.begin(), sweepPlot(sweep));
   const std::vector<DrawnPlot> plots = writePlots(std::move(sheets), folder, cache);
-  writeTextAtomically(folder / "report.html", sweepHtml(sweep, plots));
-  writeTextAtomically(folder / "summary.json", sweepJson(sweep));
+  folder.write("report.html", sweepHtml(sweep, plots));
+  folder.finish(sweepJson(sweep));
 }
 
 }  // namespace gnomon

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "common/atomic_file.h"
 #include "report/images.h"
 #include "report/json_values.h"
 #include "report/region_image.h"
@@ -59,21 +58,21 @@ std::string truthMaskFile(const CaseNames& names, std::size_t view, std::size_t 
   return fmt::format("masks/{}_{}_truth.png", names.views[view], names.lights[light]);
 }
 
-void writeTruthMasks(const std::filesystem::path& folder, RunScene& scene) {
+void writeTruthMasks(RunFolder& folder, RunScene& scene) {
   const CaseNames names = caseNames(scene.study);
   forEachCase(scene.study, [&](std::size_t v, std::size_t l) {
-    writePng(folder / truthMaskFile(names, v, l),
-             maskImage(scene.standardBase().views[v].truths[l].mask));
+    folder.write(truthMaskFile(names, v, l),
+                 pngOf(maskImage(scene.standardBase().views[v].truths[l].mask)));
   });
 }
 
-void writeTruth(const std::filesystem::path& folder, RunScene& scene, const StudyRecord& record) {
+void writeTruth(RunFolder& folder, RunScene& scene, const StudyRecord& record) {
   writeTruthMasks(folder, scene);
   const CaseNames names = caseNames(scene.study);
   Json cases = Json::array();
   forEachCase(scene.study, [&](std::size_t v, std::size_t l) {
-    writePng(folder / regionFile(names, v, l),
-             regionImage(scene.standardBase().views[v].truths[l]));
+    folder.write(regionFile(names, v, l),
+                 pngOf(regionImage(scene.standardBase().views[v].truths[l])));
     cases.push_back(caseJson(scene, record, names, v, l));
   });
   const Json json = {{"schema", "gnomon-truth/1"},
@@ -84,7 +83,7 @@ void writeTruth(const std::filesystem::path& folder, RunScene& scene, const Stud
                      {"cases", std::move(cases)},
                      {"undefined_samples", record.undefinedSamples},
                      {"notices", record.notices}};
-  writeTextAtomically(folder / "truth.json", jsonText(json));
+  folder.finish(jsonText(json));
 }
 
 }  // namespace gnomon

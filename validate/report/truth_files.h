@@ -1,8 +1,8 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
+#include "report/run_folder.h"
 #include "study/run_scene.h"
 #include "study/truth_study.h"
 
@@ -12,12 +12,12 @@ namespace gnomon {
 std::string truthMaskFile(const CaseNames& names, std::size_t view, std::size_t light);
 
 /// Writes the truths of the scene's standard base as mask pictures.
-void writeTruthMasks(const std::filesystem::path& folder, RunScene& scene);
+void writeTruthMasks(RunFolder& folder, RunScene& scene);
 
 /// Writes what `gnomon truth` finds: the masks, `regions/VIEW_LIGHT.png` (in the colours that the
 /// JSON names) and last `truth.json`, schema "gnomon-truth/1", whose presence says that all is
 /// there.
 /// @param record  as `traceStudy` gives it
-void writeTruth(const std::filesystem::path& folder, RunScene& scene, const StudyRecord& record);
+void writeTruth(RunFolder& folder, RunScene& scene, const StudyRecord& record);
 
 }  // namespace gnomon

@@ -1,0 +1,98 @@
+#include "cli/run_folders.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "common/error.h"
+#include "study/resolved_study.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+const FolderKind runKind{"summary.json", {"report.html"}};
+const FolderKind rankingKind{"ranking.json", {"ranking.csv", "ranking.html"}, "ranking.txt"};
+
+/// The part of a step's name that is its folder in its sweep's, with a slash: "0.5/".
+std::string subfolderOf(const std::string& step) {
+  return step.substr(step.find('/') + 1) + "/";
+}
+
+}  // namespace
+
+FileLock lockFolder(const RunFolder& folder) {
+  std::error_code failure;
+  fs::create_directories(folder.path(), failure);
+  if (failure) {
+    throw InputError(
+        fmt::format("{}: cannot create the folder: {}", folder.path().string(), failure.message()));
+  }
+  FileLock lock(folder.listFile(), FileLock::Wait::no);
+  if (lock.state() == FileLock::State::elsewhere) {
+    throw InputError(fmt::format(
+        "{}: another run is writing into this folder; wait for its end, or choose another --out",
+        folder.path().string()));
+  }
+  if (lock.state() == FileLock::State::noLocks) {
+    fmt::print(stderr,
+               "gnomon: warning: {}: its file system has no locks: a second run into it at the "
+               "same time would mix with this one\n",
+               folder.path().string());
+  }
+  return lock;
+}
+
+void RunFolders::claim(const StudyPlan& plan, const fs::path& out) {
+  std::map<std::string, Claimed> found;
+  const auto add = [&](const std::string& name) {
+    const std::string copy = studyCopyName(name);
+    requireCopyOrNothing(out / name / copy);
+    found.insert_or_assign(name, Claimed{RunFolder(out / name, runKind), copy, {}});
+  };
+  add(plan.name);
+  // Once more: while it was not locked another run may have changed it.
+  locks_.push_back(lockFolder(found.at(plan.name).folder));
+  add(plan.name);
+  for (const StudySpec& step : plan.steps) {
+    if (step.name == plan.name) continue;
+    add(step.name);
+    found.at(plan.name).subfolders.push_back(subfolderOf(step.name));
+  }
+  claimed_.merge(found);
+  studies_.push_back(plan.steps.front().file);
+}
+
+void RunFolders::claimRanking(const fs::path& out) {
+  locks_.push_back(lockFolder(RunFolder(out, rankingKind)));
+  ranking_.emplace_back(out, rankingKind);
+}
+
+void RunFolders::clear(const fs::path& out) {
+  clearOldRanking(out);
+  for (auto& [name, claimed] : claimed_) claimed.folder.removeIndex();
+  for (auto& [name, claimed] : claimed_) {
+    claimed.folder.clear(studies_);
+    std::error_code failure;
+    if (fs::exists(claimed.folder.path() / claimed.copy, failure)) claimed.folder.add(claimed.copy);
+    for (const std::string& subfolder : claimed.subfolders) claimed.folder.add(subfolder);
+  }
+}
+
+void RunFolders::clearOldRanking(const fs::path& out) {
+  if (!ranking_.empty()) {
+    ranking().clear();
+    return;
+  }
+  RunFolder old(out, rankingKind);
+  const bool tellsOfOurs = std::any_of(claimed_.begin(), claimed_.end(), [&](const auto& claimed) {
+    return old.names(claimed.first + "/");
+  });
+  if (!tellsOfOurs) return;
+  // Whoever holds it has removed it already, and ranks none of the studies that are locked here.
+  const FileLock lock(old.listFile(), FileLock::Wait::no);
+  if (lock.state() != FileLock::State::elsewhere) old.remove();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gnomon {
+
+/// How a folder of results tells what is in it.
+struct FolderKind {
+  std::string index;  ///< written last and removed first: where it is, all else is whole
+  std::vector<std::string> others = {};  ///< that every run writes too, as far as they are known
+  std::string list = "files.txt";        ///< names of all files that were written
+};
+
+/// A folder of results, and the list of what a run writes into it. The next run removes what the
+/// list names, and nothing else: a file of somebody else's is neither removed nor replaced. A name
+/// is in the list before its file is there, so that a run that is killed leaves nothing unnamed.
+///
+/// The list is a text: a first line that says what it is, then a name a line, relative to the
+/// folder. A name that ends in `/` is that of a folder with a list of its own.
+///
+/// Who uses it locks the list's file meanwhile: see FileLock.
+class RunFolder {
+ public:
+  /// Reads the list; changes nothing. The folder need not be there.
+  /// @throws InputError for a list that no run wrote, and for a file of the kind that it does not
+  /// name
+  RunFolder(std::filesystem::path folder, FolderKind kind);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
+  [[nodiscard]] std::filesystem::path listFile() const { return folder_ / kind_.list; }
+  /// Whether the list names a file or, with `/` at its end, a folder.
+  [[nodiscard]] bool names(const std::string& name) const { return names_.contains(name); }
+
+  /// Removes the index alone: what is there counts as no run's.
+  void removeIndex();
+  /// Removes the files of the list, those of the lists of its folders, what killed writers left
+  /// among them, and folders that are then empty; begins a new list.
+  /// @param kept  files that stay, wherever they are, and stay in their list
+  /// @throws InputError where something cannot be removed or the list cannot be written
+  void clear(std::span<const std::filesystem::path> kept = {});
+  /// As above; the list goes too, unless a file stays.
+  void remove(std::span<const std::filesystem::path> kept = {});
+
+  /// Takes over a file that is there, or a folder with a list of its own.
+  void add(const std::string& name);
+  /// The path of a new file, which is then in the list.
+  /// @throws InputError where something stands there that the list does not name
+  std::filesystem::path newFile(const std::string& name);
+  /// Writes a file, whole or not at all.
+  /// @throws InputError likewise, or where it cannot be written
+  void write(const std::string& name, std::string_view bytes);
+  /// Waits until all files are on the disk, then writes the index.
+  void finish(std::string_view index);
+
+ private:
+  /// @return names of what stays
+  [[nodiscard]] std::set<std::string> removeFiles(std::span<const std::filesystem::path> kept);
+  void removeFolders() const;
+  void requireFree(const std::string& name) const;
+  void writeList(std::set<std::string> names);
+
+  std::filesystem::path folder_;
+  FolderKind kind_;
+  std::set<std::string> names_;
+};
+
+}  // namespace gnomon
