@@ -72,13 +72,31 @@ TEST(Frontier, IsEmptyWhereThereIsNothingToTrade) {
       2U);
 }
 
+TEST(Frontier, LeavesOutWhatAnswersInFewerCases) {
+  // "a 16" would win, but was asked only under one of two lights.
+  StudyRecord record = recordOf({{"a 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 1}});
+  record.methods.push_back({"a 32", "a", "", ""});
+  record.cost.push_back({"a 32", 960, 3200, 0, std::nullopt});
+  for (const char* light : {"one light", "other light"}) {
+    record.results.push_back(record.results.front());
+    record.results.back().method = "a 32";
+    record.results.back().light = light;
+  }
+  record.results.push_back(record.results.front());
+  record.results.back().light = "other light";
+  const auto points = frontier(record);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].label, "a 8");
+  EXPECT_EQ(points[1].label, "a 32");
+}
+
 TEST(Frontier, PlotAndRowsHoldEveryEntry) {
   const auto points = frontier(recordOf({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}}));
   const std::string svg = svgOf(frontierPlot(points));
   EXPECT_NE(svg.find("<svg"), std::string::npos);
   EXPECT_EQ(svg, svgOf(frontierPlot(points)));
   EXPECT_EQ(frontierCsv(points),
-            "label,method,bytes,error_rate,efficient\n\"a, 8\",a,800,0.05,1\na 16,a,1600,0,1\n");
+            "method,shader,bytes,error_rate,efficient\n\"a, 8\",a,800,0.05,1\na 16,a,1600,0,1\n");
 }
 
 }  // namespace

@@ -17,6 +17,9 @@ TEST(Ranking, BestFirstWithMeansOverAllCases) {
   StudyRecord record = sampleRecord();
   // A second view in which "best" errs more: its mean is (10 + 10 + 40) / 3 of 1000.
   record.results.push_back(result("best", "elevation 15°", "atlas", "all", countsOf(1000, 0, 40)));
+  record.results.push_back(result("close", "elevation 15°", "atlas", "all", countsOf(1000, 4, 8)));
+  record.results.push_back(
+      result("rough, \"old\"", "elevation 15°", "atlas", "all", countsOf(1000, 80, 20)));
   const std::vector<RankedMethod> ranked = rankMethods(record);
   ASSERT_EQ(ranked.size(), 3U);
   EXPECT_EQ(ranked[0].label, "close");
@@ -28,6 +31,47 @@ TEST(Ranking, BestFirstWithMeansOverAllCases) {
   EXPECT_DOUBLE_EQ(*ranked[1].falseLight.value, 0.05 / 3);
   EXPECT_DOUBLE_EQ(*ranked[0].iou.value, 242.0 / 254);
   EXPECT_DOUBLE_EQ(*ranked[0].ber.value, (4.0 / 750 + 8.0 / 250) / 2);
+}
+
+/// "easy" is never wrong, but answers only where the others are at their best: under one light of
+/// two. Over that light "best" has 10 of 1000 wrong, over both 25.
+StudyRecord recordWithAnEasyCase() {
+  StudyRecord record = sampleRecord();
+  record.results.push_back(result("easy", "elevation 15°", "camera", "all", countsOf(1000, 0, 1)));
+  for (ResultRecord& row : record.results) {
+    if (row.method == "best" && row.light == "elevation 30°" && row.region == "all") {
+      row.counts = countsOf(1000, 0, 40);
+    }
+  }
+  return record;
+}
+
+TEST(Ranking, AMethodThatAnswersInFewerCasesHasNoRankHoweverSmallItsError) {
+  const std::vector<RankedMethod> ranked = rankMethods(recordWithAnEasyCase());
+  ASSERT_EQ(ranked.size(), 4U);
+  EXPECT_EQ(ranked[0].label, "close");
+  EXPECT_EQ(ranked[0].rank, 1U);
+  EXPECT_DOUBLE_EQ(*ranked[0].errorRate.value, 0.012);
+  EXPECT_FALSE(ranked[0].leaderError);
+  EXPECT_EQ(ranked[1].label, "best");
+  EXPECT_EQ(ranked[2].rank, 3U);
+  EXPECT_EQ(ranked[3].label, "easy");
+  EXPECT_FALSE(ranked[3].rank);
+  EXPECT_EQ(ranked[3].cases, 1U);
+  EXPECT_EQ(ranked[3].allCases, 2U);
+  EXPECT_DOUBLE_EQ(*ranked[3].errorRate.value, 0.001);
+  EXPECT_DOUBLE_EQ(*ranked[3].leaderError, 0.012);
+}
+
+TEST(Ranking, WithoutAMethodInEveryCaseNoneIsFirst) {
+  StudyRecord record = sampleRecord();
+  std::erase_if(record.results, [](const ResultRecord& row) {
+    return (row.method == "best") == (row.light == "elevation 15°");
+  });
+  for (const RankedMethod& method : rankMethods(record)) {
+    EXPECT_FALSE(method.rank) << method.label;
+    EXPECT_FALSE(method.leaderError) << method.label;
+  }
 }
 
 TEST(Ranking, CloserThanTheTruthKnowsIsNotDistinguishable) {

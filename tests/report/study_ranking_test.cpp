@@ -95,6 +95,40 @@ TEST(StudyRanking, AMethodThatIsMissingSomewhereHasNoRankHoweverSmallItsError) {
   EXPECT_FALSE(ranked[0].leaderError);
 }
 
+/// "easy" is never wrong, but answers under one light of two in the second study: there "curved"
+/// has 10 of 1000 wrong, under the other light 30.
+std::vector<StudyMeans> studiesWithAnEasyCase() {
+  StudyRecord a = study("a", {{"curved", {30, 30}}, {"easy", {1, 1}}});
+  StudyRecord b = study("b", {{"curved", {10, 30}}, {"easy", {1, 1}}});
+  std::erase_if(b.results, [](const ResultRecord& row) {
+    return row.method == "easy" && row.light == "dusk";
+  });
+  return meansOf({a, b});
+}
+
+TEST(StudyRanking, AMethodThatLacksACaseOfAStudyHasNoRankHoweverSmallItsError) {
+  const auto ranked = rankOverStudies(studiesWithAnEasyCase());
+  ASSERT_EQ(ranked.size(), 2U);
+  EXPECT_EQ(ranked[0].label, "curved");
+  EXPECT_EQ(ranked[0].rank, 1U);
+  EXPECT_EQ(ranked[1].label, "easy");
+  EXPECT_FALSE(ranked[1].rank);
+  EXPECT_FALSE(ranked[1].closeToBest);
+  EXPECT_EQ(ranked[1].studies, 2U);
+  EXPECT_EQ(ranked[1].cases, 3U);
+  EXPECT_EQ(ranked[1].allCases, 4U);
+  EXPECT_DOUBLE_EQ(*ranked[1].meanError, 0.001);
+  // "curved" over the same cases: both of the first study, one of the second.
+  EXPECT_DOUBLE_EQ(*ranked[1].leaderError, (0.03 + 0.01) / 2);
+}
+
+TEST(StudyRanking, ACellOverFewerCasesIsMarked) {
+  const std::string html = rankingHtml(studiesWithAnEasyCase(), "");
+  EXPECT_THAT(html, HasSubstr("false light 0.00 %, 1 of 2 cases\">0.10*<"));
+  EXPECT_THAT(html, HasSubstr(fewerCasesMeaning));
+  EXPECT_THAT(rankingHtml(threeStudies(), ""), Not(HasSubstr(fewerCasesMeaning)));
+}
+
 TEST(StudyRanking, MoreStudiesComeFirstAmongThoseWithoutARank) {
   const auto ranked =
       rankOverStudies(meansOf({study("a", {{"once", {1, 1}}}), study("b", {{"twice", {90, 90}}}),
@@ -159,11 +193,11 @@ TEST(StudyRanking, NothingIsNotRanked) {
 TEST(RankingTerminal, SaysWhatTheRankingHolds) {
   const std::string text = rankingOverStudies(threeStudies(), false);
   EXPECT_THAT(text, HasSubstr("Methods over 3 studies\n"));
-  EXPECT_THAT(text, HasSubstr("  1   curved    2.00    3.00  a           3 of 3      0.30\n"));
-  EXPECT_THAT(text, HasSubstr("  –   new       1.50    1.50  b           1 of 3      0.20\n"));
-  EXPECT_THAT(text, HasSubstr("curved has a mean of 2.00 over the same studies"));
-  EXPECT_LT(text.find("2   flat"), text.find("Not in every study"));
-  EXPECT_LT(text.find("Not in every study"), text.find("–   new"));
+  EXPECT_THAT(text, HasSubstr("  1   curved    2.00    3.00  a           6 of 6      0.30\n"));
+  EXPECT_THAT(text, HasSubstr("  –   new       1.50    1.50  b           2 of 6      0.20\n"));
+  EXPECT_THAT(text, HasSubstr("curved has a mean of 2.00 over the same cases"));
+  EXPECT_LT(text.find("2   flat"), text.find("Not in every case"));
+  EXPECT_LT(text.find("Not in every case"), text.find("–   new"));
 }
 
 TEST(RankingTerminal, FitsWhateverTheNames) {
@@ -221,9 +255,9 @@ TEST(RankingCsv, HasARowAMethodAndStudy) {
   studies[2].methods[1].uncertainty.reset();
   const std::string csv = rankingCsv(studies);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "study,method,error_rate,false_shadow,false_light,uncertainty");
-  EXPECT_THAT(csv, HasSubstr("\na,flat,0.02,0.005,0.015,0.001\n"));
-  EXPECT_THAT(csv, HasSubstr("\nc,flat,0.06,0.03,0.03,\n"));
+            "study,method,error_rate,false_shadow,false_light,uncertainty,cases,all_cases");
+  EXPECT_THAT(csv, HasSubstr("\na,flat,0.02,0.005,0.015,0.001,2,2\n"));
+  EXPECT_THAT(csv, HasSubstr("\nc,flat,0.06,0.03,0.03,,2,2\n"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 8);
 }
 
@@ -235,8 +269,8 @@ TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
   for (const char* part :
        {"href=\"a/report.html\"", "href=\"b/report.html\"", "href=\"c/report.html\"",
         "First &lt;claim&gt;", "Second claim", "tag failed\">failed<", "gnomon run a &amp; b",
-        "Over 3 studies <b>curved</b>", "in 1 of 3 studies: not comparable",
-        "curved has 2.00&#8239;% on the same", "Title of &lt;a&gt;"}) {
+        "Over 3 studies <b>curved</b>", "in 2 of 6 cases: no rank; curved has 2.00 % on the same",
+        "Title of &lt;a&gt;"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   for (const char* fetch : {"http://", "https://", "<link", "<script", "@import", "url("}) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -108,15 +109,43 @@ TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
   EXPECT_EQ(ranked[1].studies, 1U);
 }
 
+/// "curved" answers under one light of two at the second value.
+SweepRecord sweepThatLacksACase() {
+  SweepRecord sweep = sampleSweep();
+  std::erase_if(sweep.steps[1].results, [](const ResultRecord& row) {
+    return row.method == "curved" && row.light == "dusk";
+  });
+  return sweep;
+}
+
+TEST(SweepMeans, SayWhereTheyAreOverFewerCases) {
+  const SweepRecord sweep = sweepThatLacksACase();
+  const StudyMeans study = studyMeans(sweep);
+  EXPECT_EQ(labelWithCases(study.methods[0]), "flat");
+  EXPECT_EQ(labelWithCases(study.methods[1]), "curved (5 of 6 cases)");
+  EXPECT_THAT(sweepPlot(sweep).commands, HasSubstr("'curved (5 of 6 cases)'"));
+  EXPECT_THAT(sweepTable(sweep, false), HasSubstr("  curved      1.00    1.00*     3.00\n"));
+  EXPECT_THAT(sweepTable(sweep, false), HasSubstr(fewerCasesMeaning));
+  EXPECT_THAT(sweepTable(sampleSweep(), false), Not(HasSubstr(fewerCasesMeaning)));
+  EXPECT_THAT(sweepCsv(sweep), HasSubstr("\n0.25,curved,0.01,0.01,0,0.001,,1,2\n"));
+  const auto json = nlohmann::json::parse(sweepJson(sweep));
+  EXPECT_EQ(json["results"][3]["cases"], 1);
+  EXPECT_EQ(json["results"][3]["all_cases"], 2);
+  const auto ranked = rankOverStudies(std::array{study});
+  EXPECT_EQ(ranked[0].label, "flat");
+  EXPECT_FALSE(ranked[1].rank);
+  EXPECT_DOUBLE_EQ(*ranked[1].leaderError, (0.02 + 0.02 + 0.04 + 0.08 + 0.08) / 5);
+}
+
 // ---- files
 
 TEST(SweepCsv, HasARowAMethodAndValue) {
   EXPECT_EQ(sweepCsv(sampleSweep()),
-            "value,method,error_rate,false_shadow,false_light,uncertainty,bytes\n"
-            "0.5,flat,0.02,0.01,0.01,0.002,\n0.5,curved,0.01,0.005,0.005,0.002,\n"
-            "0.25,flat,0.04,0.02,0.02,0.001,\n0.25,curved,0.01,0.005,0.005,0.001,\n"
-            "1,flat,0.08,0.04,0.04,0.003,\n1,curved,0.03,0.015,0.015,0.003,\n");
-  EXPECT_THAT(sweepCsv(costlySweep()), HasSubstr("0.25,flat,0.04,0.02,0.02,0.001,1500000\n"));
+            "value,method,error_rate,false_shadow,false_light,uncertainty,bytes,cases,all_cases\n"
+            "0.5,flat,0.02,0.01,0.01,0.002,,2,2\n0.5,curved,0.01,0.005,0.005,0.002,,2,2\n"
+            "0.25,flat,0.04,0.02,0.02,0.001,,2,2\n0.25,curved,0.01,0.005,0.005,0.001,,2,2\n"
+            "1,flat,0.08,0.04,0.04,0.003,,2,2\n1,curved,0.03,0.015,0.015,0.003,,2,2\n");
+  EXPECT_THAT(sweepCsv(costlySweep()), HasSubstr("0.25,flat,0.04,0.02,0.02,0.001,1500000,2,2\n"));
 }
 
 TEST(SweepJson, HoldsTheSweep) {
@@ -201,6 +230,32 @@ TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
   EXPECT_NEAR(curved[1] - curved[2], 2 * percent, 0.1);
 }
 
+/// Where a text of an SVG starts, in pixels from the left; nothing where it is not there.
+std::optional<double> leftOf(const std::string& svg, const std::string& text) {
+  const std::size_t at = svg.find(text + "</");
+  const std::size_t place = svg.rfind("translate(", at);
+  if (at == std::string::npos || place == std::string::npos) return std::nullopt;
+  return std::stod(svg.substr(place + std::string("translate(").size()));
+}
+
+TEST(SweepPlot, ItsLegendHoldsLongLabelsWhole) {
+  for (const std::string label :
+       {"resampled-horizon, 8 azimuths", "sloan-cohen-surface, 32 azimuths",
+        "resampled-horizon, with forty characters"}) {
+    SweepRecord sweep = sampleSweep();
+    for (StudyRecord& record : sweep.steps) {
+      for (ResultRecord& row : record.results) {
+        if (row.method == "flat") row.method = label;
+      }
+    }
+    const PlotSheet sheet = sweepPlot(sweep);
+    const auto left = leftOf(svgOf(sheet), label);
+    ASSERT_TRUE(left) << label;
+    // 14 pixels of DejaVu Sans, as a browser draws it: 7.4 pixels a character.
+    EXPECT_LE(*left + 7.4 * static_cast<double>(label.size()), sheet.width) << label;
+  }
+}
+
 TEST(SweepPlot, SameSweepSameBytes) {
   EXPECT_EQ(svgOf(sweepPlot(sampleSweep())), svgOf(sweepPlot(sampleSweep())));
 }
@@ -210,7 +265,7 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
   sweep.axis = "it's `date` {/x}_2 \\ \"";
   for (StudyRecord& record : sweep.steps) {
     for (int i = 0; i < 9; ++i) {
-      const std::string label = "a 'label' of <some> length & number " + std::to_string(i);
+      const std::string label = "a 'label' of <some> length & such a number " + std::to_string(i);
       record.results.push_back(result(label, "noon", "camera", "all", countsOf(1000, 10 * i, 0)));
     }
     for (ResultRecord& row : record.results) {
@@ -219,7 +274,7 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
   }
   const std::string svg = svgOf(sweepPlot(sweep));
   EXPECT_THAT(svg, HasSubstr("it’s `date` {/x}_2 \\"));
-  EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; nu…"));
+  EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; such a num…"));
   // No error at all: the axis has no length of its own.
   for (StudyRecord& record : sweep.steps) {
     for (ResultRecord& row : record.results) row.counts = countsOf(1000, 0, 0);

@@ -38,6 +38,17 @@ std::vector<std::string> methodsOf(const StudyRecord& record) {
   return methods;
 }
 
+std::vector<Case> comparedCases(const StudyRecord& record) {
+  std::vector<Case> cases = casesOf(record);
+  const std::vector<std::string> labels = methodsOf(record);
+  std::erase_if(cases, [&](const Case& which) {
+    return std::none_of(labels.begin(), labels.end(), [&](const std::string& label) {
+      return rateOf(record, label, which, Answer::drawn, "error_rate");
+    });
+  });
+  return cases;
+}
+
 std::vector<std::string> regionsOf(const StudyRecord& record, const Case& which) {
   std::vector<std::string> regions;
   for (const ResultRecord& result : record.results) {

@@ -22,6 +22,9 @@ struct Case {
 /// The cases of a record, in the order in which its results first name them.
 std::vector<Case> casesOf(const StudyRecord& record);
 
+/// Those in which some method's drawn answer has an error rate: what rankings compare over.
+std::vector<Case> comparedCases(const StudyRecord& record);
+
 /// The labels of the methods that have results: as `methods` lists them, then any others.
 std::vector<std::string> methodsOf(const StudyRecord& record);
 

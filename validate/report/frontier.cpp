@@ -56,7 +56,10 @@ std::vector<FrontierPoint> frontier(const StudyRecord& record) {
   std::vector<FrontierPoint> points;
   for (const MethodMeans& method : studyMeans(record).methods) {
     const CostRecord* cost = costOf(record, method.label);
-    if (cost == nullptr || !method.errorRate || memoryBytes(*cost) == 0) continue;
+    if (cost == nullptr || !method.errorRate || !method.isInEveryCase() ||
+        memoryBytes(*cost) == 0) {
+      continue;
+    }
     points.push_back(
         {method.label, method.name, static_cast<double>(memoryBytes(*cost)), *method.errorRate});
   }
@@ -112,7 +115,7 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points) {
 }
 
 std::string frontierCsv(const std::vector<FrontierPoint>& points) {
-  std::string text = csvLine({"label", "method", "bytes", "error_rate", "efficient"});
+  std::string text = csvLine({"method", "shader", "bytes", "error_rate", "efficient"});
   for (const FrontierPoint& point : points) {
     text += csvLine({point.label, point.name, exactText(point.bytes), exactText(point.errorRate),
                      point.efficient ? "1" : "0"});

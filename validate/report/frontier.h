@@ -18,7 +18,8 @@ struct FrontierPoint {
   bool efficient = false;  ///< no other entry has as little memory and as small an error
 };
 
-/// The entries that read tables or the height map, by memory, then error. Empty unless some method
+/// The entries that read tables or the height map and answer in every case (rankByError), by
+/// memory, then error. Empty unless some method
 /// stands in the study with two different memories: only then there is something to trade.
 std::vector<FrontierPoint> frontier(const StudyRecord& record);
 
@@ -27,7 +28,7 @@ std::vector<FrontierPoint> frontier(const StudyRecord& record);
 /// @throws InternalError for a number that is not finite
 PlotSheet frontierPlot(const std::vector<FrontierPoint>& points);
 
-/// The same as rows: label, method, bytes, error_rate, efficient.
+/// The same as rows: method (its label), shader (its name), bytes, error_rate, efficient.
 std::string frontierCsv(const std::vector<FrontierPoint>& points);
 
 }  // namespace gnomon

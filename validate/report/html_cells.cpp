@@ -24,11 +24,11 @@ std::string gateValueCell(const std::optional<double>& value, std::string_view r
                : numberCell("undefined", reason);
 }
 
-std::string heatCell(double share, double worst, std::string_view tooltip) {
+std::string heatCell(double share, double worst, std::string_view tooltip, std::string_view mark) {
   // By the square root: beside a control that gets everything wrong, small errors still differ.
   const double shade = worst > 0 ? std::sqrt(share / worst) : 0;
-  return fmt::format("<td class=\"n heat\" style=\"--heat:{:.3f}\" title=\"{}\">{}</td>", shade,
-                     escapeHtml(tooltip), rateText(share));
+  return fmt::format("<td class=\"n heat\" style=\"--heat:{:.3f}\" title=\"{}\">{}{}</td>", shade,
+                     escapeHtml(tooltip), rateText(share), mark);
 }
 
 std::string headCells(std::initializer_list<std::string_view> texts,

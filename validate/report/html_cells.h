@@ -20,7 +20,9 @@ std::string gateValueCell(const std::optional<double>& value, std::string_view r
 
 /// A share in percent, shaded by its size.
 /// @param worst  the table's largest share: its cell gets the full shade
-std::string heatCell(double share, double worst, std::string_view tooltip);
+/// @param mark   behind the figure
+std::string heatCell(double share, double worst, std::string_view tooltip,
+                     std::string_view mark = "");
 
 /// The head row's cells: the columns of text, then those of numbers; all as HTML.
 std::string headCells(std::initializer_list<std::string_view> texts,

@@ -24,9 +24,12 @@ double worstOf(std::span<const StudyMeans> studies) {
 std::string errorCell(const MethodMeans* means, double worst) {
   if (means == nullptr) return numberCell("", "not evaluated");
   if (!means->errorRate) return numberCell("–", "not defined");
-  return heatCell(*means->errorRate, worst,
-                  fmt::format("false shadow {} %, false light {} %",
-                              percentText(means->falseShadow), percentText(means->falseLight)));
+  std::string about = fmt::format("false shadow {} %, false light {} %",
+                                  percentText(means->falseShadow), percentText(means->falseLight));
+  if (!means->isInEveryCase()) {
+    about += fmt::format(", {} of {} cases", means->cases(), means->caseErrors.size());
+  }
+  return heatCell(*means->errorRate, worst, about, means->isInEveryCase() ? "" : fewerCasesMark);
 }
 
 }  // namespace
@@ -46,6 +49,15 @@ std::string errorMatrix(const std::vector<std::string>& labels, std::span<const 
   body += "<tr><td class=\"method\"><small>the truth’s uncertainty</small></td>";
   for (const StudyMeans& study : studies) body += numberCell(rateText(largestUncertainty(study)));
   return htmlTable("regions", head, body + "</tr>\n");
+}
+
+std::string fewerCasesNote(std::span<const StudyMeans> studies) {
+  for (const StudyMeans& study : studies) {
+    for (const MethodMeans& method : study.methods) {
+      if (!method.isInEveryCase()) return fmt::format(" {}", fewerCasesMeaning);
+    }
+  }
+  return "";
 }
 
 }  // namespace gnomon

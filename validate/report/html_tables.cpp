@@ -15,6 +15,7 @@
 #include "report/html_text.h"
 #include "report/interval_text.h"
 #include "report/number_text.h"
+#include "report/ranking_rule.h"
 #include "report/refinement_text.h"
 #include "study/distinguish.h"
 #include "study/gate_record.h"
@@ -47,16 +48,16 @@ std::string meanCell(const Mean& mean, std::size_t cases) {
                     fmt::format("defined in {} of {} cases", mean.cases, cases));
 }
 
-std::string rankedRow(const RankedMethod& method, std::size_t rank, std::size_t allCases,
-                      double scale) {
-  const std::string partial = method.cases == allCases
-                                  ? ""
-                                  : fmt::format("<small class=\"same\">{} of {} cases only</small>",
-                                                method.cases, allCases);
+std::string rankedRow(const RankedMethod& method, const RankedMethod& best, double scale) {
+  const std::string partial =
+      method.rank ? ""
+                  : fmt::format("<small class=\"same\">{}</small>",
+                                escapeHtml(fewerCasesText(method.cases, method.allCases, best.label,
+                                                          method.leaderError)));
   return fmt::format(
-      "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}{}{}</td>{}{}{}{}{}{}{}</tr>\n", rank,
-      escapeHtml(method.label), errorBar(method, scale),
-      indistinguishableText(method.indistinguishable), partial,
+      "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}{}{}</td>{}{}{}{}{}{}{}</tr>\n",
+      method.rank ? fmt::format("{}", *method.rank) : "–", escapeHtml(method.label),
+      errorBar(method, scale), indistinguishableText(method.indistinguishable), partial,
       numberCell("<b>" + withUncertainty(method.errorRate.value, method.uncertainty) + "</b>"),
       numberCell(escapeHtml(intervalText(method.interval)),
                  method.interval ? "" : "no interval was measured"),
@@ -138,13 +139,9 @@ std::string regionSamples(const StudyRecord& record, const Case& which, std::str
 }  // namespace
 
 std::string rankingTable(const std::vector<RankedMethod>& ranked) {
-  std::size_t allCases = 0;
-  for (const RankedMethod& method : ranked) allCases = std::max(allCases, method.cases);
   const double scale = errorBarScale(ranked);
   std::string body;
-  for (std::size_t i = 0; i < ranked.size(); ++i) {
-    body += rankedRow(ranked[i], i + 1, allCases, scale);
-  }
+  for (const RankedMethod& method : ranked) body += rankedRow(method, ranked.front(), scale);
   return htmlTable("ranking",
                    headCells({"", "Method"}, {"Error", "95 %", "Test alone", "False shadow",
                                               "False light", "IoU", "BER"}),

@@ -151,7 +151,9 @@ Json jsonMeans(const MethodMeans& means) {
           {"error_rate", jsonNumber(means.errorRate, "results.error_rate")},
           {"false_shadow", jsonNumber(means.falseShadow, "results.false_shadow")},
           {"false_light", jsonNumber(means.falseLight, "results.false_light")},
-          {"uncertainty", jsonNumber(means.uncertainty, "results.uncertainty")}};
+          {"uncertainty", jsonNumber(means.uncertainty, "results.uncertainty")},
+          {"cases", means.cases()},
+          {"all_cases", means.caseErrors.size()}};
 }
 
 Json jsonStatus(RunStatus status) {

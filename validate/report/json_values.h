@@ -51,7 +51,7 @@ Json jsonTruth(const TruthRecord& truth);
 /// alone), quantity ("ratio", `less` over `than`; or "value"), and its least, quartile_1, median,
 /// quartile_3, most (null where no case has it); and `radius` (jsonRadiusCheck).
 Json jsonClaim(const ClaimRecord& claim);
-/// method, error_rate, false_shadow, false_light, uncertainty.
+/// method, error_rate, false_shadow, false_light, uncertainty, cases, all_cases.
 Json jsonMeans(const MethodMeans& means);
 /// The status of a run by its name.
 Json jsonStatus(RunStatus status);

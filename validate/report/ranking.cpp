@@ -1,11 +1,11 @@
 #include "report/ranking.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "compare/rates.h"
 #include "report/cases.h"
+#include "report/ranking_rule.h"
 #include "study/distinguish.h"
 
 namespace gnomon {
@@ -63,12 +63,23 @@ Rows rowsOf(const StudyRecord& record, const std::string& label, const std::vect
   return rows;
 }
 
+/// Those of the cases in which the method has an error rate.
+std::vector<Case> casesOfMethod(const StudyRecord& record, const std::string& label,
+                                std::vector<Case> cases) {
+  std::erase_if(cases, [&](const Case& which) {
+    return !rateOf(record, label, which, Answer::drawn, "error_rate");
+  });
+  return cases;
+}
+
 RankedMethod summarise(const StudyRecord& record, const std::string& label,
-                       const std::vector<Case>& cases) {
+                       const std::vector<Case>& all) {
+  const std::vector<Case> cases = casesOfMethod(record, label, all);
   const Rows rows = rowsOf(record, label, cases, Answer::drawn);
   RankedMethod method;
   method.label = label;
   method.cases = rows.size();
+  method.allCases = all.size();
   method.errorRate = meanOf(rows, "error_rate");
   method.falseShadow = meanOf(rows, "false_shadow");
   method.falseLight = meanOf(rows, "false_light");
@@ -78,6 +89,32 @@ RankedMethod summarise(const StudyRecord& record, const std::string& label,
   method.uncertainty = meanUncertainty(record, rows);
   method.interval = meanInterval(record, label, rows);
   return method;
+}
+
+std::vector<RankedMethod> inRankingOrder(const std::vector<RankedMethod>& methods,
+                                         std::size_t cases) {
+  std::vector<RankingEntry> entries;
+  for (const RankedMethod& method : methods) {
+    entries.push_back({method.errorRate.value, method.cases});
+  }
+  std::vector<RankedMethod> ranked;
+  for (const RankingPlace& place : rankByError(entries, cases)) {
+    ranked.push_back(methods[place.entry]);
+    ranked.back().rank = place.rank;
+  }
+  return ranked;
+}
+
+/// What the means of methods without a rank may be compared with.
+void setLeaderErrors(const StudyRecord& record, const std::vector<Case>& cases,
+                     std::vector<RankedMethod>& ranked) {
+  if (ranked.empty() || !ranked.front().rank) return;
+  for (RankedMethod& method : ranked) {
+    if (method.rank) continue;
+    const std::vector<Case> own = casesOfMethod(record, method.label, cases);
+    method.leaderError =
+        meanOf(rowsOf(record, ranked.front().label, own, Answer::drawn), "error_rate").value;
+  }
 }
 
 void markIndistinguishable(const StudyRecord& record, std::vector<RankedMethod>& ranked) {
@@ -95,16 +132,13 @@ void markIndistinguishable(const StudyRecord& record, std::vector<RankedMethod>&
 }  // namespace
 
 std::vector<RankedMethod> rankMethods(const StudyRecord& record) {
-  const std::vector<Case> cases = casesOf(record);
-  std::vector<RankedMethod> ranked;
+  const std::vector<Case> cases = comparedCases(record);
+  std::vector<RankedMethod> methods;
   for (const std::string& label : methodsOf(record)) {
-    ranked.push_back(summarise(record, label, cases));
+    methods.push_back(summarise(record, label, cases));
   }
-  const auto key = [](const RankedMethod& method) {
-    return method.errorRate.value.value_or(std::numeric_limits<double>::infinity());
-  };
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::vector<RankedMethod> ranked = inRankingOrder(methods, cases.size());
+  setLeaderErrors(record, cases, ranked);
   markIndistinguishable(record, ranked);
   return ranked;
 }

@@ -17,9 +17,14 @@ struct Mean {
 };
 
 /// What one method's drawn answers over all lights and views come to, in the region of all samples.
+/// A case is one view under one light.
 struct RankedMethod {
   std::string label;
-  std::size_t cases = 0;  ///< view × light pairs with results
+  std::optional<std::size_t> rank;  ///< 1 is best; none where it answers in fewer cases
+  std::size_t cases = 0;            ///< in which it has an error rate
+  std::size_t allCases = 0;         ///< in which some method of the study has one
+  /// Without a rank: mean error rate of the method of rank 1 over this one's cases.
+  std::optional<double> leaderError;
   Mean errorRate, falseShadow, falseLight, iou, ber;
   std::optional<double> uncertainty;  ///< the truth's, mean over the same cases
   /// 95 % for the mean error rate: the mean of the ends of its views' intervals, all lights
@@ -31,8 +36,7 @@ struct RankedMethod {
   std::vector<std::string> indistinguishable;
 };
 
-/// The methods from the lowest mean error rate to the highest; equal ones keep the record's order,
-/// and a method without any defined error rate comes last.
+/// The methods in the order of rankByError, equal ones in the record's.
 std::vector<RankedMethod> rankMethods(const StudyRecord& record);
 
 }  // namespace gnomon

@@ -9,6 +9,7 @@
 #include "report/html_page.h"
 #include "report/html_text.h"
 #include "report/names.h"
+#include "report/ranking_rule.h"
 
 namespace gnomon {
 namespace {
@@ -35,7 +36,8 @@ std::string verdictHtml(std::span<const StudyMeans> studies) {
 
 std::string leadHtml(const Ranking& ranking, std::size_t studies) {
   if (ranking.empty() || !ranking.front().rank) {
-    return "No method was measured in every study, so that none can be called the best.";
+    return "No method was measured in every case of every study, so that none can be called the "
+           "best.";
   }
   const RankedOverStudies& best = ranking.front();
   return fmt::format(
@@ -46,40 +48,35 @@ std::string leadHtml(const Ranking& ranking, std::size_t studies) {
       escapeHtml(best.worstStudy));
 }
 
-std::string notes(const RankedOverStudies& method, const RankedOverStudies& best,
-                  std::size_t studies) {
+std::string notes(const RankedOverStudies& method, const RankedOverStudies& best) {
   if (method.rank) {
     return method.closeToBest
                ? fmt::format("<small class=\"same\">not distinguishable from {}</small>",
                              escapeHtml(best.label))
                : "";
   }
-  std::string text = fmt::format("in {} of {} studies: not comparable", method.studies, studies);
-  if (method.leaderError) {
-    text += fmt::format("; {} has {}&#8239;% on the same", escapeHtml(best.label),
-                        rateText(method.leaderError));
-  }
-  return "<small class=\"same\">" + text + "</small>";
+  return fmt::format(
+      "<small class=\"same\">{}</small>",
+      escapeHtml(fewerCasesText(method.cases, method.allCases, best.label, method.leaderError)));
 }
 
-std::string rankedRow(const RankedOverStudies& method, const RankedOverStudies& best,
-                      std::size_t studies) {
+std::string rankedRow(const RankedOverStudies& method, const RankedOverStudies& best) {
   return fmt::format(
       "<tr><td class=\"rank\">{}</td><td class=\"method\">{}{}</td>{}{}{}</tr>\n",
       method.rank ? fmt::format("{}", *method.rank) : "–", escapeHtml(labelWithName(method)),
-      notes(method, best, studies),
+      notes(method, best),
       numberCell("<b>" + withUncertainty(method.meanError, method.uncertainty) + "</b>"),
       numberCell(fmt::format("{} <small class=\"same\">{}</small>", rateText(method.worstError),
                              escapeHtml(method.worstStudy))),
-      numberCell(fmt::format("{} of {}", method.studies, studies)));
+      numberCell(fmt::format("{} of {}", method.cases, method.allCases)));
 }
 
-std::string rankedTable(const Ranking& ranking, std::size_t studies) {
+std::string rankedTable(const Ranking& ranking) {
   std::string body;
   for (const RankedOverStudies& method : ranking) {
-    body += rankedRow(method, ranking.front(), studies);
+    body += rankedRow(method, ranking.front());
   }
-  return htmlTable("ranking", headCells({"", "Method"}, {"Mean error", "Worst", "Studies"}), body);
+  return htmlTable("ranking", headCells({"", "Method"}, {"Mean error", "Worst", "Cases"}), body);
 }
 
 std::string matrix(std::span<const StudyMeans> studies, const Ranking& ranking) {
@@ -109,14 +106,16 @@ std::string rankingHtml(std::span<const StudyMeans> studies, std::string_view co
              "<h1>Methods over {} studies</h1>\n<p class=\"verdict\">{}</p>\n"
              "<p class=\"lead\">{}</p>\n</header>\n<main>\n",
              studies.size(), verdictHtml(studies), leadHtml(ranking, studies.size())) +
-         htmlSection("ranking", "Methods, best first",
-                     "<p class=\"note\">Percent of the samples: in each study the mean over its "
-                     "lights and views, then the mean over the studies, each with the same weight. "
-                     "<b>±</b> is the truth’s own uncertainty.</p>\n" +
-                         rankedTable(ranking, studies.size())) +
+         htmlSection(
+             "ranking", "Methods, best first",
+             "<p class=\"note\">Percent of the samples: in each study the mean over its "
+             "lights and views, then the mean over the studies, each with the same weight. "
+             "A case is a view under a light; a method that lacks one has no rank. <b>±</b> "
+             "is the truth’s own uncertainty.</p>\n" +
+                 rankedTable(ranking)) +
          htmlSection("matrix", "Error by study",
-                     "<p class=\"note\">The stronger the tint, the larger the error.</p>\n" +
-                         matrix(studies, ranking)) +
+                     "<p class=\"note\">The stronger the tint, the larger the error." +
+                         fewerCasesNote(studies) + "</p>\n" + matrix(studies, ranking)) +
          claimsSection(studies) +
          htmlSection("reproduce", "Run it again",
                      fmt::format("<pre><code>{}</code></pre>\n", escapeHtml(command))) +

@@ -21,6 +21,8 @@ Json methodJson(const RankedOverStudies& method) {
           {"label", method.label},
           {"names", method.names},
           {"studies", method.studies},
+          {"cases", method.cases},
+          {"all_cases", method.allCases},
           {"mean_error_rate", jsonNumber(method.meanError, "methods.mean_error_rate")},
           {"worst_error_rate", jsonNumber(method.worstError, "methods.worst_error_rate")},
           {"worst_study", method.worstError ? Json(method.worstStudy) : Json(nullptr)},
@@ -66,13 +68,14 @@ std::string rankingJson(std::span<const StudyMeans> studies, std::string_view co
 }
 
 std::string rankingCsv(std::span<const StudyMeans> studies) {
-  std::string csv =
-      csvLine({"study", "method", "error_rate", "false_shadow", "false_light", "uncertainty"});
+  std::string csv = csvLine({"study", "method", "error_rate", "false_shadow", "false_light",
+                             "uncertainty", "cases", "all_cases"});
   for (const StudyMeans& study : studies) {
     for (const MethodMeans& method : study.methods) {
       csv += csvLine({study.name, method.label, exactText(method.errorRate),
                       exactText(method.falseShadow), exactText(method.falseLight),
-                      exactText(method.uncertainty)});
+                      exactText(method.uncertainty), std::to_string(method.cases()),
+                      std::to_string(method.caseErrors.size())});
     }
   }
   return csv;

@@ -34,12 +34,17 @@ std::string headingOf(const StudyRecord& record) {
 
 /// One sentence: which method is closest to the truth, and how sure the truth is.
 std::string leadHtml(const std::vector<RankedMethod>& ranked) {
-  if (ranked.empty() || !ranked.front().errorRate.value) return "No result has an error rate.";
+  if (ranked.empty() || ranked.front().allCases == 0) return "No result has an error rate.";
+  const auto inAllCases = static_cast<std::size_t>(std::count_if(
+      ranked.begin(), ranked.end(), [](const auto& method) { return method.rank.has_value(); }));
+  if (inAllCases == 0) {
+    return "No method answers in every case, so that none can be called the best.";
+  }
   const RankedMethod& best = ranked.front();
   std::string text = fmt::format(
       "Of {} over {}, <b>{}</b> is closest to the truth: it gets "
       "<b>{}&#8239;%</b> of the samples wrong.",
-      plural(ranked.size(), "method"), plural(best.cases, "case"), escapeHtml(best.label),
+      plural(inAllCases, "method"), plural(best.cases, "case"), escapeHtml(best.label),
       escapeHtml(percentText(best.errorRate.value)));
   if (!best.uncertainty) return text + " How sure the truth itself is was not measured.";
   text += fmt::format(" The truth itself is uncertain by {}&#8239;%{}.",
@@ -79,7 +84,8 @@ std::string rankingSection(const std::vector<RankedMethod>& ranked) {
   if (ranked.empty()) return "";
   return htmlSection(
       "ranking", "Methods, best first",
-      "<p class=\"note\">Percent of the samples, mean over all lights and views. <b>±</b> is the "
+      "<p class=\"note\">Percent of the samples, mean over all lights and views. A method that "
+      "does not answer in all of them has no rank. <b>±</b> is the "
       "truth’s own uncertainty: the share of its samples that change at half its resolution. "
       "<b>95&#8239;%</b> is the interval of the mean error. " +
           std::string(intervalMeaning) +

@@ -7,6 +7,7 @@
 
 #include "report/cases.h"
 #include "report/ranking.h"
+#include "report/ranking_rule.h"
 #include "study/distinguish.h"
 
 namespace gnomon {
@@ -54,6 +55,11 @@ std::vector<DifferenceRecord> differencesIn(std::span<const StudyMeans> studies,
   return found;
 }
 
+/// In which some method has an error rate.
+std::size_t caseCount(const StudyMeans& study) {
+  return study.methods.empty() ? 0 : study.methods.front().caseErrors.size();
+}
+
 /// A method's figures over the steps of a sweep.
 MethodMeans meanOver(std::span<const StudyMeans> steps, const std::string& label) {
   MethodMeans mean;
@@ -71,6 +77,12 @@ MethodMeans meanOver(std::span<const StudyMeans> steps, const std::string& label
   mean.falseShadow = over(&MethodMeans::falseShadow);
   mean.falseLight = over(&MethodMeans::falseLight);
   mean.uncertainty = over(&MethodMeans::uncertainty);
+  for (const StudyMeans& step : steps) {
+    const MethodMeans* means = findMeans(step, label);
+    const std::vector<std::optional<double>> errors =
+        means != nullptr ? means->caseErrors : std::vector<std::optional<double>>(caseCount(step));
+    mean.caseErrors.insert(mean.caseErrors.end(), errors.begin(), errors.end());
+  }
   return mean;
 }
 
@@ -87,6 +99,15 @@ std::vector<DifferenceRecord> allDifferences(const StudyRecord& record) {
   return all;
 }
 
+/// In each case in which some method has an error rate.
+std::vector<std::optional<double>> caseErrors(const StudyRecord& record, const std::string& label) {
+  std::vector<std::optional<double>> errors;
+  for (const Case& which : comparedCases(record)) {
+    errors.push_back(rateOf(record, label, which, Answer::drawn, "error_rate"));
+  }
+  return errors;
+}
+
 RankedOverStudies summarise(std::span<const StudyMeans> studies, const std::string& label) {
   RankedOverStudies method;
   method.label = label;
@@ -96,6 +117,7 @@ RankedOverStudies summarise(std::span<const StudyMeans> studies, const std::stri
     if (means == nullptr) continue;
     appendOnce(method.names, means->name);
     if (!means->errorRate) continue;
+    method.cases += means->cases();
     errors.push_back(means->errorRate);
     uncertainties.push_back(means->uncertainty);
     if (!method.worstError || *means->errorRate > *method.worstError) {
@@ -109,17 +131,21 @@ RankedOverStudies summarise(std::span<const StudyMeans> studies, const std::stri
   return method;
 }
 
-/// The mean error rate of `leader` over the studies in which `label` has one.
+/// The mean error rate of `leader`, which has one in every case, over the cases of `label`.
 std::optional<double> meanWhere(std::span<const StudyMeans> studies, const std::string& leader,
                                 const std::string& label) {
-  std::vector<std::optional<double>> errors;
+  std::vector<std::optional<double>> means;
   for (const StudyMeans& study : studies) {
-    const MethodMeans* means = findMeans(study, label);
-    if (means != nullptr && means->errorRate) {
-      errors.push_back(findMeans(study, leader)->errorRate);
+    const MethodMeans* own = findMeans(study, label);
+    const MethodMeans* best = findMeans(study, leader);
+    if (own == nullptr || !own->errorRate) continue;
+    std::vector<std::optional<double>> errors;
+    for (std::size_t i = 0; i < own->caseErrors.size(); ++i) {
+      if (own->caseErrors[i]) errors.push_back(best->caseErrors[i]);
     }
+    means.push_back(meanOf(errors));
   }
-  return meanOf(errors);
+  return meanOf(means);
 }
 
 bool isCloseTo(const std::string& best, const std::string& label,
@@ -129,22 +155,22 @@ bool isCloseTo(const std::string& best, const std::string& label,
          meanDifference(found).verdict == DifferenceVerdict::notDistinguishable;
 }
 
-/// Numbers the methods of the front part, and says how the others compare with the first.
-void setRanks(std::vector<RankedOverStudies>& methods, std::span<const StudyMeans> studies) {
-  const RankedOverStudies& best = methods.front();
-  const bool hasLeader = best.studies == studies.size();
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    RankedOverStudies& method = methods[i];
-    if (method.studies == studies.size()) {
-      method.rank = i + 1;
-      method.closeToBest = i > 0 && isCloseTo(best.label, method.label, studies);
-    } else if (hasLeader) {
-      method.leaderError = meanWhere(studies, best.label, method.label);
-    }
+/// Says how a method compares with the first of a ranking.
+void compareWithBest(RankedOverStudies& method, const RankedOverStudies& best,
+                     std::span<const StudyMeans> studies) {
+  if (method.rank) {
+    method.closeToBest = *method.rank > 1 && isCloseTo(best.label, method.label, studies);
+  } else if (best.rank) {
+    method.leaderError = meanWhere(studies, best.label, method.label);
   }
 }
 
 }  // namespace
+
+std::size_t MethodMeans::cases() const {
+  return static_cast<std::size_t>(
+      std::count_if(caseErrors.begin(), caseErrors.end(), [](const auto& e) { return bool(e); }));
+}
 
 StudyMeans studyMeans(const StudyRecord& record) {
   StudyMeans study{record.name, record.title, record.status(), {}, record.claims, {}};
@@ -153,8 +179,8 @@ StudyMeans studyMeans(const StudyRecord& record) {
     const auto found = std::find_if(ranked.begin(), ranked.end(),
                                     [&](const RankedMethod& m) { return m.label == label; });
     study.methods.push_back({label, nameOf(record, label), found->errorRate.value,
-                             found->falseShadow.value, found->falseLight.value,
-                             found->uncertainty});
+                             found->falseShadow.value, found->falseLight.value, found->uncertainty,
+                             caseErrors(record, label)});
   }
   study.differences = allDifferences(record);
   return study;
@@ -199,18 +225,27 @@ const MethodMeans* findMeans(const StudyMeans& study, std::string_view label) {
 }
 
 std::vector<RankedOverStudies> rankOverStudies(std::span<const StudyMeans> studies) {
+  std::size_t cases = 0;
+  for (const StudyMeans& study : studies) cases += caseCount(study);
   std::vector<RankedOverStudies> methods;
-  for (const std::string& label : labelsOf(studies)) methods.push_back(summarise(studies, label));
-  if (methods.empty()) return methods;
-  const auto rest = std::stable_partition(methods.begin(), methods.end(), [&](const auto& method) {
-    return method.studies == studies.size();
-  });
-  std::stable_sort(methods.begin(), rest,
-                   [](const auto& a, const auto& b) { return *a.meanError < *b.meanError; });
-  std::stable_sort(rest, methods.end(),
-                   [](const auto& a, const auto& b) { return a.studies > b.studies; });
-  setRanks(methods, studies);
-  return methods;
+  std::vector<RankingEntry> entries;
+  for (const std::string& label : labelsOf(studies)) {
+    methods.push_back(summarise(studies, label));
+    methods.back().allCases = cases;
+    entries.push_back({methods.back().meanError, methods.back().cases});
+  }
+  std::vector<RankedOverStudies> ranked;
+  for (const RankingPlace& place : rankByError(entries, cases)) {
+    ranked.push_back(methods[place.entry]);
+    ranked.back().rank = place.rank;
+    compareWithBest(ranked.back(), ranked.front(), studies);
+  }
+  return ranked;
+}
+
+std::string labelWithCases(const MethodMeans& method) {
+  if (method.isInEveryCase()) return method.label;
+  return fmt::format("{} ({} of {} cases)", method.label, method.cases(), method.caseErrors.size());
 }
 
 std::string labelWithName(const RankedOverStudies& method) {

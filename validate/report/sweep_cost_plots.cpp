@@ -16,7 +16,8 @@
 namespace gnomon {
 namespace {
 
-/// One value of a method; none where it was not measured.
+/// One value of a method; none where it was not measured, an error none either where it lacks a
+/// case.
 struct Point {
   double value = 0;
   std::optional<double> megabytes, errorRate, frameMs;
@@ -30,7 +31,8 @@ struct Line {
 Point pointOf(const StudyRecord& step, double value, const std::string& label) {
   Point point{value, {}, {}, {}};
   const StudyMeans study = studyMeans(step);
-  if (const MethodMeans* means = findMeans(study, label)) point.errorRate = means->errorRate;
+  const MethodMeans* means = findMeans(study, label);
+  if (means != nullptr && means->isInEveryCase()) point.errorRate = means->errorRate;
   if (const CostRecord* cost = costOf(step, label)) {
     point.frameMs = cost->frameMs;
     const std::uint64_t bytes = memoryBytes(*cost);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "report/html_matrix.h"
@@ -102,7 +103,8 @@ std::string sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& pl
          costSection(std::span(plots).subspan(1)) +
          htmlSection("values", "Error by value",
                      "<p class=\"note\">The stronger the tint, the larger the error. Each value "
-                     "leads to its own report.</p>\n" +
+                     "leads to its own report." +
+                         fewerCasesNote(std::array{studyMeans(sweep)}) + "</p>\n" +
                          valueTable(sweep)) +
          htmlClaims(sweep.claims) + failedSection(sweep) + referenceSection(sweep) +
          htmlSection("reproduce", "Run it again",

@@ -10,6 +10,7 @@
 #include "report/latex_text.h"
 #include "report/number_text.h"
 #include "report/ranking.h"
+#include "report/ranking_rule.h"
 
 namespace gnomon {
 namespace {
@@ -18,23 +19,26 @@ std::uint64_t bytesOf(const CostRecord& cost) {
   return cost.tableBytes + cost.heightBytes;
 }
 
+/// A ranked method that is not distinguishable from rank 1.
 bool isSameAsBest(const std::vector<RankedMethod>& ranked, std::size_t place) {
   const std::vector<std::string>& same = ranked[place].indistinguishable;
-  return place > 0 && std::find(same.begin(), same.end(), ranked.front().label) != same.end();
+  return place > 0 && ranked[place].rank &&
+         std::find(same.begin(), same.end(), ranked.front().label) != same.end();
 }
 
 std::string csvRow(const StudyRecord& record, const std::vector<RankedMethod>& ranked,
                    std::size_t place) {
   const RankedMethod& method = ranked[place];
   const CostRecord* cost = costOf(record, method.label);
-  return csvLine({std::to_string(place + 1), method.label, exactText(method.errorRate.value),
-                  method.interval ? exactText(method.interval->low) : "",
-                  method.interval ? exactText(method.interval->high) : "",
-                  exactText(method.uncertainty), isSameAsBest(ranked, place) ? "1" : "0",
-                  exactText(method.testError.value), exactText(method.falseShadow.value),
-                  exactText(method.falseLight.value), exactText(method.iou.value),
-                  cost ? std::to_string(bytesOf(*cost)) : "",
-                  cost ? exactText(cost->frameMs) : ""});
+  return csvLine(
+      {method.rank ? std::to_string(*method.rank) : "", method.label,
+       exactText(method.errorRate.value), method.interval ? exactText(method.interval->low) : "",
+       method.interval ? exactText(method.interval->high) : "", exactText(method.uncertainty),
+       isSameAsBest(ranked, place) ? "1" : "0", exactText(method.testError.value),
+       exactText(method.falseShadow.value), exactText(method.falseLight.value),
+       exactText(method.iou.value), cost ? std::to_string(bytesOf(*cost)) : "",
+       cost ? exactText(cost->frameMs) : "", std::to_string(method.cases),
+       std::to_string(method.allCases), exactText(method.leaderError)});
 }
 
 std::string latexInterval(const RankedMethod& method) {
@@ -73,6 +77,12 @@ std::string caption(const StudyRecord& record, const std::vector<RankedMethod>& 
         "the difference is no larger than that uncertainty.",
         escapeLatex(percentText(ranked.front().uncertainty)));
   }
+  for (const RankedMethod& method : ranked) {
+    if (method.rank) continue;
+    text += fmt::format(" {} {}.", escapeLatex(method.label),
+                        escapeLatex(fewerCasesText(method.cases, method.allCases,
+                                                   ranked.front().label, method.leaderError)));
+  }
   return text;
 }
 
@@ -92,7 +102,8 @@ std::string tableCsv(const StudyRecord& record) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   std::string csv =
       csvLine({"rank", "method", "error_rate", "low", "high", "uncertainty", "same_as_best",
-               "test_error_rate", "false_shadow", "false_light", "iou", "bytes", "frame_ms"});
+               "test_error_rate", "false_shadow", "false_light", "iou", "bytes", "frame_ms",
+               "cases", "all_cases", "leader_error_rate"});
   for (std::size_t i = 0; i < ranked.size(); ++i) csv += csvRow(record, ranked, i);
   return csv;
 }
@@ -100,7 +111,10 @@ std::string tableCsv(const StudyRecord& record) {
 std::string tableTex(const StudyRecord& record) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   std::string rows;
-  for (std::size_t i = 0; i < ranked.size(); ++i) rows += latexRow(record, ranked, i);
+  for (std::size_t i = 0; i < ranked.size(); ++i) {
+    if (i > 0 && ranked[i - 1].rank && !ranked[i].rank) rows += "    \\midrule\n";
+    rows += latexRow(record, ranked, i);
+  }
   return fmt::format(
       "% \\usepackage{{booktabs}}\n"
       "\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n"

@@ -39,18 +39,17 @@ RankingWidths widthsFor(const std::vector<RankedOverStudies>& methods) {
 
 std::string rowText(const RankingWidths& widths, const std::string& rank, const std::string& method,
                     const std::string& mean, const std::string& worst, const std::string& on,
-                    const std::string& studies, const std::string& uncertainty) {
+                    const std::string& cases, const std::string& uncertainty) {
   return std::string(terminalIndent, ' ') + fitLeft(rank, rankWidth) +
          fitLeft(method, widths.method) + fitRight(mean, numberWidth) +
          fitRight(worst, numberWidth) + std::string(gap, ' ') + fitLeft(on, widths.study) +
-         fitRight(studies, countWidth) + std::string(gap, ' ') + fitRight(uncertainty, numberWidth);
+         fitRight(cases, countWidth) + std::string(gap, ' ') + fitRight(uncertainty, numberWidth);
 }
 
-std::string methodRow(const RankingWidths& widths, const RankedOverStudies& method,
-                      std::size_t studies) {
+std::string methodRow(const RankingWidths& widths, const RankedOverStudies& method) {
   return rowText(widths, method.rank ? fmt::format("{}", *method.rank) : "–", labelWithName(method),
                  percentText(method.meanError), percentText(method.worstError), method.worstStudy,
-                 fmt::format("{} of {}", method.studies, studies),
+                 fmt::format("{} of {}", method.cases, method.allCases),
                  percentText(method.uncertainty)) +
          (method.closeToBest ? " ≈" : "");
 }
@@ -59,7 +58,7 @@ std::string methodRow(const RankingWidths& widths, const RankedOverStudies& meth
 void appendLeader(TerminalPage& page, const RankedOverStudies& method,
                   const RankedOverStudies& best) {
   if (!method.leaderError) return;
-  page.paragraph(fmt::format("{} has a mean of {} over the same studies", best.label,
+  page.paragraph(fmt::format("{} has a mean of {} over the same cases", best.label,
                              percentText(method.leaderError)),
                  terminalIndent + rankWidth);
 }
@@ -74,15 +73,17 @@ std::string rankingOverStudies(std::span<const StudyMeans> studies, bool colours
   page.paragraph(
       "Error rate in percent, each study with the same weight. ≈ not distinguishable from the "
       "best.");
-  page.line(rowText(widths, "", "method", "mean", "worst", "worst on", "studies", "truth ±"));
+  page.line(rowText(widths, "", "method", "mean", "worst", "worst on", "cases", "truth ±"));
   bool comparable = true;
   for (const RankedOverStudies& method : methods) {
     if (!method.rank && comparable) {
-      page.paragraph("Not in every study: these means are over other studies, and not comparable.",
-                     terminalIndent);
+      page.paragraph(
+          "Not in every case (a view under a light of a study): no rank, since means over other "
+          "cases cannot be compared.",
+          terminalIndent);
       comparable = false;
     }
-    page.line(methodRow(widths, method, studies.size()));
+    page.line(methodRow(widths, method));
     if (!method.rank) appendLeader(page, method, methods.front());
   }
   return page.text();

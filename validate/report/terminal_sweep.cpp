@@ -51,7 +51,11 @@ void appendValues(TerminalPage& page, const SweepRecord& sweep) {
   std::vector<StudyMeans> steps;
   for (const StudyRecord& step : sweep.steps) steps.push_back(studyMeans(step));
   std::vector<std::string> labels;
-  for (const MethodMeans& method : studyMeans(sweep).methods) labels.push_back(method.label);
+  bool isMarked = false;
+  for (const MethodMeans& method : studyMeans(sweep).methods) {
+    labels.push_back(method.label);
+    isMarked = isMarked || !method.isInEveryCase();
+  }
   std::vector<std::string> all = labels;
   all.emplace_back(truth);
   const SweepWidths widths = widthsFor(sweep, all);
@@ -66,11 +70,13 @@ void appendValues(TerminalPage& page, const SweepRecord& sweep) {
     for (const std::string& label : labels) {
       line(label, [&](std::size_t i) {
         const MethodMeans* means = findMeans(steps[i], label);
-        return percentText(means == nullptr ? std::nullopt : means->errorRate);
+        if (means == nullptr || !means->errorRate) return percentText(std::nullopt);
+        return percentText(means->errorRate) + (means->isInEveryCase() ? "" : fewerCasesMark);
       });
     }
     line(truth, [&](std::size_t i) { return percentText(largestUncertainty(steps[i])); });
   }
+  if (isMarked) page.paragraph(fewerCasesMeaning, terminalIndent);
 }
 
 void appendFailures(TerminalPage& page, const SweepRecord& sweep) {
