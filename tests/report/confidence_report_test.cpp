@@ -81,6 +81,17 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
                 "there is none, or it is within the truth’s uncertainty of 0.30 %."));
 }
 
+TEST(ConfidenceText, StatesTheUncertaintyThatItsMarksWereJudgedBy) {
+  StudyRecord record = recordOfThree();
+  // A pair in which the best is not says nothing of the marks.
+  record.differences[0].uncertainty = 0.5;
+  EXPECT_THAT(confidenceNote(record, "camera"), HasSubstr("truth’s uncertainty of 0.30 %."));
+  // Two pairs with the best, of two uncertainties.
+  record.differences[2].uncertainty = 0.0055;
+  EXPECT_THAT(confidenceNote(record, "camera"),
+              HasSubstr("truth’s uncertainty of 0.30 to 0.55 %."));
+}
+
 TEST(ConfidenceJson, HoldsEveryFigure) {
   const auto json = nlohmann::ordered_json::parse(summaryJson(recordOfThree()));
   EXPECT_EQ(json["confidence"][0].dump(),

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "report/budget_text.h"
 #include "report/interval_text.h"
@@ -25,6 +26,37 @@ std::string listText(const std::vector<std::string>& names) {
     text += parts[i];
   }
   return text;
+}
+
+/// What several rows say of one figure: "0.30", or "0.30 to 0.55" where they differ.
+class Range {
+ public:
+  void add(double value) {
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+  }
+  [[nodiscard]] bool isEmpty() const { return low_ > high_; }
+  template <typename Text>
+  [[nodiscard]] std::string text(const Text& textOf) const {
+    const std::string low = textOf(low_);
+    const std::string high = textOf(high_);
+    return low == high ? low : low + " to " + high;
+  }
+
+ private:
+  double low_ = std::numeric_limits<double>::infinity();
+  double high_ = -std::numeric_limits<double>::infinity();
+};
+
+/// Of a view's methods to the best, all lights together: what the marks of its table say.
+std::vector<DifferenceRecord> differencesToBest(const StudyRecord& record, const std::string& view,
+                                                const std::vector<ConfidenceRecord>& ranked) {
+  std::vector<DifferenceRecord> found;
+  for (const ConfidenceRecord& row : ranked) {
+    const auto toBest = differenceOf(record, view, allLights, row.method, ranked.front().method);
+    if (toBest) found.push_back(*toBest);
+  }
+  return found;
 }
 
 /// @param difference  of the worse method, less the best
@@ -85,24 +117,28 @@ std::string differenceMark(const DifferenceRecord& toBest) {
 std::string confidenceNote(const StudyRecord& record, const std::string& view) {
   const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
   if (ranked.empty()) return "";
-  std::string truth;
+  Range blocks;
+  for (const ConfidenceRecord& row : ranked) blocks.add(static_cast<double>(row.blocks));
+  Range uncertainty;
   std::string radius;
-  for (const DifferenceRecord& row : record.differences) {
-    if (row.view == view && row.light == allLights) {
-      if (row.radius) {
-        radius = fmt::format(
-            " {} depends on the radius: another verdict at half or at twice of it.", radiusMark);
-      }
-      truth = fmt::format(", or it is within the truth’s uncertainty of {} %",
-                          percentText(row.uncertainty));
+  for (const DifferenceRecord& toBest : differencesToBest(record, view, ranked)) {
+    uncertainty.add(toBest.uncertainty);
+    if (toBest.radius) {
+      radius = fmt::format(" {} depends on the radius: another verdict at half or at twice of it.",
+                           radiusMark);
     }
   }
+  const std::string truth =
+      uncertainty.isEmpty()
+          ? ""
+          : fmt::format(", or it is within the truth’s uncertainty of {} %",
+                        uncertainty.text([](double share) { return percentText(share); }));
   return fmt::format(
       "Percent of the samples, mean over the lights. {} It is told from {} blocks of {} × {} "
       "samples. ≈ not distinguishable from the best: the interval of the difference holds 0, there "
       "is none{}.{}",
-      intervalMeaning, ranked.front().blocks, ranked.front().blockSide, ranked.front().blockSide,
-      truth, radius);
+      intervalMeaning, blocks.text([](double count) { return fmt::format("{}", count); }),
+      ranked.front().blockSide, ranked.front().blockSide, truth, radius);
 }
 
 }  // namespace gnomon

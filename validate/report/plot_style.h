@@ -25,10 +25,12 @@ inline std::string plotLine(std::size_t m) {
          std::to_string(1 + m / plotColours.size());
 }
 
+/// The most characters of a label that a legend shows.
+constexpr std::size_t longestLegend = 40;
+
 /// A label of a legend, shortened where it is too long, quoted for gnuplot.
 inline std::string plotLegend(const std::string& label) {
-  constexpr std::size_t longest = 32;
-  return gnuplotText(displayWidth(label) > longest ? fitLeft(label, longest) : label);
+  return gnuplotText(displayWidth(label) > longestLegend ? fitLeft(label, longestLegend) : label);
 }
 
 }  // namespace gnomon

@@ -21,11 +21,15 @@ struct Panel {
   MeanFigure figure;
   const char* name;  ///< of its data, as a suffix
   const char* title;
-  std::array<double, 4> margins;  ///< as shares of the page: left, right, bottom, top
+  /// As shares of the page: left, right, bottom, top. The first panel ends where its legend begins.
+  std::array<double, 4> margins;
 };
 
+constexpr int pageWidth = 1000;  // pixels
+constexpr const char* truthLegend = "uncertainty of the truth";
+
 constexpr std::array<Panel, 3> panels = {{
-    {&MethodMeans::errorRate, "e", "error rate, percent of the samples", {0.09, 0.72, 0.53, 0.95}},
+    {&MethodMeans::errorRate, "e", "error rate, percent of the samples", {0.09, 0, 0.53, 0.95}},
     {&MethodMeans::falseShadow, "s", "false shadow, percent", {0.09, 0.49, 0.09, 0.37}},
     {&MethodMeans::falseLight, "l", "false light, percent", {0.58, 0.98, 0.09, 0.37}},
 }};
@@ -35,6 +39,7 @@ struct Series {
   std::vector<double> values;
   std::vector<StudyMeans> steps;
   std::vector<std::string> methods;  ///< as the steps list them
+  std::vector<std::string> legends;  ///< one a method
 };
 
 Series seriesOf(const SweepRecord& sweep) {
@@ -49,6 +54,7 @@ Series seriesOf(const SweepRecord& sweep) {
   }
   for (const MethodMeans& method : studyMeans(sweep).methods) {
     series.methods.push_back(method.label);
+    series.legends.push_back(labelWithCases(method));
   }
   return series;
 }
@@ -101,14 +107,25 @@ std::vector<std::size_t> legendOrder(const Series& series) {
 }
 
 std::string plotCommand(const Series& series, const Panel& panel) {
-  std::string text =
-      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title "
-      "'uncertainty of the truth'";
+  std::string text = fmt::format(
+      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title '{}'", truthLegend);
   for (const std::size_t m : legendOrder(series)) {
     text += fmt::format(", \\\n  ${}{} using 1:2 with linespoints {} title {}", panel.name, m,
-                        plotLine(m), plotLegend(series.methods[m]));
+                        plotLine(m), plotLegend(series.legends[m]));
   }
   return text + "\n";
+}
+
+/// Where the legend beside the first panel begins, as a share of the page: so that its longest
+/// label fits.
+double legendLeft(const Series& series) {
+  constexpr double symbol = 45;    // pixels
+  constexpr double character = 8;  // likewise: wider than those of most fonts of 14 pixels
+  std::size_t longest = displayWidth(truthLegend);
+  for (const std::string& legend : series.legends) {
+    longest = std::max(longest, std::min(longestLegend, displayWidth(legend)));
+  }
+  return 1 - (symbol + character * static_cast<double>(longest)) / pageWidth;
 }
 
 std::string panelCommands(const Series& series, const Panel& panel) {
@@ -133,27 +150,29 @@ int pageHeight(const Series& series) {
 
 PlotSheet sweepPlot(const SweepRecord& sweep) {
   const Series series = seriesOf(sweep);
-  std::string text = dataBlocks(series) +
-                     "set multiplot\n"
-                     "set border 3 lc rgb '#5b626b'\n"
-                     "set tics nomirror out textcolor rgb '#1a1d21'\n"
-                     "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
-                     "set title offset 0,-0.4\n"
-                     "set xlabel offset 0,0.4 " +
-                     gnuplotText(sweep.axis) +
-                     "\n"
-                     "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
-                     "set yrange [0:*]\n"
-                     "set key at screen 0.745, screen 0.94 left top Left reverse samplen 2 "
-                     "spacing 1.1 maxcols 1\n";
-  for (const Panel& panel : panels) {
+  std::string text =
+      dataBlocks(series) +
+      fmt::format(
+          "set multiplot\n"
+          "set border 3 lc rgb '#5b626b'\n"
+          "set tics nomirror out textcolor rgb '#1a1d21'\n"
+          "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
+          "set title offset 0,-0.4\n"
+          "set xlabel offset 0,0.4 {}\n"
+          "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
+          "set yrange [0:*]\n"
+          "set key at screen {:.3f}, screen 0.94 left top Left reverse samplen 2 spacing 1.1 "
+          "maxcols 1\n",
+          gnuplotText(sweep.axis), legendLeft(series));
+  for (Panel panel : panels) {
+    if (panel.margins[1] == 0) panel.margins[1] = legendLeft(series) - 0.025;
     text += panelCommands(series, panel);
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on
   }
   return {"sweep",
           sweep.title.empty() ? sweep.name : sweep.title,
           "Error rate, false shadow and false light of each method against " + sweep.axis,
-          1000,
+          pageWidth,
           pageHeight(series),
           text + "unset multiplot\n"};
 }
