@@ -39,15 +39,27 @@ void emitTriangle(vec4 a, vec4 b, vec4 c) {
   EndPrimitive();
 }
 
+struct Corner {
+  vec3 world;
+  vec4 clip;
+};
+
+// The wall at the side from a to b of a triangle a, b, third.
+void emitWall(bool lit, Corner a, Corner b, vec3 third, vec3 beyond) {
+  bool alone = beyond == third;  // the mesh's border
+  if (!alone && facesLight(b.world, a.world, beyond) == lit) return;
+  emitTriangle(lit ? a.clip : b.clip, clipOfInfinity, lit ? b.clip : a.clip);
+}
+
+// All indices of inputs are constants: where one differs between the triangles that it draws at once,
+// as in gl_in[lit ? 2 : 4], llvmpipe of Mesa 25.0 takes vertices of other triangles.
 void main() {
-  bool lit = facesLight(world[0], world[2], world[4]);
-  emitTriangle(gl_in[0].gl_Position, gl_in[lit ? 2 : 4].gl_Position, gl_in[lit ? 4 : 2].gl_Position);
-  for (int a = 0; a < 6; a += 2) {
-    int b = (a + 2) % 6;
-    int third = (a + 4) % 6;
-    int beyond = a + 1;
-    bool alone = world[beyond] == world[third];  // the mesh's border
-    if (!alone && facesLight(world[b], world[a], world[beyond]) == lit) continue;
-    emitTriangle(gl_in[lit ? a : b].gl_Position, clipOfInfinity, gl_in[lit ? b : a].gl_Position);
-  }
+  Corner a = Corner(world[0], gl_in[0].gl_Position);
+  Corner b = Corner(world[2], gl_in[2].gl_Position);
+  Corner c = Corner(world[4], gl_in[4].gl_Position);
+  bool lit = facesLight(a.world, b.world, c.world);
+  emitTriangle(a.clip, lit ? b.clip : c.clip, lit ? c.clip : b.clip);
+  emitWall(lit, a, b, c.world, world[1]);
+  emitWall(lit, b, c, a.world, world[3]);
+  emitWall(lit, c, a, b.world, world[5]);
 }
