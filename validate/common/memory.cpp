@@ -7,8 +7,8 @@
 #include <array>
 #include <fstream>
 #include <limits>
-#include <string_view>
 
+#include "common/control_group.h"
 #include "common/error.h"
 
 namespace gnomon {
@@ -16,37 +16,16 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-std::uint64_t readNumber(const char* path) {
-  std::ifstream file(path);
-  std::uint64_t value = 0;
-  return file >> value ? value : unlimited;
-}
-
-/// The number after a key in a file of keys and numbers.
-std::uint64_t readKey(const char* path, std::string_view wanted, std::uint64_t fallback) {
-  std::ifstream file(path);
+/// The kernel's own estimate.
+std::uint64_t kernelAvailableBytes() {
+  std::ifstream file("/proc/meminfo");
   std::string key;
-  std::uint64_t value = 0;
-  while (file >> key >> value) {
-    if (key == wanted) return value;
+  std::uint64_t kibibytes = 0;
+  while (file >> key >> kibibytes) {
+    if (key == "MemAvailable:") return kibibytes * 1024;
     file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  return fallback;
-}
-
-std::uint64_t kernelAvailableBytes() {
-  const std::uint64_t kibibytes = readKey("/proc/meminfo", "MemAvailable:", unlimited);
-  return kibibytes == unlimited ? unlimited : kibibytes * 1024;
-}
-
-std::uint64_t controlGroupAvailableBytes() {
-  const std::uint64_t limit = readNumber("/sys/fs/cgroup/memory.max");
-  const std::uint64_t used = readNumber("/sys/fs/cgroup/memory.current");
-  if (limit == unlimited || used == unlimited) return unlimited;
-  // Pages of files that were read count as used, but the kernel gives them up first.
-  const std::uint64_t cached = readKey("/sys/fs/cgroup/memory.stat", "inactive_file", 0);
-  const std::uint64_t held = used - std::min(used, cached);
-  return limit - std::min(limit, held);
+  return unlimited;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace gnomon {
 
 /// Bytes that this process may still take: the kernel's estimate of available memory
-/// (/proc/meminfo, MemAvailable), or what the control group leaves where that is less.
+/// (/proc/meminfo, MemAvailable), or what the control groups leave where that is less.
 std::uint64_t availableMemoryBytes();
 
 /// Bytes that this process holds in memory now (/proc/self/statm); 0 where that cannot be told.
