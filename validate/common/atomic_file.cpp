@@ -16,6 +16,7 @@
 
 #include "common/disk_sync.h"
 #include "common/error.h"
+#include "common/input_file.h"
 #include "common/memory.h"
 #include "common/part_file.h"
 
@@ -150,22 +151,8 @@ void replaceFile(const fs::path& path, std::string_view text, Sync sync,
 }
 
 std::string readFile(const fs::path& path) {
-  std::error_code failure;
-  if (fs::is_directory(path, failure)) {
-    throw InputError(fmt::format("{}: is a folder, a file was expected", path.string()));
-  }
-  if (fs::is_character_file(path, failure) || fs::is_block_file(path, failure)) {
-    throw InputError(fmt::format("{}: is a device, a file was expected", path.string()));
-  }
-  const auto bytes = fs::file_size(path, failure);
-  // The stream's copy and the returned one.
-  if (!failure) requireMemory(2.0 * static_cast<double>(bytes), path.string());
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("{}: no such file, or it cannot be read", path.string()));
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (!file) throw InputError(fmt::format("{}: cannot be read to its end", path.string()));
-  return std::move(content).str();
+  requireFile(path);
+  return readBytes(path);
 }
 
 }  // namespace gnomon

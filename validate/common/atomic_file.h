@@ -33,9 +33,7 @@ void replaceFile(const std::filesystem::path& path, std::string_view text, Sync 
                  const std::filesystem::path& workplace);
 
 /// The whole content of a file, bytes as they are.
-/// @throws InputError naming the file when it cannot be read or is no file; MemoryError for one
-/// that
-///   does not fit
+/// @throws InputError as requireFile and readBytes; MemoryError for one that does not fit
 std::string readFile(const std::filesystem::path& path);
 
 }  // namespace gnomon
