@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/shader_files.h"
+
 namespace gnomon {
 namespace fs = std::filesystem;
 
@@ -17,7 +19,7 @@ ShaderWatch::Times ShaderWatch::times() const {
   };
   std::error_code ignored;
   for (const auto& entry : fs::recursive_directory_iterator(shaders_, ignored)) {
-    if (entry.is_regular_file(ignored)) add(entry.path());
+    if (isShader(entry)) add(entry.path());
   }
   for (const fs::path& file : files_) add(file);
   std::sort(times.begin(), times.end());

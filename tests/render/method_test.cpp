@@ -84,6 +84,16 @@ TEST(Method, NamesTheLineOfAFaultInItsDeclaration) {
   EXPECT_THROW(methodFile(shaderFolder(), "no-such-method"), InputError);
 }
 
+TEST(Method, RefusesADeclarationThatNestsTooDeep) {
+  std::string key = "a";
+  for (int i = 0; i < 100'000; ++i) key += ".a";
+  for (const std::string& text : {"[" + key + "]", key + " = 1", "x = " + std::string(1000, '[')}) {
+    EXPECT_NE(errorOf("/* gnomon-method\ntitle = \"T\"\n" + text + "\n*/")
+                  .find(".glsl:3: nested too deep, at most 64 "),
+              std::string::npos);
+  }
+}
+
 std::string declared(const std::string& lines, const std::string& code = {}) {
   return "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n" + lines +
          "\n*/\nbool isShadowed(Pixel pixel, LocalLight light) { return false; }\n" + code;

@@ -183,6 +183,18 @@ TEST_F(RunKeysTest, ShadersEnterByTheirText) {
   const fs::path shaders = file("shaders");
   fs::copy(shaderFolder(), shaders, fs::copy_options::recursive);
   EXPECT_EQ(changed(before, keysOf({}, shaders)), namesIn("")) << "where they lie does not matter";
+  // What editors and file managers leave, a half-saved shader among it.
+  for (const char* part : {"common", "methods"}) {
+    for (const char* name : {".pixel.glsl.swp", "pixel.glsl~", "#pixel.glsl#", ".DS_Store", "4913",
+                             ".pixel.glsl", "pixel.glsl.orig"}) {
+      std::ofstream(shaders / part / name) << "half a sha";
+    }
+    fs::create_symlink("user@host.1234:5678", shaders / part / ".#pixel.glsl");
+    fs::create_symlink("nowhere", shaders / part / "gone.glsl");
+    fs::create_directory(shaders / part / "folder.glsl");
+  }
+  EXPECT_EQ(changed(before, keysOf({}, shaders)), namesIn("")) << "editor files";
+  EXPECT_EQ(methodNames(shaders), methodNames(shaderFolder()));
   std::ofstream(shaders / "common/pixel.glsl", std::ios::app) << "// edited\n";
   EXPECT_EQ(changed(before, keysOf({}, shaders)),
             namesIn("bins onoue-2004 relief-march samples sloan-cohen-surface truth unshadowed"));

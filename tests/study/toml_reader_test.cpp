@@ -296,6 +296,43 @@ TEST_F(ParseToml, RefusesBytesThatAreNoText) {
   EXPECT_THAT(failure(std::string(100'000, '[')), StartsWith("study.toml:1:"));
 }
 
+// All of these have overflown the stack, in the parser or when the tables were destroyed.
+TEST_F(ParseToml, RefusesWhatNestsTooDeep) {
+  const auto deep = [](const std::string& part) {
+    std::string text;
+    for (int i = 0; i < 100'000; ++i) text += part;
+    return text;
+  };
+  for (const std::string& text : {
+           "[" + deep("a.") + "a]\n",
+           "[[" + deep("a.") + "a]]\n",
+           deep("a.") + "a = 1\n",
+           deep("\"a\" . ") + "a = 1\n",
+           "x = {" + deep("a.") + "a = 1}\n",
+           "x = " + deep("[") + deep("]") + "\n",
+           "x = " + deep("{a=") + "1" + deep("}") + "\n",
+           "x = " + deep("[{a=") + "1\n",
+       }) {
+    EXPECT_EQ(failure("y = 1\n" + text),
+              "study.toml:2: nested too deep, at most 64 brackets or parts of a key expected");
+  }
+  for (const std::string& change :
+       {deep("a.") + "a=1", deep("a,b.") + "a=1", "x=" + deep("["), "x={" + deep("a.") + "a=1}"}) {
+    EXPECT_THAT(failure<UsageError>("", {change}), HasSubstr("…: nested too deep, at most 64"));
+  }
+}
+
+// What the bound lets pass: as many braces as it allows, each with as long a key.
+TEST_F(ParseToml, TakesTheDeepestThatItAllows) {
+  std::string key = "a";
+  for (int i = 1; i < 64; ++i) key += ".a";
+  std::string text = "[" + key + "]\nx = ";
+  for (int i = 0; i < 64; ++i) text += "{" + key + " = ";
+  text += "1" + std::string(64, '}');
+  toml::table table = parse(text, {key.substr(2) + ".b=2"});
+  EXPECT_TRUE(toml::table(table) == table);
+}
+
 TEST_F(ParseToml, NamesAFileThatIsMissing) {
   EXPECT_THAT(messageOf<InputError>([&] { (void)parseToml(file("none.toml"), {}); }),
               HasSubstr("none.toml: no such file"));

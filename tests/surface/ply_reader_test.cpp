@@ -239,6 +239,44 @@ TEST(ReadPly, FacesWithoutTextureCoordinatesHaveNoFrames) {
   EXPECT_EQ(without.uvDt, Vec2(0));
 }
 
+// A body whose first byte is that of a line end: of a float in little-endian order, of a face's
+// corners, and of a big-endian float.
+TEST(ReadPly, ABinaryBodyKeepsItsBytesWhateverTheHeadersLinesEndWith) {
+  const auto tenCorners = [](const std::string& format, float x, bool facesFirst) {
+    const std::string vertices =
+        "element vertex 10\n" + vertexXyz + "property float u\nproperty float v\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+    PlyText text(format);
+    text.header(facesFirst ? faces + vertices : vertices + faces);
+    const auto addFace = [&] {
+      text.add(std::uint8_t{10});
+      for (int i = 0; i < 10; ++i) text.add(i);
+    };
+    if (facesFirst) addFace();
+    for (int i = 0; i < 10; ++i) {
+      const float angle = 0.6F * static_cast<float>(i);
+      text.add(i == 0 ? x : std::cos(angle)).add(std::sin(angle)).add(0.0F);
+      text.add(std::cos(angle)).add(std::sin(angle));
+    }
+    if (!facesFirst) addFace();
+    return text.bytes();
+  };
+  const auto lowByteTen = std::bit_cast<float>(0x3F80000A);
+  const auto highByteTen = std::bit_cast<float>(0x0A000000);
+  for (const std::string& bytes :
+       {tenCorners("binary_little_endian", lowByteTen, false), tenCorners("binary_little_endian", 1, true),
+        tenCorners("binary_big_endian", highByteTen, false)}) {
+    const std::size_t body = bytes.find("end_header\n") + 11;
+    ASSERT_EQ(bytes[body], '\n');
+    const Cage expected = readBytes(bytes);
+    for (const char* lineEnd : {"\r", "\r\n"}) {
+      std::string header;
+      for (const char c : bytes.substr(0, body)) header += c == '\n' ? lineEnd : std::string(1, c);
+      expectSame(readBytes(header + bytes.substr(body)), expected);
+    }
+  }
+}
+
 TEST(ReadPly, FormsOfTheSameFile) {
   const std::string text = twoSquares("u", "v", "4 4 5 6 7");
   const Cage expected = readBytes(text);

@@ -13,6 +13,7 @@
 
 #include "common/error.h"
 #include "common/one_line.h"
+#include "common/toml_nesting.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -30,10 +31,12 @@ class Declaration {
       throw InputError(fmt::format(
           "{}:1: a comment `{} … */` with the method's declaration expected", file_, opening));
     }
+    // The comment's opening takes the first line, so that TOML's line k is the file's line k.
+    const std::string declared =
+        std::string(opening.size(), ' ').append(text.substr(opening.size(), end - opening.size()));
+    requireShallowToml(file_, declared);
     try {
-      // The comment's opening takes the first line, so that TOML's line k is the file's line k.
-      table_ = toml::parse(std::string(opening.size(), ' ')
-                               .append(text.substr(opening.size(), end - opening.size())));
+      table_ = toml::parse(declared);
     } catch (const toml::parse_error& error) {
       throw InputError(
           fmt::format("{}:{}: {}", file_, error.source().begin.line, oneLine(error.description())));
@@ -225,8 +228,8 @@ fs::path methodFile(const fs::path& shaders, const std::string& name) {
 
 std::vector<std::string> methodNames(const fs::path& shaders) {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(shaders / "methods")) {
-    if (entry.path().extension() == ".glsl") names.push_back(entry.path().stem().string());
+  for (const fs::path& file : shadersIn(shaders / "methods")) {
+    if (file.extension() == ".glsl") names.push_back(file.stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;

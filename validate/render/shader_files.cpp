@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 #include "common/atomic_file.h"
@@ -14,8 +17,11 @@ namespace fs = std::filesystem;
 fs::path shaderFolder() {
   std::error_code failure;
   if (const char* chosen = std::getenv("GNOMON_SHADERS"); chosen != nullptr) {
-    if (fs::is_directory(fs::path(chosen) / "common", failure)) return chosen;
-    throw InputError(fmt::format("GNOMON_SHADERS: {} holds no folder `common`", chosen));
+    for (const char* part : {"common", "methods"}) {
+      if (fs::is_directory(fs::path(chosen) / part, failure)) continue;
+      throw InputError(fmt::format("GNOMON_SHADERS: {} holds no folder `{}`", chosen, part));
+    }
+    return chosen;
   }
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
   fs::path installed = program.parent_path().parent_path() / "share/gnomon/shaders";
@@ -23,6 +29,29 @@ fs::path shaderFolder() {
   if (fs::is_directory(GNOMON_SOURCE_SHADERS, failure)) return GNOMON_SOURCE_SHADERS;
   throw InputError(fmt::format("no shaders: neither {} nor {} exists; set GNOMON_SHADERS",
                                installed.string(), GNOMON_SOURCE_SHADERS));
+}
+
+bool isShader(const fs::directory_entry& entry) {
+  constexpr std::array<std::string_view, 4> endings = {".glsl", ".vert", ".geom", ".frag"};
+  const fs::path name = entry.path().filename();
+  const bool hasEnding =
+      std::find(endings.begin(), endings.end(), name.extension()) != endings.end();
+  std::error_code ignored;
+  return hasEnding && !name.native().starts_with('.') && entry.is_regular_file(ignored);
+}
+
+std::vector<fs::path> shadersIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
+       entry.increment(failure)) {
+    if (isShader(*entry)) files.push_back(entry->path());
+  }
+  if (failure) {
+    throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), failure.message()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 ShaderPiece readShader(const fs::path& path) {

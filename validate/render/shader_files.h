@@ -9,8 +9,17 @@ namespace gnomon {
 /// The folder that holds `common/` and `methods/`: the environment's GNOMON_SHADERS, else beside
 /// the installed program (../share/gnomon/shaders), else the source tree that the program was built
 /// from.
-/// @throws InputError if none of them is there
+/// @throws InputError if none of them is there, or the chosen one lacks either
 std::filesystem::path shaderFolder();
+
+/// Whether an entry of a folder is a shader: a regular file that ends in .glsl, .vert, .geom or
+/// .frag. What editors and file managers leave beside them (`.a.glsl.swp`, `a.glsl~`, `#a.glsl#`,
+/// `.#a.glsl`, `.DS_Store`) is none.
+bool isShader(const std::filesystem::directory_entry& entry);
+
+/// The shaders of a folder, sorted by name.
+/// @throws InputError for a folder that cannot be read
+std::vector<std::filesystem::path> shadersIn(const std::filesystem::path& folder);
 
 /// A piece of a shader: text, and the file that errors in it are reported for.
 struct ShaderPiece {

@@ -1,9 +1,9 @@
 #include "study/run_keys.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "common/atomic_file.h"
+#include "render/shader_files.h"
 #include "study/environment.h"
 #include "surface/limit_surface.h"
 #include "truth/micro_scene.h"
@@ -35,13 +35,8 @@ ContentKey fieldKey(const HeightField& field) {
 
 /// Every file that methods and passes are made of beside a method's own.
 ContentKey shadersKey(const fs::path& shaders) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(shaders / "common")) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
   KeyBuilder key("shaders");
-  for (const fs::path& file : files) {
+  for (const fs::path& file : shadersIn(shaders / "common")) {
     key.add("file", file.filename().string()).add("text", readFile(file));
   }
   return key.key();

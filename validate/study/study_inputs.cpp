@@ -29,12 +29,7 @@ class Inputs {
   }
 
   void addCommonShaders() {
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(shaders_ / "common")) {
-      if (entry.is_regular_file()) files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files) add(Kind::shader, file);
+    for (const fs::path& file : shadersIn(shaders_ / "common")) add(Kind::shader, file);
   }
 
   std::vector<InputRecord> list;

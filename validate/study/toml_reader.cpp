@@ -9,6 +9,7 @@
 #include "common/atomic_file.h"
 #include "common/error.h"
 #include "common/one_line.h"
+#include "common/toml_nesting.h"
 #include "study/nearest_name.h"
 
 namespace gnomon {
@@ -323,6 +324,11 @@ void applyOverride(toml::table& root, const std::string& text) {
     throw UsageError(fmt::format("--set {}: KEY=VALUE expected, as relief.height=4", text));
   }
   std::vector<std::string> parts = splitPath(std::string_view(text).substr(0, equals));
+  if (parts.size() > mostTomlNesting || tooDeepTomlLine(text)) {
+    throw UsageError(
+        fmt::format("--set {}…: nested too deep, at most {} brackets or parts of a key expected",
+                    text.substr(0, 40), mostTomlNesting));
+  }
   const toml::table value = parsedValue(text.substr(equals + 1));
   const std::string last = parts.back();
   parts.pop_back();
@@ -356,6 +362,7 @@ void applyOverrides(toml::table& table, const std::vector<std::string>& override
 toml::table parseToml(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides) {
   const std::string text = readFile(path);
+  requireShallowToml(path.string(), text);
   try {
     toml::table table = toml::parse(text, path.string());
     applyOverrides(table, overrides);

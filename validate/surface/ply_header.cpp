@@ -97,6 +97,12 @@ void requireProperties(const TextLine& line, const PlyHeader& header) {
   }
 }
 
+/// Whether the first line ends with "\r" alone, and with it all lines of the header.
+bool hasCarriageReturns(std::string_view bytes) {
+  const std::string_view end = bytes.substr(std::min(bytes.find_first_of("\r\n"), bytes.size()));
+  return end.starts_with('\r') && !end.starts_with("\r\n");
+}
+
 }  // namespace
 
 std::size_t sizeOf(PlyType type) {
@@ -142,6 +148,11 @@ PlyHeader readPlyHeader(const std::string& source, std::string_view bytes) {
   }
   requireProperties(line, header);
   header.bodyBegin = bytes.size() - lines.rest().size();
+  // A "\n" after such a header is the first byte of a binary body.
+  const bool takesTwo = bytes.substr(0, header.bodyBegin).ends_with("\r\n");
+  if (header.format != PlyFormat::ascii && takesTwo && hasCarriageReturns(bytes)) {
+    --header.bodyBegin;
+  }
   header.bodyLine = line.number + 1;
   return header;
 }
