@@ -4,6 +4,7 @@
 
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/input_file.h"
 #include "model/saved_study.h"
 #include "report/images.h"
 #include "study/file_names.h"
@@ -23,7 +24,7 @@ fs::path freePath(const ViewSession& session, const std::string& ending) {
   if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
   for (int number = 1; number < mostViews; ++number) {
     fs::path path = folder / fmt::format("view-{}{}", number, ending);
-    if (!fs::exists(path)) return path;
+    if (!pathExists(path)) return path;
   }
   throw InputError(fmt::format("{}: no free name for another view", folder.string()));
 }

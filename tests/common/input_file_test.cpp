@@ -122,10 +122,10 @@ TEST_F(InputFile, ReadsEverySizeAroundItsSteps) {
 }
 
 TEST_F(InputFile, TellsWhetherSomethingIsThere) {
-  EXPECT_TRUE(isThere(folder()));
-  EXPECT_FALSE(isThere(file("none")));
-  EXPECT_FALSE(isThere(file("none/below")));
-  EXPECT_THAT(messageOf<InputError>([&] { (void)isThere(file(std::string(300, 'n'))); }),
+  EXPECT_TRUE(pathExists(folder()));
+  EXPECT_FALSE(pathExists(file("none")));
+  EXPECT_FALSE(pathExists(file("none/below")));
+  EXPECT_THAT(messageOf<InputError>([&] { (void)pathExists(file(std::string(300, 'n'))); }),
               EndsWith("cannot be read: File name too long"));
 }
 

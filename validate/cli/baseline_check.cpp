@@ -7,6 +7,7 @@
 
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/input_file.h"
 #include "report/baseline_json.h"
 
 namespace gnomon {
@@ -60,7 +61,7 @@ fs::path pictureFolder(const fs::path& folder, const std::string& step) {
 
 Baseline readReferences(const fs::path& file, const BaselineRun& run,
                         const std::vector<std::string>& steps) {
-  if (!fs::exists(file)) {
+  if (!pathExists(file)) {
     throw InputError(fmt::format(
         "{}: missing, the references of {} expected; --update-baseline --reason TEXT writes them",
         file.string(), run.study));
@@ -86,7 +87,7 @@ void judgeReferences(const fs::path& file, const Baseline& baseline,
 }
 
 std::optional<Baseline> readFormerReferences(const fs::path& file) {
-  return fs::exists(file) ? std::optional(readBaseline(file)) : std::nullopt;
+  return pathExists(file) ? std::optional(readBaseline(file)) : std::nullopt;
 }
 
 bool updateBaseline(const fs::path& file, const BaselineRun& run,

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <exception>
+#include <filesystem>
 #include <new>
 
 #include "common/one_line.h"
@@ -24,6 +25,10 @@ Failure currentFailure() {
     throw;
   } catch (const Error& error) {
     return {error.status(), cleaned(error.what())};
+  } catch (const std::filesystem::filesystem_error& error) {
+    // A folder without permission, a name that is too long, a full disk.
+    return {ExitStatus::badInput,
+            cleaned(fmt::format("{}: {}", error.path1().string(), error.code().message()))};
   } catch (const std::bad_alloc&) {
     return {ExitStatus::internal, "out of memory"};
   } catch (const std::exception& error) {

@@ -14,7 +14,7 @@ void requireFile(const std::filesystem::path& path);
 /// Whether there is something of this name.
 /// @throws InputError where the system does not tell, as for a folder without permission or a name
 ///   that is too long: "PATH: cannot be read: File name too long"
-bool isThere(const std::filesystem::path& path);
+bool pathExists(const std::filesystem::path& path);
 
 /// All bytes of what has a name, to its end.
 /// @throws InputError "PATH: cannot be read: Input/output error", as the system puts it;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "common/error.h"
+#include "study/study_paths.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -30,7 +31,7 @@ void replaceShader(toml::table& method, const Replacement& replacement) {
   method.insert_or_assign("label", replacement.label);
   for (const char* key : {"name", "file", "parameters"}) method.erase(key);
   if (fs::path(replacement.shader).extension() == ".glsl") {
-    method.insert("file", fs::absolute(replacement.shader).string());
+    method.insert("file", pathText(fs::absolute(replacement.shader)));
   } else {
     method.insert("name", replacement.shader);
   }
@@ -54,7 +55,7 @@ void removeLadder(toml::table& study, const std::string& label) {
 std::string methodLabel(const toml::table& method) {
   if (const auto label = method["label"].value<std::string>()) return *label;
   if (const auto name = method["name"].value<std::string>()) return *name;
-  return fs::path(method["file"].value_or(std::string())).stem().string();
+  return stemText(pathOf(method["file"].value_or(std::string())));
 }
 
 void replaceMethods(toml::table& study, const fs::path& file,

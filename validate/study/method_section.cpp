@@ -9,6 +9,7 @@
 
 #include "common/error.h"
 #include "render/method.h"
+#include "study/study_paths.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -17,7 +18,7 @@ namespace {
 constexpr std::array filters = {TableFilter::exact, TableFilter::hardware};
 
 fs::path readMethodFile(const TomlReader& section, const MethodDefaults& defaults) {
-  if (section.has("file")) return defaults.folder / section.text("file");
+  if (section.has("file")) return defaults.folder / pathOf(section.text("file"));
   const std::string name = section.text("name");
   return section.blame("name", [&] { return methodFile(defaults.shaders, name); });
 }
@@ -82,7 +83,7 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
   section.requireOneOf("name", "file");
   MethodSpec method;
   method.file = readMethodFile(section, defaults);
-  method.label = section.text("label", method.file.stem().string());
+  method.label = section.text("label", stemText(method.file));
   if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
   method.filter = filters.at(section.choice("filter", {"exact", "hardware"}, 0));
   const Method declared = readMethod(method.file);

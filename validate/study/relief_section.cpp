@@ -9,6 +9,7 @@
 #include "relief/height_image.h"
 #include "relief/patterns.h"
 #include "relief/resampled_heights.h"
+#include "study/study_paths.h"
 
 namespace gnomon {
 namespace {
@@ -81,7 +82,7 @@ HeightField readImage(const TomlReader& section, const std::filesystem::path& fo
                       Wrap wrap) {
   constexpr int mostChannels = 1023;
   const int channel = section.integer("channel", 0, mostChannels, 0);
-  return readHeightImage(folder / section.text("image"), channel, height, wrap);
+  return readHeightImage(folder / pathOf(section.text("image")), channel, height, wrap);
 }
 
 /// Heights as far as `height` may go, which is that of the value 1: floats may have others.

@@ -8,6 +8,7 @@
 #include "common/atomic_file.h"
 #include "common/degrees.h"
 #include "common/error.h"
+#include "common/input_file.h"
 #include "render/method.h"
 #include "study/file_names.h"
 #include "study/method_replacement.h"
@@ -40,7 +41,8 @@ toml::table baseTable(int subdivisions, CurvatureSource curvature) {
 }
 
 toml::table truthTable(const StudySpec& study) {
-  if (study.truth.stepTexels) return toml::table{{"step", *study.truth.stepTexels / study.relief.resample}};
+  if (study.truth.stepTexels)
+    return toml::table{{"step", *study.truth.stepTexels / study.relief.resample}};
   if (study.truthUncertainty) return toml::table{{"uncertainty", *study.truthUncertainty}};
   return toml::table{{"triangles", study.truth.leastTriangles}};
 }
@@ -120,7 +122,7 @@ std::string studyCopyName(const std::string& study) {
 }
 
 toml::table resolvedStudy(const StudySpec& study, const fs::path& folder) {
-  const fs::path home = study.file.parent_path();
+  const fs::path home = studyFolder(study.file);
   toml::table table{{"study", toml::table{{"name", copyStem(study.name)},
                                           {"title", study.title},
                                           {"source", study.source},
@@ -141,7 +143,7 @@ toml::table resolvedStudy(const StudySpec& study, const fs::path& folder) {
 }
 
 toml::table sweepStudy(const StudySpec& step, const StudyOptions& options, const fs::path& folder) {
-  toml::table table = studyTable(step.file, options);
+  toml::table table = studyTable(StudyText{step.file, step.text}, options);
   if (toml::array* methods = table["method"].as_array()) {
     const auto& gone = step.leftOutMethods;
     for (auto entry = methods->begin(); entry != methods->end();) {
@@ -152,7 +154,7 @@ toml::table sweepStudy(const StudySpec& step, const StudyOptions& options, const
   }
   if (step.quick) table["study"].as_table()->insert_or_assign("quick", true);
   insertJudged(table, step, true);
-  movePaths(table, step.file.parent_path(), folder);
+  movePaths(table, studyFolder(step.file), folder);
   return table;
 }
 
@@ -168,7 +170,7 @@ std::string studyCopyText(const toml::table& study, const fs::path& file) {
 }
 
 void requireCopyOrNothing(const fs::path& file) {
-  if (!fs::exists(file) || readFile(file).starts_with(copyMark)) return;
+  if (!pathExists(file) || readFile(file).starts_with(copyMark)) return;
   throw InputError(fmt::format(
       "{}: a file found that no run has written; a run would replace it, --out with another folder "
       "expected",

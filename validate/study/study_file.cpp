@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "common/atomic_file.h"
 #include "common/error.h"
 #include "relief/patch_border.h"
 #include "render/method.h"
@@ -255,7 +256,13 @@ Vec3 LightSpec::direction() const {
 }
 
 StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
-  const toml::table table = studyTable(file, options);
+  return readStudy(StudyText{file, readFile(file)}, options);
+}
+
+StudySpec readStudy(const StudyText& text, const StudyOptions& options) {
+  const fs::path& file = text.file;
+  const fs::path folder = studyFolder(file);
+  const toml::table table = studyTable(text, options);
   const TomlReader root(table, file.string(), "");
   root.allow({"study", "surface", "relief", "bake", "base", "truth", "view", "light", "method",
               "threshold", "claim", "ladder", "sweep"});
@@ -267,8 +274,8 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
                   header.text("name"),
                   header.text("title"),
                   header.text("source"),
-                  readSurfaceSection(surface, file.parent_path()),
-                  readReliefSection(relief, file.parent_path()),
+                  readSurfaceSection(surface, folder),
+                  readReliefSection(relief, folder),
                   {},
                   1,
                   {},
@@ -284,6 +291,7 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   study.quick = header.flag("quick", false) || options.quick;
   study.surfaceSection = surface.given();
   study.reliefSection = relief.given();
+  study.text = text.text;
   requirePlainName(header, study.name);
   for (const TomlReader* section : {&header, &surface, &relief}) section->finish();
 
@@ -303,8 +311,12 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
   }
   for (const TomlReader& light : root.tables("light")) readLights(light, study.lights);
   readStudyBake(root, study);
-  const MethodDefaults defaults{file.parent_path(),     shaderFolder(),      study.bake,
-                                study.baseSubdivisions, study.baseCurvature, study.relief.resample};
+  const MethodDefaults defaults{folder,
+                                shaderFolder(),
+                                study.bake,
+                                study.baseSubdivisions,
+                                study.baseCurvature,
+                                study.relief.resample};
   for (const TomlReader& method : root.tables("method")) {
     study.methods.push_back(readMethodSection(method, defaults));
   }

@@ -17,6 +17,7 @@
 #include "relief/stored_table.h"
 #include "render/method_pass.h"
 #include "study/record.h"
+#include "study/study_text.h"
 #include "surface/base_mesh.h"
 #include "surface/cage.h"
 #include "truth/micro_mesh.h"
@@ -138,6 +139,7 @@ struct StudySpec {
   SearchRadius radius = {};                      ///< of `bake`, and why
   /// The values of `[surface]` and `[relief]`, defaults among them; paths as the file has them.
   toml::table surfaceSection = {}, reliefSection = {};
+  std::string text = {};  ///< the file's, as it is written
 };
 
 /// What the command line changes in a study.
@@ -154,9 +156,10 @@ struct StudyOptions {
   bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate leaves them free
 };
 
-/// Reads and checks a study: paths in it are relative to its own folder. A `[sweep]` is left to
-/// `readStudyPlan`.
+/// Reads and checks a study: paths in it are relative to its folder, see studyFolder. A `[sweep]`
+/// is left to `readStudyPlan`.
 /// @throws InputError naming file, line, key, what was found and what was expected
+StudySpec readStudy(const StudyText& text, const StudyOptions& options = {});
 StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& options = {});
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/atomic_file.h"
+#include "common/input_file.h"
 #include "common/sha256.h"
 #include "render/shader_files.h"
 #include "study/study_paths.h"
@@ -28,6 +29,13 @@ class Inputs {
     list.push_back({kind, name, sha256(readFile(file))});
   }
 
+  /// Of the text that was run, whatever the file holds by now.
+  void addStudy(const StudySpec& study) {
+    const bool isStream = isGivenStream(study.file);
+    list.push_back({Kind::study, isStream ? study.file.string() : pathFrom(study.file, folder_),
+                    sha256(study.text)});
+  }
+
   void addCommonShaders() {
     for (const fs::path& file : shadersIn(shaders_ / "common")) add(Kind::shader, file);
   }
@@ -42,14 +50,14 @@ class Inputs {
 }  // namespace
 
 std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& folder) {
-  const fs::path home = study.file.parent_path();
+  const fs::path home = studyFolder(study.file);
   Inputs inputs(folder);
-  inputs.add(Kind::study, study.file);
+  inputs.addStudy(study);
   if (const auto mesh = study.surfaceSection["mesh"].value<std::string>()) {
-    inputs.add(Kind::mesh, home / *mesh);
+    inputs.add(Kind::mesh, home / pathOf(*mesh));
   }
   if (const auto image = study.reliefSection["image"].value<std::string>()) {
-    inputs.add(Kind::image, home / *image);
+    inputs.add(Kind::image, home / pathOf(*image));
   }
   inputs.addCommonShaders();
   for (const MethodSpec& method : study.methods) inputs.add(Kind::shader, method.file);

@@ -7,7 +7,18 @@
 
 namespace gnomon {
 
-/// The way to a file from a folder: relative, with `/`.
+/// A path as a study holds it: itself, or, since file names may be any bytes but TOML is UTF-8,
+/// `file:` and the bytes with all but letters, digits and `-._~/` percent-encoded (RFC 3986):
+/// "file:caf%E9.png".
+std::string pathText(const std::filesystem::path& path);
+
+/// The path that pathText wrote, to the byte.
+std::filesystem::path pathOf(const std::string& text);
+
+/// The stem of a file's name as a text: itself, or percent-encoded as in pathText.
+std::string stemText(const std::filesystem::path& file);
+
+/// The way to a file from a folder: relative, with `/`, as a study holds it.
 std::string pathFrom(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 /// Rewrites a path of a table that is relative to `from` as one relative to `to`. An absolute one,

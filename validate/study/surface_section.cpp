@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "study/study_paths.h"
 #include "surface/mesh_file.h"
 #include "surface/shapes.h"
 
@@ -105,7 +106,7 @@ Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& 
   if (section.has("mesh")) {
     constexpr std::array schemes = {SubdivisionScheme::catmullClark, SubdivisionScheme::loop};
     const auto scheme = schemes.at(section.choice("scheme", {"catmull-clark", "loop"}, 0));
-    return readMeshFile(folder / section.text("mesh"), scheme);
+    return readMeshFile(folder / pathOf(section.text("mesh")), scheme);
   }
   constexpr std::array readers = {readPlane, readCylinder, readSphere,
                                   readTorus, readBezier,   readBSpline};

@@ -59,15 +59,15 @@ std::optional<std::string> errorOfKey(std::string_view message, const std::strin
 }
 
 /// The study at one value. What the value or its key is to blame for is an error of the section.
-StudySpec readStep(const fs::path& file, StudyOptions options, const TomlReader& section,
+StudySpec readStep(const StudyText& text, StudyOptions options, const TomlReader& section,
                    const SweepSpec& sweep, double value) {
   const std::string change = fmt::format("{}={}", sweep.key, sweepValueText(value));
   options.overrides.push_back(change);
   try {
-    return readStudy(file, options);
+    return readStudy(text, options);
   } catch (const InputError& error) {
     // What an override sets has no line.
-    const auto blamed = errorOfKey(error.what(), file.string() + ": ", sweep.key);
+    const auto blamed = errorOfKey(error.what(), text.file.string() + ": ", sweep.key);
     if (!blamed) throw;
     section.fail("key", fmt::format("with {}: {}", change, *blamed));
   } catch (const UsageError& error) {
@@ -121,14 +121,15 @@ std::string sweepValueText(double value) {
 }
 
 StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options) {
-  const toml::table table = parseToml(file, options.overrides);
+  const StudyText text = readStudyText(file);
+  const toml::table table = parseTomlText(text.text, file.string(), options.overrides);
   const TomlReader root(table, file.string(), "");
   const auto section = root.optionalTable("sweep");
-  if (!section) return singlePlan(readStudy(file, options));
+  if (!section) return singlePlan(readStudy(text, options));
   StudyPlan plan;
   plan.sweep = readSweep(*section, options);
   for (const double value : plan.sweep->values) {
-    StudySpec step = readStep(file, options, *section, *plan.sweep, value);
+    StudySpec step = readStep(text, options, *section, *plan.sweep, value);
     plan.name = step.name;
     plan.title = step.title;
     plan.source = step.source;

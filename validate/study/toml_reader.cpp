@@ -361,14 +361,18 @@ void applyOverrides(toml::table& table, const std::vector<std::string>& override
 
 toml::table parseToml(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides) {
-  const std::string text = readFile(path);
-  requireShallowToml(path.string(), text);
+  return parseTomlText(readFile(path), path.string(), overrides);
+}
+
+toml::table parseTomlText(const std::string& text, const std::string& file,
+                          const std::vector<std::string>& overrides) {
+  requireShallowToml(file, text);
   try {
-    toml::table table = toml::parse(text, path.string());
+    toml::table table = toml::parse(text, file);
     applyOverrides(table, overrides);
     return table;
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}:{}: {}", path.string(), error.source().begin.line,
+    throw InputError(fmt::format("{}:{}:{}: {}", file, error.source().begin.line,
                                  error.source().begin.column, oneLine(error.description())));
   }
 }

@@ -132,6 +132,11 @@ class TomlReader {
 toml::table parseToml(const std::filesystem::path& path,
                       const std::vector<std::string>& overrides = {});
 
+/// As parseToml, with the file's text at hand.
+/// @param file  as messages name it
+toml::table parseTomlText(const std::string& text, const std::string& file,
+                          const std::vector<std::string>& overrides = {});
+
 /// Applies overrides in their order.
 /// @throws UsageError for an override without `=`, or whose path leads into something that is not a
 ///   table or list, or past a list's end

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace gnomon {
+
+/// A study as it is written. A command reads it once: what a pipe gives can be read once alone, and
+/// all that a run measures, keeps and says of its study is then of the same text.
+struct StudyText {
+  std::filesystem::path file;  ///< as the command line names it
+  std::string text;
+};
+
+/// Reads a study's file, or the pipe that /dev/stdin or the like stands for.
+/// @throws InputError as readFileOrStream
+StudyText readStudyText(const std::filesystem::path& file);
+
+/// Where a study's relative paths begin: the folder of its file. One that comes from a stream has
+/// none, so that they begin at the working directory.
+std::filesystem::path studyFolder(const std::filesystem::path& file);
+
+}  // namespace gnomon
