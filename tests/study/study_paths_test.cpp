@@ -52,7 +52,7 @@ TEST(PathText, MovesPathsThatAreNoText) {
   EXPECT_EQ(table["image"].value<std::string>(), "file:../a%E9.png");
   movePath(table, "image", "/studies/caf\xE9", "/other");
   EXPECT_EQ(table["image"].value<std::string>(), "file:../studies/a%E9.png");
-  table = {{"image", "file:/a%E9.png"}};
+  table = toml::table{{"image", "file:/a%E9.png"}};
   movePath(table, "image", "/studies", "/other");
   EXPECT_EQ(table["image"].value<std::string>(), "file:/a%E9.png") << "absolute";
 }

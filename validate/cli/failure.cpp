@@ -11,9 +11,16 @@
 namespace gnomon {
 namespace {
 
-/// One line, with no control character at its end.
+/// One line, with no control character at its end. Messages quote what was found, which may be of
+/// any length.
 std::string cleaned(std::string_view message) {
+  constexpr std::size_t longest = 1500;  // bytes
   std::string line = oneLine(message);
+  if (line.size() > longest) {
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
+    line = line.substr(0, end) + "…";
+  }
   line.erase(line.find_last_not_of(' ') + 1);
   return line;
 }

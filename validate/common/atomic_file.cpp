@@ -9,14 +9,12 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <system_error>
 
 #include "common/disk_sync.h"
 #include "common/error.h"
 #include "common/input_file.h"
-#include "common/memory.h"
 #include "common/part_file.h"
 
 namespace gnomon {

@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <limits>
 #include <system_error>
 
@@ -45,9 +47,11 @@ fs::file_type typeOf(const fs::path& path) {
   return type;
 }
 
+/// An open file, which it closes at last.
 class Descriptor {
  public:
-  explicit Descriptor(const fs::path& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  /// @param number  negative where it could not be opened
+  Descriptor(int number, const fs::path& path) : number_(number) {
     if (number_ < 0) failToRead(path, errno);
   }
   Descriptor(const Descriptor&) = delete;
@@ -59,7 +63,13 @@ class Descriptor {
     for (;;) {
       const ssize_t taken = ::read(number_, bytes, count);
       if (taken >= 0) return static_cast<std::size_t>(taken);
-      if (errno != EINTR) failToRead(path, errno);
+      if (errno == EAGAIN) {
+        // Whoever gave us the stream has it return at once.
+        pollfd stream{number_, POLLIN, 0};
+        (void)::poll(&stream, 1, -1);
+      } else if (errno != EINTR) {
+        failToRead(path, errno);
+      }
     }
   }
 
@@ -69,9 +79,9 @@ class Descriptor {
 
 /// @param expected  bytes; more and fewer may come
 /// @param most      bytes; it stops beyond
-std::string readToEnd(const fs::path& path, std::size_t expected, std::size_t most) {
+std::string readToEnd(const Descriptor& file, const fs::path& path, std::size_t expected,
+                      std::size_t most) {
   constexpr std::size_t step = std::size_t{1} << 16U;
-  const Descriptor file(path);
   std::string bytes;
   bytes.resize(expected + 1);  // one more, at which the end shows
   std::size_t filled = 0;
@@ -84,6 +94,15 @@ std::string readToEnd(const fs::path& path, std::size_t expected, std::size_t mo
   }
   bytes.resize(filled);
   return bytes;
+}
+
+/// The descriptor that a given stream's name stands for; -1 where it is none.
+int numberOf(const fs::path& path) {
+  const std::string name = path.lexically_normal().filename().string();
+  if (name == "stdin") return STDIN_FILENO;
+  int number = -1;
+  const char* end = name.data() + name.size();
+  return std::from_chars(name.data(), end, number).ptr == end ? number : -1;
 }
 
 }  // namespace
@@ -106,7 +125,8 @@ std::string readBytes(const fs::path& path) {
   const std::uintmax_t size = fs::file_size(path, unknown);
   const std::size_t expected = unknown ? 0 : static_cast<std::size_t>(size);
   requireMemory(static_cast<double>(expected), path.string());
-  return readToEnd(path, expected, std::numeric_limits<std::size_t>::max());
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC), path);
+  return readToEnd(file, path, expected, std::numeric_limits<std::size_t>::max());
 }
 
 bool isGivenStream(const fs::path& path) {
@@ -121,7 +141,9 @@ std::string readFileOrStream(const fs::path& path) {
     requireFile(path);
     return readBytes(path);
   }
-  std::string bytes = readToEnd(path, 0, most);
+  // To open it anew could wait for another writer.
+  const Descriptor stream(::dup(numberOf(path)), path);
+  std::string bytes = readToEnd(stream, path, 0, most);
   if (bytes.size() > most) {
     throw InputError(fmt::format("{}: more than {} found", path.string(),
                                  formatBytes(static_cast<double>(most))));
