@@ -1,13 +1,23 @@
 #include "common/one_line.h"
 
-#include <algorithm>
+#include "common/utf8.h"
 
 namespace gnomon {
 
 std::string oneLine(std::string_view text) {
-  std::string line(text);
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+  std::string line;
+  line.reserve(text.size());
+  while (!text.empty()) {
+    const Utf8Character character = firstCharacter(text);
+    if (!character.valid || turnsDirection(character.code)) {
+      line += "\uFFFD";
+    } else if (isControl(character.code)) {
+      line += ' ';
+    } else {
+      line += text.substr(0, character.bytes);
+    }
+    text.remove_prefix(character.bytes);
+  }
   return line;
 }
 

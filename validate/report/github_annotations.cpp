@@ -5,13 +5,14 @@
 #include <charconv>
 
 #include "report/gate_text.h"
+#include "report/utf8_text.h"
 
 namespace gnomon {
 namespace {
 
 std::string escaped(std::string_view text, bool property) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : xmlText(text)) {
     const bool special = c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
     result += special ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
   }
@@ -70,6 +71,25 @@ std::string githubAnnotations(std::span<const CheckRecord> checks) {
     }
   }
   return text;
+}
+
+std::string withoutWorkflowCommands(std::string_view text) {
+  std::string plain;
+  plain.reserve(text.size());
+  bool opensLine = true;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view rest = text.substr(i);
+    plain += rest.front();
+    // A space breaks the sign that the runner looks for.
+    if (rest.starts_with("##[")) {
+      plain += "# ";
+      ++i;
+    } else if (opensLine && rest.starts_with("::")) {
+      plain += ' ';
+    }
+    opensLine = rest.front() == '\n' || (opensLine && rest.front() == ' ');
+  }
+  return plain;
 }
 
 }  // namespace gnomon

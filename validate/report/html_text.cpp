@@ -2,12 +2,15 @@
 
 #include <fmt/core.h>
 
+#include "report/utf8_text.h"
+
 namespace gnomon {
 
 std::string escapeHtml(std::string_view text) {
+  const std::string clean = xmlText(text);
   std::string html;
-  html.reserve(text.size());
-  for (const char c : text) {
+  html.reserve(clean.size());
+  for (const char c : clean) {
     switch (c) {
       case '&':
         html += "&amp;";
@@ -24,11 +27,8 @@ std::string escapeHtml(std::string_view text) {
       case '\'':
         html += "&#39;";
         break;
-      default: {
-        const auto code = static_cast<unsigned char>(c);
-        const bool control = (code < 0x20 && c != '\t' && c != '\n' && c != '\r') || code == 0x7f;
-        if (!control) html += c;
-      }
+      default:
+        html += c;
     }
   }
   return html;

@@ -6,7 +6,7 @@
 namespace gnomon {
 
 /// Text that stands for itself in HTML, in an element or in a quoted attribute: & < > " ' are
-/// escaped, and control characters other than tab and line breaks dropped.
+/// escaped, and what `xmlText` refuses becomes U+FFFD.
 std::string escapeHtml(std::string_view text);
 
 /// A table inside a box that scrolls sideways where the screen is narrow.

@@ -1,5 +1,8 @@
 #include "report/json_values.h"
 
+#include <fmt/core.h>
+
+#include "common/utf8.h"
 #include "report/gate_text.h"
 #include "report/names.h"
 #include "report/number_text.h"
@@ -178,8 +181,29 @@ Json jsonProblem(const ProblemRecord& problem) {
   return {{"part", problem.part}, {"message", problem.message}};
 }
 
+std::string plainJson(const Json& json, int indent) {
+  const std::string dumped = json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  std::string text;
+  text.reserve(dumped.size());
+  for (std::string_view rest = dumped; !rest.empty();) {
+    const Utf8Character character = firstCharacter(rest);
+    // JSON stands on terminals and in logs too. In a string an escape is the same character.
+    const bool moves =
+        character.code != '\n' && (isControl(character.code) || turnsDirection(character.code));
+    if (moves) {
+      text += fmt::format("\\u{:04x}", character.code);
+    } else if (rest.starts_with('[') && text.ends_with("##")) {
+      text += "\\u005b";
+    } else {
+      text += rest.substr(0, character.bytes);
+    }
+    rest.remove_prefix(character.bytes);
+  }
+  return text;
+}
+
 std::string jsonText(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return plainJson(json, 2) + "\n";
 }
 
 }  // namespace gnomon

@@ -61,7 +61,13 @@ Json jsonReference(const GateRecord& gate);
 /// part, message.
 Json jsonProblem(const ProblemRecord& problem);
 
-/// The file's text: two spaces of indent, UTF-8 (bytes that are not become U+FFFD), a last LF.
+/// JSON as UTF-8 (bytes that are not become U+FFFD). Characters that would move a terminal's cursor
+/// or turn the direction of text, and the [ of `##[`, which GitHub's runner would take for a
+/// command, are written as \uXXXX: the same string.
+/// @param indent  spaces; -1 for all on one line
+std::string plainJson(const Json& json, int indent);
+
+/// The file's text, as plainJson: two spaces of indent, a last LF.
 std::string jsonText(const Json& json);
 
 }  // namespace gnomon

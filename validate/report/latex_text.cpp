@@ -1,12 +1,17 @@
 #include "report/latex_text.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <array>
 #include <utility>
+
+#include "common/one_line.h"
 
 namespace gnomon {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 26> signs = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 27> signs = {{
     {"\\", "\\textbackslash{}"},
     {"&", "\\&"},
     {"%", "\\%"},
@@ -21,6 +26,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> signs = 
     {">", "\\textgreater{}"},
     {"\"", "\\textquotedbl{}"},
     {"–", "--"},
+    {"--", "-{}-{}"},
     {"’", "'"},
     {"°", "\\textdegree{}"},
     {"×", "$\\times$"},
@@ -35,10 +41,28 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> signs = 
     {"→", "$\\to$"},
 }};
 
+/// One line; LaTeX refuses U+FFFD.
+std::string knownText(std::string_view text) {
+  std::string line = oneLine(text);
+  constexpr std::string_view unknown = "\uFFFD";
+  for (std::size_t at = 0; (at = line.find(unknown, at)) != std::string::npos;) {
+    line.replace(at, unknown.size(), "?");
+  }
+  return line;
+}
+
 }  // namespace
 
-std::string escapeLatex(std::string_view text) {
+std::string escapeLatex(std::string_view asked) {
+  const std::string clean = knownText(asked);
+  std::string_view text = clean;
   std::string latex;
+  // After the end of a row they would be that command's own.
+  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  if (first < text.size() && (text[first] == '[' || text[first] == '*')) {
+    latex = fmt::format("{{{}}}", text[first]);
+    text.remove_prefix(first + 1);
+  }
   while (!text.empty()) {
     std::size_t length = 1;
     std::string_view written = text.substr(0, 1);
@@ -48,8 +72,7 @@ std::string escapeLatex(std::string_view text) {
       written = command;
       break;
     }
-    const auto code = static_cast<unsigned char>(text.front());
-    latex += length == 1 && (code < ' ' || code == 0x7f) ? " " : written;
+    latex += written;
     text.remove_prefix(length);
   }
   return latex;

@@ -6,8 +6,9 @@
 namespace gnomon {
 
 /// Text that stands for itself in LaTeX: its special characters are escaped, the signs that reports
-/// use beyond ASCII become commands, control characters spaces. Other UTF-8 stays as it is, as
-/// LaTeX has read it since 2018.
+/// use beyond ASCII become commands, control characters spaces, what is no UTF-8 '?'. A [ or * at
+/// the beginning is put into braces, or the end of a row before it would read it. Other UTF-8 stays
+/// as it is, as LaTeX has read it since 2018.
 std::string escapeLatex(std::string_view text);
 
 }  // namespace gnomon

@@ -160,7 +160,7 @@ std::string checkTable(const CheckRecord& check, bool colours) {
   appendNotices(page, check);
   if (check.status() != ExitStatus::pass) {
     page.line(std::string(terminalIndent, ' ') + "Reproduce:");
-    page.line(std::string(2 * terminalIndent, ' ') + check.command);
+    page.line(std::string(2 * terminalIndent, ' ') + terminalText(check.command));
   }
   return page.text();
 }

@@ -24,7 +24,8 @@ class TerminalPage {
   /// @param colours  ANSI colours and bold face; without them the text is plain
   explicit TerminalPage(bool colours) : colours_(colours) {}
 
-  void line(const std::string& text) { text_ += text + "\n"; }
+  /// A line as it is, but for control characters: those that `styled` has put into it alone stay.
+  void line(std::string_view text);
   void blank() { text_ += "\n"; }
   /// Text of any length, broken to the page's width.
   void paragraph(std::string_view text, std::size_t margin = 0);

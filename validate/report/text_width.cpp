@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "common/utf8.h"
 
 namespace gnomon {
 namespace {
@@ -43,8 +44,11 @@ std::pair<Glyph, std::size_t> firstGlyph(std::string_view text) {
   const bool invalid =
       length == static_cast<std::size_t>(-1) || length == static_cast<std::size_t>(-2);
   if (invalid) return {{"\uFFFD", 1}, 1};
+  const auto code = static_cast<std::uint32_t>(character);
+  if (turnsDirection(code)) return {{"\uFFFD", 1}, length};
   const int cells = wcwidth(character);
-  if (length == 0 || cells < 0) return {{"?", 1}, std::max<std::size_t>(length, 1)};
+  if (length == 0 || cells < 0 || isControl(code))
+    return {{"?", 1}, std::max<std::size_t>(length, 1)};
   return {{text.substr(0, length), static_cast<std::size_t>(cells)}, length};
 }
 
@@ -103,6 +107,12 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
 
 std::size_t displayWidth(std::string_view text) {
   return widthOf(glyphsOf(text));
+}
+
+std::string terminalText(std::string_view text) {
+  std::string plain;
+  for (const Glyph& glyph : glyphsOf(text)) plain += glyph.bytes;
+  return plain;
 }
 
 std::string fitLeft(std::string_view text, std::size_t width) {

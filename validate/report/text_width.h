@@ -8,11 +8,15 @@
 namespace gnomon {
 
 /// Text for a terminal, measured in its columns: a wide character takes two, a combining one none.
-/// Control characters become '?' and bytes that are not UTF-8 U+FFFD, so that no label can move the
-/// cursor. Line breaks count as control characters.
+/// Control characters become '?'; bytes that are not UTF-8, and characters that turn the direction
+/// of the text after them, U+FFFD: no label can move the cursor or make a row read as another. Line
+/// breaks count as control characters.
 
 /// The columns that `text` takes.
 std::size_t displayWidth(std::string_view text);
+
+/// The text on one line, as it is.
+std::string terminalText(std::string_view text);
 
 /// The text, padded with spaces or cut (then it ends in "…") to exactly `width` columns.
 std::string fitLeft(std::string_view text, std::size_t width);
