@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -17,6 +18,7 @@
 
 #include "common/error.h"
 #include "common/interruption.h"
+#include "common/one_line.h"
 #include "report/html_text.h"
 
 namespace gnomon {
@@ -52,22 +54,48 @@ std::string contentOf(std::FILE* file) {
   return text;
 }
 
-/// This process's variables, with the time in UTC: a PDF tells the hour's distance from it.
-std::vector<std::string> variablesInUtc() {
-  std::vector<std::string> variables = {"TZ=UTC"};
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string_view variable = *entry;
-    if (!variable.starts_with("TZ=")) variables.emplace_back(variable);
+/// What gnuplot's process knows of this one's variables: where programs, libraries, temporary files
+/// and the list of known fonts lie. All else could change what it draws (GNUTERM, GDFONTPATH,
+/// FONTCONFIG_FILE, the locale). The time is UTC: a PDF tells the hour's distance from it.
+std::vector<std::string> plotVariables() {
+  std::vector<std::string> variables = {"TZ=UTC", "LC_ALL=C.UTF-8"};
+  for (const char* name : {"PATH", "LD_LIBRARY_PATH", "TMPDIR", "HOME", "XDG_CACHE_HOME"}) {
+    if (const char* value = std::getenv(name))
+      variables.push_back(fmt::format("{}={}", name, value));
   }
   return variables;
 }
+
+/// Lets a process that is started die of the signals that this one ignores or whose threads block
+/// them: a plot that could not be written whole is then no plot.
+class SignalsAsUsual {
+ public:
+  SignalsAsUsual() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int number : {SIGPIPE, SIGXFSZ}) sigaddset(&signals, number);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    sigset_t noSignal;
+    sigemptyset(&noSignal);
+    posix_spawnattr_setsigmask(&attributes_, &noSignal);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  }
+  ~SignalsAsUsual() { posix_spawnattr_destroy(&attributes_); }
+  SignalsAsUsual(const SignalsAsUsual&) = delete;
+  SignalsAsUsual& operator=(const SignalsAsUsual&) = delete;
+  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
 
 /// Starts gnuplot with the three files as its standard streams.
 pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
   std::string program = "gnuplot";
   std::string noSettings = "-d";
   std::array<char*, 3> words = {program.data(), noSettings.data(), nullptr};
-  std::vector<std::string> variables = variablesInUtc();
+  std::vector<std::string> variables = plotVariables();
   std::vector<char*> environment;
   for (std::string& variable : variables) environment.push_back(variable.data());
   environment.push_back(nullptr);
@@ -76,20 +104,14 @@ pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
   posix_spawn_file_actions_adddup2(&streams, fileno(in), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&streams, fileno(out), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&streams, fileno(err), STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t noSignal;  // of those that this process's threads block
-  sigemptyset(&noSignal);
-  posix_spawnattr_setsigmask(&attributes, &noSignal);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  const SignalsAsUsual signals;
   pid_t process = 0;
   int failure = 0;
   changeUnfinished([&](Unfinished& unfinished) {
-    failure = posix_spawnp(&process, program.c_str(), &streams, &attributes, words.data(),
+    failure = posix_spawnp(&process, program.c_str(), &streams, signals.get(), words.data(),
                            environment.data());
     if (failure == 0) unfinished.helpers.insert(process);
   });
-  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&streams);
   if (failure != 0) {
     fail(fmt::format("cannot be started: {}; reports need it for their plots (gnuplot-nox)",
@@ -99,13 +121,14 @@ pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
 }
 
 /// Waits for its end.
-/// @return as waitpid tells it; -1 where there is no such process
+/// @return as waitpid tells it
+/// @throws InternalError where there is no such process
 int awaitEnd(pid_t process) {
   siginfo_t ended;
   while (waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT) != 0) {
-    if (errno != EINTR) return -1;
+    if (errno != EINTR) fail(std::strerror(errno));
   }
-  int state = -1;
+  int state = 0;
   // Together, so that its number is never another process's while it is in the list.
   changeUnfinished([&](Unfinished& unfinished) {
     ::waitpid(process, &state, 0);
@@ -114,9 +137,11 @@ int awaitEnd(pid_t process) {
   return state;
 }
 
+/// @throws InternalError where a signal ended it
 bool succeeded(pid_t process) {
   const int state = awaitEnd(process);
-  return WIFEXITED(state) && WEXITSTATUS(state) == 0;
+  if (WIFSIGNALED(state)) fail(fmt::format("ended: {}", strsignal(WTERMSIG(state))));
+  return WEXITSTATUS(state) == 0;
 }
 
 /// The last line that says something: gnuplot quotes the script before it.
@@ -199,13 +224,12 @@ const std::string& gnuplotVersion() {
 
 std::string gnuplotText(const std::string& text) {
   std::string quoted = "'";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
+  for (const char c : oneLine(text)) {
     // Doubled, as gnuplot has it, a quote could not be the first character.
     if (c == '\'') {
       quoted += "’";
     } else {
-      quoted += code < ' ' || code == 0x7f ? ' ' : c;
+      quoted += c;
     }
   }
   return quoted + "'";
@@ -219,8 +243,14 @@ std::string cleanSvg(const std::string& svg, const std::string& title) {
   if (from == std::string::npos || to == std::string::npos || to < from) {
     fail("its SVG has no title and description");
   }
-  return svg.substr(0, from) + "<title>" + escapeHtml(title) + "</title>" +
-         svg.substr(to + end.size());
+  std::string clean = svg.substr(0, from) + "<title>" + escapeHtml(title) + "</title>" +
+                      svg.substr(to + end.size());
+  // gnuplot writes a label's > as it is, which XML does not take behind ]].
+  constexpr std::string_view sign = "]]>";
+  for (std::size_t at = 0; (at = clean.find(sign, at)) != std::string::npos;) {
+    clean.replace(at, sign.size(), "]]&gt;");
+  }
+  return clean;
 }
 
 }  // namespace gnomon
