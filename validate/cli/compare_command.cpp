@@ -5,12 +5,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <limits>
 
-#include "cli/terminal_progress.h"
+#include "cli/output.h"
 #include "common/atomic_file.h"
 #include "compare/mask_metrics.h"
+#include "compare/metric_range.h"
 #include "report/images.h"
 #include "report/mask_comparison.h"
 #include "report/mask_picture.h"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr const char* compareExamples = R"(
 White is lit, black shadowed; Gnomon's grey (128) and alpha 0 mean no sample. Pixels count alike.
-Gates take any metric of the table; one that is not defined fails.
+Gates take any metric of the table, shares as 0.02 or "2 %"; one that is not defined fails.
 
 Exit status: 0 all gates hold, 1 one failed, 2 usage, 3 pictures that cannot be compared.
 
@@ -29,17 +30,26 @@ Examples:
   gnomon compare mine.png truth.png --binarise 0.5 --roi roi.png --max error_rate=0.02 --min iou=0.9
   gnomon compare layers.exr truth.png --channel shadow.R --invert --json - )";
 
-double numberIn(const char* option, const std::string& gate, const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, value);
-  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value)) {
-    throw UsageError(fmt::format("{} {}: a number expected after =", option, gate));
+/// A gate as the command line has it.
+struct AskedGate {
+  const char* option;
+  std::string text;
+  MaskGate gate;
+};
+
+/// @throws UsageError for a limit that no picture of that size could miss, or none could meet
+void requireLimit(const AskedGate& asked, const PictureExtent& picture) {
+  const MaskGate& gate = asked.gate;
+  const MetricRange range = metricRange(gate.metric, picture);
+  try {
+    if (gate.maximum) requireMaximum(*gate.maximum, gate.metric, range);
+    if (gate.minimum) requireMinimum(*gate.minimum, gate.metric, range);
+  } catch (const InputError& error) {
+    throw UsageError(fmt::format("{} {}: {}", asked.option, asked.text, error.what()));
   }
-  return value;
 }
 
-MaskGate gateOf(const char* option, const std::string& text, bool isMaximum) {
+AskedGate gateOf(const char* option, const std::string& text, bool isMaximum) {
   const std::size_t equals = text.find('=');
   const std::string metric = text.substr(0, equals);
   const auto& names = maskMetricNames();
@@ -50,16 +60,43 @@ MaskGate gateOf(const char* option, const std::string& text, bool isMaximum) {
     throw UsageError(fmt::format("{} {}: no metric \"{}\", one of {} expected", option, text,
                                  metric, fmt::join(names, ", ")));
   }
-  const double value = numberIn(option, text, text.substr(equals + 1));
-  MaskGate gate{metric, std::nullopt, std::nullopt};
-  (isMaximum ? gate.maximum : gate.minimum) = value;
-  return gate;
+  constexpr double any = std::numeric_limits<double>::max();
+  const auto value = limitOfText(text.substr(equals + 1), metricRange(metric, {any, any}));
+  if (!value || !std::isfinite(*value)) {
+    throw UsageError(
+        fmt::format("{} {}: a number expected after =, or of a share a percentage", option, text));
+  }
+  AskedGate asked{option, text, {metric, std::nullopt, std::nullopt}};
+  (isMaximum ? asked.gate.maximum : asked.gate.minimum) = value;
+  requireLimit(asked, {any, any});
+  return asked;
 }
 
-std::vector<MaskGate> gatesOf(const CompareRequest& request) {
-  std::vector<MaskGate> gates;
+std::vector<AskedGate> gatesOf(const CompareRequest& request) {
+  std::vector<AskedGate> gates;
   for (const std::string& text : request.maxima) gates.push_back(gateOf("--max", text, true));
   for (const std::string& text : request.minima) gates.push_back(gateOf("--min", text, false));
+  const bool judgesNothing =
+      !gates.empty() && std::all_of(gates.begin(), gates.end(), [](const AskedGate& asked) {
+        return isOfTruthAlone(asked.gate.metric);
+      });
+  if (judgesNothing) {
+    throw UsageError(fmt::format("{} {}: {} is the truth's alone, a gate on the candidate expected",
+                                 gates.front().option, gates.front().text,
+                                 gates.front().gate.metric));
+  }
+  return gates;
+}
+
+/// The gates' limits, now that the picture's size is known.
+std::vector<MaskGate> gatesFor(const std::vector<AskedGate>& asked, const Mask& truth) {
+  const PictureExtent picture{std::hypot(truth.width, truth.height),
+                              static_cast<double>(truth.size())};
+  std::vector<MaskGate> gates;
+  for (const AskedGate& one : asked) {
+    requireLimit(one, picture);
+    gates.push_back(one.gate);
+  }
   return gates;
 }
 
@@ -86,9 +123,11 @@ void write(const CompareRequest& request, const MaskComparison& comparison,
   if (!request.json.empty() && request.json != "-") {
     writeTextAtomically(request.json, maskComparisonJson(comparison));
   }
-  const std::string text = request.json == "-" ? maskComparisonJson(comparison)
-                                               : maskComparisonTable(comparison, coloursWanted());
-  fmt::print("{}", text);
+  if (request.json == "-") {
+    printUnchanged(maskComparisonJson(comparison));
+  } else {
+    printText(maskComparisonTable(comparison, coloursWanted()));
+  }
 }
 
 }  // namespace
@@ -134,7 +173,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
 }
 
 ExitStatus compareMasks(const CompareRequest& request) {
-  const std::vector<MaskGate> gates = gatesOf(request);
+  const std::vector<AskedGate> gates = gatesOf(request);
   if (request.threshold && !(*request.threshold > 0 && *request.threshold < 1)) {
     throw UsageError(
         fmt::format("--binarise {}: a value between 0 and 1 expected", *request.threshold));
@@ -161,7 +200,7 @@ ExitStatus compareMasks(const CompareRequest& request) {
   comparison.outsideRoi = masks.outsideRoi;
   comparison.counts = countSamples(masks.candidate, masks.truth);
   comparison.metrics = maskMetrics(masks.candidate, masks.truth);
-  comparison.gates = judged(gates, comparison.metrics);
+  comparison.gates = judged(gatesFor(gates, truth.mask), comparison.metrics);
   write(request, comparison, masks);
   return comparison.passed() ? ExitStatus::pass : ExitStatus::thresholdFailed;
 }

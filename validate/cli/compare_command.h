@@ -33,7 +33,8 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request);
 /// Compares two pictures of masks and prints what was found; files that were asked for are written
 /// whole or not at all.
 /// @return pass, or thresholdFailed where a gate failed
-/// @throws UsageError for a gate that is no METRIC=VALUE or on no known metric; InputError for
+/// @throws UsageError for a gate that is no METRIC=VALUE, on no known metric, or that no candidate
+///   could fail or none could pass; InputError for
 ///   pictures that cannot be compared
 ExitStatus compareMasks(const CompareRequest& request);
 

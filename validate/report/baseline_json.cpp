@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string compact(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return plainJson(json, -1);
 }
 
 Json environmentJson(const EnvironmentRecord& environment) {
@@ -146,6 +146,17 @@ BaselineEntry readEntry(const Reader& reader) {
   if (!(entry.tolerance > entry.spread)) {
     reader.fail("tolerance", fmt::format("{} found, more than the spread {} expected",
                                          entry.tolerance, entry.spread));
+  }
+  // One more digit than a file that was rounded by hand.
+  const double most = toleranceOf(entry.metric, entry.spread) * (1 + 1e-6);
+  if (!(entry.tolerance <= most)) {
+    reader.fail("tolerance",
+                fmt::format("{} found, at most {:.6g} expected: twice the spread, or {:.6g}",
+                            entry.tolerance, most, toleranceOf(entry.metric, 0)));
+  }
+  if (!canFail(entry)) {
+    reader.fail("tolerance", fmt::format("{} found, but with it no value of {} could be too bad",
+                                         entry.tolerance, entry.metric));
   }
   return entry;
 }

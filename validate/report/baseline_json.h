@@ -24,7 +24,7 @@ std::string baselineJson(const Baseline& baseline);
 /// @throws InputError naming the file and, for what is no JSON, the line, else the key: another
 ///   schema, a key that is missing or of another type, a value twice, a metric that baselines do
 ///   not hold, a value that its metric cannot have, or a tolerance that is not larger than the
-///   spread
+///   spread, larger than toleranceOf it, or so large that nothing could fail
 Baseline readBaseline(const std::filesystem::path& path);
 
 }  // namespace gnomon

@@ -62,8 +62,13 @@ std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& re
 /// The tolerance for a spread: that of rates also for the metrics of boundaries.
 double toleranceOf(std::string_view metric, double spread);
 
-/// All values that a baseline holds of a study's run: those that are defined and whose spread is
-/// measured.
+/// Whether the gate of a committed value can fail at all: a limit of it lies inside the metric's
+/// range, and of a length the tolerance is below 1. A truth that is uncertain by that much has no
+/// references.
+bool canFail(const BaselineEntry& entry);
+
+/// All values that a baseline holds of a study's run: those that are defined, whose spread is
+/// measured, and whose gate can fail.
 /// @param steps  one record, or one for each step of a sweep
 std::vector<BaselineEntry> referenceValues(std::span<const StudyRecord> steps);
 

@@ -21,6 +21,7 @@
 #include "study/study_reduction.h"
 #include "study/study_table.h"
 #include "study/surface_section.h"
+#include "study/threshold_limits.h"
 #include "study/toml_reader.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
@@ -179,9 +180,7 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   threshold.view = readFilter(section, "view", study.views, name, "");
   threshold.region = readFilter(section, "region", regionNames(), itself, "all");
   threshold.metric = readMetric(section);
-  threshold.minimum = section.optionalNumber("min", anyNumber);
-  threshold.maximum = section.optionalNumber("max", anyNumber);
-  if (!threshold.minimum && !threshold.maximum) section.fail("max", "`max` or `min` expected");
+  readLimits(section, study, threshold);
   threshold.answer = readAnswer(section);
   threshold.quick = section.flag("quick", true);
   threshold.line = section.line();

@@ -10,6 +10,7 @@
 #include "common/error.h"
 #include "common/one_line.h"
 #include "common/toml_nesting.h"
+#include "common/utf8.h"
 #include "study/nearest_name.h"
 
 namespace gnomon {
@@ -319,6 +320,7 @@ toml::node* child(toml::node& node, const std::string& part) {
 }
 
 void applyOverride(toml::table& root, const std::string& text) {
+  if (!isUtf8(text)) throw UsageError(fmt::format("--set {}: UTF-8 expected", text));
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw UsageError(fmt::format("--set {}: KEY=VALUE expected, as relief.height=4", text));

@@ -138,7 +138,8 @@ toml::table parseTomlText(const std::string& text, const std::string& file,
                           const std::vector<std::string>& overrides = {});
 
 /// Applies overrides in their order.
-/// @throws UsageError for an override without `=`, or whose path leads into something that is not a
+/// @throws UsageError for an override that is no UTF-8, without `=`, or whose path leads into
+/// something that is not a
 ///   table or list, or past a list's end
 void applyOverrides(toml::table& table, const std::vector<std::string>& overrides);
 

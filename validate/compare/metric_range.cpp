@@ -1,0 +1,78 @@
+#include "compare/metric_range.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "common/error.h"
+#include "compare/shadow_length.h"
+
+namespace gnomon {
+namespace {
+
+bool isLength(std::string_view metric) {
+  const auto& names = lengthMetricNames();
+  return std::find(names.begin(), names.end(), metric) != names.end();
+}
+
+std::string_view withoutEndingSpaces(std::string_view text) {
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+std::optional<double> numberOf(std::string_view text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+  return value;
+}
+
+/// "5 %" as "5e-2": divided by 100 it could be another double than 0.05 is.
+std::optional<double> percentOf(std::string_view text) {
+  const std::string_view digits = withoutEndingSpaces(text.substr(0, text.size() - 1));
+  if (digits.empty() || digits.find_first_not_of("0123456789.-") != digits.npos)
+    return std::nullopt;
+  return numberOf(std::string(digits) + "e-2");
+}
+
+/// What a number that is no share of 1 may have meant.
+std::string hint(std::string_view metric, const MetricRange& range) {
+  if (!range.isShare) return "";
+  return fmt::format("; {} is a share: 0.05, or \"5 %\"", metric);
+}
+
+}  // namespace
+
+MetricRange metricRange(std::string_view metric, const PictureExtent& picture) {
+  if (metric == "mcc") return {-1, 1, false};
+  if (metric == "assd" || metric == "hd95") return {0, picture.diagonal, false};
+  if (metric == "shadow_runs") return {0, picture.samples, false};
+  if (isLength(metric)) {
+    return {0, picture.diagonal / static_cast<double>(leastRunSamples), false};
+  }
+  return {0, 1, true};
+}
+
+bool isOfTruthAlone(std::string_view metric) {
+  return metric == "prevalence" || metric == "shadow_runs";
+}
+
+std::optional<double> limitOfText(std::string_view text, const MetricRange& range) {
+  if (text.ends_with('%')) return range.isShare ? percentOf(text) : std::nullopt;
+  return numberOf(text);
+}
+
+void requireMaximum(double limit, std::string_view metric, const MetricRange& range) {
+  if (limit >= range.least && limit < range.most) return;
+  throw InputError(fmt::format("{} found, at least {:.6g} and below {:.6g} expected{}", limit,
+                               range.least, range.most, hint(metric, range)));
+}
+
+void requireMinimum(double limit, std::string_view metric, const MetricRange& range) {
+  if (limit > range.least && limit <= range.most) return;
+  throw InputError(fmt::format("{} found, above {:.6g} and at most {:.6g} expected{}", limit,
+                               range.least, range.most, hint(metric, range)));
+}
+
+}  // namespace gnomon

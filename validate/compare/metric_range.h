@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "compare/rates.h"
+
+namespace gnomon {
+
+/// What a picture's size leaves possible.
+struct PictureExtent {
+  double diagonal = 0;  ///< longest distance in it, in the unit of its boundaries' distances
+  double samples = 0;
+};
+
+/// The values that a metric can have, both ends included.
+struct MetricRange {
+  double least = 0;
+  double most = 1;
+  bool isShare = true;  ///< of something, so that it can be given in percent
+};
+
+/// The range of a metric, by its name:
+///   mcc                   -1 to 1
+///   assd, hd95            0 to the picture's diagonal
+///   shadow_length_ratio   0 to that over the shortest shadow measured, `leastRunSamples`; so for
+///                         its quartiles
+///   shadow_runs           0 to the picture's samples
+///   all others            shares, 0 to 1
+MetricRange metricRange(std::string_view metric, const PictureExtent& picture);
+
+/// Whether a metric is the truth's alone, whatever a candidate does: prevalence, shadow_runs. A
+/// gate on it judges the scene, and no method.
+bool isOfTruthAlone(std::string_view metric);
+
+/// Reads a limit: a number, or of a share also a percentage, "5 %" for 0.05. Both are the double
+/// nearest to the decimal number that is written.
+/// @return none for other text
+std::optional<double> limitOfText(std::string_view text, const MetricRange& range);
+
+/// Refuses limits that a metric cannot miss, or cannot meet: least <= maximum < most, least <
+/// minimum <= most and minimum <= maximum expected. Its message says what was found and expected.
+/// @throws InputError
+void requireMaximum(double limit, std::string_view metric, const MetricRange& range);
+void requireMinimum(double limit, std::string_view metric, const MetricRange& range);
+
+}  // namespace gnomon
