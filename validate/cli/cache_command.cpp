@@ -6,6 +6,7 @@
 
 #include "cache/cache_folder.h"
 #include "cli/failure.h"
+#include "cli/output.h"
 #include "common/memory.h"
 #include "report/number_text.h"
 #include "study/run_keys.h"
@@ -15,9 +16,8 @@ namespace gnomon {
 std::unique_ptr<Cache> openCache(bool isOff) {
   const std::optional<std::filesystem::path> folder = standardCacheFolder();
   if (isOff || !folder) return std::make_unique<Cache>();
-  return std::make_unique<Cache>(
-      *folder, limitOf(*folder), programKey(),
-      [](const std::string& why) { fmt::print(stderr, "gnomon: warning: {}\n", why); });
+  return std::make_unique<Cache>(*folder, limitOf(*folder), programKey(),
+                                 [](const std::string& why) { printWarning(why); });
 }
 
 ExitStatus showCache(const CacheRequest& request) {
@@ -30,9 +30,9 @@ ExitStatus showCache(const CacheRequest& request) {
   const CacheUsage usage = request.clear || request.limit
                                ? trimTo(*folder, request.clear ? 0 : limit)
                                : usageOf(*folder);
-  fmt::print("{}: {} entries, {} of at most {}\n", folder->string(), groupedText(usage.entries),
-             formatBytes(static_cast<double>(usage.bytes)),
-             formatBytes(static_cast<double>(limit)));
+  printLine(fmt::format("{}: {} entries, {} of at most {}", folder->string(),
+                        groupedText(usage.entries), formatBytes(static_cast<double>(usage.bytes)),
+                        formatBytes(static_cast<double>(limit))));
   return ExitStatus::pass;
 }
 

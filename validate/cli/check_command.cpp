@@ -10,11 +10,13 @@
 #include "cli/baseline_check.h"
 #include "cli/cache_command.h"
 #include "cli/failure.h"
+#include "cli/junit_file.h"
+#include "cli/output.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
-#include "cli/terminal_progress.h"
 #include "common/atomic_file.h"
 #include "common/shell_quote.h"
+#include "compare/metric_range.h"
 #include "report/github_annotations.h"
 #include "report/gnuplot.h"
 #include "report/junit.h"
@@ -101,7 +103,16 @@ void addProblem(CheckRecord& check, const char* part) {
 
 void requireGates(const StudyPlan& plan, const CheckRequest& request) {
   const StudySpec& study = plan.steps.front();
-  if (!study.thresholds.empty() || request.baseline) return;
+  if (request.baseline) return;
+  const bool judgesMethods =
+      std::any_of(study.thresholds.begin(), study.thresholds.end(),
+                  [](const ThresholdSpec& gate) { return !isOfTruthAlone(gate.metric); });
+  if (judgesMethods) return;
+  if (!study.thresholds.empty()) {
+    throw InputError(fmt::format(
+        "{}: every [[threshold]] is on {}, which is the truth's alone, so no method is checked",
+        study.file.string(), study.thresholds.front().metric));
+  }
   throw InputError(
       fmt::format("{}: {}, so there is nothing to check", study.file.string(),
                   study.leftOut.empty() ? "no [[threshold]]" : "every [[threshold]] is left out"));
@@ -150,9 +161,10 @@ Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::s
   return study;
 }
 
-/// Studies that have not been judged have an error in it.
+/// Studies that have not been judged have an error in it; nothing is told of them to who reads it
+/// as it is written.
 void writeJunit(const CheckRequest& request, const std::vector<Study>& studies, bool judged) {
-  if (!request.junit) return;
+  if (!request.junit || (!judged && !keepsContent(*request.junit))) return;
   std::vector<CheckRecord> checks;
   for (const Study& study : studies) {
     checks.push_back(study.check);
@@ -326,11 +338,11 @@ void print(const std::vector<CheckRecord>& checks, const CheckRequest& request, 
     }
   }
   for (const CheckRecord& check : checks) {
-    fmt::print("{}\n", checkTable(check, coloursWanted()));
+    printText(checkTable(check, coloursWanted()) + "\n");
   }
-  if (request.github) fmt::print("{}", githubAnnotations(checks));
-  fmt::print("{}Reports: {}\n", checkSummary(checks, status, coloursWanted()),
-             request.run.out.string());
+  if (request.github) printUnchanged(githubAnnotations(checks));
+  printText(checkSummary(checks, status, coloursWanted()));
+  printLine("Reports: " + request.run.out.string());
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ struct CheckRequest {
 /// result, a value that is undefined or not finite, a view that shows nothing, a missing reference
 /// are all faults.
 ///
-/// The JUnit file is there from before the first run on, with an error for each study that has not
-/// been judged yet, so that a process that is killed leaves no pass behind.
+/// The JUnit file, which the command line has made to say "error" (see junit_file.h), has one for
+/// each study that has not been judged yet from before the first run on.
 ///
 /// References are written for studies of which everything passed, and only those.
 /// @return the largest status of all studies: pass, thresholdFailed (also: a regression, an

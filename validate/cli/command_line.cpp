@@ -13,7 +13,9 @@
 #include "cli/compare_command.h"
 #include "cli/export_command.h"
 #include "cli/failure.h"
+#include "cli/junit_file.h"
 #include "cli/list_option.h"
+#include "cli/output.h"
 #include "cli/run_command.h"
 #include "cli/view_command.h"
 #include "common/error.h"
@@ -120,19 +122,19 @@ void addCheckOptions(CLI::App& command, CheckRequest& request) {
 }
 
 ExitStatus listParts() {
-  fmt::print("Methods ([[method]] name):\n");
+  printLine("Methods ([[method]] name):");
   const auto shaders = shaderFolder();
   for (const std::string& name : methodNames(shaders)) {
     const Method method = readMethod(methodFile(shaders, name));
-    fmt::print("  {:<22} {} ({})\n", name, method.title, method.citation);
+    printLine(fmt::format("  {:<22} {} ({})", name, method.title, method.citation));
     for (const auto& [key, parameter] : method.parameters) {
-      fmt::print("    {} = {} ({} to {}): {}\n", key, parameter.standard, parameter.minimum,
-                 parameter.maximum, parameter.about);
+      printLine(fmt::format("    {} = {} ({} to {}): {}", key, parameter.standard,
+                            parameter.minimum, parameter.maximum, parameter.about));
     }
   }
-  fmt::print("\nShapes ([surface] shape): plane, cylinder, sphere, torus, bezier, b-spline\n");
-  fmt::print("Patterns ([relief] pattern): columns, cosine, cells, ripples\n");
-  fmt::print("Metrics ([[threshold]] metric): {}\n", fmt::join(metricNames(), ", "));
+  printText("\nShapes ([surface] shape): plane, cylinder, sphere, torus, bezier, b-spline\n");
+  printLine("Patterns ([relief] pattern): columns, cosine, cells, ripples");
+  printLine(fmt::format("Metrics ([[threshold]] metric): {}", fmt::join(metricNames(), ", ")));
   return ExitStatus::pass;
 }
 
@@ -235,10 +237,17 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
 
 int runCommandLine(int argc, char** argv, const Viewer& viewer) {
   cleanUpOnSignals();
+  prepareStreams();
+  const JunitFile junit({argv, static_cast<std::size_t>(argc)}, joinedCommand(argc, argv));
   try {
-    return dispatch(argc, argv, viewer);
+    junit.open();
+    const int status = dispatch(argc, argv, viewer);
+    flushOutput();
+    const bool isWhole = status != 0 || !isErrorLost();
+    return isWhole ? status : static_cast<int>(ExitStatus::badInput);
   } catch (...) {
     const Failure failure = currentFailure();
+    junit.fail(failure);
     printFailure(failure);
     return static_cast<int>(failure.status);
   }

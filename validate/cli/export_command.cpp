@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "cli/cache_command.h"
+#include "cli/failure.h"
+#include "cli/output.h"
 #include "cli/run_folders.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
@@ -43,7 +45,8 @@ std::vector<StepFolder> claimFolders(const std::vector<StudyPlan>& plans, const 
   return steps;
 }
 
-/// Calls `work(study, folder, gl, clock, cache)` for every step of every study.
+/// Calls `work(study, folder, gl, clock, cache)` for every step of every study, whatever becomes of
+/// one.
 template <typename Work>
 ExitStatus forEachStudy(const RunRequest& request, const std::string& subfolder, const Work& work) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
@@ -51,19 +54,24 @@ ExitStatus forEachStudy(const RunRequest& request, const std::string& subfolder,
   std::vector<StepFolder> folders = claimFolders(plans, request.out, subfolder);
   auto next = folders.begin();
   const std::unique_ptr<Cache> cache = openCache(request.noCache);
+  Failures failures;
   for (const StudyPlan& plan : plans) {
     for (const StudySpec& study : plan.steps) {
-      TerminalProgress progress(study.name);
-      StageClock clock(
-          [&](std::string_view stage, double share) { progress.update(stage, share); });
-      inStudy(study, [&] { work(study, (next++)->folder, gl, clock, *cache); });
+      RunFolder& folder = (next++)->folder;
+      failures.attempt([&] {
+        TerminalProgress progress(study.name);
+        StageClock clock(
+            [&](std::string_view stage, double share) { progress.update(stage, share); });
+        inStudy(study, [&] { work(study, folder, gl, clock, *cache); });
+      });
     }
   }
-  return ExitStatus::pass;
+  failures.print();
+  return failures.status();
 }
 
 void printNotices(const StudyRecord& record) {
-  for (const std::string& notice : record.notices) fmt::print("Notice: {}\n", notice);
+  for (const std::string& notice : record.notices) printLine("Notice: " + notice);
 }
 
 void traceOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, StageClock& clock,
@@ -72,10 +80,11 @@ void traceOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, St
   StudyRecord record = traceStudy(scene, gl);
   record.command = request.command;
   writeTruth(folder, scene, record);
-  fmt::print("{}: {} views, {} lights, {} micro-triangles, uncertain by at most {} %\n",
-             (folder.path() / "truth.json").string(), study.views.size(), study.lights.size(),
-             groupedText(record.truth.microTriangles), percentText(record.truth.uncertainty));
-  if (record.truth.wantedUncertainty) fmt::print("{}\n", refinementText(record.truth));
+  printLine(fmt::format("{}: {} views, {} lights, {} micro-triangles, uncertain by at most {} %",
+                        (folder.path() / "truth.json").string(), study.views.size(),
+                        study.lights.size(), groupedText(record.truth.microTriangles),
+                        percentText(record.truth.uncertainty)));
+  if (record.truth.wantedUncertainty) printLine(refinementText(record.truth));
   printNotices(record);
 }
 
@@ -114,9 +123,9 @@ void exportOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, S
   writeTruthMasks(folder, scene);
   writeRegionsOfInterest(folder, scene);
   folder.finish(exportJson(scene, record, mesh, tables, rayLift));
-  fmt::print("{}: {} triangles displaced ({} pieces a face's side), {} views, {} lights\n",
-             (folder.path() / "export.json").string(), groupedText(mesh.triangles),
-             mesh.subdivisions, study.views.size(), study.lights.size());
+  printLine(fmt::format("{}: {} triangles displaced ({} pieces a face's side), {} views, {} lights",
+                        (folder.path() / "export.json").string(), groupedText(mesh.triangles),
+                        mesh.subdivisions, study.views.size(), study.lights.size()));
   printNotices(record);
 }
 

@@ -2,11 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
 
 #include "common/one_line.h"
+#include "report/github_annotations.h"
 
 namespace gnomon {
 namespace {
@@ -45,8 +47,22 @@ Failure currentFailure() {
   }
 }
 
+void printWarning(const std::string& text) {
+  printError(withoutWorkflowCommands(fmt::format("gnomon: warning: {}\n", cleaned(text))));
+}
+
 void printFailure(const Failure& failure) {
-  fmt::print(stderr, "gnomon: {}\n", failure.message);
+  printError(withoutWorkflowCommands(fmt::format("gnomon: {}\n", failure.message)));
+}
+
+void Failures::print() const {
+  for (const Failure& failure : all_) printFailure(failure);
+}
+
+ExitStatus Failures::status() const {
+  ExitStatus worst = ExitStatus::pass;
+  for (const Failure& failure : all_) worst = std::max(worst, failure.status);
+  return worst;
 }
 
 }  // namespace gnomon

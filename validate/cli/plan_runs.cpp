@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "cli/output.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
 #include "common/shell_quote.h"
@@ -106,11 +107,17 @@ SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRe
   return sweep;
 }
 
-}  // namespace
+/// Forgets all records but the first of each kind.
+void keepFirst(Records& records, std::size_t count) {
+  for (std::vector<StudyRecord>* list : {&records.all, &records.half, &records.twice}) {
+    if (list->size() > count)
+      list->erase(list->begin() + static_cast<std::ptrdiff_t>(count), list->end());
+  }
+}
 
-PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
-                    Cache& cache, Records& records, const StepJudge& judge) {
-  const PlanRecords part{&plan, records.all.size()};
+void runSteps(const PlanRecords& part, const GlContext& gl, const RunRequest& request, Cache& cache,
+              Records& records, const StepJudge& judge) {
+  const StudyPlan& plan = *part.plan;
   RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;
   if (plan.sweep) swept = sweepStudy(plan.steps.front(), request.options, folder.path());
@@ -123,6 +130,20 @@ PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest
   if (swept) {
     writeCopy(*swept, folder, studyCopyName(plan.name));
     writeSweepFiles(sweepOf(part, records, request), folder, cache);
+  }
+}
+
+}  // namespace
+
+PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+                    Cache& cache, Records& records, const StepJudge& judge) {
+  const PlanRecords part{&plan, records.all.size()};
+  try {
+    runSteps(part, gl, request, cache, records, judge);
+  } catch (...) {
+    // Nothing may speak of a study of which a part is missing.
+    keepFirst(records, part.first);
+    throw;
   }
   return part;
 }
@@ -149,7 +170,9 @@ void printPlan(const PlanRecords& part, const RunRequest& request, const Records
   const std::string table = plan.sweep
                                 ? sweepTable(sweepOf(part, records, request), coloursWanted())
                                 : resultTable(records.all[part.first], coloursWanted());
-  fmt::print("{}\nReport: {}\n\n", table, (request.out / plan.name / "report.html").string());
+  printText(table + "\n");
+  printLine("Report: " + (request.out / plan.name / "report.html").string());
+  printText("\n");
 }
 
 bool isRanking(std::span<const StudyPlan> plans) {

@@ -39,7 +39,7 @@ using StepJudge = std::function<void(StudyRecord&)>;
 /// Runs all steps of a plan, adds their records and writes its folder with its reports, and the
 /// study itself, so that it can be run again from there. With `varyRadius` every step is measured
 /// at half and at twice its radius too, and its claims and differences say what becomes of them
-/// there.
+/// there. Where it fails, no record of the plan stays.
 /// @param cache    what earlier runs left, and what this one leaves
 /// @param records  its folders have been claimed and cleared
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,

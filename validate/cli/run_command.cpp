@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "cli/cache_command.h"
+#include "cli/failure.h"
+#include "cli/output.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
@@ -26,9 +28,10 @@ void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
   const fs::path path = out / study.name / "tables.exr";
   removeLeftovers(path.parent_path());
   writeHorizons(path, stored);
-  fmt::print("{}: {} × {} texels, {} azimuths, {} in {} bits\n", path.string(), stored.width,
-             stored.height, stored.azimuths, formatBytes(static_cast<double>(stored.byteCount())),
-             static_cast<int>(study.bake.bits));
+  printLine(fmt::format("{}: {} × {} texels, {} azimuths, {} in {} bits", path.string(),
+                        stored.width, stored.height, stored.azimuths,
+                        formatBytes(static_cast<double>(stored.byteCount())),
+                        static_cast<int>(study.bake.bits)));
 }
 
 }  // namespace
@@ -43,30 +46,41 @@ ExitStatus runStudies(const RunRequest& request) {
   for (const StudyPlan& plan : plans) records.folders.claim(plan, request.out);
   if (isRanking(plans)) records.folders.claimRanking(request.out);
   records.folders.clear(request.out);
-  std::vector<PlanRecords> parts;
-  parts.reserve(plans.size());
-  for (const StudyPlan& plan : plans) parts.push_back(runPlan(plan, gl, request, *cache, records));
-  std::vector<StudyMeans> studies;
-  for (const PlanRecords& part : parts) {
-    StudyMeans means = finishPlan(part, request, *cache, records);
-    printPlan(part, request, records);
-    if (isRanked(*part.plan)) studies.push_back(std::move(means));
+  Failures failures;
+  std::vector<PlanRecords> whole;
+  for (const StudyPlan& plan : plans) {
+    failures.attempt([&] { whole.push_back(runPlan(plan, gl, request, *cache, records)); });
   }
-  if (isRanking(plans)) {
-    reportRanking(studies, request, records.folders.ranking());
-    fmt::print("{}\nReport: {}\n", rankingOverStudies(studies, coloursWanted()),
-               (request.out / "ranking.html").string());
+  std::vector<StudyMeans> ranked;
+  for (const PlanRecords& part : whole) {
+    failures.attempt([&] {
+      StudyMeans means = finishPlan(part, request, *cache, records);
+      printPlan(part, request, records);
+      if (isRanked(*part.plan)) ranked.push_back(std::move(means));
+    });
   }
-  return ExitStatus::pass;
+  if (ranked.size() > 1) {
+    failures.attempt([&] {
+      reportRanking(ranked, request, records.folders.ranking());
+      printText(rankingOverStudies(ranked, coloursWanted()) + "\n");
+      printLine("Report: " + (request.out / "ranking.html").string());
+    });
+  }
+  failures.print();
+  return failures.status();
 }
 
 ExitStatus bakeStudies(const RunRequest& request) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
   const std::unique_ptr<Cache> cache = openCache(request.noCache);
+  Failures failures;
   for (const StudyPlan& plan : plans) {
-    for (const StudySpec& step : plan.steps) bakeTables(step, request.out, *cache);
+    for (const StudySpec& step : plan.steps) {
+      failures.attempt([&] { bakeTables(step, request.out, *cache); });
+    }
   }
-  return ExitStatus::pass;
+  failures.print();
+  return failures.status();
 }
 
 }  // namespace gnomon

@@ -25,12 +25,15 @@ struct RunRequest {
 /// A sweep has such a folder for each value, `out/NAME/VALUE`, and in `out/NAME` its own sweep.csv,
 /// plots/sweep.svg, report.html and last summary.json.
 /// Every folder holds its study, with the options in it, as NAME.toml: see resolved_study.h.
-/// Two studies or more are followed by a ranking of the methods over all of them: printed, and
-/// written as `out/ranking.csv`, `ranking.html` and last `ranking.json`.
+/// A study that fails does not keep the others from their tables, nor what is whole from its
+/// ranking; but all studies are read before the first is run. Two studies or more are followed by a
+/// ranking of the methods over all of them: printed, and written as `out/ranking.csv`,
+/// `ranking.html` and last `ranking.json`.
 /// Before the first study is run, what earlier runs of these studies left is removed, as the lists
 /// of their files (`files.txt`, `ranking.txt`) name it, and nothing else: see RunFolder. Meanwhile
 /// the folders are locked; a second run into one of them is refused. Thresholds are judged and
 /// recorded, but decide nothing: see checkStudies.
+/// @return pass, or the largest status of the studies that failed
 ExitStatus runStudies(const RunRequest& request);
 
 /// Bakes the tables of the studies and writes them as `out/NAME/tables.exr`.

@@ -1,14 +1,13 @@
 #include "cli/terminal_progress.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <cstdlib>
+#include "cli/output.h"
 
 namespace gnomon {
 
 TerminalProgress::TerminalProgress(std::string title)
-    : title_(std::move(title)), enabled_(isatty(STDERR_FILENO) != 0), stageStart_(Clock::now()) {}
+    : title_(std::move(title)), enabled_(progressWanted()), stageStart_(Clock::now()) {}
 
 TerminalProgress::~TerminalProgress() {
   clear();
@@ -30,17 +29,12 @@ void TerminalProgress::update(std::string_view stage, double share) {
   shown_ = true;
   const std::string left =
       share > 0.01 ? fmt::format(", {:.0f} s left", elapsed * (1 - share) / share) : "";
-  fmt::print(stderr, "\r\033[K{}: {} {:.0f} %{}", title_, stage_, 100 * share, left);
-  std::fflush(stderr);
+  printError(fmt::format("\r\033[K{}: {} {:.0f} %{}", title_, stage_, 100 * share, left));
 }
 
 void TerminalProgress::clear() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) printError("\r\033[K");
   shown_ = false;
-}
-
-bool coloursWanted() {
-  return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
 }
 
 }  // namespace gnomon

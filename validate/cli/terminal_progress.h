@@ -31,7 +31,4 @@ class TerminalProgress {
   Clock::time_point lastShown_;
 };
 
-/// Whether text on standard output may be coloured: a terminal, and NO_COLOR is not set.
-bool coloursWanted();
-
 }  // namespace gnomon

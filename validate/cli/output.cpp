@@ -1,0 +1,80 @@
+#include "cli/output.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "common/error.h"
+#include "common/one_line.h"
+#include "report/github_annotations.h"
+
+namespace gnomon {
+namespace {
+
+[[noreturn]] void failOutput(int reason) {
+  throw InputError(fmt::format("standard output: cannot be written: {}", std::strerror(reason)));
+}
+
+/// Whether a stream leads to a terminal that understands more than text.
+bool isTerminal(int stream) {
+  const char* kind = std::getenv("TERM");
+  return isatty(stream) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+}  // namespace
+
+void prepareStreams() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // The lowest number that is free; opened for reading, so that writing fails.
+    if (fcntl(number, F_GETFD) < 0 && errno == EBADF) (void)open("/dev/null", O_RDONLY);
+  }
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+}
+
+void printText(std::string_view text) {
+  printUnchanged(withoutWorkflowCommands(text));
+}
+
+void printLine(std::string_view text) {
+  printText(oneLine(text) + "\n");
+}
+
+void printUnchanged(std::string_view text) {
+  const bool isWritten = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!isWritten || std::fflush(stdout) != 0) failOutput(errno);
+}
+
+void printError(std::string_view text) noexcept {
+  (void)std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void flushOutput() {
+  const bool isWritten = std::fflush(stdout) == 0;
+  if (!isWritten) failOutput(errno);
+  if (isOutputLost()) failOutput(EIO);
+}
+
+bool isOutputLost() {
+  return std::ferror(stdout) != 0;
+}
+
+bool isErrorLost() {
+  return std::fflush(stderr) != 0 || std::ferror(stderr) != 0;
+}
+
+bool coloursWanted() {
+  return isTerminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
+}
+
+bool progressWanted() {
+  return isTerminal(STDERR_FILENO);
+}
+
+}  // namespace gnomon
