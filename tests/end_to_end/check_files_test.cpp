@@ -103,7 +103,7 @@ TEST_F(CheckFiles, AThresholdThatMatchesNothingIsAnError) {
   // In an atlas there is no answer by counted shadow volumes.
   writeStudy("a",
              "[[method]]\nname = \"shadow-volume\"\n[[view]]\ntype = \"atlas\"\nsamples = 5\n" +
-                 easy + "[[threshold]]\nmethod = \"shadow-volume\"\nview = \"atlas\"\nmax = 1\n");
+                 easy + "[[threshold]]\nmethod = \"shadow-volume\"\nview = \"atlas\"\nmax = 0.5\n");
   const Outcome outcome = gnomon({"check", "a.toml", "--junit", "junit.xml"});
   EXPECT_EQ(outcome.status, 3);
   EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
@@ -111,7 +111,7 @@ TEST_F(CheckFiles, AThresholdThatMatchesNothingIsAnError) {
 }
 
 TEST_F(CheckFiles, WhatIsLeftOutIsSkippedAndPassesNothing) {
-  writeStudy("a", easy + "[[threshold]]\nmethod = \"unshadowed\"\nmin = 0\nquick = false\n");
+  writeStudy("a", easy + "[[threshold]]\nmethod = \"unshadowed\"\nmin = 0.01\nquick = false\n");
   const std::vector<std::string> check = {"check",   "a.toml", "--junit",         "junit.xml",
                                           "--quick", "--set",  "truth.step=0.125"};
   EXPECT_EQ(gnomon(check).status, 0);

@@ -45,7 +45,7 @@ TEST_F(Check, WritesItsReportWhetherItPassesOrNot) {
 
 TEST_F(Check, FailsOnAnUndefinedMetric) {
   // No occluder is farther than the radius, the whole map: nothing is distant.
-  const Outcome outcome = check("region = \"distant\"\nmax = 1\n");
+  const Outcome outcome = check("region = \"distant\"\nmax = 0.5\n");
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_TRUE(summary("small").at("thresholds").at(0).at("value").is_null());
   EXPECT_EQ(summary("small").at("thresholds").at(0).at("passed"), false);

@@ -123,6 +123,11 @@ TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
   EXPECT_THAT(failureWith("/values/0/spread", -1), HasSubstr("values.0.spread: -1 found"));
   EXPECT_EQ(failureWith("/values/0/tolerance", 0.0125),
             "sample.json: values.0.tolerance: 0.0125 found, more than the spread 0.0125 expected");
+  EXPECT_EQ(
+      failureWith("/values/0/tolerance", 0.026),
+      "sample.json: values.0.tolerance: 0.026 found, at most 0.025 expected: twice the spread, "
+      "or 0.001");
+  EXPECT_THAT(failureWith("/values/0/tolerance", 1e9), HasSubstr("at most 0.025 expected"));
   EXPECT_THAT(failureWith("/values/1/metric", "error_rate"),
               HasSubstr("values.1.metric: a second value"));
 }

@@ -65,5 +65,26 @@ TEST(GithubAnnotations, TakeALineOnlyFromTheStudysOwnFile) {
   }
 }
 
+TEST(GithubAnnotations, HoldUtf8Alone) {
+  CheckRecord check = sampleCheck();
+  check.name = "a\x1b[2J\xff\u202e";
+  EXPECT_THAT(annotations({check}).at(0),
+              ::testing::HasSubstr("title=a\uFFFD[2J\uFFFD\uFFFD%3A not judged::"));
+}
+
+TEST(WithoutWorkflowCommands, BreaksTheSignsThatTheRunnerLooksFor) {
+  EXPECT_EQ(withoutWorkflowCommands("::error::x\n  ::set-env name=A::b\na::b\n"),
+            ": :error::x\n  : :set-env name=A::b\na::b\n");
+  EXPECT_EQ(withoutWorkflowCommands("row ##[error]x ###[group] ##\n##["),
+            "row ## [error]x ### [group] ##\n## [");
+  EXPECT_EQ(withoutWorkflowCommands(":::"), ": ::");
+  EXPECT_EQ(withoutWorkflowCommands(""), "");
+}
+
+TEST(WithoutWorkflowCommands, LeavesAllElse) {
+  const std::string text = "a: b\n# [x] ## ##a[\n : ok\nκ::κ\n";
+  EXPECT_EQ(withoutWorkflowCommands(text), text);
+}
+
 }  // namespace
 }  // namespace gnomon

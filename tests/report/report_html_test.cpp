@@ -300,9 +300,10 @@ TEST_F(ReportHtml, SameRecordSameBytes) {
   EXPECT_EQ(reportHtml(record, folder_), reportHtml(record, folder_));
 }
 
-TEST(EscapeHtml, LeavesUtf8AndDropsControls) {
+TEST(EscapeHtml, LeavesUtf8AndShowsWhereElseWas) {
   EXPECT_EQ(escapeHtml("30° ≥ κ"), "30° ≥ κ");
-  EXPECT_EQ(escapeHtml(std::string("a\0b\x1b\tc\n", 7)), "ab\tc\n");
+  EXPECT_EQ(escapeHtml(std::string("a\0b\x1b\tc\n", 7)), "a\uFFFDb\uFFFD\tc\n");
+  EXPECT_EQ(escapeHtml("\xff|\xc3(|\u202e|\xc2\x85"), "\uFFFD|\uFFFD(|\uFFFD|\uFFFD");
   EXPECT_EQ(escapeHtml("<a href='x' title=\"y\">&"),
             "&lt;a href=&#39;x&#39; title=&quot;y&quot;&gt;&amp;");
 }

@@ -57,6 +57,39 @@ TEST_F(StudyGates, AGateNeedsALimit) {
               HasSubstr("nan found, a finite number expected"));
 }
 
+TEST_F(StudyGates, ALimitOfAShareMayBeAPercentage) {
+  const StudySpec study = read(std::string(plainStudy) + R"(
+[[threshold]]
+min = "0.7 %"
+max = "5 %"
+)");
+  EXPECT_EQ(study.thresholds.at(0).minimum, 0.007);
+  EXPECT_EQ(study.thresholds.at(0).maximum, 0.05);
+}
+
+TEST_F(StudyGates, ALimitThatNothingCanFailIsAFault) {
+  const auto refused = [&](const std::string& lines) {
+    return failure(std::string(plainStudy) + "\n[[threshold]]\n" + lines);
+  };
+  EXPECT_EQ(
+      refused("max = 20\n"),
+      "plain.toml:39: threshold.0.max: 20 found, 0 to 1 expected; error_rate is a share: 0.05, "
+      "or \"5 %\"");
+  EXPECT_THAT(refused("max = 1\n"), HasSubstr("threshold.0.max: 1 found, which no error_rate can "
+                                              "miss: below 1 expected"));
+  EXPECT_THAT(refused("min = 0\n"), HasSubstr("threshold.0.min: 0 found, which no error_rate can "
+                                              "miss: above 0 expected"));
+  EXPECT_THAT(refused("min = 0.5\nmax = 0.4\n"),
+              HasSubstr("`min` = 0.5 found, at most `max` = 0.4"));
+  EXPECT_THAT(refused("max = \"0.05\"\n"),
+              HasSubstr("a number, or a percentage as \"5 %\" expected"));
+  EXPECT_THAT(refused("metric = \"mcc\"\nmin = \"5 %\"\n"), HasSubstr("a number expected"));
+  EXPECT_THAT(refused("metric = \"hd95\"\nmax = 1e6\n"), HasSubstr("1000000 found, 0 to "));
+  EXPECT_THAT(refused("region = \"lit\"\nmetric = \"false_light\"\nmax = 0.1\n"),
+              HasSubstr("threshold.0.region: \"lit\" found, but there the region alone decides "
+                        "false_light"));
+}
+
 TEST_F(StudyGates, AClaimNamesTwoMethods) {
   const std::string claim =
       std::string(plainStudy) + "\n[[claim]]\ntext = \"t\"\nsource = \"s\"\nless = \"ours\"\n";

@@ -42,8 +42,8 @@ void requireLimit(const AskedGate& asked, const PictureExtent& picture) {
   const MaskGate& gate = asked.gate;
   const MetricRange range = metricRange(gate.metric, picture);
   try {
-    if (gate.maximum) requireMaximum(*gate.maximum, gate.metric, range);
-    if (gate.minimum) requireMinimum(*gate.minimum, gate.metric, range);
+    requireInRange(*(gate.maximum ? gate.maximum : gate.minimum), gate.metric, range);
+    requireMissable(gate.minimum, gate.maximum, gate.metric, range);
   } catch (const InputError& error) {
     throw UsageError(fmt::format("{} {}: {}", asked.option, asked.text, error.what()));
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/output.h"
 #include "common/error.h"
 #include "study/sweep.h"
 
@@ -25,12 +26,13 @@ void requireNewName(std::set<std::string>& names, const std::filesystem::path& f
 std::string placeOf(const StudySpec& study);
 
 /// Does the work of one study. What fails inside it speaks of keys or of the study's other files:
-/// its message gets the study's place before it.
+/// its message gets the study's place before it. Output that is lost is nobody's.
 template <typename Work>
 decltype(auto) inStudy(const StudySpec& study, const Work& work) {
   try {
     return work();
   } catch (const Error& error) {
+    if (isOutputLost()) throw;
     throw Error(error.status(), placeOf(study) + ": " + error.what());
   }
 }

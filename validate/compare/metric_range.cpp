@@ -63,16 +63,23 @@ std::optional<double> limitOfText(std::string_view text, const MetricRange& rang
   return numberOf(text);
 }
 
-void requireMaximum(double limit, std::string_view metric, const MetricRange& range) {
-  if (limit >= range.least && limit < range.most) return;
-  throw InputError(fmt::format("{} found, at least {:.6g} and below {:.6g} expected{}", limit,
-                               range.least, range.most, hint(metric, range)));
+void requireInRange(double limit, std::string_view metric, const MetricRange& range) {
+  if (limit >= range.least && limit <= range.most) return;
+  throw InputError(fmt::format("{} found, {:.6g} to {:.6g} expected{}", limit, range.least,
+                               range.most, hint(metric, range)));
 }
 
-void requireMinimum(double limit, std::string_view metric, const MetricRange& range) {
-  if (limit > range.least && limit <= range.most) return;
-  throw InputError(fmt::format("{} found, above {:.6g} and at most {:.6g} expected{}", limit,
-                               range.least, range.most, hint(metric, range)));
+void requireMissable(std::optional<double> minimum, std::optional<double> maximum,
+                     std::string_view metric, const MetricRange& range) {
+  if (minimum && maximum && !(*minimum <= *maximum)) {
+    throw InputError(
+        fmt::format("`min` = {} found, at most `max` = {} expected", *minimum, *maximum));
+  }
+  if ((maximum && *maximum < range.most) || (minimum && *minimum > range.least)) return;
+  throw InputError(fmt::format("{} found, which no {} can miss: {} {:.6g} expected{}",
+                               maximum.value_or(minimum.value_or(range.least)), metric,
+                               maximum ? "below" : "above", maximum ? range.most : range.least,
+                               hint(metric, range)));
 }
 
 }  // namespace gnomon

@@ -39,10 +39,14 @@ bool isOfTruthAlone(std::string_view metric);
 /// @return none for other text
 std::optional<double> limitOfText(std::string_view text, const MetricRange& range);
 
-/// Refuses limits that a metric cannot miss, or cannot meet: least <= maximum < most, least <
-/// minimum <= most and minimum <= maximum expected. Its message says what was found and expected.
+/// A limit must be a value that the metric can have. Its message says what was found and expected.
 /// @throws InputError
-void requireMaximum(double limit, std::string_view metric, const MetricRange& range);
-void requireMinimum(double limit, std::string_view metric, const MetricRange& range);
+void requireInRange(double limit, std::string_view metric, const MetricRange& range);
+
+/// A gate must be one that a value can fail and another one hold: a maximum below the range's upper
+/// end or a minimum above its lower one, and no minimum above the maximum.
+/// @throws InputError
+void requireMissable(std::optional<double> minimum, std::optional<double> maximum,
+                     std::string_view metric, const MetricRange& range);
 
 }  // namespace gnomon

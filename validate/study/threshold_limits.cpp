@@ -80,16 +80,15 @@ void readLimits(const TomlReader& section, const StudySpec& study, ThresholdSpec
                              "method answers",
                              threshold.region, threshold.metric));
   }
-  if (threshold.maximum) {
-    section.blame("max", [&] { requireMaximum(*threshold.maximum, threshold.metric, range); });
-  }
-  if (threshold.minimum) {
-    section.blame("min", [&] { requireMinimum(*threshold.minimum, threshold.metric, range); });
-  }
-  if (threshold.minimum && threshold.maximum && !(*threshold.minimum <= *threshold.maximum)) {
-    section.fail("min", fmt::format("{} found, at most `max` = {} expected", *threshold.minimum,
-                                    *threshold.maximum));
-  }
+  const auto require = [&](const char* key, std::optional<double> limit) {
+    if (!limit) return;
+    section.blame(key, [&] { requireInRange(*limit, threshold.metric, range); });
+  };
+  require("max", threshold.maximum);
+  require("min", threshold.minimum);
+  section.blame(threshold.maximum ? "max" : "min", [&] {
+    requireMissable(threshold.minimum, threshold.maximum, threshold.metric, range);
+  });
 }
 
 }  // namespace gnomon
