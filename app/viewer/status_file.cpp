@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/atomic_file.h"
+#include "report/json_values.h"
 
 namespace gnomon {
 namespace {
@@ -58,7 +59,7 @@ json screen(const ViewSession& session) {
 }  // namespace
 
 std::string screenJson(const ViewSession& session) {
-  return screen(session).dump(2) + "\n";
+  return jsonText(screen(session));
 }
 
 void StatusFile::write(const ViewSession& session, const ControlPlaces& places,
@@ -69,12 +70,12 @@ void StatusFile::write(const ViewSession& session, const ControlPlaces& places,
   status["said"] = said;
   status["baking"] = workOf(session.baking());
   status["tracing"] = workOf(session.tracing());
-  const std::string now = status.dump();
+  const std::string now = jsonText(status);
   if (now == last_) return;
   last_ = now;
   status["frames"] = {{"mean_ms", frames.meanMilliseconds()},
                       {"longest_ms", frames.longestMilliseconds()}};
-  writeTextAtomically(*path_, status.dump(2) + "\n");
+  writeTextAtomically(*path_, jsonText(status));
 }
 
 }  // namespace gnomon

@@ -215,7 +215,7 @@ TEST_F(DamagedFiles, WithAPartMissingTwiceOrOfAnotherFile) {
 TEST_F(DamagedFiles, Enlarged) {
   for (const ReadKind& kind : readKinds(folder())) {
     DamageCounts counts;
-    const std::size_t more = static_cast<std::size_t>(repetitions(1 << 16, 1 << 24));
+    const std::size_t more = static_cast<std::size_t>(repetitions(1 << 16, 1 << 22));
     tryBytes(kind, kind.bytes + kind.bytes, "twice", counts);
     for (const char c : {'\0', ' ', '\n', '[', '{', '#', '\xFF', '9', '"'}) {
       tryBytes(kind, kind.bytes + std::string(more, c), fmt::format("{} × {:?}", more, c), counts);

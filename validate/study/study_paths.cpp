@@ -59,7 +59,7 @@ void forEachTable(toml::node* list, const Work& work) {
 }  // namespace
 
 std::string pathText(const fs::path& path) {
-  const std::string text = path.generic_string();
+  const std::string text = path.string();
   if (!text.starts_with(encodedMark) && canHold(text)) return text;
   return std::string(encodedMark) + encoded(text);
 }

@@ -227,17 +227,18 @@ TEST_F(SavedStudy, KeepsTheMethodsThatTheStudyWasOpenedWith) {
   EXPECT_FALSE(fs::exists(file("other.toml")));
 }
 
-TEST_F(SavedStudy, RefusesAPathThatTomlCannotHold) {
+TEST_F(SavedStudy, KeepsAPathThatIsNoText) {
   const fs::path odd = folder() / "not-\xff-text";
   fs::create_directories(odd);
   fs::copy(scenes / "meshes/spot_control_mesh.obj", odd / "spot.obj");
   fs::copy(scenes / "spot-cells.toml", odd / "study.toml");
   StudyState state;
   state.file = odd / "study.toml";
-  state.options.overrides = {"surface.obj=spot.obj"};
-  EXPECT_THAT(messageOf<InputError>([&] { saveStudy(state, file("state.toml")); }),
-              HasSubstr("cannot be saved"));
-  EXPECT_FALSE(fs::exists(file("state.toml")));
+  state.options.overrides = {"surface.mesh=spot.obj"};
+  saveStudy(state, file("state.toml"));
+  const StudySpec saved = readStudy(file("state.toml"));
+  EXPECT_EQ(saved.surfaceSection["mesh"].value<std::string>(), "file:not-%FF-text/spot.obj");
+  EXPECT_EQ(saved.cage.positions, readStudy(scenes / "spot-cells.toml").cage.positions);
 }
 
 TEST(StudyChanges, AreOverridesInPlainText) {

@@ -4,12 +4,17 @@
 
 #include <chrono>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/viewer/viewed_study.h"
+#include "common/atomic_file.h"
 #include "model/orbit.h"
 #include "render/gl_context.h"
+#include "render/shader_files.h"
 #include "support/replaced.h"
+#include "viewer/saved_view.h"
+#include "viewer/status_file.h"
 
 namespace gnomon {
 namespace {
@@ -119,6 +124,34 @@ TEST_F(ViewSessionTest, HorizonsThatWereShotForOtherTablesAreNotTaken) {
   ViewSession plain(request({method}), [] {});
   ASSERT_TRUE(completes(plain));
   EXPECT_NE(changed, errorRate(plain)) << "the tables make no difference: the test shows nothing";
+}
+
+TEST_F(ViewSessionTest, IsSavedWhereNamesAreNoText) {
+  namespace fs = std::filesystem;
+  const fs::path home = file("caf\xE9");
+  const fs::path shader = home / "own\xE9.glsl";
+  fs::create_directories(home);
+  fs::copy(shaderFolder() / "methods/max-forsyth.glsl", shader);
+  std::ofstream(home / "ball.toml")
+      << test::replaced(readFile(study()), "name = \"max-forsyth\"", "file = \"file:own%E9.glsl\"");
+  ViewRequest asked = request({"own%E9"});
+  asked.study = home / "ball.toml";
+  asked.out = home / "out";
+  ViewSession session(asked, [] {});
+  ASSERT_TRUE(completes(session));
+  EXPECT_NO_THROW((void)saveStudyView(session));
+  const StudySpec saved = readStudy(home / "out/ball/view/view-1.toml");
+  EXPECT_TRUE(fs::equivalent(saved.methods.at(0).file, shader));
+  // An error that names the file is part of what is on the screen.
+  std::ofstream(shader) << "no method";
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return !session.errors().empty();
+  }));
+  EXPECT_NE(session.errors().front().find("caf\xE9"), std::string::npos);
+  const auto screen = nlohmann::json::parse(screenJson(session));
+  EXPECT_NE(screen.at("errors").at(0).get<std::string>().find("caf\uFFFD/own\uFFFD.glsl"),
+            std::string::npos);
 }
 
 }  // namespace
