@@ -263,9 +263,9 @@ TEST(ReadPly, ABinaryBodyKeepsItsBytesWhateverTheHeadersLinesEndWith) {
   };
   const auto lowByteTen = std::bit_cast<float>(0x3F80000A);
   const auto highByteTen = std::bit_cast<float>(0x0A000000);
-  for (const std::string& bytes :
-       {tenCorners("binary_little_endian", lowByteTen, false), tenCorners("binary_little_endian", 1, true),
-        tenCorners("binary_big_endian", highByteTen, false)}) {
+  for (const std::string& bytes : {tenCorners("binary_little_endian", lowByteTen, false),
+                                   tenCorners("binary_little_endian", 1, true),
+                                   tenCorners("binary_big_endian", highByteTen, false)}) {
     const std::size_t body = bytes.find("end_header\n") + 11;
     ASSERT_EQ(bytes[body], '\n');
     const Cage expected = readBytes(bytes);

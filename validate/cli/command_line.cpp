@@ -71,7 +71,9 @@ std::string joinedCommand(int argc, char** argv) {
 }
 
 void addStudyOptions(CLI::App& command, RunRequest& request) {
-  command.add_option("STUDY", request.studies, "Study files")->required()->type_name("FILE…");
+  command.add_option("STUDY", request.studies, "Study files; /dev/stdin is one from a pipe")
+      ->required()
+      ->type_name("FILE…");
   command.add_option("--out", request.out, "Folder for the results, one folder a study in it")
       ->capture_default_str()
       ->type_name("DIR");
