@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "common/error.h"
+#include "common/part_file.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon {
@@ -55,16 +56,19 @@ TEST_F(CacheFolder, TheLeastRecentlyUsedGoFirst) {
 }
 
 TEST_F(CacheFolder, NothingElseIsTouched) {
-  const fs::path unfinishedNow = entry(".1.77.part.entry", 10, 0);
-  const fs::path unfinishedOnce = entry(".2.77.part.entry", 10, 2);
+  const PartFile written(folder(), ".entry");
+  const fs::path left = file(".gnomon-00000000-77-0123456789abcdef.part.entry");
+  std::ofstream(left) << "half";
+  fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
   std::ofstream(file("notes.entry")) << "mine";
   fs::create_directories(file("photos"));
   std::ofstream(file("photos/1.entry")) << "mine";
+  fs::create_directories(file("ab"));
   std::ofstream(file("ab/notes.txt")) << "mine";
   EXPECT_EQ(usageOf(folder()).entries, 0U);
   (void)trimTo(folder(), 0);
-  EXPECT_TRUE(fs::exists(unfinishedNow)) << "its writer may live";
-  EXPECT_FALSE(fs::exists(unfinishedOnce));
+  EXPECT_TRUE(fs::exists(written.path())) << "its writer lives";
+  EXPECT_FALSE(fs::exists(left));
   for (const char* name : {"notes.entry", "photos/1.entry", "ab/notes.txt"}) {
     EXPECT_TRUE(fs::exists(file(name))) << name;
   }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "cache/cache_folder.h"
@@ -82,6 +85,46 @@ TEST_F(CacheTest, ADamagedEntryIsComputedAgain) {
   EXPECT_EQ(cache.find<std::string>(inputKey), std::nullopt);
   expectCounts(cache, 1, 3, 2);
   EXPECT_FALSE(cache.holds(inputKey));
+}
+
+TEST_F(CacheTest, WhatIsNoFileOfTheRightSizeIsNoEntry) {
+  const auto fifo = [](const fs::path& path) { (void)::mkfifo(path.c_str(), 0600); };
+  const std::vector<std::function<void(const fs::path&)>> kinds = {
+      [](const fs::path& path) { fs::create_directory(path); },
+      [](const fs::path& path) { fs::create_directories(path / "ab/cd"); },
+      fifo,
+      [](const fs::path& path) { fs::create_symlink("/dev/zero", path); },
+      [](const fs::path& path) { fs::create_symlink("nowhere", path); },
+      [](const fs::path& path) { std::ofstream{path}; },
+      [](const fs::path& path) { std::ofstream(path) << "short"; },
+  };
+  Cache cache(folder(), 1'000'000, program, {});
+  EXPECT_EQ(remembered(cache, inputKey, 1), 1);
+  const fs::path entry = onlyEntry();
+  int value = 1;
+  for (const auto& make : kinds) {
+    fs::remove_all(entry);
+    make(entry);
+    EXPECT_EQ(remembered(cache, inputKey, value + 1), value + 1);
+    EXPECT_EQ(remembered(cache, inputKey, 0), value + 1) << "it has been kept anew";
+    ++value;
+  }
+  expectCounts(cache, kinds.size(), 1 + kinds.size(), kinds.size());
+}
+
+TEST_F(CacheTest, AnEntryThatHasGrownIsNotRead) {
+  // Under a limit that would let it pass.
+  Cache cache(folder(), std::uint64_t{1} << 60, program, {});
+  EXPECT_EQ(remembered(cache, inputKey, 1), 1);
+  std::error_code failure;
+  int value = 1;
+  for (const int bits : {20, 34, 43}) {
+    fs::resize_file(onlyEntry(), std::uintmax_t{1} << bits, failure);
+    if (failure) continue;
+    EXPECT_EQ(remembered(cache, inputKey, value + 1), value + 1) << bits;
+    ++value;
+  }
+  EXPECT_GT(value, 1);
 }
 
 TEST_F(CacheTest, HoldsItsBound) {

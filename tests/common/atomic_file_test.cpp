@@ -1,7 +1,13 @@
 #include "common/atomic_file.h"
 
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
+#include <future>
 #include <set>
 #include <stdexcept>
 
@@ -120,6 +126,66 @@ TEST_F(AtomicFile, RefusesANameThatTheSystemDoesNotTake) {
   EXPECT_THAT(messageOf<InputError>([&] { writeTextAtomically(file(name), "x"); }),
               HasSubstr("cannot be written"));
   EXPECT_TRUE(content().empty());
+}
+
+TEST_F(AtomicFile, FollowsLinksToWhatTheyLeadTo) {
+  fs::create_directories(file("there"));
+  writeText(file("there/a.txt"), "old");
+  fs::create_symlink("there/a.txt", file("second"));
+  fs::create_symlink(file("second"), file("first"));
+  writeTextAtomically(file("first"), "new");
+  EXPECT_EQ(readFile(file("there/a.txt")), "new");
+  EXPECT_TRUE(fs::is_symlink(file("first")) && fs::is_symlink(file("second")));
+  // Of a file that is not there yet.
+  fs::create_symlink("there/b.txt", file("third"));
+  writeAtomically(file("third"), [](const fs::path& path) { writeText(path, "b"); });
+  EXPECT_EQ(readFile(file("there/b.txt")), "b");
+  EXPECT_TRUE(fs::is_symlink(file("third")));
+  fs::create_symlink("loop", file("loop"));
+  EXPECT_THAT(messageOf<InputError>([&] { writeTextAtomically(file("loop"), "x"); }),
+              StartsWith(file("loop").string() + ": cannot be written: a link that leads to"));
+}
+
+TEST_F(AtomicFile, WritesIntoAPipeAndLeavesItOne) {
+  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+  fs::create_symlink("pipe", file("link"));
+  for (const char* name : {"pipe", "link"}) {
+    const std::string text(200'000, 'p');  // more than a pipe holds
+    auto reader = std::async(std::launch::async, [&] {
+      std::ifstream stream(file("pipe"), std::ios::binary);
+      return std::string(std::istreambuf_iterator<char>(stream), {});
+    });
+    writeTextAtomically(file(name), text);
+    EXPECT_EQ(reader.get(), text) << name;
+    EXPECT_TRUE(fs::is_fifo(file("pipe")));
+  }
+  EXPECT_EQ(content(), (std::set<std::string>{"pipe", "link"}));
+}
+
+TEST_F(AtomicFile, WritesToADeviceAndLeavesItOne) {
+  if (::mknod(file("null").c_str(), S_IFCHR | 0666, 0x103) != 0 ||
+      ::mknod(file("full").c_str(), S_IFCHR | 0666, 0x107) != 0) {
+    GTEST_SKIP() << "no device can be made here";
+  }
+  fs::create_symlink("null", file("link"));
+  for (const char* name : {"null", "link"}) writeTextAtomically(file(name), "gone");
+  EXPECT_TRUE(fs::is_character_file(file("null")));
+  EXPECT_TRUE(fs::is_symlink(file("link")));
+  EXPECT_EQ(messageOf<InputError>([&] { writeTextAtomically(file("full"), "x"); }),
+            file("full").string() + ": cannot be written: No space left on device");
+  EXPECT_TRUE(fs::is_character_file(file("full")));
+}
+
+TEST_F(AtomicFile, WritesToAnOpenStreamWhereItStands) {
+  const int stream = ::open(file("log").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_EQ(::write(stream, "before\n", 7), 7);
+  for (const char* form : {"/dev/fd/{}", "/proc/self/fd/{}"}) {
+    writeTextAtomically(fmt::format(fmt::runtime(form), stream), "between\n");
+  }
+  ASSERT_EQ(::write(stream, "behind\n", 7), 7);
+  ::close(stream);
+  EXPECT_EQ(readFile(file("log")), "before\nbetween\nbetween\nbehind\n");
+  EXPECT_EQ(content(), std::set<std::string>{"log"});
 }
 
 TEST_F(AtomicFile, ReadingNamesWhatIsMissing) {

@@ -62,6 +62,14 @@ pid_t start(const fs::path& folder, const std::vector<std::string>& arguments,
             const std::vector<std::string>& environment, const fs::path& out, const fs::path& err) {
   std::vector<std::string> words = {GNOMON_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  return startCommand(folder, words, environment, out, err);
+}
+
+}  // namespace
+
+int startCommand(const fs::path& folder, std::vector<std::string> words,
+                 const std::vector<std::string>& environment, const fs::path& out,
+                 const fs::path& err) {
   std::vector<std::string> variables = mergedEnvironment(withCache(folder, environment));
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -70,25 +78,35 @@ pid_t start(const fs::path& folder, const std::vector<std::string>& arguments,
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t signals;
+  sigemptyset(&signals);
+  posix_spawnattr_setsigmask(&attributes, &signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+  posix_spawnattr_setsigdefault(&attributes, &signals);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   pid_t process = 0;
-  const int failure = posix_spawn(&process, GNOMON_PROGRAM, &actions, nullptr,
-                                  pointers(words).data(), pointers(variables).data());
+  const int failure = posix_spawnp(&process, words.front().c_str(), &actions, &attributes,
+                                   pointers(words).data(), pointers(variables).data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) throw std::runtime_error("the program cannot be started: " GNOMON_PROGRAM);
+  if (failure != 0) throw std::runtime_error(words.front() + ": cannot be started");
   return process;
 }
 
-}  // namespace
+int endOf(int process) {
+  int state = 0;
+  waitpid(process, &state, 0);
+  return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+}
 
 Outcome runProgram(const fs::path& folder, const std::vector<std::string>& arguments,
                    const std::vector<std::string>& environment) {
   const fs::path out = folder / ".stdout";
   const fs::path err = folder / ".stderr";
-  const pid_t process = start(folder, arguments, environment, out, err);
-  int state = 0;
-  waitpid(process, &state, 0);
-  Outcome outcome{WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state), content(out),
-                  content(err)};
+  const int status = endOf(start(folder, arguments, environment, out, err));
+  Outcome outcome{status, content(out), content(err)};
   fs::remove(out);
   fs::remove(err);
   return outcome;

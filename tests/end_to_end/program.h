@@ -23,6 +23,18 @@ struct Outcome {
 Outcome runProgram(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                    const std::vector<std::string>& environment = {});
 
+/// Starts a command, which is looked for as the shell does, and goes on. Its output goes to files,
+/// and signals have their usual effect on it, whatever they have here.
+/// @param words        the command, then its arguments
+/// @param environment  as runProgram's
+/// @return its process id: see endOf
+int startCommand(const std::filesystem::path& folder, std::vector<std::string> words,
+                 const std::vector<std::string>& environment, const std::filesystem::path& out,
+                 const std::filesystem::path& err);
+
+/// Waits for the end of a process: its exit status; 128 + the signal's number where one ended it.
+int endOf(int process);
+
 /// Runs the program and kills it after a while, as a power cut would.
 void runAndKill(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                 int milliseconds);

@@ -36,7 +36,8 @@ TEST_F(ExportFiles, ChannelsComeBackByTheirNames) {
 }
 
 TEST_F(ExportFiles, TheFirstRowOfTheHeightsIsTheLargestV) {
-  writeHeights(folder(), HeightField(2, 3, {0, 1, 2, 3, 4, 5}, Wrap::repeat));
+  RunFolder run(folder(), {"export.json"});
+  writeHeights(run, HeightField(2, 3, {0, 1, 2, 3, 4, 5}, Wrap::repeat));
   EXPECT_THAT(readGreyPicture(file("heights.exr"), "height").values, ElementsAre(4, 5, 2, 3, 0, 1));
 }
 

@@ -1,9 +1,13 @@
 #include "cache/cache.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
+#include <array>
+#include <cerrno>
 #include <system_error>
 #include <utility>
 
@@ -11,28 +15,76 @@
 #include "cache/entry.h"
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/memory.h"
+#include "common/part_file.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
 
-/// The whole file; none where it is not there or cannot be read.
-std::optional<RawVector<char>> contentOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) return std::nullopt;
-  const std::streamoff size = file.tellg();
-  if (size < 0) return std::nullopt;
-  RawVector<char> content(static_cast<std::size_t>(size));
-  file.seekg(0);
-  file.read(content.data(), size);
-  if (!file) return std::nullopt;
+/// Bytes from an open file, as many as there is room for; false where it has fewer.
+bool readAll(int file, char* to, std::size_t bytes) {
+  while (bytes > 0) {
+    const ssize_t got = ::read(file, to, bytes);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    to += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+/// What stands in an entry's place.
+struct Found {
+  bool isAny = false;
+  std::optional<RawVector<char>> file;  ///< none: not an entry of this key
+};
+
+/// The bytes of an entry from an open file. Kind, size and header are looked at before room is
+/// made: a file may have grown to any size.
+/// @throws MemoryError for one that does not fit
+std::optional<RawVector<char>> entryIn(int file, const ContentKey& own, std::uint64_t limit) {
+  struct stat state {};
+  if (::fstat(file, &state) != 0 || !S_ISREG(state.st_mode)) return std::nullopt;
+  const auto bytes = static_cast<std::uint64_t>(state.st_size);
+  std::array<char, entryHeaderBytes> header{};
+  if (bytes > limit || bytes < header.size()) return std::nullopt;
+  if (!readAll(file, header.data(), header.size())) return std::nullopt;
+  if (!mayBeEntry(own, {header.data(), header.size()}, bytes)) return std::nullopt;
+  constexpr std::uint64_t small = 1 << 24;  // is not worth asking for
+  if (bytes > small) requireMemory(static_cast<double>(bytes), "a cache entry");
+  RawVector<char> content(static_cast<std::size_t>(bytes));
+  std::copy(header.begin(), header.end(), content.data());
+  if (!readAll(file, content.data() + header.size(), content.size() - header.size())) {
+    return std::nullopt;
+  }
   return content;
+}
+
+Found contentOf(const fs::path& path, const ContentKey& own, std::uint64_t limit) {
+  struct stat state {};
+  if (::lstat(path.c_str(), &state) != 0) return {};
+  Found found{true, std::nullopt};
+  // No device is ever opened; a pipe that takes the file's place meanwhile does not block.
+  if (!S_ISREG(state.st_mode)) return found;
+  const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return {errno != ENOENT && errno != EACCES, std::nullopt};
+  try {
+    found.file = entryIn(file, own, limit);
+  } catch (const MemoryError&) {
+    found.isAny = false;  // sound or not, it is of no use here
+  }
+  ::close(file);
+  return found;
 }
 
 }  // namespace
 
 Cache::Cache(fs::path folder, std::uint64_t limit, const ContentKey& program, Warning warn)
-    : folder_(std::move(folder)), limit_(limit), program_(program), warn_(std::move(warn)) {}
+    : folder_(std::move(folder)), limit_(limit), program_(program), warn_(std::move(warn)) {
+  // A writer fills its file in the folder itself: so one look finds all that killed ones left.
+  removeLeftovers(folder_);
+}
 
 Cache::~Cache() {
   accountForWritten();
@@ -56,12 +108,13 @@ std::optional<Cache::Loaded> Cache::load(const ContentKey& key) {
   if (!isOn()) return std::nullopt;
   const ContentKey own = ownKey(key);
   const fs::path path = pathOf(own);
-  std::optional<RawVector<char>> file = contentOf(path);
-  if (!file) {
+  Found found = contentOf(path, own, limit_);
+  if (!found.isAny) {
     ++misses_;
     return std::nullopt;
   }
-  const auto content = openedEntry(own, {file->data(), file->size()});
+  std::optional<std::string_view> content;
+  if (found.file) content = openedEntry(own, {found.file->data(), found.file->size()});
   ++hits_;
   if (!content) {
     discard(key);
@@ -69,7 +122,7 @@ std::optional<Cache::Loaded> Cache::load(const ContentKey& key) {
   }
   std::error_code ignored;  // in a folder that cannot be written its age stays
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
-  return Loaded{std::move(*file), *content};
+  return Loaded{std::move(*found.file), *content};
 }
 
 void Cache::discard(const ContentKey& key) {
@@ -77,7 +130,8 @@ void Cache::discard(const ContentKey& key) {
   ++misses_;
   ++damaged_;
   std::error_code ignored;
-  fs::remove(pathOf(ownKey(key)), ignored);
+  // Whatever stands in an entry's place: the name is the cache's own.
+  fs::remove_all(pathOf(ownKey(key)), ignored);
 }
 
 void Cache::accountForWritten() {
@@ -94,8 +148,13 @@ void Cache::save(const ContentKey& key, const std::string& content) {
   const std::string file = sealedEntry(own, content);
   const std::lock_guard lock(writing_);
   if (isFull_ || file.size() > limit_) return;
+  const fs::path path = pathOf(own);
+  std::error_code failure;
+  // One that could not be removed: this entry is not kept, others are.
+  if (fs::is_directory(fs::symlink_status(path, failure))) return;
   try {
-    writeTextAtomically(pathOf(own), file);
+    // A checksum tells an entry that a power cut has damaged.
+    replaceFile(path, file, Sync::later, folder_);
   } catch (const Error& error) {
     isFull_ = true;
     if (warn_) warn_(fmt::format("the cache keeps nothing more: {}", error.what()));

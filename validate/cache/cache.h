@@ -17,8 +17,9 @@
 namespace gnomon {
 
 /// Results that earlier runs left on disk, by the key of all that they depend on. A cache that
-/// cannot be written, or is full, is one that keeps nothing more: a run never fails by it. All
-/// members may be called from several threads at once.
+/// cannot be written, or is full, is one that keeps nothing more: a run never fails by it. What
+/// stands in an entry's place and is none (damaged, of another size, a folder, a pipe) is one that
+/// is not there, and is removed. All members may be called from several threads at once.
 class Cache {
  public:
   /// Told once, in a line, why nothing more is kept.

@@ -1,13 +1,9 @@
 #include "cache/cache_folder.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -17,6 +13,8 @@
 
 #include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/file_lock.h"
+#include "common/part_file.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -24,30 +22,14 @@ namespace {
 
 constexpr const char* limitFile = "limit";
 constexpr const char* sizeFile = "size";
-
-/// Keeps other processes out of `size` while it lives. Without a lock, in a folder that cannot be
-/// written, there is nothing to keep them from.
-class FolderLock {
- public:
-  explicit FolderLock(const fs::path& folder)
-      : file_(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (file_ >= 0) ::flock(file_, LOCK_EX);
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock() {
-    if (file_ >= 0) ::close(file_);
-  }
-
- private:
-  int file_;
-};
+/// Keeps other processes out of `size`. Without it, in a folder that cannot be written, there is
+/// nothing to keep them from.
+constexpr const char* lockFile = "lock";
 
 struct File {
   fs::path path;
   std::uint64_t bytes = 0;
   fs::file_time_type used;
-  bool isEntry = false;  ///< or what a writer has not finished
 };
 
 bool isEntryFolder(const fs::path& path) {
@@ -60,12 +42,11 @@ void addFiles(const fs::path& folder, std::vector<File>& files) {
   std::error_code failure;
   for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
        it.increment(failure)) {
-    const bool isEntry = it->path().extension() == ".entry";
-    const bool isUnfinished = isEntry && it->path().filename().string().starts_with('.');
     std::error_code gone;
-    File file{it->path(), it->file_size(gone), {}, isEntry && !isUnfinished};
+    if (it->path().extension() != ".entry" || !it->is_regular_file(gone)) continue;
+    File file{it->path(), it->file_size(gone), {}};
     if (!gone) file.used = it->last_write_time(gone);
-    if (!gone && isEntry) files.push_back(std::move(file));
+    if (!gone) files.push_back(std::move(file));
   }
 }
 
@@ -82,7 +63,6 @@ std::vector<File> filesIn(const fs::path& folder) {
 CacheUsage usageOf(const std::vector<File>& files) {
   CacheUsage usage;
   for (const File& file : files) {
-    if (!file.isEntry) continue;
     ++usage.entries;
     usage.bytes += file.bytes;
   }
@@ -92,7 +72,9 @@ CacheUsage usageOf(const std::vector<File>& files) {
 /// A number of bytes in a file of the folder; none where there is no such file.
 std::optional<std::uint64_t> numberIn(const fs::path& file) {
   std::error_code failure;
-  if (!fs::exists(file, failure)) return std::nullopt;
+  constexpr std::uintmax_t mostDigits = 100;
+  const bool isFile = fs::is_regular_file(fs::symlink_status(file, failure));
+  if (!isFile || fs::file_size(file, failure) > mostDigits) return std::nullopt;
   try {
     return parseBytes(readFile(file));
   } catch (const Error&) {
@@ -101,22 +83,17 @@ std::optional<std::uint64_t> numberIn(const fs::path& file) {
 }
 
 void writeNumber(const fs::path& file, std::uint64_t number) {
-  writeTextAtomically(file, fmt::format("{}\n", number));
+  replaceFile(file, fmt::format("{}\n", number), Sync::later, file.parent_path());
 }
 
 /// As trimTo, the folder being locked.
 CacheUsage trimLocked(const fs::path& folder, std::uint64_t bytes) {
   std::vector<File> files = filesIn(folder);
   CacheUsage usage = usageOf(files);
-  const auto stale = fs::file_time_type::clock::now() - std::chrono::hours(1);
   std::sort(files.begin(), files.end(),
             [](const File& a, const File& b) { return a.used < b.used; });
   for (const File& file : files) {
     std::error_code failure;
-    if (!file.isEntry) {
-      if (file.used < stale) fs::remove(file.path, failure);
-      continue;
-    }
     if (usage.bytes <= bytes) continue;
     fs::remove(file.path, failure);
     if (failure) continue;
@@ -154,7 +131,7 @@ void setLimit(const fs::path& folder, std::uint64_t bytes) {
 }
 
 void account(const fs::path& folder, std::uint64_t written, std::uint64_t limit) {
-  const FolderLock lock(folder);
+  const FileLock lock(folder / lockFile, FileLock::Wait::yes);
   const std::optional<std::uint64_t> before = numberIn(folder / sizeFile);
   std::uint64_t bytes = before ? *before + written : usageOf(folder).bytes;
   if (bytes > limit) bytes = trimLocked(folder, limit - limit / 8).bytes;
@@ -164,7 +141,8 @@ void account(const fs::path& folder, std::uint64_t written, std::uint64_t limit)
 CacheUsage trimTo(const fs::path& folder, std::uint64_t bytes) {
   std::error_code failure;
   if (!fs::is_directory(folder, failure)) return {};
-  const FolderLock lock(folder);
+  removeLeftovers(folder);
+  const FileLock lock(folder / lockFile, FileLock::Wait::yes);
   const CacheUsage left = trimLocked(folder, bytes);
   writeNumber(folder / sizeFile, left.bytes);
   return left;

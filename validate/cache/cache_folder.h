@@ -8,7 +8,8 @@
 namespace gnomon {
 
 /// The files of a cache: `FOLDER/ab/REST.entry`, named by key; `FOLDER/limit`, the bound that the
-/// user chose; `FOLDER/size` and `FOLDER/lock`. Nothing else in the folder is ever touched.
+/// user chose; `FOLDER/size` and `FOLDER/lock`; part files (see PartFile) while they are written.
+/// Nothing else in the folder is ever touched.
 ///
 /// Several processes may use one folder: an entry takes its name whole or not at all, two that
 /// write the same entry write the same bytes, and an entry that another process removed is one that
@@ -33,7 +34,7 @@ std::uint64_t limitOf(const std::filesystem::path& folder);
 void setLimit(const std::filesystem::path& folder, std::uint64_t bytes);
 
 /// Removes entries, those used longest ago first, until they take at most so many bytes; and what
-/// writers that were killed over an hour ago left.
+/// killed writers left.
 /// @return what is left
 /// @throws InputError where the folder cannot be written
 CacheUsage trimTo(const std::filesystem::path& folder, std::uint64_t bytes);

@@ -17,7 +17,7 @@ struct Header {
 
   bool operator==(const Header&) const = default;
 };
-static_assert(sizeof(Header) == 64);
+static_assert(sizeof(Header) == entryHeaderBytes);
 
 Header headerOf(const ContentKey& key, std::string_view content) {
   Header header;
@@ -36,13 +36,24 @@ std::string sealedEntry(const ContentKey& key, std::string_view content) {
   return file;
 }
 
+bool mayBeEntry(const ContentKey& key, std::string_view header, std::uint64_t fileBytes) {
+  if (header.size() < sizeof(Header) || fileBytes < sizeof(Header)) return false;
+  Header found;
+  std::memcpy(&found, header.data(), sizeof found);
+  Header expected;
+  expected.key = key;
+  expected.length = fileBytes - sizeof(Header);
+  expected.checksum = found.checksum;
+  return found == expected;
+}
+
 std::optional<std::string_view> openedEntry(const ContentKey& key, std::string_view file) {
   if (file.size() < sizeof(Header)) return std::nullopt;
   Header found;
   std::memcpy(&found, file.data(), sizeof found);
   const std::string_view content = file.substr(sizeof found);
   // The checksum last: it reads everything.
-  if (found.length != content.size() || found.key != key) return std::nullopt;
+  if (!mayBeEntry(key, file, file.size())) return std::nullopt;
   if (found != headerOf(key, content)) return std::nullopt;
   return content;
 }

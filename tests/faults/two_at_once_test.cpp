@@ -1,0 +1,176 @@
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "faults/run_folders.h"
+#include "support/test_length.h"
+
+// Two processes of one number, as in two containers on one volume: each the first of a PID
+// namespace of its own.
+
+namespace gnomon::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class TwoAtOnce : public EndToEnd {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"a", "b"}) {
+      fs::create_directories(file(name));
+    }
+    write("a/small.toml", smallStudy());
+    write("b/small.toml", otherStudy());
+    const int tried = startCommand(folder(), inNamespace({"true"}), {}, "/dev/null", "/dev/null");
+    if (endOf(tried) != 0) GTEST_SKIP() << "no PID namespace can be made here";
+    for (const char* name : {"a", "b"}) {
+      ASSERT_EQ(
+          gnomon({"run", std::string(name) + "/small.toml", "--out", "whole-" + std::string(name)},
+                 environment("kept"))
+              .status,
+          0);
+      whole_.push_back(contentOf(file("whole-" + std::string(name))));
+    }
+  }
+  static std::vector<std::string> inNamespace(std::vector<std::string> words) {
+    const std::vector<std::string> prefix = {"unshare", "--pid", "--fork", "--kill-child"};
+    words.insert(words.begin(), prefix.begin(), prefix.end());
+    return words;
+  }
+  [[nodiscard]] std::vector<std::string> environment(const std::string& cache) const {
+    return {"GNOMON_CACHE=" + file(cache).string()};
+  }
+  [[nodiscard]] int start(const std::string& name, const std::string& out,
+                          const std::string& cache) const {
+    return startCommand(folder(),
+                        inNamespace({GNOMON_PROGRAM, "run", name + "/small.toml", "--out", out}),
+                        environment(cache), "/dev/null", file(name + ".stderr"));
+  }
+
+  std::vector<FolderContent> whole_;
+};
+
+TEST_F(TwoAtOnce, IntoOneFolderOneIsWholeAndTheOtherSaysSo) {
+  int refused = 0;
+  int afterEachOther = 0;
+  const int rounds = repetitions(4, 30);
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> later(0, 200);
+  for (int round = 0; round < rounds; ++round) {
+    const int first = start("a", "out", "kept");
+    std::this_thread::sleep_for(std::chrono::milliseconds(later(random)));
+    const int second = start("b", "out", "kept");
+    const std::array status = {endOf(first), endOf(second)};
+    ASSERT_TRUE(status[0] == 0 || status[1] == 0) << read("a.stderr") << read("b.stderr");
+    const bool areBoth = status[0] == 0 && status[1] == 0;
+    ++(areBoth ? afterEachOther : refused);
+    for (const int i : {0, 1}) {
+      if (status.at(static_cast<std::size_t>(i)) == 0) continue;
+      EXPECT_EQ(status.at(static_cast<std::size_t>(i)), 3);
+      EXPECT_THAT(read(i == 0 ? "a.stderr" : "b.stderr"),
+                  HasSubstr("another run is writing into this folder"));
+    }
+    const FolderContent found = contentOf(file("out"));
+    // Of two that passed one after the other either may have been the later.
+    EXPECT_TRUE((status[0] == 0 && found == whole_[0]) || (status[1] == 0 && found == whole_[1]));
+    EXPECT_EQ(partFilesBelow(folder()), nothing);
+  }
+  fmt::print(
+      "faults: {} rounds of two runs into one folder: {} refused, {} one after the other, 0 "
+      "mixed\n",
+      rounds, refused, afterEachOther);
+}
+
+TEST_F(TwoAtOnce, OnOneCacheBothFillIt) {
+  const int rounds = repetitions(2, 15);
+  for (int round = 0; round < rounds; ++round) {
+    fs::remove_all(file("shared"));
+    const int first = start("a", "out-a", "shared");
+    const int second = start("b", "out-b", "shared");
+    EXPECT_EQ(endOf(first), 0) << read("a.stderr");
+    EXPECT_EQ(endOf(second), 0) << read("b.stderr");
+    EXPECT_EQ(read("a.stderr") + read("b.stderr"), "");
+    EXPECT_EQ(shownBy(contentOf(file("out-a")), whole_), Shown::whole);
+    EXPECT_EQ(shownBy(contentOf(file("out-b")), whole_), Shown::whole);
+    EXPECT_EQ(partFilesBelow(folder()), nothing);
+    EXPECT_EQ(gnomon({"run", "a/small.toml"}, environment("shared")).status, 0);
+    EXPECT_EQ(summary("small").at("cache").at("misses"), 0);
+  }
+  fmt::print("faults: {} rounds of two runs on one cache, none failed\n", rounds);
+}
+
+TEST_F(TwoAtOnce, ASignalReachesTheFirstProcessOfAContainer) {
+  // For which the system has no default effect.
+  const int process = start("a", "out", "cold");
+  for (int i = 0; i < 2000 && partFilesBelow(file("cold")).empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (fs::exists(file("out/small/summary.json"))) break;
+  }
+  const int asked =
+      startCommand(folder(), {"pkill", "-TERM", "-P", std::to_string(process), "gnomon"}, {},
+                   "/dev/null", "/dev/null");
+  if (endOf(asked) != 0) {
+    (void)endOf(process);
+    GTEST_SKIP() << "it had ended, or there is no pkill";
+  }
+  EXPECT_EQ(endOf(process), 128 + SIGTERM);
+  EXPECT_EQ(read("a.stderr"), "gnomon: ended by SIGTERM\n");
+  EXPECT_EQ(partFilesBelow(folder()), nothing);
+}
+
+class Wrapper : public EndToEnd {};
+
+TEST_F(Wrapper, TwoCallsBuildOneAfterTheOther) {
+  fs::create_directories(file("checkout/build/release"));
+  fs::create_directories(file("tools"));
+  fs::copy_file(GNOMON_WRAPPER, file("checkout/gnomon"));
+  write("checkout/packages.txt", "");
+  fs::last_write_time(file("checkout/packages.txt"),
+                      fs::file_time_type::clock::now() - std::chrono::hours(1));
+  write("checkout/build/packages-found-run", "");
+  // A build that fails where another one goes on, and leaves a helper that lives on.
+  write("tools/cmake",
+        "#!/bin/sh\n"
+        "mkdir building || { echo overlap >>overlaps; exit 1; }\n"
+        "sleep 0.2\n"
+        "case \"$*\" in *--preset*) : >checkout/build/release/build.ninja ;; *)\n"
+        "  printf '#!/bin/sh\\necho ran \"$@\"\\n' >checkout/build/release/gnomon\n"
+        "  chmod +x checkout/build/release/gnomon ;; esac\n"
+        "sleep 5 >/dev/null 2>&1 &\n"
+        "rmdir building\n");
+  // The wrapper configures in the checkout; the tool looks from one place.
+  write("tools/cmake", "#!/bin/sh\ncd " + file("").string() + "\n" +
+                           read("tools/cmake").substr(std::string("#!/bin/sh\n").size()));
+  fs::permissions(file("tools/cmake"), fs::perms::owner_all);
+  const std::string path = "PATH=" + file("tools").string() + ":" + std::getenv("PATH");
+  constexpr int calls = 4;
+  std::vector<int> processes;
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < calls; ++i) {
+    processes.push_back(startCommand(folder(), {"checkout/gnomon", "list"}, {path},
+                                     file(fmt::format("out{}", i)), file(fmt::format("err{}", i))));
+  }
+  for (const int process : processes) EXPECT_EQ(endOf(process), 0);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  int waited = 0;
+  for (int i = 0; i < calls; ++i) {
+    EXPECT_EQ(read(fmt::format("out{}", i)), "ran list\n");
+    if (read(fmt::format("err{}", i)).find("another call is building here") != std::string::npos) {
+      ++waited;
+    }
+  }
+  EXPECT_FALSE(fs::exists(file("overlaps")));
+  EXPECT_GT(waited, 0);
+  EXPECT_LT(took.count(), 4) << "what a build leaves running does not hold the others up";
+  fmt::print("faults: {} calls of the wrapper at once, {} waited, 0 built at the same time\n",
+             calls, waited);
+}
+
+}  // namespace
+}  // namespace gnomon::test
