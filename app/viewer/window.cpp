@@ -22,9 +22,25 @@ std::string lastError() {
   throw NoGlError(fmt::format("no window: {}. Without a display use --screenshot", what));
 }
 
+/// GLFW 3.4 asks for Wayland first, whose library writes a line of its own where it has no folder
+/// to look for a display in.
+void avoidWaylandWithoutAFolder() {
+#ifdef GLFW_PLATFORM
+  const auto isSet = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  const bool hasX11 = glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE;
+  if (hasX11 && !isSet("XDG_RUNTIME_DIR") && !isSet("WAYLAND_SOCKET")) {
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+  }
+#endif
+}
+
 }  // namespace
 
 Window::Window(int width, int height, const std::string& title) {
+  avoidWaylandWithoutAFolder();
   if (glfwInit() == GLFW_FALSE) refuse(lastError());
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);

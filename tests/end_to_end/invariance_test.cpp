@@ -77,7 +77,7 @@ std::string placed(const std::array<double, 3>& p, double turn, double scale) {
   // A quarter turn is exact, and so shows that nothing but rounding is at work in others.
   const double c = turn == 90 ? 0 : std::cos(angle);
   const double s = turn == 90 ? 1 : std::sin(angle);
-  return fmt::format("[{:#}, {:#}, {:#}]", scale * (c * p[0] - s * p[1]),
+  return fmt::format("[{:.17e}, {:.17e}, {:.17e}]", scale * (c * p[0] - s * p[1]),
                      scale * (s * p[0] + c * p[1]), scale * p[2]);
 }
 

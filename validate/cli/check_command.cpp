@@ -181,7 +181,8 @@ void judgeStep(const Study& study, const CheckRequest& request, RunFolder& folde
                StudyRecord& record) {
   if (!request.baseline) return;
   record.baseline = study.check.baseline;
-  record.problems = study.check.problems;
+  record.problems.insert(record.problems.end(), study.check.problems.begin(),
+                         study.check.problems.end());
   if (request.updateBaseline || !study.baseline) return;
   judgeReferences(record.baseline, *study.baseline, study.plan->steps.front().leftOutMethods,
                   record);
@@ -262,6 +263,12 @@ void addProblems(CheckRecord& check, const std::vector<ProblemRecord>& problems)
   }
 }
 
+/// Of a refused method, which is told as a problem already.
+bool isProblem(const StudyRecord& step, const std::string& notice) {
+  return std::any_of(step.problems.begin(), step.problems.end(),
+                     [&](const ProblemRecord& problem) { return problem.message == notice; });
+}
+
 /// Takes over what the runs were judged by.
 void collect(Study& study, const CheckRequest& request, const Records& records) {
   CheckRecord& check = study.check;
@@ -282,6 +289,7 @@ void collect(Study& study, const CheckRequest& request, const Records& records) 
   if (!first.quick) check.notices = looseThresholds(first.thresholds, steps);
   for (const StudyRecord& step : steps) {
     for (const std::string& text : step.notices) {
+      if (isProblem(step, text)) continue;
       const std::string where = steps.size() > 1 ? step.name + ": " : "";
       check.notices.push_back({where + text});
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/cache_command.h"
@@ -32,6 +33,15 @@ void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
                         stored.width, stored.height, stored.azimuths,
                         formatBytes(static_cast<double>(stored.byteCount())),
                         static_cast<int>(study.bake.bits)));
+}
+
+/// A run judges no gate; a method that the driver did not let it measure is a problem.
+ExitStatus statusOf(const std::vector<StudyRecord>& records) {
+  ExitStatus worst = ExitStatus::pass;
+  for (const StudyRecord& record : records) {
+    for (const ProblemRecord& problem : record.problems) worst = std::max(worst, problem.status);
+  }
+  return worst;
 }
 
 }  // namespace
@@ -67,7 +77,7 @@ ExitStatus runStudies(const RunRequest& request) {
     });
   }
   failures.print();
-  return failures.status();
+  return std::max(failures.status(), statusOf(records.all));
 }
 
 ExitStatus bakeStudies(const RunRequest& request) {

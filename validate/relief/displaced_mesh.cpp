@@ -42,9 +42,10 @@ std::vector<Side> sortedSides(const BaseMesh& mesh, const std::vector<std::uint3
   return sides;
 }
 
-/// @param shared  for each vertex the first one that coincides with it
-std::vector<std::uint32_t> adjacencyOf(const BaseMesh& mesh,
-                                       const std::vector<std::uint32_t>& shared) {
+}  // namespace
+
+std::vector<std::uint32_t> triangleAdjacency(const BaseMesh& mesh,
+                                             const std::vector<std::uint32_t>& shared) {
   std::vector<std::uint32_t> adjacency(2 * mesh.triangles.size());
   const auto opposite = [&mesh](const Side& side) {
     return mesh.triangles[3 * side.triangle + (side.corner + 2) % 3];
@@ -64,8 +65,6 @@ std::vector<std::uint32_t> adjacencyOf(const BaseMesh& mesh,
   }
   return adjacency;
 }
-
-}  // namespace
 
 DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relief,
                                 int subdivisions) {
@@ -93,7 +92,7 @@ DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relie
         mesh.vertices[vertex].position = mesh.vertices[first].position;
         shared[vertex] = static_cast<std::uint32_t>(first);
       });
-  result.adjacency = adjacencyOf(mesh, shared);
+  result.adjacency = triangleAdjacency(mesh, shared);
   return result;
 }
 

@@ -15,11 +15,15 @@ struct DisplacedMesh {
   /// Positions are displaced, D = P + a h n; all else is the undisplaced surface's, face and (s, t)
   /// above all. Vertices are not shared between faces, but coincide to the bit where faces meet.
   BaseMesh mesh;
-  /// Six vertices a triangle, as GL_TRIANGLES_ADJACENCY takes them: its corners a, b, c, and behind
-  /// each its edge's opposite vertex in the neighbour: a, ab, b, bc, c, ca. An edge without a
-  /// neighbour has the triangle's own third corner there: the triangle seen from behind.
-  std::vector<std::uint32_t> adjacency;
+  std::vector<std::uint32_t> adjacency;  ///< see triangleAdjacency
 };
+
+/// Six vertices a triangle, as GL_TRIANGLES_ADJACENCY takes them: its corners a, b, c, and behind
+/// each its edge's opposite vertex in the neighbour: a, ab, b, bc, c, ca. An edge without a
+/// neighbour has the triangle's own third corner there: the triangle seen from behind.
+/// @param shared  for each vertex the first one that coincides with it
+std::vector<std::uint32_t> triangleAdjacency(const BaseMesh& mesh,
+                                             const std::vector<std::uint32_t>& shared);
 
 /// Every face cut into `subdivisions` × `subdivisions` quadrilaterals as makeBaseMesh does, each
 /// vertex displaced by the relief. Across a texture seam, where the heights of the two sides

@@ -124,6 +124,9 @@ GlContext::GlContext() : egl_(std::make_unique<Egl>()) {
 
 GlContext::~GlContext() = default;
 
+std::string GlContext::vendor() const {
+  return glString(GL_VENDOR);
+}
 std::string GlContext::renderer() const {
   return glString(GL_RENDERER);
 }

@@ -15,6 +15,7 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
+  [[nodiscard]] std::string vendor() const;    ///< GL_VENDOR
   [[nodiscard]] std::string renderer() const;  ///< GL_RENDERER
   [[nodiscard]] std::string version() const;   ///< GL_VERSION
   /// Largest side of a two- or three-dimensional texture, texels.

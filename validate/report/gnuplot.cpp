@@ -91,11 +91,13 @@ class SignalsAsUsual {
 };
 
 /// Starts gnuplot with the three files as its standard streams.
-pid_t start(std::FILE* in, std::FILE* out, std::FILE* err) {
+/// @param extra  variables beside this process's own, "NAME=value"
+pid_t start(std::FILE* in, std::FILE* out, std::FILE* err, const std::vector<std::string>& extra) {
   std::string program = "gnuplot";
   std::string noSettings = "-d";
   std::array<char*, 3> words = {program.data(), noSettings.data(), nullptr};
   std::vector<std::string> variables = plotVariables();
+  variables.insert(variables.end(), extra.begin(), extra.end());
   std::vector<char*> environment;
   for (std::string& variable : variables) environment.push_back(variable.data());
   environment.push_back(nullptr);
@@ -156,11 +158,11 @@ std::string lastLine(const std::string& text) {
 /// A gnuplot that works on a script.
 class Running {
  public:
-  explicit Running(const std::string& script)
+  explicit Running(const std::string& script, const std::vector<std::string>& extra = {})
       : in_(scratchFile(script)),
         out_(scratchFile()),
         err_(scratchFile()),
-        process_(start(in_.get(), out_.get(), err_.get())) {}
+        process_(start(in_.get(), out_.get(), err_.get(), extra)) {}
 
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
@@ -198,7 +200,8 @@ std::string runGnuplot(const std::string& script) {
   return Running(script).output();
 }
 
-std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts) {
+std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts,
+                                       PdfObjects objects) {
   std::vector<ScratchFile> files;
   std::string all;
   for (const std::string& script : scripts) {
@@ -206,10 +209,16 @@ std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts) 
     all += fmt::format("reset session\nset output '{}'\n{}\nunset output\n",
                        inheritedName(files.back()), script);
   }
-  (void)runGnuplot(all);
+  // A variable of cairo's own: 1.18 knows no other way.
+  const std::vector<std::string> plain = {"CAIRO_DEBUG_PDF=1"};
+  (void)Running(all, objects == PdfObjects::plain ? plain : std::vector<std::string>()).output();
   std::vector<std::string> drawn;
   drawn.reserve(files.size());
-  for (const ScratchFile& file : files) drawn.push_back(contentOf(file.get()));
+  for (const ScratchFile& file : files) {
+    drawn.push_back(contentOf(file.get()));
+    // gnuplot 6 only warns of a terminal that it does not have.
+    if (drawn.back().empty()) fail("drew nothing");
+  }
   return drawn;
 }
 

@@ -10,12 +10,19 @@ namespace gnomon {
 /// @throws InternalError in one line where gnuplot cannot be started or refuses the script
 std::string runGnuplot(const std::string& script);
 
+/// How a PDF keeps the objects that hold its date.
+enum class PdfObjects {
+  compressed,  ///< as cairo chooses: compressed from 1.18 on
+  plain,       ///< as text, and its drawings too
+};
+
 /// What gnuplot draws for each of several scripts, one after the other in one process, whose start
 /// takes longer than most plots. From one to the next pass only redefined linetypes, and what a
 /// terminal itself remembers.
 /// @param scripts  set a terminal, and no output
-/// @throws as runGnuplot
-std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts);
+/// @throws as runGnuplot, and where a script draws nothing
+std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts,
+                                       PdfObjects objects = PdfObjects::compressed);
 
 /// Starts a gnuplot that tells its version, so that a missing one shows at once.
 /// @throws InternalError where it cannot be started

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "report/gnuplot.h"
@@ -11,13 +13,18 @@ namespace {
 
 constexpr const char* encoding = "set encoding utf8\n";
 
+constexpr std::string_view dateKey = "/CreationDate (D:";
+
+bool showsDate(const std::string& pdf) {
+  return pdf.find(dateKey) != std::string::npos;
+}
+
 /// A PDF says when it was made: it shall not. Nothing else in it moves.
 std::string withoutDate(std::string pdf) {
-  const std::string key = "/CreationDate (D:";
-  const std::size_t at = pdf.rfind(key);
+  const std::size_t at = pdf.rfind(dateKey);
   if (at == std::string::npos) return pdf;
   const std::string never = "19700101000000";
-  return pdf.replace(at + key.size(), never.size(), never);
+  return pdf.replace(at + dateKey.size(), never.size(), never);
 }
 
 }  // namespace
@@ -42,6 +49,10 @@ std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
     scripts.push_back(encoding + terminal + sheet.commands);
   }
   std::vector<std::string> pdfs = drawByGnuplot(scripts);
+  // cairo 1.18 compresses the date too.
+  if (!std::all_of(pdfs.begin(), pdfs.end(), showsDate)) {
+    pdfs = drawByGnuplot(scripts, PdfObjects::plain);
+  }
   for (std::string& pdf : pdfs) pdf = withoutDate(std::move(pdf));
   return pdfs;
 }

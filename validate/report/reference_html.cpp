@@ -65,6 +65,7 @@ std::string picturesHtml(const ReferencePictures& row, const std::filesystem::pa
 std::string referenceSection(const StudyRecord& record, const std::filesystem::path& folder) {
   std::string html;
   for (const ProblemRecord& problem : record.problems) {
+    if (problem.part == "method") continue;  // a notice names it
     html += fmt::format("<p><span class=\"tag failed\">error</span> {}</p>\n",
                         escapeHtml(problem.message));
   }

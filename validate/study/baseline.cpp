@@ -77,6 +77,17 @@ const ResultRecord* rowOf(std::span<const StudyRecord> steps, const BaselineEntr
   return nullptr;
 }
 
+/// Why the method of an entry was not measured; null where it was.
+const RefusedMethod* refusedIn(std::span<const StudyRecord> steps, const BaselineEntry& entry) {
+  for (const StudyRecord& step : steps) {
+    if (step.name != entry.step) continue;
+    for (const RefusedMethod& method : step.refused) {
+      if (method.label == entry.method) return &method;
+    }
+  }
+  return nullptr;
+}
+
 [[noreturn]] void mismatch(const std::string& what, const std::vector<BaselineEntry>& entries) {
   throw InputError(fmt::format(
       "{} for {}{}", what, textOf(entries.front()),
@@ -162,6 +173,8 @@ std::vector<GateRecord> judgeBaseline(const Baseline& baseline, std::span<const 
     if (std::find(leftOut.begin(), leftOut.end(), entry.method) != leftOut.end()) {
       gate.verdict = GateVerdict::skipped;
       gate.reason = "its method is left out";
+    } else if (const RefusedMethod* refused = refusedIn(steps, entry)) {
+      gate.reason = refused->reason;
     } else if (row == nullptr) {
       unknown.push_back(entry);
       continue;

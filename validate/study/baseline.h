@@ -73,7 +73,7 @@ bool canFail(const BaselineEntry& entry);
 std::vector<BaselineEntry> referenceValues(std::span<const StudyRecord> steps);
 
 /// Judges a run by its baseline: a gate for each committed value, failed where it is worse by more
-/// than the tolerance, undefined where the run has none.
+/// than the tolerance, undefined where the run has none or its method was refused.
 /// @param leftOut  labels of the methods that the run takes no part of: their gates are skipped
 /// @throws InputError where the two do not speak of the same rows: a reference that is missing, or
 ///   one for something that the run does not have

@@ -43,7 +43,7 @@ GateVerdict verdictOf(const GateRecord& gate);
 
 /// Why something of a study could not be judged.
 struct ProblemRecord {
-  std::string part;  ///< "study" or "baseline"
+  std::string part;  ///< "study", "baseline", or "method" for one that was refused
   ExitStatus status = ExitStatus::internal;
   std::string message;
 };

@@ -83,6 +83,12 @@ struct MethodRecord {
   std::string citation;
 };
 
+/// A method of the study that was not measured, because the driver draws wrong what it needs.
+struct RefusedMethod {
+  std::string label;
+  std::string reason;  ///< "this OpenGL gets shadow volumes wrong: …"
+};
+
 /// One answer of a method against the truth, for one light, view and region ("all" or a region's
 /// name).
 struct ResultRecord {
@@ -202,7 +208,8 @@ struct StudyRecord {
   EnvironmentRecord environment;
   RadiusRecord radius = {};
   TruthRecord truth;
-  std::vector<MethodRecord> methods;
+  std::vector<MethodRecord> methods;   ///< those that were measured
+  std::vector<RefusedMethod> refused;  ///< the others: notices and problems name them
   std::vector<ResultRecord> results;
   std::vector<ConfidenceRecord> confidence;   ///< of every method in every view
   std::vector<DifferenceRecord> differences;  ///< of every two methods in every view

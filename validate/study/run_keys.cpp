@@ -33,15 +33,6 @@ ContentKey fieldKey(const HeightField& field) {
   return key.add("texels", field.texels()).key();
 }
 
-/// Every file that methods and passes are made of beside a method's own.
-ContentKey shadersKey(const fs::path& shaders) {
-  KeyBuilder key("shaders");
-  for (const fs::path& file : shadersIn(shaders / "common")) {
-    key.add("file", file.filename().string()).add("text", readFile(file));
-  }
-  return key.key();
-}
-
 ContentKey viewKey(const ViewSpec& view) {
   KeyBuilder key("view");
   if (const auto* camera = std::get_if<Camera>(&view.kind)) {
@@ -61,6 +52,14 @@ void add(KeyBuilder& key, const BakeSettings& settings) {
 }
 
 }  // namespace
+
+ContentKey shadersKey(const fs::path& shaders) {
+  KeyBuilder key("shaders");
+  for (const fs::path& file : shadersIn(shaders / "common")) {
+    key.add("file", file.filename().string()).add("text", readFile(file));
+  }
+  return key.key();
+}
 
 ContentKey cageKey(const Cage& cage) {
   KeyBuilder key("cage");

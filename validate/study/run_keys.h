@@ -17,6 +17,10 @@ namespace gnomon {
 /// used; so does the GL renderer.
 ContentKey programKey();
 
+/// Every file that methods and passes are made of beside a method's own.
+/// @param shaders  the folder that holds `common/`
+ContentKey shadersKey(const std::filesystem::path& shaders);
+
 /// The control mesh of a surface.
 ContentKey cageKey(const Cage& cage);
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "render/shader_files.h"
 #include "study/cached_fields.h"
 #include "study/cost_stage.h"
 #include "study/environment.h"
@@ -14,6 +15,7 @@
 #include "study/notices.h"
 #include "study/panel_pictures.h"
 #include "study/refine_stage.h"
+#include "study/refused_methods.h"
 #include "study/run_scene.h"
 #include "study/spread_stage.h"
 #include "study/thresholds.h"
@@ -41,7 +43,7 @@ class StudyRun {
     record_ = startRecord(study, gl);
   }
 
-  StudyRecord run(Beside beside = Beside::picturesAndCosts) {
+  StudyRecord run(Beside beside) {
     isWhole_ = beside == Beside::picturesAndCosts;
     prepareMethods();
     LadderStage ladders(scene_, surface_.onDemand(), writer_);
@@ -169,17 +171,28 @@ class StudyRun {
   bool isWhole_ = true;
 };
 
+/// Measures what the driver draws right.
+StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter& writer,
+                          Cache& kept, const StageProgress& progress, Beside beside) {
+  DriverFaults faults(gl, shaderFolder(), kept);
+  const MeasurableStudy left = measurable(study, faults);
+  StudyRecord record =
+      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, progress).run(beside);
+  addRefused(record, study, left.refused);
+  return record;
+}
+
 }  // namespace
 
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
                      const StageProgress& progress) {
-  return StudyRun(study, gl, writer, kept, progress).run();
+  return runMeasurable(study, gl, writer, kept, progress, Beside::picturesAndCosts);
 }
 
 StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
                          const StageProgress& progress) {
   NoFiles writer;
-  return StudyRun(study, gl, writer, kept, progress).run(Beside::nothing);
+  return runMeasurable(study, gl, writer, kept, progress, Beside::nothing);
 }
 
 }  // namespace gnomon

@@ -72,6 +72,13 @@ void keepGated(StudySpec& study) {
 
 }  // namespace
 
+StudySpec withoutMethods(StudySpec study, std::span<const std::string> labels) {
+  keepMethods(study, [&](const MethodSpec& method) {
+    return std::find(labels.begin(), labels.end(), method.label) == labels.end();
+  });
+  return study;
+}
+
 void reduce(StudySpec& study, const StudyOptions& options) {
   if (!options.methods.empty()) keepNamed(study, options.methods);
   if (study.quick) {

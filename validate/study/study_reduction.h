@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "study/study_file.h"
 
 namespace gnomon {
@@ -9,5 +12,9 @@ namespace gnomon {
 /// left out stays named in `leftOut` and `leftOutMethods`.
 /// @throws UsageError for a method that the study does not have
 void reduce(StudySpec& study, const StudyOptions& options);
+
+/// The study without some of its methods, and without the gates, claims and ladders that speak of
+/// them.
+StudySpec withoutMethods(StudySpec study, std::span<const std::string> labels);
 
 }  // namespace gnomon

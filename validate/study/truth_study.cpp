@@ -1,6 +1,7 @@
 #include "study/truth_study.h"
 
 #include "relief/stored_bake.h"
+#include "study/driver_faults.h"
 #include "study/environment.h"
 #include "study/file_names.h"
 #include "study/notices.h"
@@ -10,6 +11,7 @@ namespace gnomon {
 
 StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
                        const std::function<void(const TracedSurface&)>& whileTraced) {
+  DriverFaults(gl, scene.shaders, scene.cache).requireViews(scene.study);
   StudyRecord record = startRecord(scene.study, gl);
   scene.standardBase();
   {

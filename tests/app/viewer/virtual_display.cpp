@@ -48,7 +48,7 @@ VirtualDisplay::VirtualDisplay() {
   int ends[2];
   if (pipe(ends) != 0) return;
   process_ = start({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24",
-                    "-nolisten", "tcp"},
+                    "-nolisten", "tcp", "-noreset"},
                    "/dev/null", [&] { close(ends[0]); });
   close(ends[1]);
   char letter = 0;

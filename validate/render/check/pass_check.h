@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/method_pass.h"
+
+namespace gnomon {
+
+/// The kinds of what is drawn, each of which a driver may get wrong by itself.
+enum class PassKind {
+  cameraSamples,
+  atlasSamples,
+  tables,
+  filteredTables,
+  angles,
+  ellipses,
+  facets,
+  texture,
+  lightDepth,
+  shadowVolumes,
+  pictures,
+};
+
+/// What a message calls it: "shadow volumes".
+std::string_view passName(PassKind kind);
+
+/// The kinds that a method's answers are made by, beside the samples of the views.
+std::vector<PassKind> passesOf(const Method& method, TableFilter filter);
+
+/// Draws a small scene with the shaders and compares it with what it must show, which is known in
+/// closed form:
+///   cameraSamples   a floor and a box over it: the nearest rectangle, and the place on it
+///   atlasSamples    two faces side by side: every sample's face, s and t, exactly
+///   tables          heights, horizons and distances of random zeros and ones, in 8, 16 and 32
+///                   bits; and both answers, by bumped normals
+///   filteredTables  the same by the GPU's filter
+///   angles          the same of horizon angles, with their lookup maps
+///   ellipses        the same of ellipses
+///   facets          the box: which of its sides are turned from the light
+///   texture         a random value a texel, drawn in the texture's plane and read again
+///   lightDepth      the box's shadow on the floor, from the depth that the light sees
+///   shadowVolumes   the same, and a camera inside the shadow, from counts
+///   pictures        a chequered mask: dark where it is shadowed, brighter elsewhere
+/// Pixels beside an edge of anything are left out.
+/// @return  empty if all pixels are right, else which are not: "37 of 5124 pixels are wrong"
+/// @throws InputError for a shader that does not compile
+std::string passFault(PassKind kind, const std::filesystem::path& shaders);
+
+}  // namespace gnomon

@@ -1,0 +1,61 @@
+#include "study/driver_faults.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+#include <variant>
+
+#include "study/run_keys.h"
+
+namespace gnomon {
+namespace {
+
+ContentKey driverKey(const GlContext& gl, const std::filesystem::path& shaders) {
+  KeyBuilder key("driver");
+  key.add("vendor", gl.vendor()).add("renderer", gl.renderer()).add("gl", gl.version());
+  return key.add("shaders", shadersKey(shaders)).key();
+}
+
+}  // namespace
+
+DriverFaults::DriverFaults(const GlContext& gl, std::filesystem::path shaders, Cache& kept)
+    : gl_(gl), shaders_(std::move(shaders)), cache_(kept), driver_(driverKey(gl, shaders_)) {}
+
+const std::string& DriverFaults::passFault(PassKind kind) {
+  const auto known = found_.find(kind);
+  if (known != found_.end()) return known->second;
+  const ContentKey key = KeyBuilder("pass").add("driver", driver_).add("pass", kind).key();
+  return found_
+      .emplace(kind, cache_.remember(key, [&] { return gnomon::passFault(kind, shaders_); }))
+      .first->second;
+}
+
+std::string DriverFaults::faultText(PassKind kind, const std::string& fault) const {
+  return fmt::format(
+      "this OpenGL gets {} wrong: {} in a scene that is known in closed form ({}, {})",
+      passName(kind), fault, gl_.renderer(), gl_.version());
+}
+
+std::string DriverFaults::faultOf(const MethodSpec& method) {
+  for (const PassKind kind : passesOf(readMethod(method.file), method.filter)) {
+    const std::string& fault = passFault(kind);
+    if (!fault.empty()) return faultText(kind, fault);
+  }
+  return "";
+}
+
+void DriverFaults::requireViews(const StudySpec& study) {
+  const auto require = [&](PassKind kind) {
+    const std::string& fault = passFault(kind);
+    if (!fault.empty()) {
+      throw DriverError(fmt::format("nothing is measured: {}", faultText(kind, fault)));
+    }
+  };
+  for (const ViewSpec& view : study.views) {
+    require(std::holds_alternative<Camera>(view.kind) ? PassKind::cameraSamples
+                                                      : PassKind::atlasSamples);
+  }
+  require(PassKind::pictures);
+}
+
+}  // namespace gnomon
