@@ -1,9 +1,11 @@
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 
 #include "common/atomic_file.h"
 #include "image_files/image_error.h"
-#include "image_files/image_library.h"
 #include "image_files/png_encoder.h"
 #include "image_files/webp_encoder.h"
 #include "support/temporary_folder.h"
@@ -13,18 +15,21 @@ namespace {
 
 class Encoders : public TemporaryFolder {
  protected:
-  /// Expects that a reader which is not ours finds those very values in a PNG.
+  /// What a reader that is not ours finds, three values a pixel.
+  std::vector<std::uint8_t> readByAnother(const char* name, int width, int height) {
+    const auto reader = OIIO::ImageInput::open(file(name).string());
+    if (!reader) throw std::runtime_error(OIIO::geterror());
+    EXPECT_EQ(reader->spec().width, width);
+    EXPECT_EQ(reader->spec().height, height);
+    EXPECT_EQ(reader->spec().nchannels, 3);
+    EXPECT_EQ(reader->spec().format, OIIO::TypeDesc::UINT8);
+    std::vector<std::uint8_t> values(3 * reader->spec().image_pixels());
+    EXPECT_TRUE(reader->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, values.data()));
+    return values;
+  }
   void expectReadBack(int width, int height, const std::vector<std::uint8_t>& rgb) {
     writeTextAtomically(file("p.png"), pngBytes(width, height, rgb.data()));
-    const auto reader = imageLibrary().open(file("p.png"));
-    const ImageFacts facts = reader->facts();
-    ASSERT_EQ(facts.data.width, width);
-    ASSERT_EQ(facts.data.height, height);
-    ASSERT_EQ(facts.channelCount(), 3);
-    EXPECT_EQ(facts.numbers, "uint8");
-    std::vector<std::uint8_t> back(rgb.size());
-    reader->read(0, 3, NumberType::uint8, back.data());
-    EXPECT_EQ(back, rgb) << width << " x " << height;
+    EXPECT_EQ(readByAnother("p.png", width, height), rgb) << width << " x " << height;
   }
 };
 
@@ -50,16 +55,6 @@ TEST_F(Encoders, APngOfFewColoursIsSmall) {
   EXPECT_EQ(pngBytes(512, 512, rgb.data()), pngBytes(512, 512, rgb.data()));
 }
 
-TEST_F(Encoders, ADamagedPngIsSeenAsOne) {
-  const std::vector<std::uint8_t> rgb = noise(20, 20);
-  std::string bytes = pngBytes(20, 20, rgb.data());
-  bytes[bytes.size() / 2] ^= 1;  // only checksums can tell
-  writeTextAtomically(file("p.png"), bytes);
-  std::vector<std::uint8_t> back(rgb.size());
-  const auto reader = imageLibrary().open(file("p.png"));
-  EXPECT_THROW(reader->read(0, 3, NumberType::uint8, back.data()), ImageError);
-}
-
 TEST_F(Encoders, AWebPIsShrunkToMeansOfAreas) {
   // Squares of four pixels, each of one colour: shrunk to half, one pixel a square.
   constexpr int side = 120;
@@ -73,12 +68,7 @@ TEST_F(Encoders, AWebPIsShrunkToMeansOfAreas) {
     }
   }
   writeTextAtomically(file("p.webp"), webPBytes(2 * side, side, rgb.data(), 100, side));
-  const auto reader = imageLibrary().open(file("p.webp"));
-  const ImageFacts facts = reader->facts();
-  ASSERT_EQ(facts.data.width, side);
-  ASSERT_EQ(facts.data.height, side / 2);
-  std::vector<std::uint8_t> back(3 * static_cast<std::size_t>(side * side / 2));
-  reader->read(0, 3, NumberType::uint8, back.data());
+  const std::vector<std::uint8_t> back = readByAnother("p.webp", side, side / 2);
   double squares = 0;
   for (int y = 0; y < side / 2; ++y) {
     for (int x = 0; x < side; ++x) {

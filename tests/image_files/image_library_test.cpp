@@ -4,13 +4,15 @@
 #include <fstream>
 #include <numeric>
 
+#include "common/error.h"
 #include "image_files/image_error.h"
+#include "image_files/image_file.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {
 
-class ImageFile : public TemporaryFolder {
+class ImageFiles : public TemporaryFolder {
  protected:
   /// 3 × 4 pixels of two channels, 0, 1, 2 … in one row after the other.
   void writeCounting(NumberType numbers) const {
@@ -28,9 +30,9 @@ class ImageFile : public TemporaryFolder {
   [[nodiscard]] std::filesystem::path path() const { return file("counting.exr"); }
 };
 
-TEST_F(ImageFile, TellsWhatItHolds) {
+TEST_F(ImageFiles, TellsWhatItHolds) {
   writeCounting(NumberType::half);
-  const ImageFacts facts = imageLibrary().open(path())->facts();
+  const ImageFacts facts = ImageFile(path()).facts();
   EXPECT_EQ(facts.data.width, 3);
   EXPECT_EQ(facts.data.height, 4);
   EXPECT_EQ(facts.display.height, 4);
@@ -49,28 +51,34 @@ TEST_F(ImageFile, TellsWhatItHolds) {
   }
 }
 
-TEST_F(ImageFile, GivesBackWhatWasWritten) {
+TEST_F(ImageFiles, GivesBackWhatWasWritten) {
   writeCounting(NumberType::float32);
-  const auto reader = imageLibrary().open(path());
-  const int b = reader->facts().channel("b");
-  std::vector<float> values(12);
-  reader->read(b, b + 1, NumberType::float32, values.data());
+  ImageFile image(path());
+  const int b = image.facts().channel("b");
+  std::vector<float> values;
+  image.readBands<float>(b, b + 1, NumberType::float32, [&](const float* band, int top, int rows) {
+    EXPECT_EQ(values.size(), static_cast<std::size_t>(3 * top));
+    values.insert(values.end(), band, band + 3 * rows);
+  });
+  ASSERT_EQ(values.size(), 12U);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], 2 * i);
 
+  // From the top again, row after row.
+  ASSERT_TRUE(image.goTo(0));
   std::array<float, 6> row{};
-  reader->readRows(2, 3, NumberType::float32, row.data());
+  for (int y = 0; y < 3; ++y) image.readRows(1, 0, 2, NumberType::float32, row.data());
   EXPECT_EQ(row[static_cast<std::size_t>(b)], 12);
   EXPECT_EQ(row[static_cast<std::size_t>(2 + b)], 14);
 }
 
-TEST_F(ImageFile, HasPartsUpToItsLast) {
+TEST_F(ImageFiles, HasPartsUpToItsLast) {
   writeCounting(NumberType::uint32);
-  const auto reader = imageLibrary().open(path());
-  EXPECT_TRUE(reader->goTo(0));
-  EXPECT_FALSE(reader->goTo(1));
+  ImageFile image(path());
+  EXPECT_TRUE(image.goTo(0));
+  EXPECT_FALSE(image.goTo(1));
 }
 
-TEST_F(ImageFile, IsTheSameBytesAgain) {
+TEST_F(ImageFiles, IsTheSameBytesAgain) {
   const auto content = [&] {
     std::ifstream in(path(), std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
@@ -82,16 +90,16 @@ TEST_F(ImageFile, IsTheSameBytesAgain) {
   EXPECT_EQ(content(), first);
 }
 
-TEST_F(ImageFile, ThatIsMissingOrDamagedIsAnError) {
-  EXPECT_THROW((void)imageLibrary().open(file("missing.png")), ImageError);
+TEST_F(ImageFiles, ThatIsMissingOrDamagedIsAnError) {
+  EXPECT_THROW(ImageFile(file("missing.png")), InputError);
   EXPECT_THROW(
       (void)imageLibrary().createExr(file("no/folder.exr"), {1, 1, {"Y"}, NumberType::half, {}}),
       ImageError);
   writeCounting(NumberType::float32);
   std::filesystem::resize_file(path(), std::filesystem::file_size(path()) - 20);
+  ImageFile image(path());
   std::vector<float> values(24);
-  EXPECT_THROW(imageLibrary().open(path())->read(0, 2, NumberType::float32, values.data()),
-               ImageError);
+  EXPECT_THROW(image.readRows(4, 0, 2, NumberType::float32, values.data()), InputError);
 }
 
 }  // namespace

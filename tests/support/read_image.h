@@ -1,20 +1,22 @@
 #pragma once
 
+#include <OpenImageIO/imageio.h>
+
 #include <filesystem>
 
-#include "image_files/image_library.h"
 #include "report/image.h"
 
 namespace gnomon::test {
 
 /// What a file of three channels holds, as another library reads it.
 inline Image readImage(const std::filesystem::path& path) {
-  const auto reader = imageLibrary().open(path);
-  const ImageFacts facts = reader->facts();
-  Image image{facts.data.width, facts.data.height, {}};
-  if (facts.channelCount() != 3) return image;
-  image.rgb.resize(3 * facts.pixelCount);
-  reader->read(0, 3, NumberType::uint8, image.rgb.data());
+  const auto reader = OIIO::ImageInput::open(path.string());
+  if (!reader) return {};
+  const OIIO::ImageSpec spec = reader->spec();
+  Image image{spec.width, spec.height, {}};
+  if (spec.nchannels != 3) return image;
+  image.rgb.resize(3 * spec.image_pixels());
+  reader->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, image.rgb.data());
   return image;
 }
 

@@ -3,7 +3,10 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "image_files/image_error.h"
 #include "image_files/type_desc.h"
@@ -49,28 +52,79 @@ class FileReader : public ImageReader {
 
   [[nodiscard]] ImageFacts facts() const override { return factsOf(file_->spec()); }
 
-  bool goTo(int part) override { return file_->seek_subimage(part, 0); }
-
-  void read(int first, int end, NumberType type, void* values) override {
-    const int part = file_->current_subimage();
-    // The TIFF reader answers true for a file that is cut off, but keeps its error.
-    if (!file_->read_image(part, 0, first, end, typeDesc(type), values) || file_->has_error()) {
-      throw ImageError(file_->geterror());
-    }
+  bool goTo(int part) override {
+    row_ = 0;
+    return file_->seek_subimage(part, 0);
   }
 
-  void readRows(int top, int bottom, NumberType type, void* values) override {
+  void readRows(int rows, int first, int end, NumberType type, void* values) override {
     const OIIO::ImageSpec& spec = file_->spec();
-    // Scanlines are counted from the data window's own origin.
-    if (!file_->read_scanlines(0, 0, spec.y + top, spec.y + bottom, 0, 0, spec.nchannels,
-                               typeDesc(type), values)) {
-      throw ImageError(file_->geterror());
+    const std::size_t rowBytes = static_cast<std::size_t>(spec.width) *
+                                 static_cast<std::size_t>(end - first) * typeDesc(type).size();
+    if (spec.tile_width == 0) {
+      readScanlines(row_, row_ + rows, first, end, type, values);
+      row_ += rows;
+      return;
+    }
+    auto* out = static_cast<std::uint8_t*>(values);
+    for (int i = 0; i < rows; ++i, ++row_, out += rowBytes) {
+      const int inTile = row_ % spec.tile_height;
+      if (inTile == 0) readTiles(row_, rowBytes, first, end, type);
+      std::copy_n(tiles_.data() + static_cast<std::size_t>(inTile) * rowBytes, rowBytes, out);
     }
   }
 
  private:
+  // Rows of the file are counted from the data window's own origin.
+  void readScanlines(int top, int bottom, int first, int end, NumberType type, void* values) {
+    const OIIO::ImageSpec& spec = file_->spec();
+    check(file_->read_scanlines(file_->current_subimage(), 0, spec.y + top, spec.y + bottom, 0,
+                                first, end, typeDesc(type), values));
+  }
+
+  /// The tiles beside each other whose first row is `top`.
+  void readTiles(int top, std::size_t rowBytes, int first, int end, NumberType type) {
+    const OIIO::ImageSpec& spec = file_->spec();
+    const int rows = std::min(spec.tile_height, spec.height - top);
+    tiles_.resize(rowBytes * static_cast<std::size_t>(rows));
+    check(file_->read_tiles(file_->current_subimage(), 0, spec.x, spec.x + spec.width, spec.y + top,
+                            spec.y + top + rows, spec.z, spec.z + 1, first, end, typeDesc(type),
+                            tiles_.data()));
+  }
+
+  void check(bool isRead) {
+    // The TIFF reader answers true for a file that is cut off, but keeps its error.
+    if (!isRead || file_->has_error()) throw ImageError(file_->geterror());
+  }
+
   std::unique_ptr<OIIO::ImageInput> file_;
+  int row_ = 0;  ///< the next one
+  std::vector<std::uint8_t> tiles_;
 };
+
+/// OpenImageIO's name of a format's reader.
+const char* readerOf(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::exr:
+      return "openexr";
+    case ImageFormat::tiff:
+      return "tiff";
+    case ImageFormat::jpeg:
+      return "jpeg";
+    case ImageFormat::hdr:
+      return "hdr";
+    case ImageFormat::pnm:
+    case ImageFormat::pfm:
+      return "pnm";
+    case ImageFormat::bmp:
+      return "bmp";
+    case ImageFormat::tga:
+      return "targa";
+    case ImageFormat::png:
+      break;  // png_reader.h
+  }
+  throw ImageError("no reader");
+}
 
 /// Has OpenEXR refuse images with a larger side, for this process. Without a limit it takes memory
 /// for an index of all lines that a header promises, gigabytes for a damaged one of some bytes,
@@ -82,13 +136,16 @@ void limitExrSize() {
 
 }  // namespace
 
-std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path) {
+std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path, ImageFormat format) {
   limitExrSize();
   // What was written unmultiplied stays so: the library would round the product to a file's bits.
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
-  auto file = OIIO::ImageInput::open(path.string(), &wishes);
+  // ImageInput::open would try the readers of all other formats where this one fails.
+  auto file = OIIO::ImageInput::create(readerOf(format));
   if (!file) throw ImageError(OIIO::geterror());
+  OIIO::ImageSpec spec;
+  if (!file->open(path.string(), spec, wishes)) throw ImageError(file->geterror());
   return std::make_unique<FileReader>(std::move(file));
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "image_files/image_format.h"
 #include "image_files/image_reader.h"
 #include "image_files/image_writer.h"
 
@@ -17,10 +18,11 @@ class ImageLibrary {
   ImageLibrary& operator=(const ImageLibrary&) = delete;
   virtual ~ImageLibrary() = default;
 
-  /// Opens an image of any format. Colours that were written unmultiplied by alpha stay so.
+  /// Opens an image by the reader of its format and no other. Colours that were written
+  /// unmultiplied by alpha stay so. Asked by ImageFile alone, which knows the format.
   /// @throws ImageError, also for an EXR with a side over 2²⁰ pixels
-  [[nodiscard]] virtual std::unique_ptr<ImageReader> open(
-      const std::filesystem::path& path) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<ImageReader> open(const std::filesystem::path& path,
+                                                          ImageFormat format) const = 0;
   /// Begins an EXR, packed by `zip`. Same numbers, same bytes: it does not hold the time.
   /// @throws ImageError
   [[nodiscard]] virtual std::unique_ptr<ImageWriter> createExr(

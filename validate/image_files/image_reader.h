@@ -56,17 +56,17 @@ class ImageReader {
 
   /// Of the part gone to, at first the file's first.
   [[nodiscard]] virtual ImageFacts facts() const = 0;
-  /// Goes to a part; false where the file has none of this number.
+  /// Goes to a part, and there to its first row; false where the file has none of this number.
   virtual bool goTo(int part) = 0;
 
-  /// Reads channels [first, end) of all pixels of the part gone to, beside each other, rows from
-  /// the top. Integers of the file are shares of their largest value, unless `type` is theirs.
-  /// @param values  pixelCount × (end - first) numbers of `type`
+  /// Reads channels [first, end) of the next rows of the part gone to, beside each other, one row
+  /// after the other from the top of its data window. Integers of the file are shares of their
+  /// largest value, unless `type` is theirs. All rows of a part are read with the same channels and
+  /// type.
+  /// @param rows    at most as many as are left
+  /// @param values  rows × width × (end - first) numbers of `type`
   /// @throws ImageError
-  virtual void read(int first, int end, NumberType type, void* values) = 0;
-  /// Reads all channels of rows [top, bottom) of the first part, counted from its data window's.
-  /// @throws ImageError
-  virtual void readRows(int top, int bottom, NumberType type, void* values) = 0;
+  virtual void readRows(int rows, int first, int end, NumberType type, void* values) = 0;
 };
 
 }  // namespace gnomon

@@ -8,9 +8,9 @@ namespace {
 
 class OpenImageIO : public ImageLibrary {
  public:
-  [[nodiscard]] std::unique_ptr<ImageReader> open(
-      const std::filesystem::path& path) const override {
-    return openImageFile(path);
+  [[nodiscard]] std::unique_ptr<ImageReader> open(const std::filesystem::path& path,
+                                                  ImageFormat format) const override {
+    return openImageFile(path, format);
   }
 
   [[nodiscard]] std::unique_ptr<ImageWriter> createExr(

@@ -118,10 +118,13 @@ double HeightField::knownLength(Vec2 texelPosition, Vec2 direction) const {
   return length;
 }
 
-HeightField HeightField::withBorder(Border border) const {
-  HeightField bordered = *this;
-  bordered.border_ = border;
-  return bordered;
+HeightField HeightField::withBorder(Border border) const& {
+  return HeightField(*this).withBorder(border);
+}
+
+HeightField HeightField::withBorder(Border border) && {
+  border_ = border;
+  return std::move(*this);
 }
 
 }  // namespace gnomon

@@ -52,7 +52,8 @@ class HeightField {
   [[nodiscard]] double knownLength(Vec2 texelPosition, Vec2 direction) const;
 
   /// The same map with another border.
-  [[nodiscard]] HeightField withBorder(Border border) const;
+  [[nodiscard]] HeightField withBorder(Border border) const&;
+  [[nodiscard]] HeightField withBorder(Border border) &&;
 
  private:
   int width_;

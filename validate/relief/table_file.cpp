@@ -9,16 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "common/atomic_file.h"
 #include "common/error.h"
-#include "common/memory.h"
 #include "common/one_line.h"
 #include "image_files/image_error.h"
+#include "image_files/image_file.h"
 #include "image_files/image_library.h"
 
 namespace gnomon {
@@ -168,14 +166,6 @@ void writePixels(ImageWriter& image, const StoredHorizons& tables) {
   }
 }
 
-std::unique_ptr<ImageReader> openTables(const fs::path& path) {
-  try {
-    return imageLibrary().open(path);
-  } catch (const ImageError& error) {
-    refuse(path, std::string("not an EXR that can be read: ") + error.what());
-  }
-}
-
 /// An attribute of exactly this type.
 template <typename Value>
 Value readAttribute(const fs::path& path, const ImageFacts& facts, const std::string& name) {
@@ -273,10 +263,9 @@ std::vector<Channel> channelsOf(const fs::path& path, const ImageFacts& facts, i
   return channels;
 }
 
-void scatterRows(const fs::path& path, const std::vector<std::uint32_t>& buffer, int top, int rows,
+void scatterRows(const fs::path& path, const std::uint32_t* word, int top, int rows,
                  const std::vector<Channel>& channels, StoredHorizons& tables) {
   const TableBits bits = tables.horizon.bits;
-  auto word = buffer.begin();
   for (int y = top; y < top + rows; ++y) {
     for (int x = 0; x < tables.width; ++x) {
       for (const Channel channel : channels) {
@@ -291,21 +280,13 @@ void scatterRows(const fs::path& path, const std::vector<std::uint32_t>& buffer,
   }
 }
 
-void readPixels(const fs::path& path, ImageReader& image, const ImageFacts& facts,
+void readPixels(const fs::path& path, ImageFile& image, const ImageFacts& facts,
                 StoredHorizons& tables) {
   const std::vector<Channel> channels = channelsOf(path, facts, tables.azimuths);
-  const NumberType type = bufferType(tables.horizon.bits);
-  std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * channels.size() *
-                                    rowsAtOnce);
-  for (int top = 0; top < tables.height; top += rowsAtOnce) {
-    const int rows = std::min(rowsAtOnce, tables.height - top);
-    try {
-      image.readRows(top, top + rows, type, buffer.data());
-    } catch (const ImageError& error) {
-      refuse(path, std::string("its pixels cannot be read: ") + error.what());
-    }
-    scatterRows(path, buffer, top, rows, channels, tables);
-  }
+  const auto scatter = [&](const std::uint32_t* words, int top, int rows) {
+    scatterRows(path, words, top, rows, channels, tables);
+  };
+  image.readBands<std::uint32_t>(0, facts.channelCount(), bufferType(tables.horizon.bits), scatter);
 }
 
 bool isExrName(const fs::path& path) {
@@ -313,13 +294,6 @@ bool isExrName(const fs::path& path) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending == ".exr";
-}
-
-double bytesToHold(const StoredHorizons& tables) {
-  const double texels = static_cast<double>(tables.width) * tables.height;
-  const double bufferBytes = 8.0 * tables.width * tables.azimuths * rowsAtOnce;
-  return 2 * texels * tables.azimuths * static_cast<double>(bytesAnEntry(tables.horizon.bits)) +
-         bufferBytes;
 }
 
 }  // namespace
@@ -339,18 +313,19 @@ void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
 }
 
 StoredHorizons readHorizons(const fs::path& path) {
-  std::error_code failure;
-  if (!fs::is_regular_file(path, failure)) refuse(path, "no such file, tables in EXR expected");
-  const auto image = openTables(path);
-  const ImageFacts facts = image->facts();
+  ImageFile image(path);
+  if (image.format() != ImageFormat::exr) {
+    refuse(path,
+           fmt::format("a picture as {} found, tables in EXR expected", nameOf(image.format())));
+  }
+  const ImageFacts facts = image.facts();
   StoredHorizons tables = readHeader(path, facts);
-  requireMemory(bytesToHold(tables),
-                fmt::format("{}: tables of {} x {} texels and {} azimuths", path.string(),
-                            tables.width, tables.height, tables.azimuths));
+  image.requireReadable(2.0 * tables.azimuths *
+                        static_cast<double>(bytesAnEntry(tables.horizon.bits)));
   const std::size_t entries = entryIndex(tables, tables.azimuths, 0, 0);
   tables.horizon.bytes.resize(entries * bytesAnEntry(tables.horizon.bits));
   tables.distance.bytes.resize(entries * bytesAnEntry(tables.distance.bits));
-  readPixels(path, *image, facts, tables);
+  readPixels(path, image, facts, tables);
   return tables;
 }
 

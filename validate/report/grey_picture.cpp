@@ -6,32 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <memory>
-#include <system_error>
+#include <utility>
 
-#include "common/error.h"
 #include "common/memory.h"
-#include "common/one_line.h"
-#include "image_files/image_error.h"
-#include "image_files/image_library.h"
+#include "image_files/image_file.h"
 
 namespace gnomon {
 namespace {
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", path.string(), oneLine(why)));
-}
-
-std::unique_ptr<ImageReader> openPicture(const fs::path& path) {
-  std::error_code failure;
-  if (!fs::is_regular_file(path, failure)) refuse(path, "no such file, an image was expected");
-  try {
-    return imageLibrary().open(path);
-  } catch (const ImageError& error) {
-    refuse(path, std::string("not an image that can be read: ") + error.what());
-  }
-}
 
 /// What is read of a file: neighbouring channels of the part gone to.
 struct Choice {
@@ -51,7 +33,7 @@ Choice chosen(ImageFacts facts, std::vector<int> colours, int alpha) {
   return {std::move(facts), std::move(colours), alpha, first, count};
 }
 
-Choice namedChannel(const fs::path& path, ImageReader& image, const std::string& channel) {
+Choice namedChannel(ImageFile& image, const std::string& channel) {
   std::vector<std::string> found;
   for (int part = 0; image.goTo(part); ++part) {
     const ImageFacts facts = image.facts();
@@ -59,10 +41,10 @@ Choice namedChannel(const fs::path& path, ImageReader& image, const std::string&
     if (index >= 0) return chosen(facts, {index}, -1);
     found.insert(found.end(), facts.channels.begin(), facts.channels.end());
   }
-  refuse(path, fmt::format("no channel \"{}\", it has {}", channel, fmt::join(found, ", ")));
+  image.refuse(fmt::format("no channel \"{}\", it has {}", channel, fmt::join(found, ", ")));
 }
 
-Choice onlyChannel(const fs::path& path, const ImageFacts& facts) {
+Choice onlyChannel(const ImageFile& image, const ImageFacts& facts) {
   std::vector<int> colours;
   for (int c = 0; c < facts.channelCount(); ++c) {
     if (c != facts.alpha && c != facts.z) colours.push_back(c);
@@ -70,18 +52,14 @@ Choice onlyChannel(const fs::path& path, const ImageFacts& facts) {
   if (colours.size() == 1 || colours.size() == 3) {
     return chosen(facts, colours, facts.alpha);
   }
-  refuse(path,
-         fmt::format("channels {} found, one or three beside alpha expected: name one of them",
-                     fmt::join(facts.channels, ", ")));
+  image.refuse(
+      fmt::format("channels {} found, one or three beside alpha expected: name one of them",
+                  fmt::join(facts.channels, ", ")));
 }
 
-void requireFlat(const fs::path& path, const ImageFacts& facts) {
-  if (facts.data.width < 1 || facts.data.height < 1 || facts.depth > 1 || facts.isDeep) {
-    refuse(path, fmt::format("{} × {} × {} {}pixels found, a flat image expected", facts.data.width,
-                             facts.data.height, facts.depth, facts.isDeep ? "deep " : ""));
-  }
+void requireUpright(const ImageFile& image, const ImageFacts& facts) {
   if (facts.orientation != 1) {
-    refuse(path, fmt::format("its Orientation is {}, upright pixels (1) expected: turn the picture",
+    image.refuse(fmt::format("its Orientation is {}, upright pixels (1) expected: turn the picture",
                              facts.orientation));
   }
 }
@@ -91,34 +69,6 @@ bool isPlainInteger(const Choice& choice) {
   const std::string& type =
       choice.facts.channelNumbers[static_cast<std::size_t>(choice.colours.front())];
   return type == "uint" || type == "int";
-}
-
-/// The channels chosen, beside each other, of every pixel of the data window.
-std::vector<float> readChannels(const fs::path& path, ImageReader& image, const Choice& choice) {
-  const ImageFacts& facts = choice.facts;
-  const auto [width, height] = std::pair(facts.data.width, facts.data.height);
-  const double pixels = static_cast<double>(width) * height;
-  requireMemory(
-      pixels * (sizeof(float) * (choice.count + 2.0) + static_cast<double>(facts.bytesAPixel)),
-      fmt::format("{}: an image of {} × {} pixels", path.string(), width, height));
-  const auto count = facts.pixelCount * static_cast<std::size_t>(choice.count);
-  std::vector<float> values(count);
-  const auto read = [&](NumberType type, void* out) {
-    try {
-      image.read(choice.first, choice.first + choice.count, type, out);
-    } catch (const ImageError& error) {
-      refuse(path, std::string("its pixels cannot be read: ") + error.what());
-    }
-  };
-  if (isPlainInteger(choice)) {
-    std::vector<std::uint32_t> integers(count);
-    read(NumberType::uint32, integers.data());
-    std::transform(integers.begin(), integers.end(), values.begin(),
-                   [](std::uint32_t v) { return static_cast<float>(v); });
-  } else {
-    read(NumberType::float32, values.data());
-  }
-  return values;
 }
 
 /// A rectangle of pixels, in coordinates in which no sum overflows.
@@ -142,8 +92,8 @@ Window displayWindow(const ImageFacts& facts) {
 /// One pixel of the channels chosen.
 class PixelReader {
  public:
-  PixelReader(const fs::path& path, const Choice& choice)
-      : path_(path), choice_(choice), associated_(!choice.facts.hasPlainAlpha) {}
+  PixelReader(const ImageFile& image, const Choice& choice)
+      : image_(image), choice_(choice), associated_(!choice.facts.hasPlainAlpha) {}
 
   [[nodiscard]] float alpha(const float* pixel) const {
     return choice_.alpha < 0 ? 1.0F : pixel[choice_.alpha - choice_.first];
@@ -155,55 +105,92 @@ class PixelReader {
     for (const int colour : choice_.colours) {
       const float other = pixel[colour - choice_.first];
       if (other == found || (std::isnan(found) && std::isnan(other))) continue;
-      refuse(path_, fmt::format("its channels differ, {} and {} at column {}, row {}: a grey "
-                                "picture expected, or the name of one channel",
-                                found, other, column, row));
+      image_.refuse(
+          fmt::format("its channels differ, {} and {} at column {}, row {}: a grey "
+                      "picture expected, or the name of one channel",
+                      found, other, column, row));
     }
     const float cover = alpha(pixel);
     return associated_ && cover > 0 && cover < 1 ? found / cover : found;
   }
 
  private:
-  const fs::path& path_;
+  const ImageFile& image_;
   const Choice& choice_;
   bool associated_;
 };
 
-GreyPicture placeInWindow(const fs::path& path, const Choice& choice,
-                          const std::vector<float>& data) {
-  const Window from = windowOf(choice.facts.data);
-  const Window to = displayWindow(choice.facts);
+/// A picture's display window, filled by what its data window has of it.
+class Placed {
+ public:
+  Placed(const ImageFile& image, const Choice& choice)
+      : choice_(choice),
+        pixels_(image, choice),
+        from_(windowOf(choice.facts.data)),
+        to_(displayWindow(choice.facts)),
+        picture_{static_cast<int>(to_.width), static_cast<int>(to_.height), {}, {}} {
+    const auto count = static_cast<std::size_t>(to_.width) * static_cast<std::size_t>(to_.height);
+    const bool covered = to_.x >= from_.x && to_.y >= from_.y && to_.right() <= from_.right() &&
+                         to_.below() <= from_.below();
+    picture_.values.resize(count, 0.0F);
+    if (choice.alpha >= 0 || !covered) picture_.alphas.resize(count, 0.0F);
+  }
+
+  /// Rows of the data window, counted from its top.
+  template <typename Number>
+  void add(const Number* numbers, int top, int rows) {
+    std::vector<float> pixel(static_cast<std::size_t>(choice_.count));
+    for (int row = top; row < top + rows; ++row) {
+      for (int column = 0; column < choice_.facts.data.width; ++column) {
+        for (float& value : pixel) value = static_cast<float>(*numbers++);
+        place(pixel.data(), from_.x + column - to_.x, from_.y + row - to_.y);
+      }
+    }
+  }
+
+  [[nodiscard]] GreyPicture take() { return std::move(picture_); }
+
+ private:
+  void place(const float* pixel, std::int64_t x, std::int64_t y) {
+    if (x < 0 || y < 0 || x >= to_.width || y >= to_.height) return;
+    const auto target = static_cast<std::size_t>(y * to_.width + x);
+    picture_.values[target] = pixels_.value(pixel, x, y);
+    if (!picture_.alphas.empty()) picture_.alphas[target] = pixels_.alpha(pixel);
+  }
+
+  const Choice& choice_;
+  PixelReader pixels_;
+  Window from_, to_;
+  GreyPicture picture_;
+};
+
+/// The display window is the user's word: it may be larger than the data that the file holds.
+void requireWindow(const fs::path& path, const ImageFacts& facts) {
+  const Window to = displayWindow(facts);
   const double pixels = static_cast<double>(to.width) * static_cast<double>(to.height);
   requireMemory(2 * sizeof(float) * pixels, fmt::format("{}: a display window of {} × {} pixels",
                                                         path.string(), to.width, to.height));
-  const PixelReader reader(path, choice);
-  GreyPicture picture{static_cast<int>(to.width), static_cast<int>(to.height), {}, {}};
-  picture.values.resize(static_cast<std::size_t>(pixels), 0.0F);
-  const bool covered =
-      to.x >= from.x && to.y >= from.y && to.right() <= from.right() && to.below() <= from.below();
-  if (choice.alpha >= 0 || !covered) picture.alphas.resize(picture.values.size(), 0.0F);
-  for (auto y = std::max(to.y, from.y); y < std::min(to.below(), from.below()); ++y) {
-    for (auto x = std::max(to.x, from.x); x < std::min(to.right(), from.right()); ++x) {
-      const auto source = static_cast<std::size_t>((y - from.y) * from.width + x - from.x);
-      const auto target = static_cast<std::size_t>((y - to.y) * to.width + x - to.x);
-      const float* pixel = data.data() + source * static_cast<std::size_t>(choice.count);
-      picture.values[target] = reader.value(pixel, x - to.x, y - to.y);
-      if (!picture.alphas.empty()) picture.alphas[target] = reader.alpha(pixel);
-    }
-  }
-  return picture;
 }
 
 }  // namespace
 
 GreyPicture readGreyPicture(const fs::path& path, const std::string& channel) {
-  const auto image = openPicture(path);
-  const ImageFacts facts = image->facts();
-  requireFlat(path, facts);
-  const Choice choice =
-      channel.empty() ? onlyChannel(path, facts) : namedChannel(path, *image, channel);
-  requireFlat(path, choice.facts);
-  return placeInWindow(path, choice, readChannels(path, *image, choice));
+  ImageFile image(path);
+  const ImageFacts facts = image.facts();
+  image.requireReadable(0);
+  const Choice choice = channel.empty() ? onlyChannel(image, facts) : namedChannel(image, channel);
+  image.requireReadable(0);
+  requireUpright(image, choice.facts);
+  requireWindow(path, choice.facts);
+  Placed placed(image, choice);
+  const int end = choice.first + choice.count;
+  const auto add = [&](const auto* numbers, int top, int rows) { placed.add(numbers, top, rows); };
+  if (isPlainInteger(choice)) {
+    image.readBands<std::uint32_t>(choice.first, end, NumberType::uint32, add);
+  } else {
+    image.readBands<float>(choice.first, end, NumberType::float32, add);
+  }
+  return placed.take();
 }
 
 }  // namespace gnomon

@@ -14,7 +14,7 @@ struct GreyPicture {
   std::vector<float> alphas;  ///< coverage, 0 to 1; empty where the picture has none: 1 everywhere
 };
 
-/// Reads a picture of any format that OpenImageIO knows: integers of 8 and 16 bits as 0 to 1, all
+/// Reads a picture of any format of `ImageFormat`: integers of 8 and 16 bits as 0 to 1, all
 /// other numbers as they stand in the file. No colour space is undone.
 ///
 /// The channel is the one named, in whichever part of the file it is, without alpha. Without a name
@@ -23,7 +23,8 @@ struct GreyPicture {
 ///
 /// The picture is the file's display window. Where its data window is smaller, alpha is 0; where it
 /// is larger, what lies outside is left out.
-/// @throws InputError naming the file: missing, unreadable, deep or of several layers of depth,
+/// @throws InputError naming the file: missing, of another format, unreadable, deep or of several
+/// layers of depth,
 ///   turned by its `Orientation`, no such channel, no channel that is the one, or three that differ
 ///   (naming the first pixel); MemoryError where it would not fit
 GreyPicture readGreyPicture(const std::filesystem::path& path, const std::string& channel = {});

@@ -46,8 +46,8 @@ void readStudyBake(const TomlReader& root, StudySpec& study) {
   const auto section = root.optionalTable("bake");
   const LimitSurface surface = surfaceOf(study);
   Relief& relief = study.relief;
-  relief.field =
-      relief.field.withBorder(borderOf(study.cage, surface, relief.field.wrap(), relief.repeats));
+  const Border border = borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
+  relief.field = std::move(relief.field).withBorder(border);
   std::vector<Vec3> lights;
   for (const LightSpec& light : study.lights) lights.push_back(light.direction());
   const bool isStated = section && section->has("radius");
