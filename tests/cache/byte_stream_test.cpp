@@ -54,6 +54,13 @@ TEST(ByteStream, EveryCutIsSeen) {
   EXPECT_THROW((void)valueOf<Whole>(bytes + "x"), DamagedBytes);
 }
 
+TEST(ByteStream, AFlagIsZeroOrOne) {
+  EXPECT_EQ(valueOf<std::optional<char>>(std::string("\1x")), 'x');
+  for (const char* flag : {"\2x", "\xffx"}) {
+    EXPECT_THROW((void)valueOf<std::optional<char>>(flag), DamagedBytes);
+  }
+}
+
 TEST(ByteStream, LyingSizesAllocateNothing) {
   const std::string huge = bytesOf(std::numeric_limits<std::uint64_t>::max());
   EXPECT_THROW((void)valueOf<std::vector<double>>(huge + "12345678"), DamagedBytes);

@@ -113,6 +113,12 @@ class ByteReader {
   void get(T& value) {
     std::memcpy(&value, next(sizeof value), sizeof value);
   }
+  /// Other bytes than 0 and 1 are no values of it.
+  void get(bool& value) {
+    const char byte = *next(1);
+    if (byte != 0 && byte != 1) throw DamagedBytes();
+    value = byte == 1;
+  }
   void get(std::string& text) {
     const std::size_t size = getSize(1);
     text.assign(next(size), size);

@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "cli/cache_command.h"
 #include "cli/check_command.h"
@@ -22,6 +24,7 @@
 #include "common/interruption.h"
 #include "common/shell_quote.h"
 #include "render/method.h"
+#include "study/method_trial.h"
 #include "study/result_metrics.h"
 
 namespace gnomon {
@@ -155,6 +158,13 @@ class ThreadLimit {
   std::optional<tbb::global_control> limit_;
 };
 
+/// The study's methods are tried before a window opens.
+ExitStatus viewStudy(const ViewRequest& request, const Viewer& viewer) {
+  Cache none;
+  tryMethods(readStudy(request.study, request.options), nullptr, none);
+  return viewer(request);
+}
+
 int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App app("Gnomon measures how right real-time bump-map shadows are.", "gnomon");
   app.require_subcommand(0, 1);
@@ -226,7 +236,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   const ExitStatus status = list->parsed()       ? listParts()
                             : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
-                            : view->parsed()     ? viewer(viewRequest)
+                            : view->parsed()     ? viewStudy(viewRequest, viewer)
                             : bake->parsed()     ? bakeStudies(request)
                             : truth->parsed()    ? traceStudies(request)
                             : exported->parsed() ? exportStudies(request, subdivisions)
@@ -242,6 +252,9 @@ int runCommandLine(int argc, char** argv, const Viewer& viewer) {
   prepareStreams();
   const JunitFile junit({argv, static_cast<std::size_t>(argc)}, joinedCommand(argc, argv));
   try {
+    if (argc > 1 && std::string_view(argv[1]) == trialArgument) {
+      return static_cast<int>(answerTrial(std::vector<std::string>(argv + 2, argv + argc)));
+    }
     junit.open();
     const int status = dispatch(argc, argv, viewer);
     flushOutput();

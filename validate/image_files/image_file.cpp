@@ -12,7 +12,9 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/one_line.h"
+#include "image_files/exr_header.h"
 #include "image_files/image_library.h"
+#include "image_files/jpeg_header.h"
 #include "image_files/packing.h"
 #include "image_files/png_reader.h"
 
@@ -54,8 +56,15 @@ ImageFile::ImageFile(fs::path path) : path_(std::move(path)) {
                        imageFormatNames));
   }
   format_ = *format;
+  if (format_ == ImageFormat::jpeg) {
+    // Of a progressive one the reader holds all coefficients, of 16 bits each.
+    const JpegFrame frame = jpegFrame(path_).value_or(JpegFrame{});
+    requireRoom({frame.width, frame.height, static_cast<double>(frame.components)}, "",
+                2.0 * frame.components);
+  }
   const ImageLibrary* library = format_ == ImageFormat::png ? nullptr : &imageLibrary();
   try {
+    if (format_ == ImageFormat::exr) requireSoundExrHeader(path_);
     reader_ = library == nullptr ? openPng(path_) : library->open(path_, format_);
   } catch (...) {
     refuse(fmt::format("not an image that can be read: a damaged {}: {}", nameOf(format_),
@@ -82,22 +91,28 @@ void ImageFile::requireReadable(double bytesKept) const {
     refuse(fmt::format("{} × {} × {} {}pixels found, a flat image expected", width, height,
                        facts.depth, facts.isDeep ? "deep " : ""));
   }
-  const double pixels = static_cast<double>(width) * height;
-  const double unpacked = pixels * static_cast<double>(facts.bytesAPixel);
   const auto found = facts.attributes.find("compression");
   const auto* coding =
       found == facts.attributes.end() ? nullptr : std::get_if<std::string>(&found->second);
-  if (unpacked >
-      mostBytesAByteHolds(format_, coding ? *coding : "") * static_cast<double>(bytes_)) {
-    refuse(fmt::format(
-        "a damaged {}: {} × {} pixels of {} found in its header, more than its {} "
-        "can hold",
-        nameOf(format_), width, height, formatBytes(static_cast<double>(facts.bytesAPixel)),
-        formatBytes(static_cast<double>(bytes_))));
+  requireRoom({width, height, static_cast<double>(facts.bytesAPixel)}, coding ? *coding : "",
+              bytesKept);
+}
+
+void ImageFile::requireRoom(const Size& size, const std::string& coding, double bytesKept) const {
+  const double pixels = static_cast<double>(size.width) * size.height;
+  const double unpacked = pixels * size.bytesAPixel;
+  const auto bytes = static_cast<double>(bytes_);
+  if (unpacked > mostBytesAByteHolds(format_, coding) * bytes) {
+    refuse(
+        fmt::format("a damaged {}: its header states {} × {} pixels of {}, more than a file of {} "
+                    "holds",
+                    nameOf(format_), size.width, size.height, formatBytes(size.bytesAPixel),
+                    formatBytes(bytes)));
   }
   // Some readers hold the whole picture as the file's own numbers.
-  requireMemory(unpacked + pixels * bytesKept,
-                fmt::format("{}: an image of {} × {} pixels", path_.string(), width, height));
+  requireMemory(
+      unpacked + pixels * bytesKept,
+      fmt::format("{}: an image of {} × {} pixels", path_.string(), size.width, size.height));
 }
 
 void ImageFile::readRows(int rows, int first, int end, NumberType type, void* values) {

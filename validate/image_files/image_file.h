@@ -56,6 +56,13 @@ class ImageFile {
   [[noreturn]] void refuse(const std::string& what) const;
 
  private:
+  /// What a header states.
+  struct Size {
+    int width, height;
+    double bytesAPixel;  ///< unpacked
+  };
+  /// Refuses a size that the file is too short for, or memory too small.
+  void requireRoom(const Size& size, const std::string& coding, double bytesKept) const;
   static int rowsAtOnce(const ImageFacts& facts, int channels);
 
   std::filesystem::path path_;

@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "common/error.h"
+#include "common/memory.h"
 #include "common/one_line.h"
 #include "common/toml_nesting.h"
 
@@ -191,9 +194,47 @@ void requirePasses(const Declaration& declaration, const Method& method) {
   }
 }
 
+bool isWordCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// The line of a word of the code, without comments.
+std::optional<std::size_t> lineOfWord(std::string_view glsl, std::string_view word) {
+  std::size_t line = 1;
+  for (std::size_t at = 0; at < glsl.size();) {
+    std::size_t end = at + 1;
+    if (glsl.substr(at, 2) == "//") {
+      end = std::min(glsl.find('\n', at), glsl.size());
+    } else if (glsl.substr(at, 2) == "/*") {
+      const std::size_t close = glsl.find("*/", at + 2);
+      end = close == std::string_view::npos ? glsl.size() : close + 2;
+    } else if (isWordCharacter(glsl[at])) {
+      while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
+      if (glsl.substr(at, end - at) == word) return line;
+    }
+    line +=
+        static_cast<std::size_t>(std::count(glsl.begin() + static_cast<std::ptrdiff_t>(at),
+                                            glsl.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+    at = end;
+  }
+  return std::nullopt;
+}
+
+/// No shader that a person wrote is as long; drivers crash on some that are.
+void requireShort(const fs::path& path) {
+  constexpr std::uintmax_t mostBytes = 1 << 18;
+  std::error_code failure;
+  const std::uintmax_t bytes = fs::file_size(path, failure);
+  if (failure || bytes <= mostBytes) return;
+  throw InputError(fmt::format("{}: {} found, a shader of at most {} expected", path.string(),
+                               formatBytes(static_cast<double>(bytes)),
+                               formatBytes(static_cast<double>(mostBytes))));
+}
+
 }  // namespace
 
 Method readMethod(const fs::path& path) {
+  requireShort(path);
   Method method;
   method.source = readShader(path);
   method.name = path.stem().string();
@@ -214,6 +255,10 @@ Method readMethod(const fs::path& path) {
         fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "
                     "method defines it",
                     method.source.file));
+  }
+  if (const auto line = lineOfWord(method.source.text, "discard")) {
+    throw InputError(fmt::format("{}:{}: `discard` found: method {} has to answer for every pixel",
+                                 method.source.file, *line, method.name));
   }
   return method;
 }

@@ -64,6 +64,24 @@ AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
   return table;
 }
 
+/// A shader has to answer wherever the mesh is: one that leaves out pixels would not be scored on
+/// them.
+void requireAnswers(const MethodCase& method, const ViewSpec& view, const Mask& truth,
+                    const Mask& answer) {
+  std::size_t left = 0;
+  std::size_t samples = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth.samples[i] == Shade::none) continue;
+    ++samples;
+    if (answer.samples[i] == Shade::none) ++left;
+  }
+  if (left == 0) return;
+  throw InputError(
+      fmt::format("method \"{}\" ({}): its shader leaves out {} of {} samples of view "
+                  "\"{}\", an answer for each expected",
+                  method.spec->label, method.spec->file.string(), left, samples, view.name));
+}
+
 }  // namespace
 
 MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface) {
@@ -115,6 +133,7 @@ MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, s
     return rendered;
   });
   const Mask& truth = seen.truths[light].mask;
+  requireAnswers(method, scene.study.views[view], truth, answers.drawn);
   for (Mask* mask : {&answers.drawn, &answers.test}) {
     for (std::size_t i = 0; i < mask->size(); ++i) {
       if (truth.samples[i] == Shade::none) mask->samples[i] = Shade::none;

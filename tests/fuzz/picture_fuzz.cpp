@@ -1,0 +1,19 @@
+// Any bytes that are told as a picture of GNOMON_FUZZ_FORMAT, as a height map: one target a format,
+// so that none of them is searched less than the others.
+
+#include <cmath>
+
+#include "fuzz/reader_fuzz.h"
+#include "image_files/image_format.h"
+#include "relief/height_image.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace gnomon;
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  if (imageFormatOf(bytes.substr(0, imageStartBytes)) != ImageFormat::GNOMON_FUZZ_FORMAT) return 0;
+  test::fuzzReader(data, size, ".picture", [](const std::filesystem::path& path) {
+    const HeightField field = readHeightImage(path, 0, 1, Wrap::repeat);
+    if (!std::isfinite(field.at({0.3, 0.7}))) std::abort();
+  });
+  return 0;
+}

@@ -1,0 +1,114 @@
+#include "image_files/exr_header.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+#include "image_files/image_error.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::streamoff fileStart = 8;  // magic and version
+constexpr std::uint8_t multipleParts = 0x10;
+
+class Header {
+ public:
+  explicit Header(const std::filesystem::path& path)
+      : file_(path, std::ios::binary), bytes_(std::filesystem::file_size(path)) {
+    std::array<char, fileStart> start{};
+    file_.read(start.data(), start.size());
+    hasParts_ = (static_cast<std::uint8_t>(start[5]) & multipleParts) != 0;
+  }
+
+  void check() {
+    while (checkPart() && hasParts_) {
+    }
+  }
+
+ private:
+  /// @return whether there was an attribute: a header without any ends the parts
+  bool checkPart() {
+    std::uint64_t columns = 1;
+    std::uint64_t rows = 1;
+    std::uint64_t tileColumns = 0;
+    std::uint64_t tileRows = 0;
+    int attributes = 0;
+    for (std::string name = text(); !name.empty(); name = text(), ++attributes) {
+      const std::string type = text();
+      const auto size = static_cast<std::uint32_t>(number());
+      const std::streamoff value = file_.tellg();
+      if (!file_ || size > bytes_ - static_cast<std::uint64_t>(value)) {
+        throw ImageError("an attribute of its header is longer than the file");
+      }
+      if (type == "box2i" && name == "dataWindow") {
+        const std::int64_t left = number();
+        const std::int64_t top = number();
+        columns = side(left, number());
+        rows = side(top, number());
+      } else if (type == "tiledesc" && name == "tiles") {
+        tileColumns = static_cast<std::uint32_t>(number());
+        tileRows = static_cast<std::uint32_t>(number());
+      }
+      file_.seekg(value + static_cast<std::streamoff>(size));
+    }
+    requireTile(tileColumns, tileRows, columns * rows);
+    requireIndex(parts(columns, tileColumns), parts(rows, tileRows), tileColumns > 0);
+    return attributes > 0;
+  }
+
+  /// A tile may be larger than the picture, but not by much: the reader takes memory for all of it.
+  static void requireTile(std::uint64_t columns, std::uint64_t rows, std::uint64_t pixels) {
+    constexpr std::uint64_t usual = 4096 * 4096;
+    if (columns * rows > std::max(usual, pixels)) {
+      throw ImageError("a tile of it is far larger than the picture");
+    }
+  }
+
+  /// Each tile has an entry of 8 bytes.
+  void requireIndex(std::uint64_t columns, std::uint64_t rows, bool hasTiles) const {
+    if (!hasTiles || columns <= bytes_ / 8 / rows) return;
+    throw ImageError("the index of its tiles is longer than the file");
+  }
+
+  static std::uint64_t side(std::int64_t first, std::int64_t last) {
+    return last < first ? 1 : static_cast<std::uint64_t>(last - first) + 1;
+  }
+  static std::uint64_t parts(std::uint64_t whole, std::uint64_t part) {
+    return part == 0 ? 1 : (whole + part - 1) / part;
+  }
+
+  /// Up to a zero; names are at most 255 characters long.
+  std::string text() {
+    constexpr std::size_t longest = 255;
+    std::string found;
+    for (int c = file_.get(); c != 0; c = file_.get()) {
+      if (!file_ || found.size() == longest) throw ImageError("its header has no end");
+      found += static_cast<char>(c);
+    }
+    return found;
+  }
+
+  std::int32_t number() {
+    std::array<char, 4> bytes{};
+    file_.read(bytes.data(), bytes.size());
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[i]);
+    return static_cast<std::int32_t>(value);
+  }
+
+  std::ifstream file_;
+  std::uint64_t bytes_;
+  bool hasParts_ = false;
+};
+
+}  // namespace
+
+void requireSoundExrHeader(const std::filesystem::path& path) {
+  Header(path).check();
+}
+
+}  // namespace gnomon
