@@ -1,7 +1,9 @@
 #include "image_files/image_format.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 
 namespace gnomon {
 namespace {
@@ -100,26 +102,29 @@ std::optional<ImageFormat> netpbmFormat(std::string_view start) {
   return {};
 }
 
+enum class TgaKind { none, plain, mapped };
+
 /// A header that is right in every field (Truevision TGA 2.0, pages 6 to 9): whether there is a
 /// colour map, which kind of picture, the map's and the pixel's bits, both sides.
-bool isTgaHeader(std::string_view start) {
+TgaKind tgaKind(std::string_view start) {
   constexpr std::size_t headerBytes = 18;
-  if (start.size() < headerBytes) return false;
+  if (start.size() < headerBytes) return TgaKind::none;
   const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(start[at]); };
   const auto word = [&](std::size_t at) { return byte(at) | byte(at + 1) << 8; };
-  const int hasMap = byte(1);
+  const auto isAmong = [](int value, std::initializer_list<int> values) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+  };
   const int kind = byte(2) & ~8;  // 8: packed
   const int mapBits = byte(7);
   const int pixelBits = byte(16);
-  if (hasMap > 1 || byte(2) > 11 || kind < 1 || kind > 3 || word(12) == 0 || word(14) == 0) {
-    return false;
-  }
-  const bool isMapRight =
-      hasMap == 0 || mapBits == 15 || mapBits == 16 || mapBits == 24 || mapBits == 32;
-  if (!isMapRight) return false;
-  if (kind == 1) return hasMap == 1 && (pixelBits == 8 || pixelBits == 16) && word(5) > 0;
-  if (kind == 3) return pixelBits == 8 || pixelBits == 16;
-  return pixelBits == 15 || pixelBits == 16 || pixelBits == 24 || pixelBits == 32;
+  const bool isMapped = byte(1) == 1;
+  const bool isRight = byte(1) <= 1 && byte(2) <= 11 && word(12) > 0 && word(14) > 0 &&
+                       (!isMapped || isAmong(mapBits, {15, 16, 24, 32}));
+  const bool isPixelRight =
+      kind == 2 ? isAmong(pixelBits, {15, 16, 24, 32})
+                : isAmong(kind, {1, 3}) && isAmong(pixelBits, {8, 16}) && (kind == 3 || isMapped);
+  if (!isRight || !isPixelRight) return TgaKind::none;
+  return isMapped ? TgaKind::mapped : TgaKind::plain;
 }
 
 }  // namespace
@@ -134,13 +139,15 @@ std::optional<ImageFormat> imageFormatOf(std::string_view start) {
     if (isAt(start, signature)) return signature.kind;
   }
   if (const auto netpbm = netpbmFormat(start)) return netpbm;
-  if (otherKind(start) == nullptr && isTgaHeader(start)) return ImageFormat::tga;
+  if (otherKind(start) == nullptr && tgaKind(start) == TgaKind::plain) return ImageFormat::tga;
   return std::nullopt;
 }
 
 std::string otherFileKind(std::string_view start) {
   if (start.empty()) return "an empty file";
   const char* kind = otherKind(start);
+  // Its reader looks up colours that the map does not have.
+  if (kind == nullptr && tgaKind(start) == TgaKind::mapped) return "a TGA with a colour map";
   return kind != nullptr ? kind : "a file of an unknown kind";
 }
 
