@@ -10,7 +10,7 @@ namespace {
 
 bool isIndex(const std::string& name) {
   const std::string file = fs::path(name).filename().string();
-  return isIndex(name) || file == "truth.json" || file == "export.json";
+  return file == "summary.json" || file == "truth.json" || file == "export.json";
 }
 
 /// Or the command, which names a folder.
