@@ -88,7 +88,7 @@ TEST_F(InputFile, RefusalsSayWhy) {
   fs::create_symlink("loop", file("loop"));
   EXPECT_EQ(refusal("loop"), "loop: cannot be read: Too many levels of symbolic links");
   std::ofstream(file("plain")) << "text";
-  EXPECT_EQ(refusal("plain/below"), "plain/below: cannot be read: Not a directory");
+  EXPECT_EQ(refusal("plain/below"), "plain/below: no such file");
 }
 
 TEST_F(InputFile, RefusesOneThatMayNotBeRead) {
@@ -125,6 +125,8 @@ TEST_F(InputFile, TellsWhetherSomethingIsThere) {
   EXPECT_TRUE(pathExists(folder()));
   EXPECT_FALSE(pathExists(file("none")));
   EXPECT_FALSE(pathExists(file("none/below")));
+  std::ofstream(file("plain")) << "text";
+  EXPECT_FALSE(pathExists(file("plain/below")));
   EXPECT_THAT(messageOf<InputError>([&] { (void)pathExists(file(std::string(300, 'n'))); }),
               EndsWith("cannot be read: File name too long"));
 }

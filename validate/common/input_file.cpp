@@ -42,7 +42,8 @@ const char* kindName(fs::file_type type) {
 fs::file_type typeOf(const fs::path& path) {
   std::error_code failure;
   const fs::file_type type = fs::status(path, failure).type();
-  const bool isMissing = failure == std::errc::no_such_file_or_directory;
+  const bool isMissing =
+      failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory;
   if (failure && !isMissing) failToRead(path, failure.value());
   return type;
 }
