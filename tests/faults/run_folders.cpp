@@ -65,6 +65,18 @@ FolderContent contentOf(const fs::path& folder) {
   return content;
 }
 
+std::vector<std::string> differences(const FolderContent& a, const FolderContent& b) {
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : a) {
+    const auto other = b.find(name);
+    if (other == b.end() || other->second != bytes) names.push_back(name);
+  }
+  for (const auto& [name, bytes] : b) {
+    if (!a.contains(name)) names.push_back(name);
+  }
+  return names;
+}
+
 std::vector<std::string> partFilesBelow(const fs::path& folder) {
   std::vector<std::string> names;
   for (const auto& [name, bytes] : contentOf(folder)) {

@@ -18,6 +18,9 @@ std::string otherStudy();
 using FolderContent = std::map<std::string, std::string>;
 FolderContent contentOf(const std::filesystem::path& folder);
 
+/// Names of the files that only one of two folders has, or that differ.
+std::vector<std::string> differences(const FolderContent& a, const FolderContent& b);
+
 /// Names of the part files below a folder: see PartFile.
 const std::vector<std::string> nothing;
 std::vector<std::string> partFilesBelow(const std::filesystem::path& folder);

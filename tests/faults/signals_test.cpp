@@ -52,6 +52,7 @@ class SignalsAtAnyMoment : public EndToEnd {
   /// @param coldCache  each begins with an empty cache, so that entries are being written
   void tryAll(const std::vector<std::string>& oldRun, const std::vector<std::string>& newRun,
               int kills, bool coldCache = false) {
+    for (const char* name : {"old-out", "new-out"}) fs::remove_all(file(name));
     ASSERT_EQ(run(oldRun, "old-out").status, 0);
     ASSERT_EQ(run(newRun, "new-out").status, 0);
     if (coldCache) fs::remove_all(file("kept"));
@@ -73,7 +74,7 @@ class SignalsAtAnyMoment : public EndToEnd {
       killOne(newRun, signals.at(static_cast<std::size_t>(i) % 3), seconds, wholeRuns);
       const Outcome again = run(newRun, "out");
       EXPECT_EQ(again.status, 0) << again.err;
-      EXPECT_EQ(contentOf(file("out")), wholeRuns[1]);
+      EXPECT_EQ(differences(contentOf(file("out")), wholeRuns[1]), nothing);
       EXPECT_EQ(partFilesBelow(folder()), nothing);
       if (!HasFailure()) continue;
       break;

@@ -117,7 +117,7 @@ TEST_F(SpecialFiles, CacheEntriesOfAnyKindAreReplaced) {
   Outcome outcome = gnomon({"run", "small.toml"}, environment());
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(contentOf(file("out")), before);
+  EXPECT_EQ(differences(contentOf(file("out")), before), nothing);
   const nlohmann::json damaged = summary("small").at("cache").at("damaged");
   EXPECT_GT(damaged, 2 * kinds);
   outcome = gnomon({"run", "small.toml"}, environment());

@@ -74,7 +74,7 @@ TEST_F(StaleFiles, TruthsAndExportsKeepNoOlderOnes) {
         if (name.ends_with(".json")) bytes.clear();  // holds the command
       }
     }
-    EXPECT_EQ(found, fresh) << command;
+    EXPECT_EQ(differences(found, fresh), nothing) << command;
   }
 }
 
@@ -165,7 +165,7 @@ TEST_F(StaleFiles, AFolderInUseIsRefusedUntilItsHolderIsGone) {
     EXPECT_EQ(outcome.err,
               "gnomon: out/small: another run is writing into this folder; wait for its end, or "
               "choose another --out\n");
-    EXPECT_EQ(contentOf(file("out")), before);
+    EXPECT_EQ(differences(contentOf(file("out")), before), nothing);
   }
   ::close(list);
   // A run that is killed holds it no longer.

@@ -46,11 +46,11 @@ class TwoAtOnce : public EndToEnd {
   [[nodiscard]] std::vector<std::string> environment(const std::string& cache) const {
     return {"GNOMON_CACHE=" + file(cache).string()};
   }
-  [[nodiscard]] int start(const std::string& name, const std::string& out,
-                          const std::string& cache) const {
+  [[nodiscard]] int start(const std::string& name, const std::string& out, const std::string& cache,
+                          const std::string& said) const {
     return startCommand(folder(),
                         inNamespace({GNOMON_PROGRAM, "run", name + "/small.toml", "--out", out}),
-                        environment(cache), "/dev/null", file(name + ".stderr"));
+                        environment(cache), "/dev/null", file(said + ".stderr"));
   }
 
   std::vector<FolderContent> whole_;
@@ -63,9 +63,9 @@ TEST_F(TwoAtOnce, IntoOneFolderOneIsWholeAndTheOtherSaysSo) {
   std::mt19937 random(3);
   std::uniform_int_distribution<int> later(0, 200);
   for (int round = 0; round < rounds; ++round) {
-    const int first = start("a", "out", "kept");
+    const int first = start("a", "out", "kept", "a");
     std::this_thread::sleep_for(std::chrono::milliseconds(later(random)));
-    const int second = start("b", "out", "kept");
+    const int second = start("b", "out", "kept", "b");
     const std::array status = {endOf(first), endOf(second)};
     ASSERT_TRUE(status[0] == 0 || status[1] == 0) << read("a.stderr") << read("b.stderr");
     const bool areBoth = status[0] == 0 && status[1] == 0;
@@ -88,14 +88,15 @@ TEST_F(TwoAtOnce, IntoOneFolderOneIsWholeAndTheOtherSaysSo) {
 }
 
 TEST_F(TwoAtOnce, OnOneCacheBothFillIt) {
+  // The same study, so that both write the same entries.
   const int rounds = repetitions(2, 15);
   for (int round = 0; round < rounds; ++round) {
     fs::remove_all(file("shared"));
-    const int first = start("a", "out-a", "shared");
-    const int second = start("b", "out-b", "shared");
-    EXPECT_EQ(endOf(first), 0) << read("a.stderr");
-    EXPECT_EQ(endOf(second), 0) << read("b.stderr");
-    EXPECT_EQ(read("a.stderr") + read("b.stderr"), "");
+    const int first = start("a", "out-a", "shared", "first");
+    const int second = start("a", "out-b", "shared", "second");
+    EXPECT_EQ(endOf(first), 0) << read("first.stderr");
+    EXPECT_EQ(endOf(second), 0) << read("second.stderr");
+    EXPECT_EQ(read("first.stderr") + read("second.stderr"), "");
     EXPECT_EQ(shownBy(contentOf(file("out-a")), whole_), Shown::whole);
     EXPECT_EQ(shownBy(contentOf(file("out-b")), whole_), Shown::whole);
     EXPECT_EQ(partFilesBelow(folder()), nothing);
@@ -107,7 +108,7 @@ TEST_F(TwoAtOnce, OnOneCacheBothFillIt) {
 
 TEST_F(TwoAtOnce, ASignalReachesTheFirstProcessOfAContainer) {
   // For which the system has no default effect.
-  const int process = start("a", "out", "cold");
+  const int process = start("a", "out", "cold", "a");
   for (int i = 0; i < 2000 && partFilesBelow(file("cold")).empty(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (fs::exists(file("out/small/summary.json"))) break;
