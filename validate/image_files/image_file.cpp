@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/memory.h"
 #include "common/one_line.h"
+#include "image_files/bmp_header.h"
 #include "image_files/exr_header.h"
 #include "image_files/image_library.h"
 #include "image_files/jpeg_header.h"
@@ -65,6 +66,7 @@ ImageFile::ImageFile(fs::path path) : path_(std::move(path)) {
   const ImageLibrary* library = format_ == ImageFormat::png ? nullptr : &imageLibrary();
   try {
     if (format_ == ImageFormat::exr) requireSoundExrHeader(path_);
+    if (format_ == ImageFormat::bmp) requireSoundBmpHeader(path_);
     reader_ = library == nullptr ? openPng(path_) : library->open(path_, format_);
   } catch (...) {
     refuse(fmt::format("not an image that can be read: a damaged {}: {}", nameOf(format_),
