@@ -144,16 +144,20 @@ TEST(SummaryJson, ValuesSurviveTheTrip) {
 
 TEST(SummaryJson, AClaimTellsHowItFaresOverTheCases) {
   StudyRecord record = sampleRecord();
-  record.claims[0].spread =
-      ClaimSpread{27, 25, 1, 1, "ratio", Quartiles{0.25, 0.375, 0.5, 0.625, 0.75}, true};
+  record.claims[0].spread = ClaimSpread{27,      25,
+                                        1,       1,
+                                        "ratio", Quartiles{0.25, 0.375, 0.5, 0.625, 0.75},
+                                        true,    Verdict::notDistinguishable};
   record.claims[1].spread = ClaimSpread{2, 0, 1, 1, "value", {}, false};
   const ordered_json claims = written(record)["claims"];
-  EXPECT_EQ(claims[0]["spread"].dump(),
-            R"({"cases":27,"held":25,"failed":1,"not_distinguishable":1,"intervals":true,)"
-            R"("quantity":"ratio","least":0.25,"quartile_1":0.375,"median":0.5,"quartile_3":0.625,)"
-            R"("most":0.75})");
+  EXPECT_EQ(
+      claims[0]["spread"].dump(),
+      R"({"cases":27,"held":25,"failed":1,"not_distinguishable":1,"intervals":true,)"
+      R"("together":"not distinguishable","quantity":"ratio","least":0.25,"quartile_1":0.375,"median":0.5,"quartile_3":0.625,)"
+      R"("most":0.75})");
   EXPECT_FALSE(claims[1]["spread"]["intervals"]);
   EXPECT_TRUE(claims[1]["spread"]["median"].is_null());
+  EXPECT_TRUE(claims[1]["spread"]["together"].is_null());
   EXPECT_TRUE(claims[2]["spread"].is_null());
 }
 

@@ -58,6 +58,7 @@ Json spreadJson(const ClaimSpread& spread) {
           {"failed", spread.failed},
           {"not_distinguishable", spread.notDistinguishable()},
           {"intervals", spread.hasIntervals},
+          {"together", spread.together ? Json(verdictName(*spread.together)) : Json(nullptr)},
           {"quantity", spread.quantity},
           {"least", quartile(&Quartiles::least)},
           {"quartile_1", quartile(&Quartiles::first)},

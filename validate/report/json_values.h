@@ -48,8 +48,9 @@ Json jsonStudy(const StudyRecord& record);
 Json jsonTruth(const TruthRecord& truth);
 /// text, source, verdict, detail; `spread` over the study's cases, or null: cases, held, failed,
 /// not_distinguishable (numbers of cases), intervals (false: judged by the truth's uncertainty
-/// alone), quantity ("ratio", `less` over `than`; or "value"), and its least, quartile_1, median,
-/// quartile_3, most (null where no case has it); and `radius` (jsonRadiusCheck).
+/// alone), together (the verdict on the mean of all cases), quantity ("ratio", `less` over `than`;
+/// or "value"), and its least, quartile_1, median, quartile_3, most (null where no case has it);
+/// and `radius` (jsonRadiusCheck).
 Json jsonClaim(const ClaimRecord& claim);
 /// method, error_rate, false_shadow, false_light, uncertainty, cases, all_cases.
 Json jsonMeans(const MethodMeans& means);

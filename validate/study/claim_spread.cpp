@@ -26,6 +26,15 @@ std::string quartilesText(const ClaimSpread& spread) {
   return text + ")";
 }
 
+/// "holds for all lights together; ", where that was judged.
+std::string togetherText(const ClaimSpread& spread, const char* unit) {
+  if (!spread.together) return "";
+  const char* verdict = *spread.together == Verdict::held     ? "holds"
+                        : *spread.together == Verdict::failed ? "fails"
+                                                              : "not distinguishable";
+  return fmt::format("{} for all {}s together; ", verdict, unit);
+}
+
 }  // namespace
 
 std::optional<Quartiles> quartilesOf(std::vector<double> values) {
@@ -39,9 +48,9 @@ std::string spreadText(const ClaimSpread& spread) {
   const bool ofLights = spread.views == 1;
   const char* where = ofLights ? "under" : "in";
   const char* unit = ofLights ? "light" : "case";
-  return fmt::format("holds {} {} of {} {}{}, fails {} {}{}", where, spread.held, spread.cases,
-                     unit, spread.cases == 1 ? "" : "s", where, spread.failed,
-                     quartilesText(spread));
+  return fmt::format("{}holds {} {} of {} {}{}, fails {} {}{}", togetherText(spread, unit), where,
+                     spread.held, spread.cases, unit, spread.cases == 1 ? "" : "s", where,
+                     spread.failed, quartilesText(spread));
 }
 
 }  // namespace gnomon

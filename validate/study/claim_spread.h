@@ -7,6 +7,8 @@
 
 namespace gnomon {
 
+enum class Verdict { held, failed, notDistinguishable, notEvaluated };
+
 /// The least, the greatest and the quartiles between them.
 struct Quartiles {
   double least = 0;
@@ -30,14 +32,17 @@ struct ClaimSpread {
   std::string quantity;
   std::optional<Quartiles> quartiles;  ///< none where no case has the quantity
   bool hasIntervals = false;  ///< false: judged by the truth's uncertainty alone, see judgeClaims
+  /// Of the mean over all cases, by its own interval; none without intervals, or of one case.
+  std::optional<Verdict> together = std::nullopt;
 
   /// Neither held nor failed.
   [[nodiscard]] std::size_t notDistinguishable() const { return cases - held - failed; }
 };
 
-/// "holds under 25 of 27 lights, fails under 1; ratio 0.48 (0.30 to 0.90, quartiles 0.41 and
-/// 0.60)": the median, then the least and the greatest where there are several cases, and the
-/// quartiles from four cases on. Over several views "in 25 of 54 cases".
+/// "holds for all lights together; holds under 25 of 27 lights, fails under 1; ratio 0.48 (0.30 to
+/// 0.90, quartiles 0.41 and 0.60)": the median, then the least and the greatest where there are
+/// several cases, and the quartiles from four cases on. Over several views "for all cases together;
+/// holds in 25 of 54".
 std::string spreadText(const ClaimSpread& spread);
 
 }  // namespace gnomon

@@ -158,9 +158,9 @@ class Cases {
 };
 
 Verdict verdictOver(const ClaimSpread& spread) {
-  return spread.failed > 0             ? Verdict::failed
-         : spread.held == spread.cases ? Verdict::held
-                                       : Verdict::notDistinguishable;
+  if (spread.failed > 0) return Verdict::failed;
+  if (spread.together) return *spread.together;
+  return spread.held == spread.cases ? Verdict::held : Verdict::notDistinguishable;
 }
 
 /// Whether `less` is smaller in one case.
@@ -173,6 +173,12 @@ Verdict judgePair(const ClaimSpec& claim, const StudyRecord& study, const Pair& 
   return difference ? signVerdict(difference->verdict) : Verdict::notDistinguishable;
 }
 
+/// Whether `less` is smaller on average over all cases.
+Verdict judgeTogether(const ClaimSpec& claim, const StudyRecord& study) {
+  const auto mean = differenceOverViews(study, claim.than, claim.less);
+  return mean ? signVerdict(mean->verdict) : Verdict::notDistinguishable;
+}
+
 ClaimRecord judgeOrder(const ClaimSpec& claim, const StudyRecord& study,
                        const std::vector<Pair>& found) {
   Cases cases(claim, "ratio");
@@ -180,7 +186,8 @@ ClaimRecord judgeOrder(const ClaimSpec& claim, const StudyRecord& study,
     cases.add(*pair.result, judgePair(claim, study, pair),
               pair.than > 0 ? std::optional(pair.less / pair.than) : std::nullopt);
   }
-  const ClaimSpread spread = cases.spread();
+  ClaimSpread spread = cases.spread();
+  if (spread.hasIntervals && spread.cases > 1) spread.together = judgeTogether(claim, study);
   return {claim.text, claim.source, verdictOver(spread),
           fmt::format("{} of {} smaller than of {}{}: {}; mean difference {}{}", claim.metric,
                       claim.less, claim.than, regionText(claim), spreadText(spread),
@@ -298,6 +305,28 @@ Verdict judgeBounded(const ClaimSpec& claim, const Bounded& found) {
                                             : Verdict::held;
 }
 
+/// The mean over views of what all lights together say; without an interval where a view has none.
+/// @param cases  one or more: the claim's, for the truth's uncertainty
+Bounded meanOf(const ClaimSpec& claim, const StudyRecord& study, const std::vector<Bounded>& cases,
+               const std::set<std::string>& views) {
+  Bounded mean{0, 0, Interval{}};
+  for (const Bounded& found : cases) {
+    mean.value += found.value / static_cast<double>(cases.size());
+    mean.uncertainty += found.uncertainty / static_cast<double>(cases.size());
+  }
+  const auto count = static_cast<double>(views.size());
+  for (const std::string& view : views) {
+    const auto row = findConfidence(study, view, allLights, claim.method);
+    if (!row || !row->interval) {
+      mean.interval.reset();
+    } else if (mean.interval) {
+      mean.interval->low += row->interval->low / count;
+      mean.interval->high += row->interval->high / count;
+    }
+  }
+  return mean;
+}
+
 std::string boundsText(const ClaimSpec& claim) {
   if (!claim.below) return fmt::format("above {}", *claim.above);
   if (!claim.above) return fmt::format("below {}", *claim.below);
@@ -306,6 +335,8 @@ std::string boundsText(const ClaimSpec& claim) {
 
 ClaimRecord judgeBounds(const ClaimSpec& claim, const StudyRecord& study) {
   Cases cases(claim, "value");
+  std::vector<Bounded> all;
+  std::set<std::string> views;
   std::size_t undefined = 0;
   for (const ResultRecord& result : study.results) {
     if (result.method != claim.method || result.region != claim.region ||
@@ -321,8 +352,13 @@ ClaimRecord judgeBounds(const ClaimSpec& claim, const StudyRecord& study) {
     const Bounded found{*value, uncertaintyOf(study, result, claim.metric),
                         confidence ? confidence->interval : std::nullopt};
     cases.add(result, judgeBounded(claim, found), value);
+    all.push_back(found);
+    views.insert(result.view);
   }
-  const ClaimSpread spread = cases.spread();
+  ClaimSpread spread = cases.spread();
+  if (spread.hasIntervals && spread.cases > 1) {
+    spread.together = judgeBounded(claim, meanOf(claim, study, all, views));
+  }
   if (spread.cases == 0) {
     return notEvaluated(claim, fmt::format("{} is not defined for {}", claim.metric, claim.method));
   }

@@ -16,10 +16,15 @@ namespace gnomon {
 /// better than `than` by verdictOn, and fails there where it is worse. "The metric of `method` lies
 /// `above` and `below`" holds in a case where the value is on the right side of every bound by
 /// verdictOn, and fails where it is on the wrong side of one. Over all cases:
-///   held                 it holds in every case
-///   failed               it fails in at least one case
+///   held                 it fails in none, and holds for the mean over all of them together, by
+///   the
+///                        interval of that mean; without intervals: it holds in every case
+///   failed               it fails in at least one case, or for that mean
 ///   not distinguishable  anything between
 ///   not evaluated        no case has a value
+/// The mean is that over all lights together of each view (differenceOverViews), and has a narrower
+/// interval than a single light: a claim may hold though under some lights it cannot be told. In
+/// how many cases it holds by itself stands beside it.
 ///
 /// *With an interval or without.* Only the error rate over all samples has intervals: of the value,
 /// and of the paired difference of two methods. Where such an interval was refused, the case is not
@@ -30,11 +35,11 @@ namespace gnomon {
 /// truth's own differs from that of a perfect mask.
 ///
 /// *Gains.* With `gainExceeds` the mean of (than - less) over lights and views is compared with the
-/// same mean in the study of that name (over all values, where it has a sweep), by the sum of both studies' largest uncertainties and by
-/// the interval of the difference of two independent means: with gains g and intervals l to h,
-/// low = g₁ - g₂ - √((g₁ - l₁)² + (h₂ - g₂)²), high likewise (Zou & Donner 2008). Without that
-/// study in the run the claim is not evaluated, and says what to run. A claim with `gainGrows` is
-/// not evaluated in a single study.
+/// same mean in the study of that name (over all values, where it has a sweep), by the sum of both
+/// studies' largest uncertainties and by the interval of the difference of two independent means:
+/// with gains g and intervals l to h, low = g₁ - g₂ - √((g₁ - l₁)² + (h₂ - g₂)²), high likewise
+/// (Zou & Donner 2008). Without that study in the run the claim is not evaluated, and says what to
+/// run. A claim with `gainGrows` is not evaluated in a single study.
 /// @param run  the records of all studies of this run
 /// @param own  which of them the claims belong to
 std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,

@@ -130,8 +130,6 @@ struct ThresholdRecord {
   Answer answer = Answer::drawn;
 };
 
-enum class Verdict { held, failed, notDistinguishable, notEvaluated };
-
 /// A claim of a paper and whether the run bears it out.
 struct ClaimRecord {
   std::string text;
