@@ -1,11 +1,12 @@
-// Every row of a camera view follows from the files of a run alone: from a method's mask, the truth
-// at its samples, the regions there, and where paths cross a seam.
+// Every row follows from the files of a run alone: from a method's mask, the truth at its samples,
+// the regions there, where paths cross a seam, and in an atlas what each sample counts.
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
+#include "end_to_end/other_renderer.h"
 #include "end_to_end/program.h"
 
 namespace gnomon::test {
@@ -21,6 +22,11 @@ std::string study() {
   return text +
          "base = { subdivisions = 3 }\n\n[[method]]\nname = \"onoue-2004\"\n"
          "\n[[method]]\nname = \"shadow-volume\"\n\n[[method]]\nname = \"shadow-map\"\n";
+}
+
+/// With an atlas after its camera.
+std::string withAtlas(const std::string& text) {
+  return replaced(text, "[[light]]", "[[view]]\ntype = \"atlas\"\nsamples = 9\n\n[[light]]");
 }
 
 constexpr const char* bentObj =
@@ -56,23 +62,36 @@ struct Row {
   double samples = 0, tp = 0, fp = 0, fn = 0, tn = 0;
 };
 
-/// Counts as `gnomon compare` does: where both masks have a sample.
+/// Counts as `gnomon compare` does: where both masks have a sample. Rows of the picture are summed
+/// first.
+/// @param weights  one a sample, or none for 1 each
 template <typename IsIn>
-Row countRow(const GreyImage& method, const GreyImage& truth, const IsIn& isIn) {
-  Row row;
-  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-    if (truth.pixels[i] == 128 || method.pixels[i] == 128 || !isIn(i)) continue;
-    const bool isDark = method.pixels[i] == 0;
-    const bool shouldBe = truth.pixels[i] == 0;
-    ++(shouldBe ? (isDark ? row.tp : row.fn) : (isDark ? row.fp : row.tn));
-    ++row.samples;
+Row countRow(const GreyImage& method, const GreyImage& truth, const std::vector<float>& weights,
+             const IsIn& isIn) {
+  Row sum;
+  for (int y = 0; y < truth.height; ++y) {
+    Row row;
+    for (int x = 0; x < truth.width; ++x) {
+      const auto i = static_cast<std::size_t>(y * truth.width + x);
+      if (truth.pixels[i] == 128 || method.pixels[i] == 128 || !isIn(i)) continue;
+      const bool isDark = method.pixels[i] == 0;
+      const bool shouldBe = truth.pixels[i] == 0;
+      const double weight = weights.empty() ? 1 : static_cast<double>(weights.at(i));
+      (shouldBe ? (isDark ? row.tp : row.fn) : (isDark ? row.fp : row.tn)) += weight;
+      ++row.samples;
+    }
+    sum.samples += row.samples;
+    sum.tp += row.tp;
+    sum.fp += row.fp;
+    sum.fn += row.fn;
+    sum.tn += row.tn;
   }
-  return row;
+  return sum;
 }
 
-TEST_F(RowsFromFiles, GiveEveryRowOfACamera) {
+TEST_F(RowsFromFiles, GiveEveryRow) {
   write("bent.obj", bentObj);
-  runStudy("small", study());
+  runStudy("small", withAtlas(study()));
   const nlohmann::json json = summary("small");
   std::size_t rows = 0;
   std::size_t withSamples = 0;
@@ -86,6 +105,9 @@ TEST_F(RowsFromFiles, GiveEveryRowOfACamera) {
     const std::vector<unsigned char> regions = readColours(inRun(files.at("regions")));
     const bool crosses = !files.at("seam").is_null();
     const GreyImage seam = crosses ? readGrey(inRun(files.at("seam"))) : truth;
+    ASSERT_EQ(files.at("weights").is_null(), source.view == "camera");
+    std::vector<float> weights;
+    if (source.view != "camera") weights = readChannels(inRun(files.at("weights"))).of.at("area");
     for (const nlohmann::json& result : json.at("results")) {
       if (result.at("method") != method || result.at("view") != source.view ||
           result.at("light") != source.light) {
@@ -93,7 +115,7 @@ TEST_F(RowsFromFiles, GiveEveryRowOfACamera) {
       }
       const std::string region = result.at("region");
       const GreyImage& mask = result.at("answer") == "drawn" ? drawn : test;
-      const Row row = countRow(mask, truth, [&](std::size_t i) {
+      const Row row = countRow(mask, truth, weights, [&](std::size_t i) {
         if (region == "all") return true;
         if (region == "seam") return crosses && seam.pixels[i] == 255;
         const nlohmann::json& colour = json.at("region_colours").at(region);
@@ -102,22 +124,25 @@ TEST_F(RowsFromFiles, GiveEveryRowOfACamera) {
         }
         return true;
       });
-      const std::string where = method + ", " + source.light + ", " + region;
+      const std::string where = method + ", " + source.view + ", " + source.light + ", " + region;
       EXPECT_EQ(row.samples, result.at("samples")) << where;
       EXPECT_EQ(row.tp, result.at("tp")) << where;
       EXPECT_EQ(row.fp, result.at("fp")) << where;
       EXPECT_EQ(row.fn, result.at("fn")) << where;
       EXPECT_EQ(row.tn, result.at("tn")) << where;
       if (row.samples > 0) {
-        EXPECT_DOUBLE_EQ((row.fp + row.fn) / row.samples, result.at("error_rate")) << where;
+        EXPECT_DOUBLE_EQ((row.fp + row.fn) / (row.tp + row.fp + row.fn + row.tn),
+                         result.at("error_rate"))
+            << where;
         ++withSamples;
       }
       ++rows;
     }
   }
   EXPECT_EQ(rows, json.at("results").size());
-  EXPECT_EQ(rows, 5U * 2 * 2 * 7) << "methods, lights, answers, regions";
-  EXPECT_GT(withSamples, 5U * 2 * 4) << "else the regions are next to empty";
+  EXPECT_EQ(rows, (5U + 4U) * 2 * 2 * 7)
+      << "methods (shadow volumes have no atlas), lights, answers, regions";
+  EXPECT_GT(withSamples, (5U + 4U) * 2 * 4) << "else the regions are next to empty";
 }
 
 TEST_F(RowsFromFiles, MethodsThatDrawOtherMeshesHaveTruthsOfTheirOwn) {
@@ -141,9 +166,7 @@ TEST_F(RowsFromFiles, MethodsThatDrawOtherMeshesHaveTruthsOfTheirOwn) {
 
 TEST_F(RowsFromFiles, AnAtlasShowsAllMethodsTheSameSamples) {
   write("bent.obj", bentObj);
-  const std::string text =
-      replaced(study(), "[[light]]", "[[view]]\ntype = \"atlas\"\nsamples = 9\n\n[[light]]");
-  runStudy("small", text);
+  runStudy("small", withAtlas(study()));
   std::set<std::string> files;
   for (const Source& source : shadings(summary("small"))) {
     if (source.view == "atlas") files.insert(source.picture.at("truth").at("mask"));

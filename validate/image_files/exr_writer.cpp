@@ -1,5 +1,6 @@
 #include "image_files/exr_writer.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <utility>
@@ -43,14 +44,29 @@ class ExrWriter : public ImageWriter {
   std::unique_ptr<OIIO::ImageOutput> file_;
 };
 
+std::unique_ptr<OIIO::ImageOutput> exrOutput() {
+  auto file = OIIO::ImageOutput::create("openexr");
+  if (!file) throw ImageError("no writer for EXR: " + OIIO::geterror());
+  return file;
+}
+
 }  // namespace
 
 std::unique_ptr<ImageWriter> createExrFile(const std::filesystem::path& path,
                                            const ExrDescription& description) {
-  auto file = OIIO::ImageOutput::create("openexr");
-  if (!file) throw ImageError("no writer for EXR: " + OIIO::geterror());
+  auto file = exrOutput();
   if (!file->open(path.string(), specOf(description))) throw ImageError(file->geterror());
   return std::make_unique<ExrWriter>(std::move(file));
+}
+
+std::string exrFileBytes(const ExrDescription& description, const std::vector<float>& values) {
+  OIIO::Filesystem::IOVecOutput bytes;
+  auto file = exrOutput();
+  if (!file->set_ioproxy(&bytes) || !file->open("memory.exr", specOf(description)) ||
+      !file->write_image(OIIO::TypeDesc::FLOAT, values.data()) || !file->close()) {
+    throw ImageError(file->geterror());
+  }
+  return {bytes.buffer().begin(), bytes.buffer().end()};
 }
 
 }  // namespace gnomon

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "image_files/image_writer.h"
 
@@ -10,5 +12,8 @@ namespace gnomon {
 /// For the module alone: as ImageLibrary::createExr.
 std::unique_ptr<ImageWriter> createExrFile(const std::filesystem::path& path,
                                            const ExrDescription& description);
+
+/// For the module alone: as ImageLibrary::exrBytes.
+std::string exrFileBytes(const ExrDescription& description, const std::vector<float>& values);
 
 }  // namespace gnomon

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "image_files/image_format.h"
 #include "image_files/image_reader.h"
@@ -27,6 +29,11 @@ class ImageLibrary {
   /// @throws ImageError
   [[nodiscard]] virtual std::unique_ptr<ImageWriter> createExr(
       const std::filesystem::path& path, const ExrDescription& description) const = 0;
+  /// The bytes of such a file of floats.
+  /// @param values  all channels of a pixel beside each other, rows from the top
+  /// @throws ImageError
+  [[nodiscard]] virtual std::string exrBytes(const ExrDescription& description,
+                                             const std::vector<float>& values) const = 0;
 };
 
 /// The library. The first call loads it: the file that the environment's GNOMON_IMAGE_MODULE names,

@@ -17,6 +17,11 @@ class OpenImageIO : public ImageLibrary {
       const std::filesystem::path& path, const ExrDescription& description) const override {
     return createExrFile(path, description);
   }
+
+  [[nodiscard]] std::string exrBytes(const ExrDescription& description,
+                                     const std::vector<float>& values) const override {
+    return exrFileBytes(description, values);
+  }
 };
 
 }  // namespace

@@ -22,4 +22,8 @@ struct ChannelImage {
 void writeExr(const std::filesystem::path& path, const ChannelImage& image,
               const std::vector<std::pair<std::string, std::string>>& attributes = {});
 
+/// The bytes of that file.
+/// @throws InternalError likewise, and where the image cannot be encoded
+std::string exrBytes(const ChannelImage& image);
+
 }  // namespace gnomon

@@ -1,5 +1,6 @@
 #include "report/folder_writer.h"
 
+#include "report/channel_image.h"
 #include "report/displaced_image.h"
 #include "report/images.h"
 #include "report/region_image.h"
@@ -13,6 +14,13 @@ std::string FolderWriter::mask(const Mask& mask) const {
 
 std::string FolderWriter::regions(const Truth& truth) const {
   return pngOf(regionImage(truth));
+}
+
+std::string FolderWriter::weights(int width, int height, const std::vector<double>& weights) const {
+  ChannelImage image{width, height, {"area"}, {}};
+  image.values.reserve(weights.size());
+  for (const double weight : weights) image.values.push_back(static_cast<float>(weight));
+  return exrBytes(image);
 }
 
 std::string FolderWriter::picture(int width, int height,

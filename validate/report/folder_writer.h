@@ -16,6 +16,8 @@ class FolderWriter : public RunWriter {
 
   [[nodiscard]] std::string mask(const Mask& mask) const override;
   [[nodiscard]] std::string regions(const Truth& truth) const override;
+  [[nodiscard]] std::string weights(int width, int height,
+                                    const std::vector<double>& weights) const override;
   [[nodiscard]] std::string picture(int width, int height,
                                     const std::vector<std::uint8_t>& rgb) const override;
   [[nodiscard]] std::string difference(const Mask& candidate, const Mask& truth) const override;

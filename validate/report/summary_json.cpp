@@ -72,7 +72,8 @@ Json truthFilesJson(const std::optional<TruthFilesRecord>& truth) {
   if (!truth) return nullptr;
   return {{"mask", truth->mask},
           {"regions", truth->regions},
-          {"seam", truth->seam.empty() ? Json(nullptr) : Json(truth->seam)}};
+          {"seam", truth->seam.empty() ? Json(nullptr) : Json(truth->seam)},
+          {"weights", truth->weights.empty() ? Json(nullptr) : Json(truth->weights)}};
 }
 
 Json pictureJson(const PictureRecord& picture) {

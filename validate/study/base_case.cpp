@@ -62,7 +62,7 @@ ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
   chosen.view = view;
   chosen.layout = makeSampleLayout(surface, study.relief.texelsPerUv(), view, samples);
   if (const auto* atlas = std::get_if<AtlasSpec>(&spec.kind)) {
-    chosen.weights = sampleAreas(surface, samples, atlas->samplesPerSide * atlas->samplesPerSide);
+    chosen.weights = sampleAreas(surface, samples, atlas->samplesPerSide);
   }
   chosen.samples = std::move(samples);
   return chosen;

@@ -9,6 +9,9 @@ class NoFiles final : public RunWriter {
  public:
   [[nodiscard]] std::string mask(const Mask&) const override { return {}; }
   [[nodiscard]] std::string regions(const Truth&) const override { return {}; }
+  [[nodiscard]] std::string weights(int, int, const std::vector<double>&) const override {
+    return {};
+  }
   [[nodiscard]] std::string picture(int, int, const std::vector<std::uint8_t>&) const override {
     return {};
   }

@@ -252,7 +252,8 @@ TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
   const ContentKey key =
       KeyBuilder("truth files").add("truth", scene_.keys.truth(base.choice, view, light)).key();
   const TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
-                               crosses ? path("regions", view, light, name + "_seam") : ""};
+                               crosses ? path("regions", view, light, name + "_seam") : "",
+                               writeWeights(view)};
   const TruthBytes bytes = scene_.cache.remember(key, [&] {
     return scene_.clock.measure("writing", [&](const Progress&) {
       TruthBytes made;
@@ -270,6 +271,23 @@ TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
     if (crosses) writer_.write(paths.seam, bytes.seam);
   });
   return paths;
+}
+
+std::string PanelPictures::writeWeights(std::size_t view) {
+  const BaseCase& standard = scene_.standardBase();
+  const ViewCase& atlas = standard.views[view];
+  if (atlas.weights.empty()) return "";
+  std::string file = fmt::format("regions/{}_weights.exr", viewFiles_[view]);
+  if (!viewsWithWeights_.insert(view).second) return file;
+  const ContentKey key =
+      KeyBuilder("weights").add("samples", scene_.keys.samples(standard.choice, view)).key();
+  const std::string bytes = scene_.cache.remember(key, [&] {
+    return scene_.clock.measure("writing", [&](const Progress&) {
+      return writer_.weights(atlas.samples.width, atlas.samples.height, atlas.weights);
+    });
+  });
+  writer_.write(file, bytes);
+  return file;
 }
 
 PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,

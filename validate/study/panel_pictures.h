@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -31,9 +32,9 @@ struct PanelAnswer {
 /// them shadowed: its shadings are composed of the two. Files are named
 /// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
 /// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone. The
-/// truth's regions are `regions/VIEW_LIGHT_truth.png`; where a method draws a mesh at whose samples
-/// the truth is another than at the standard base's, it is `truth_displaced-9`, after the mesh's
-/// pieces a side.
+/// truth's regions are `regions/VIEW_LIGHT_truth.png`, an atlas's weights
+/// `regions/VIEW_weights.exr`; where a method draws a mesh at whose samples the truth is another
+/// than at the standard base's, it is `truth_displaced-9`, after the mesh's pieces a side.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);
@@ -59,6 +60,10 @@ class PanelPictures {
   /// Writes the truth at a mesh's samples. The mask of the standard base's truth is not among it:
   /// that is written with its shading.
   TruthFilesRecord writeTruth(std::size_t view, std::size_t light, const BaseCase& base);
+  /// Writes what the samples of an atlas count, once: under all lights and on all meshes they are
+  /// the same.
+  /// @return the file; empty for a camera
+  std::string writeWeights(std::size_t view);
   /// Draws one view of a mesh under one light.
   std::vector<std::uint8_t> shade(std::size_t view, std::size_t light, const BaseCase& base,
                                   Shade everywhere);
@@ -68,6 +73,7 @@ class PanelPictures {
   RunScene& scene_;
   RunWriter& writer_;
   std::map<DrawnMesh, ShadePass> shades_;
+  std::set<std::size_t> viewsWithWeights_;  ///< whose file is written
   std::vector<std::string> viewFiles_;
   std::vector<std::string> lightFiles_;
   std::vector<std::string> methodFiles_;

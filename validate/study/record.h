@@ -143,11 +143,13 @@ struct ClaimRecord {
 
 /// Files that tell the truth at the samples of one mesh, in one view under one light. With a
 /// method's mask they give its rows again: its counts over all samples, over those of a region, and
-/// over those whose path to the light crosses a seam. Paths are relative to the run's folder.
+/// over those whose path to the light crosses a seam; in an atlas its areas, with the weights added
+/// row by row from the top. Paths are relative to the run's folder.
 struct TruthFilesRecord {
   std::string mask;
   std::string regions;  ///< a picture in regions' colours
   std::string seam;     ///< white where the path crosses a seam, else black; empty where none does
+  std::string weights;  ///< EXR, channel "area": what each sample of an atlas counts; else empty
 };
 
 /// One picture of a panel. Paths are relative to the run's folder.

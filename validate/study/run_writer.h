@@ -26,6 +26,9 @@ class RunWriter {
   [[nodiscard]] virtual std::string mask(const Mask& mask) const = 0;
   /// In which region each sample of a truth lies, in colours that can be read back.
   [[nodiscard]] virtual std::string regions(const Truth& truth) const = 0;
+  /// What each sample of an atlas counts, as sampleWeights gives it: floats hold it exactly.
+  [[nodiscard]] virtual std::string weights(int width, int height,
+                                            const std::vector<double>& weights) const = 0;
   /// A picture: RGB, 8 bits, row 0 at the top.
   [[nodiscard]] virtual std::string picture(int width, int height,
                                             const std::vector<std::uint8_t>& rgb) const = 0;
