@@ -46,7 +46,7 @@ std::string knownText(std::string_view text) {
   std::string line = oneLine(text);
   constexpr std::string_view unknown = "\uFFFD";
   for (std::size_t at = 0; (at = line.find(unknown, at)) != std::string::npos;) {
-    line.replace(at, unknown.size(), "?");
+    line.replace(at, unknown.size(), 1, '?');
   }
   return line;
 }
