@@ -104,7 +104,8 @@ TEST_F(LostOutput, ByALimitOfFileSizesIsOneLine) {
   const int steps = repetitions(4, 40);
   int refused = 0;
   for (int i = 0; i < steps; ++i) {
-    const int blocks = i * 160 / steps;  // of 512 bytes
+    const int level = 40 * i / steps;
+    const int blocks = 4 * level * level;  // of 512 bytes: up to 3 MB
     // Through a pipe: a file for the message would be under the limit too.
     const Outcome checked = shell("rm -rf out .cache; (ulimit -f " + std::to_string(blocks) +
                                   "; \"$gnomon\" check small.toml 2>&1 >/dev/null; echo $?) | cat");
