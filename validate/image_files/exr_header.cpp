@@ -55,9 +55,15 @@ class Header {
       }
       file_.seekg(value + static_cast<std::streamoff>(size));
     }
+    requireSides(columns, rows);
     requireTile(tileColumns, tileRows, columns * rows);
     requireIndex(parts(columns, tileColumns), parts(rows, tileRows), tileColumns > 0);
     return attributes > 0;
+  }
+
+  static void requireSides(std::uint64_t columns, std::uint64_t rows) {
+    constexpr std::uint64_t longest = 1 << 20;
+    if (columns > longest || rows > longest) throw ImageError("a side of it is over 2^20 pixels");
   }
 
   /// A tile may be larger than the picture, but not by much: the reader takes memory for all of it.

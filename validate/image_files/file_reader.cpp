@@ -1,6 +1,5 @@
 #include "image_files/file_reader.h"
 
-#include <OpenEXR/ImfHeader.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -126,18 +125,16 @@ const char* readerOf(ImageFormat format) {
   throw ImageError("no reader");
 }
 
-/// Has OpenEXR refuse images with a larger side, for this process. Without a limit it takes memory
-/// for an index of all lines that a header promises, gigabytes for a damaged one of some bytes,
-/// before anybody can ask for the size.
-void limitExrSize() {
-  constexpr int largestSide = 1 << 20;
-  Imf::Header::setMaxImageSize(largestSide, largestSide);
+/// Has EXRs read by OpenEXR's core library. The older reader takes a chunk that unpacks to less
+/// than its rows, and fills up the rest with what its memory held.
+void chooseExrReader() {
+  OIIO::attribute("openexr:core", 1);
 }
 
 }  // namespace
 
 std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path, ImageFormat format) {
-  limitExrSize();
+  chooseExrReader();
   // What was written unmultiplied stays so: the library would round the product to a file's bits.
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);

@@ -22,7 +22,7 @@ class ImageLibrary {
 
   /// Opens an image by the reader of its format and no other. Colours that were written
   /// unmultiplied by alpha stay so. Asked by ImageFile alone, which knows the format.
-  /// @throws ImageError, also for an EXR with a side over 2²⁰ pixels
+  /// @throws ImageError
   [[nodiscard]] virtual std::unique_ptr<ImageReader> open(const std::filesystem::path& path,
                                                           ImageFormat format) const = 0;
   /// Begins an EXR, packed by `zip`. Same numbers, same bytes: it does not hold the time.
