@@ -29,10 +29,18 @@ double toleranceIn(const StudyRecord& step, const ThresholdRecord& row) {
   return toleranceOf(row.metric, spreadOf(step, result, row.metric).value_or(0));
 }
 
+/// Whether a method that the gate speaks of was not measured.
+bool isRefused(const ThresholdSpec& gate, const StudyRecord& step) {
+  return std::any_of(step.refused.begin(), step.refused.end(), [&](const RefusedMethod& method) {
+    return gate.method.empty() || gate.method == method.label;
+  });
+}
+
 /// None, where a row did not pass.
 std::optional<Room> roomOf(const ThresholdSpec& gate, std::span<const StudyRecord> steps) {
   Room room;
   for (const StudyRecord& step : steps) {
+    if (isRefused(gate, step)) return std::nullopt;
     for (const ThresholdRecord& row : judgeThresholds({gate}, step.results)) {
       if (!row.passed) return std::nullopt;
       if (gate.maximum) room.below = std::min(room.below, *gate.maximum - *row.value);
