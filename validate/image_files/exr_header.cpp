@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <set>
 #include <string>
 
 #include "image_files/image_error.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::streamoff fileStart = 8;  // magic and version
 constexpr std::uint8_t multipleParts = 0x10;
+constexpr std::uint8_t tiled = 0x02;
 
 class Header {
  public:
@@ -22,6 +24,7 @@ class Header {
     std::array<char, fileStart> start{};
     file_.read(start.data(), start.size());
     hasParts_ = (static_cast<std::uint8_t>(start[5]) & multipleParts) != 0;
+    isTiled_ = (static_cast<std::uint8_t>(start[5]) & tiled) != 0;
   }
 
   void check() {
@@ -30,20 +33,21 @@ class Header {
   }
 
  private:
-  /// @return whether there was an attribute: a header without any ends the parts
+  /// @return whether there was one: a header without attributes ends the parts
   bool checkPart() {
     std::uint64_t columns = 1;
     std::uint64_t rows = 1;
     std::uint64_t tileColumns = 0;
     std::uint64_t tileRows = 0;
-    int attributes = 0;
-    for (std::string name = text(); !name.empty(); name = text(), ++attributes) {
+    std::set<std::string> found;
+    for (std::string name = text(); !name.empty(); name = text()) {
       const std::string type = text();
       const auto size = static_cast<std::uint32_t>(number());
       const std::streamoff value = file_.tellg();
       if (!file_ || size > bytes_ - static_cast<std::uint64_t>(value)) {
         throw ImageError("an attribute of its header is longer than the file");
       }
+      found.insert(name + " " + type);
       if (type == "box2i" && name == "dataWindow") {
         const std::int64_t left = number();
         const std::int64_t top = number();
@@ -55,10 +59,27 @@ class Header {
       }
       file_.seekg(value + static_cast<std::streamoff>(size));
     }
+    if (found.empty() && hasParts_) return false;
+    requireAttributes(found, tileColumns > 0 && tileRows > 0);
     requireSides(columns, rows);
     requireTile(tileColumns, tileRows, columns * rows);
     requireIndex(parts(columns, tileColumns), parts(rows, tileRows), tileColumns > 0);
-    return attributes > 0;
+    return true;
+  }
+
+  /// What a reader divides by and counts with. Tiles are announced in the version, or by each part.
+  void requireAttributes(const std::set<std::string>& found, bool hasTiles) const {
+    for (const char* needed :
+         {"channels chlist", "compression compression", "dataWindow box2i", "displayWindow box2i",
+          "lineOrder lineOrder", "pixelAspectRatio float", "screenWindowCenter v2f",
+          "screenWindowWidth float"}) {
+      if (!found.contains(needed)) {
+        throw ImageError(std::string("its header lacks an attribute (name and type): ") + needed);
+      }
+    }
+    const bool isContrary =
+        hasParts_ ? found.contains("tiles tiledesc") && !hasTiles : isTiled_ != hasTiles;
+    if (isContrary) throw ImageError("its header contradicts itself");
   }
 
   static void requireSides(std::uint64_t columns, std::uint64_t rows) {
@@ -109,6 +130,7 @@ class Header {
   std::ifstream file_;
   std::uint64_t bytes_;
   bool hasParts_ = false;
+  bool isTiled_ = false;
 };
 
 }  // namespace
