@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "faults/shell.h"
+#include "faults/shell_run.h"
 #include "support/test_length.h"
 
 // Ways to make a gate pass that should not: limits that nothing can fail, options that leave
@@ -48,7 +48,7 @@ class Tally {
 class Gates : public EndToEnd {
  protected:
   [[nodiscard]] Outcome shell(const std::string& script) const {
-    return runShell(folder(), script);
+    return runPosixShell(folder(), script);
   }
 
   /// Runs a check in whose JUnit file an earlier one has passed, and expects that this one does

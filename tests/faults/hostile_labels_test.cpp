@@ -7,7 +7,7 @@
 #include <set>
 
 #include "common/utf8.h"
-#include "faults/shell.h"
+#include "faults/shell_run.h"
 #include "support/lines.h"
 #include "support/test_length.h"
 
@@ -174,7 +174,7 @@ bool isFormula(const std::string& cell) {
 class HostileLabels : public EndToEnd {
  protected:
   [[nodiscard]] Outcome shell(const std::string& script) const {
-    return runShell(folder(), script);
+    return runPosixShell(folder(), script);
   }
 
   /// A study in which every text is one of the labels from `first` on.
@@ -220,7 +220,7 @@ class HostileLabels : public EndToEnd {
   }
 
   void expectSafeCsv(const fs::path& path) {
-    const std::string text = contentOf(path);
+    const std::string text = bytesOf(path);
     expectSafe(path.string(), text, "\n\r\t");
     const auto rows = csvCells(text);
     for (const auto& row : rows) {
@@ -230,7 +230,7 @@ class HostileLabels : public EndToEnd {
   }
 
   void expectSafeLatex(const fs::path& path) {
-    const std::string text = contentOf(path);
+    const std::string text = bytesOf(path);
     expectSafe(path.string(), text);
     bool inRows = false;
     for (const std::string& line : linesOf(text)) {
@@ -256,7 +256,7 @@ class HostileLabels : public EndToEnd {
   }
 
   void expectSafeHtml(const fs::path& path) {
-    const std::string text = contentOf(path);
+    const std::string text = bytesOf(path);
     expectSafe(path.string(), text, "\n\t\r");
     for (const char* injected :
          {"<script>alert", "<img src=x", "' onmouseover='x", "onerror=alert(1)>"}) {
@@ -265,7 +265,7 @@ class HostileLabels : public EndToEnd {
   }
 
   void expectSafeXml(const fs::path& path) {
-    const std::string text = contentOf(path);
+    const std::string text = bytesOf(path);
     expectSafe(path.string(), text, "\n\t\r");
     expectThat(contentBetweenTags(text).find("]]>") == std::string::npos, path.string());
     pugi::xml_document document;
@@ -274,7 +274,7 @@ class HostileLabels : public EndToEnd {
   }
 
   nlohmann::json expectSafeJson(const fs::path& path) {
-    const std::string text = contentOf(path);
+    const std::string text = bytesOf(path);
     expectSafe(path.string(), text);
     expectThat(text.find("##[") == std::string::npos, path.string());
     return nlohmann::json::parse(text);

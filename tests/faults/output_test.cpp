@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "faults/shell.h"
+#include "faults/shell_run.h"
 #include "support/lines.h"
 #include "support/test_length.h"
 
@@ -23,7 +23,7 @@ class LostOutput : public EndToEnd {
     write("mask.pgm", "P5\n2 1\n255\n" + std::string("\xff\0", 2));
   }
   [[nodiscard]] Outcome shell(const std::string& script) const {
-    return runShell(folder(), script);
+    return runPosixShell(folder(), script);
   }
 };
 

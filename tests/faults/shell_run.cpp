@@ -12,13 +12,18 @@
 
 namespace gnomon::test {
 namespace fs = std::filesystem;
-namespace {
 
 std::string bytesOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   return std::move(text).str();
+}
+
+namespace {
+
+int statusOf(int state) {
+  return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
 }
 
 }  // namespace
@@ -34,11 +39,19 @@ Outcome runShell(const fs::path& folder, const std::string& command, int seconds
       fmt::format("cd {} && GNOMON_CACHE={} timeout -k 5 {} bash -c {} >{} 2>{} </dev/null",
                   shellQuoted(folder.string()), shellQuoted(cache.string()), seconds,
                   shellQuoted(script), shellQuoted(out.string()), shellQuoted(err.string()));
-  const int state = std::system(line.c_str());
-  const Outcome outcome{WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state), bytesOf(out),
-                        bytesOf(err)};
+  const int status = statusOf(std::system(line.c_str()));
+  const Outcome outcome{status, bytesOf(out), bytesOf(err)};
   for (const fs::path& path : {out, err, cache}) fs::remove_all(path);
   return outcome;
+}
+
+Outcome runPosixShell(const fs::path& folder, const std::string& script) {
+  const std::string whole = fmt::format(
+      "cd {}\ngnomon={}\nexport GNOMON_CACHE=\"$PWD/.cache\"\n{{\n{}\n}} >.shell-out 2>.shell-err "
+      "</dev/null\n",
+      shellQuoted(folder.string()), shellQuoted(GNOMON_PROGRAM), script);
+  const int status = statusOf(std::system(whole.c_str()));
+  return {status, bytesOf(folder / ".shell-out"), bytesOf(folder / ".shell-err")};
 }
 
 void expectRefused(const Outcome& outcome, const std::string& what) {
