@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <set>
 
+#include "common/shell_quote.h"
 #include "common/utf8.h"
 #include "faults/shell_run.h"
 #include "support/lines.h"
