@@ -91,10 +91,14 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
             (Keys{"kind", "method", "caption", "path", "mask", "test_mask", "truth"}));
   EXPECT_TRUE(json["panels"][0]["pictures"][0]["truth"].is_null());
   StudyRecord withTruth = recordWithPanel();
-  withTruth.panels[0].pictures[0].truth = {"masks/t.png", "regions/t.png", ""};
+  withTruth.panels[0].pictures[0].truth = {"masks/t.png", "regions/t.png", "", ""};
   const ordered_json truth = written(withTruth)["panels"][0]["pictures"][0]["truth"];
-  EXPECT_EQ(truth, ordered_json(
-                       {{"mask", "masks/t.png"}, {"regions", "regions/t.png"}, {"seam", nullptr}}));
+  EXPECT_EQ(truth, ordered_json({{"mask", "masks/t.png"},
+                                 {"regions", "regions/t.png"},
+                                 {"seam", nullptr},
+                                 {"weights", nullptr}}));
+  withTruth.panels[0].pictures[0].truth->weights = "regions/w.exr";
+  EXPECT_EQ(written(withTruth)["panels"][0]["pictures"][0]["truth"]["weights"], "regions/w.exr");
 
   Keys resultKeys{"method", "light", "view", "answer", "region", "samples", "tp", "fp", "fn", "tn"};
   for (const std::string_view name : metricNames()) resultKeys.emplace_back(name);

@@ -36,9 +36,9 @@ std::string csvRow(const StudyRecord& record, const std::vector<RankedMethod>& r
        method.interval ? exactText(method.interval->high) : "", exactText(method.uncertainty),
        isSameAsBest(ranked, place) ? "1" : "0", exactText(method.testError.value),
        exactText(method.falseShadow.value), exactText(method.falseLight.value),
-       exactText(method.iou.value), cost ? std::to_string(bytesOf(*cost)) : "",
-       cost ? exactText(cost->frameMs) : "", std::to_string(method.cases),
-       std::to_string(method.allCases), exactText(method.leaderError)});
+       exactText(method.iou.value), std::to_string(method.cases), std::to_string(method.allCases),
+       exactText(method.leaderError), cost ? std::to_string(bytesOf(*cost)) : "",
+       cost ? exactText(cost->frameMs) : ""});
 }
 
 std::string latexInterval(const RankedMethod& method) {
@@ -102,8 +102,8 @@ std::string tableCsv(const StudyRecord& record) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   std::string csv =
       csvLine({"rank", "method", "error_rate", "low", "high", "uncertainty", "same_as_best",
-               "test_error_rate", "false_shadow", "false_light", "iou", "bytes", "frame_ms",
-               "cases", "all_cases", "leader_error_rate"});
+               "test_error_rate", "false_shadow", "false_light", "iou", "cases", "all_cases",
+               "leader_error_rate", "bytes", "frame_ms"});
   for (std::size_t i = 0; i < ranked.size(); ++i) csv += csvRow(record, ranked, i);
   return csv;
 }

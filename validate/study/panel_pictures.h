@@ -32,9 +32,9 @@ struct PanelAnswer {
 /// them shadowed: its shadings are composed of the two. Files are named
 /// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
 /// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone. The
-/// truth's regions are `regions/VIEW_LIGHT_truth.png`, an atlas's weights
-/// `regions/VIEW_weights.exr`; where a method draws a mesh at whose samples the truth is another
-/// than at the standard base's, it is `truth_displaced-9`, after the mesh's pieces a side.
+/// truth's regions are `regions/VIEW_LIGHT_truth.png`; where a method draws a mesh at whose samples
+/// the truth is another than at the standard base's, it is `truth_displaced-9`, after the mesh's
+/// pieces a side. What the samples of an atlas count is `regions/VIEW_weights.exr`.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);
