@@ -120,7 +120,7 @@ void runAndKill(const fs::path& folder, const std::vector<std::string>& argument
   waitpid(process, nullptr, 0);
 }
 
-void runAndKillWhen(const fs::path& folder, const std::vector<std::string>& arguments,
+bool runAndKillWhen(const fs::path& folder, const std::vector<std::string>& arguments,
                     const std::vector<std::string>& environment,
                     const std::function<bool()>& holds) {
   const pid_t process = start(folder, arguments, environment, "/dev/null", "/dev/null");
@@ -128,7 +128,9 @@ void runAndKillWhen(const fs::path& folder, const std::vector<std::string>& argu
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   kill(process, SIGKILL);
-  waitpid(process, nullptr, 0);
+  int state = 0;
+  waitpid(process, &state, 0);
+  return WIFSIGNALED(state);
 }
 
 namespace {

@@ -40,7 +40,8 @@ void runAndKill(const std::filesystem::path& folder, const std::vector<std::stri
                 int milliseconds);
 
 /// Likewise, as soon as something holds, or after a minute.
-void runAndKillWhen(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+/// @return false where it had come to its end before
+bool runAndKillWhen(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                     const std::vector<std::string>& environment,
                     const std::function<bool()>& holds);
 
