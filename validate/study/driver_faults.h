@@ -18,9 +18,9 @@ class DriverError : public Error {
   explicit DriverError(const std::string& message) : Error(ExitStatus::internal, message) {}
 };
 
-/// What this machine's OpenGL draws wrong. Every kind of pass is checked when it is first asked for,
-/// and the answer is kept by vendor, renderer and version of the driver, by the shaders and by the
-/// program.
+/// What this machine's OpenGL draws wrong. Every kind of pass is checked when it is first asked
+/// for, and the answer is kept by vendor, renderer and version of the driver, by the shaders and by
+/// the program.
 class DriverFaults {
  public:
   /// @param gl, kept  outlive it
