@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <functional>
@@ -77,6 +78,15 @@ class DamagedPictures : public EndToEnd {
     return bytes;
   }
 
+  /// By hand: some versions of OpenImageIO write these from the bottom.
+  static Seed portableMap(const std::string& ending, const std::string& magic, int channels) {
+    std::string bytes = fmt::format("{}\n{} {}\n255\n", magic, width, height);
+    for (int i = 0; i < width * height * channels; ++i) {
+      bytes += static_cast<char>(std::lround(255 * static_cast<float>(i * 7 % 5) / 4));
+    }
+    return {ending, ending, bytes, "", channels};
+  }
+
   static OIIO::ImageSpec spec(int channels, OIIO::TypeDesc type, const std::string& coding = {}) {
     OIIO::ImageSpec result(width, height, channels, type);
     if (!coding.empty()) result.attribute("compression", coding);
@@ -118,8 +128,8 @@ class DamagedPictures : public EndToEnd {
     progressive.attribute("jpeg:progressive", 1);
     add("jpg", progressive);
     add("hdr", spec(3, TypeDesc::FLOAT));
-    add("pgm", spec(1, TypeDesc::UINT8));
-    add("ppm", spec(3, TypeDesc::UINT8));
+    seeds.push_back(portableMap("pgm", "P5", 1));
+    seeds.push_back(portableMap("ppm", "P6", 3));
     add("bmp", spec(1, TypeDesc::UINT8));
     add("bmp", spec(3, TypeDesc::UINT8));
     add("tga", spec(1, TypeDesc::UINT8));
