@@ -16,6 +16,7 @@ namespace {
 constexpr std::streamoff fileStart = 8;  // magic and version
 constexpr std::uint8_t multipleParts = 0x10;
 constexpr std::uint8_t tiled = 0x02;
+constexpr std::uint64_t mostChunkRows = 256;  // DWAB's
 
 class Header {
  public:
@@ -39,6 +40,7 @@ class Header {
     std::uint64_t rows = 1;
     std::uint64_t tileColumns = 0;
     std::uint64_t tileRows = 0;
+    std::uint64_t chunkRows = mostChunkRows;
     std::set<std::string> found;
     for (std::string name = text(); !name.empty(); name = text()) {
       const std::string type = text();
@@ -56,6 +58,8 @@ class Header {
       } else if (type == "tiledesc" && name == "tiles") {
         tileColumns = static_cast<std::uint32_t>(number());
         tileRows = static_cast<std::uint32_t>(number());
+      } else if (type == "compression" && name == "compression") {
+        chunkRows = rowsOfChunks(file_.get());
       }
       file_.seekg(value + static_cast<std::streamoff>(size));
     }
@@ -63,7 +67,11 @@ class Header {
     requireAttributes(found, tileColumns > 0 && tileRows > 0);
     requireSides(columns, rows);
     requireTile(tileColumns, tileRows, columns * rows);
-    requireIndex(parts(columns, tileColumns), parts(rows, tileRows), tileColumns > 0);
+    if (tileColumns > 0) {
+      requireIndex(parts(columns, tileColumns), parts(rows, tileRows));
+    } else {
+      requireChunks(parts(rows, chunkRows));
+    }
     return true;
   }
 
@@ -96,9 +104,23 @@ class Header {
   }
 
   /// Each tile has an entry of 8 bytes.
-  void requireIndex(std::uint64_t columns, std::uint64_t rows, bool hasTiles) const {
-    if (!hasTiles || columns <= bytes_ / 8 / rows) return;
+  void requireIndex(std::uint64_t columns, std::uint64_t rows) const {
+    if (columns <= bytes_ / 8 / rows) return;
     throw ImageError("the index of its tiles is longer than the file");
+  }
+
+  /// Each chunk of rows has an entry of 8 bytes, and before its pixels its first row and its
+  /// length.
+  void requireChunks(std::uint64_t chunks) const {
+    if (chunks <= bytes_ / 16) return;
+    throw ImageError("its rows need a longer file, however they are packed");
+  }
+
+  /// Rows that a chunk holds at most, by the number of the compression.
+  static std::uint64_t rowsOfChunks(int compression) {
+    constexpr std::array<std::uint64_t, 10> rows = {1, 1, 1, 16, 32, 16, 32, 32, 32, mostChunkRows};
+    const auto at = static_cast<std::size_t>(compression);
+    return compression < 0 || at >= rows.size() ? mostChunkRows : rows[at];
   }
 
   static std::uint64_t side(std::int64_t first, std::int64_t last) {

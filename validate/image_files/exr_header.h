@@ -9,7 +9,8 @@ namespace gnomon {
 /// damaged file of some bytes. (OpenEXR File Layout: attributes are a name and a type that end with
 /// a zero, the length of the value, and the value.)
 /// @throws ImageError for a header without one of the attributes that all have, for a side over 2²⁰
-/// pixels, and where an attribute, a tile, or the index of a part's tiles, is longer than the file
+/// pixels, and where an attribute, a tile, the index of a part's tiles, or the least that its rows
+/// need, is longer than the file
 void requireSoundExrHeader(const std::filesystem::path& path);
 
 }  // namespace gnomon
