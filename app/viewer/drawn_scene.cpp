@@ -31,13 +31,17 @@ DrawnMeshData::DrawnMeshData(const MeshData& of)
     : gpu(of.mesh()), volumes(volumesOf(of)), texture(textureView(of.mesh())) {}
 
 void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
+  const bool again = data_ && data_->shaders != scene->shaders;
+  if (!faults_ || again) faults_.emplace(shaders_, noCache_);
+  faults_->require(PassKind::cameraSamples);
+  faults_->require(PassKind::pictures);
   std::swap(data_, scene);
   try {
     heights_.try_emplace(data_->heights, *data_->heights);
     for (const auto& [choice, mesh] : data_->meshes) meshes_.try_emplace(mesh, *mesh);
     for (const auto& [label, method] : data_->methods) {
       upload(*method);
-      compile(label, *method, false);
+      compile(label, *method, again);
     }
   } catch (...) {
     std::swap(data_, scene);
@@ -70,20 +74,23 @@ void DrawnScene::compile(const std::string& label, const MethodData& method, boo
   const auto found = passes_.find(label);
   if (!again && found != passes_.end() && found->second.key == key) return;
   try {
-    Method read = again ? readMethod(method.spec.file) : method.method;
-    MethodPass pass(shaders_, read, data_->heights->wrap(), method.spec.filter,
+    if (!isDrawnRight(label, method)) return;
+    MethodPass pass(shaders_, method.method, data_->heights->wrap(), method.spec.filter,
                     method.spec.parameters);
-    if (found != passes_.end()) passes_.erase(found);
-    passes_.emplace(label, Compiled{key, std::move(read), std::move(pass)});
+    passes_.erase(label);
+    passes_.emplace(label, Compiled{key, std::move(pass)});
     errors_.erase(label);
   } catch (const InputError& error) {
     errors_[label] = error.what();
   }
 }
 
-void DrawnScene::reloadShaders() {
-  if (!data_) return;
-  for (const auto& [label, method] : data_->methods) compile(label, *method, true);
+bool DrawnScene::isDrawnRight(const std::string& label, const MethodData& method) {
+  const std::string fault = faults_->faultOf(method.spec);
+  if (fault.empty()) return true;
+  errors_[label] = fmt::format("{} is not shown: {}", label, fault);
+  passes_.erase(label);
+  return false;
 }
 
 void DrawnScene::dropUnused() {

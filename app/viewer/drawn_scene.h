@@ -8,6 +8,7 @@
 
 #include "render/drawing.h"
 #include "render/method_pass.h"
+#include "study/driver_faults.h"
 #include "viewer/scene_data.h"
 
 namespace gnomon {
@@ -26,11 +27,11 @@ class DrawnScene {
   explicit DrawnScene(std::filesystem::path shaders) : shaders_(std::move(shaders)) {}
 
   /// Uploads a scene in the place of the one before, which stays where that fails, and compiles
-  /// its methods.
-  /// @throws InputError for what is larger than OpenGL takes
+  /// its methods: all of them where shaders have changed, else those that are new. One that does
+  /// not compile stays as it was; one that the driver would draw wrong is not drawn.
+  /// @throws InputError for what is larger than OpenGL takes, DriverError where the driver draws
+  ///   the pixels or the pictures wrong that all methods need
   void install(std::shared_ptr<const SceneData> scene);
-  /// Compiles all methods again from their files. One that fails stays as it was.
-  void reloadShaders();
   /// What the horizons of a method hang on that are shot on the displaced surface.
   [[nodiscard]] ContentKey anglesKey(const MethodData& method) const;
   /// Gives a method the horizons that were shot for it.
@@ -52,7 +53,8 @@ class DrawnScene {
   [[nodiscard]] std::optional<Ready> method(const std::string& label) const;
   /// The method waits for horizons that are shot on the displaced surface.
   [[nodiscard]] bool lacksAngles(const std::string& label) const;
-  /// What its file's last compilation said, by label; those that went well are not in it.
+  /// Why a method is not drawn as its file has it, by label: what its last compilation said, or
+  /// what the driver draws wrong. Those that went well are not in it.
   [[nodiscard]] const std::map<std::string, std::string>& errors() const { return errors_; }
 
  private:
@@ -62,7 +64,6 @@ class DrawnScene {
   };
   struct Compiled {
     std::string key;  ///< file, filter, wrap and parameters
-    Method method;
     MethodPass pass;
   };
   struct OwnAngles {
@@ -70,10 +71,14 @@ class DrawnScene {
     GpuAngles angles;
   };
   void compile(const std::string& label, const MethodData& method, bool again);
+  /// Whether the driver draws a method right; otherwise it is no longer drawn.
+  bool isDrawnRight(const std::string& label, const MethodData& method);
   void upload(const MethodData& method);
   void dropUnused();
 
   std::filesystem::path shaders_;
+  Cache noCache_;
+  std::optional<DriverFaults> faults_;  ///< of the shaders as they are
   std::shared_ptr<const SceneData> data_;
   std::map<std::shared_ptr<const HeightField>, GpuHeights> heights_;
   std::map<std::shared_ptr<const MeshData>, DrawnMeshData> meshes_;

@@ -40,6 +40,17 @@ std::pair<Mask, Mask> comparable(Mask first, Mask second, bool agreeWhereUnknown
   return {std::move(first), std::move(second)};
 }
 
+/// Why there is nothing to show of methods that lack a common mesh; empty while one is awaited.
+std::string noteOfNone(const DrawnScene& scene, const PaneContent& content) {
+  bool waits = false;
+  for (const PaneSource& source : {content.shown, content.against.value_or(tracedTruth)}) {
+    if (!source.isMethod() || scene.method(source.label)) continue;
+    if (scene.errors().contains(source.label)) return "not shown: see the message";
+    waits = true;
+  }
+  return waits ? "" : "these two draw different meshes: no common pixels";
+}
+
 std::vector<Vec3> endsOf(const std::vector<LineSegment>& lines) {
   std::vector<Vec3> ends;
   ends.reserve(2 * lines.size());
@@ -166,13 +177,11 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
   }
   const auto mesh = meshOf(scene, content);
   if (!mesh) {
-    const auto isMissing = [&](const PaneSource& source) {
-      return source.isMethod() && !scene.method(source.label);
-    };
-    const bool waits = isMissing(content.shown) || (content.against && isMissing(*content.against));
-    pane.shown.note = waits ? "" : "these two draw different meshes: no common pixels";
+    pane.shown.note = noteOfNone(scene, content);
     pane.shown.figures.reset();
-    if (!waits) shade(pane, scene, state, scene.data()->standardMesh(), emptyMask(state.camera));
+    if (!pane.shown.note.empty()) {
+      shade(pane, scene, state, scene.data()->standardMesh(), emptyMask(state.camera));
+    }
     return;  // what was there stays until the tables are ready
   }
   const PartialTruth* partial = truthOf(truth, *mesh, state.camera);

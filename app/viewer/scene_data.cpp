@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <span>
 
+#include "common/atomic_file.h"
+#include "common/error.h"
 #include "relief/horizon_ellipses.h"
 #include "relief/texel_scale.h"
 #include "study/run_keys.h"
@@ -85,9 +87,28 @@ std::shared_ptr<const AngleTable> SceneMaker::angles(const SceneData& scene, con
   });
 }
 
+void SceneMaker::requireTried(const MethodSpec& spec, Wrap wrap) {
+  const ContentKey key = KeyBuilder("viewed trial")
+                             .add("method", readFile(spec.file))
+                             .add("filter", spec.filter)
+                             .add("wrap", wrap)
+                             .key();
+  const std::string refusal = cached(trials_, key, [&]() -> std::string {
+    try {
+      trial_(spec, wrap);
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  });
+  if (!refusal.empty()) throw InputError(refusal);
+}
+
 std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, const MethodSpec& spec,
                                                      const StageProgress& progress) {
   MethodData data{spec, readMethod(spec.file), {}, {}, {}, {}};
+  progress("Trying methods")(0);
+  requireTried(spec, scene.heights->wrap());
   data.mesh = {data.method.mesh, spec.baseSubdivisions, spec.baseCurvature};
   const MethodTables& declared = data.method.tables;
   if (declared.horizon || declared.distance)
@@ -133,6 +154,7 @@ void SceneMaker::forgetUnused(const SceneData& scene) {
 std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
                                                   const StageProgress& progress) {
   auto scene = std::make_shared<SceneData>();
+  scene->shaders = request.shaders;
   progress("Reading the study")(0);
   scene->study = std::make_shared<const StudySpec>(readStudy(file_, request.options));
   scene->keys = sceneKeys(*scene->study);

@@ -31,6 +31,7 @@ struct SceneRequest {
   StudyOptions options;            ///< with the overrides that the sliders make
   std::vector<std::string> shown;  ///< labels of the methods that need meshes and tables
   bool directions = false;         ///< the lines of the principal directions are wanted
+  int shaders = 0;                 ///< counts the changes of shader files
 };
 
 /// A table as a texture holds it.
@@ -76,6 +77,8 @@ SceneKeys sceneKeys(const StudySpec& study);
 
 struct SceneData {
   SceneKeys keys;
+  int shaders = 0;  ///< of its request: methods compile again where it is another
+
   std::shared_ptr<const StudySpec> study;
   std::shared_ptr<const LimitSurface> surface;
   std::shared_ptr<const HeightField> heights;
@@ -90,10 +93,14 @@ struct SceneData {
   }
 };
 
+/// Tries a method before the driver gets it: see ViewRequest.
+using MethodTrial = std::function<void(const MethodSpec& method, Wrap wrap)>;
+
 /// Makes scenes and keeps what the next one can use again: tables by what they were baked with.
 class SceneMaker {
  public:
-  explicit SceneMaker(std::filesystem::path study) : file_(std::move(study)) {}
+  SceneMaker(std::filesystem::path study, MethodTrial trial)
+      : file_(std::move(study)), trial_(std::move(trial)) {}
 
   /// @param progress  of a stage by name; may throw to cancel
   /// @throws InputError as readStudy, readMethod and the bakers
@@ -124,9 +131,12 @@ class SceneMaker {
   static void addMesh(SceneData& scene, MeshChoice choice, const SceneData* previous);
   std::shared_ptr<const MethodData> method(const SceneData& scene, const MethodSpec& spec,
                                            const StageProgress& progress);
+  void requireTried(const MethodSpec& spec, Wrap wrap);
   void forgetUnused(const SceneData& scene);
 
   std::filesystem::path file_;
+  MethodTrial trial_;
+  std::map<ContentKey, std::string> trials_;  ///< by what the method's file held: why it may not
   std::shared_ptr<const SceneData> last_;
   ContentKey tablesOf_;  ///< of the relief that the tables were baked from
   Tables tables_;

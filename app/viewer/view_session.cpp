@@ -12,18 +12,18 @@ namespace gnomon {
 namespace {
 
 std::function<void(const SceneRequest&, const BackgroundWorker<SceneRequest, SceneResult>::Job&)>
-sceneWork(const std::filesystem::path& file) {
-  return
-      [maker = std::make_shared<SceneMaker>(file)](const SceneRequest& request, const auto& job) {
-        SceneResult result;
-        try {
-          result.scene =
-              maker->make(request, [&](const std::string& stage) { return job.progress(stage); });
-        } catch (const std::exception& error) {
-          result.error = error.what();
-        }
-        job.publish(std::move(result));
-      };
+sceneWork(const ViewRequest& asked) {
+  return [maker = std::make_shared<SceneMaker>(asked.study, asked.tryMethod)](
+             const SceneRequest& request, const auto& job) {
+    SceneResult result;
+    try {
+      result.scene =
+          maker->make(request, [&](const std::string& stage) { return job.progress(stage); });
+    } catch (const std::exception& error) {
+      result.error = error.what();
+    }
+    job.publish(std::move(result));
+  };
 }
 
 std::function<void(const TruthRequest&, const TruthTracer::Worker::Job&)> truthWork() {
@@ -54,7 +54,7 @@ ViewSession::ViewSession(const ViewRequest& request, const std::function<void()>
       pictures_(shaders_),
       watch_(shaders_),
       cameraMoved_(Clock::now() - std::chrono::hours(1)),
-      baker_(sceneWork(request.study), wake),
+      baker_(sceneWork(request), wake),
       tracer_(truthWork(), wake) {
   request_.options = optionsOf(request);
 }
@@ -85,7 +85,7 @@ void ViewSession::askForScene() {
   if (asked == askedScene_) return;
   askedScene_ = asked;
   sceneArrives_ = true;
-  baker_.request({options, shown, state_.overlays.directions});
+  baker_.request({options, shown, state_.overlays.directions, shaderVersion_});
 }
 
 void ViewSession::takeScenes() {
@@ -142,7 +142,8 @@ void ViewSession::noticeChanges() {
 }
 
 void ViewSession::reloadShaders() {
-  ++shaderVersion_;  // the methods' declarations are read again, too
+  // Methods compile again with the next scene, for which they are read and tried again.
+  ++shaderVersion_;
   ++serial_;
   try {
     pictures_.reloadShaders(shaders_);
@@ -150,7 +151,6 @@ void ViewSession::reloadShaders() {
   } catch (const InputError& error) {
     shaderError_ = error.what();
   }
-  scene_.reloadShaders();
 }
 
 std::vector<AnglesRequest> ViewSession::missingAngles() const {

@@ -70,7 +70,7 @@ TEST_F(BaselineCheck, IsToldByTheSummaryAndTheReport) {
   writeStudy();
   ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
   EXPECT_EQ(summary("small").at("status"), "pass");
-  EXPECT_EQ(filesBelow("ref/pictures/small").size(), 2U) << "one for each method";
+  EXPECT_EQ(filesBelow("ref/pictures/small").size(), 3U) << "one for each method, and their list";
 
   ASSERT_EQ(check().status, 0);
   EXPECT_EQ(summary("small").at("status"), "pass");
@@ -129,6 +129,18 @@ TEST_F(BaselineCheck, DrawsWhatChanged) {
   // Nothing of it stays once the reference holds again.
   ASSERT_EQ(check().status, 0);
   EXPECT_TRUE(filesBelow("out/small/references").empty());
+}
+
+TEST_F(BaselineCheck, RemovesItsOwnPicturesAndNoOthers) {
+  writeStudy(anotherMethod);
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  const std::string pictures = "ref/pictures/small/";
+  const std::size_t kept = filesBelow(pictures).size();
+  write(pictures + "mine_difference.png", "mine");
+  writeStudy();
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  EXPECT_EQ(filesBelow(pictures).size(), kept) << "one method less, and mine";
+  EXPECT_EQ(read(pictures + "mine_difference.png"), "mine");
 }
 
 TEST_F(BaselineCheck, WithoutKeptPicturesSaysSo) {

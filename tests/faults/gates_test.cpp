@@ -48,7 +48,7 @@ class Tally {
 class Gates : public EndToEnd {
  protected:
   [[nodiscard]] Outcome shell(const std::string& script) const {
-    return runPosixShell(folder(), script);
+    return runShell(folder(), script, {"sh", 600, true});
   }
 
   /// Runs a check in whose JUnit file an earlier one has passed, and expects that this one does

@@ -175,7 +175,7 @@ bool isFormula(const std::string& cell) {
 class HostileLabels : public EndToEnd {
  protected:
   [[nodiscard]] Outcome shell(const std::string& script) const {
-    return runPosixShell(folder(), script);
+    return runShell(folder(), script, {"sh", 600, true});
   }
 
   /// A study in which every text is one of the labels from `first` on.

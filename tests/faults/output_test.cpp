@@ -23,7 +23,7 @@ class LostOutput : public EndToEnd {
     write("mask.pgm", "P5\n2 1\n255\n" + std::string("\xff\0", 2));
   }
   [[nodiscard]] Outcome shell(const std::string& script) const {
-    return runPosixShell(folder(), script);
+    return runShell(folder(), script, {"sh", 600, true});
   }
 };
 

@@ -28,30 +28,23 @@ int statusOf(int state) {
 
 }  // namespace
 
-Outcome runShell(const fs::path& folder, const std::string& command, int seconds) {
+Outcome runShell(const fs::path& folder, const std::string& command, const ShellOptions& options) {
   // Beside the folder, so that nothing is in it but what the program reads and writes.
   const fs::path out = folder.string() + ".out";
   const fs::path err = folder.string() + ".err";
-  const fs::path cache = folder.string() + ".cache";
-  const std::string script =
-      fmt::format("gnomon() {{ {} \"$@\"; }}; {}", shellQuoted(GNOMON_PROGRAM), command);
-  const std::string line =
-      fmt::format("cd {} && GNOMON_CACHE={} timeout -k 5 {} bash -c {} >{} 2>{} </dev/null",
-                  shellQuoted(folder.string()), shellQuoted(cache.string()), seconds,
-                  shellQuoted(script), shellQuoted(out.string()), shellQuoted(err.string()));
+  const fs::path cache = options.keepsCache ? folder / ".cache" : fs::path(folder.string() + ".cache");
+  const std::string script = fmt::format("gnomon={}\ngnomon() {{ \"$gnomon\" \"$@\"; }}\n{}",
+                                         shellQuoted(GNOMON_PROGRAM), command);
+  const std::string line = fmt::format(
+      "cd {} && GNOMON_CACHE={} timeout -k 5 {} {} -c {} >{} 2>{} </dev/null",
+      shellQuoted(folder.string()), shellQuoted(cache.string()), options.seconds, options.shell,
+      shellQuoted(script), shellQuoted(out.string()), shellQuoted(err.string()));
   const int status = statusOf(std::system(line.c_str()));
   const Outcome outcome{status, bytesOf(out), bytesOf(err)};
-  for (const fs::path& path : {out, err, cache}) fs::remove_all(path);
+  fs::remove(out);
+  fs::remove(err);
+  if (!options.keepsCache) fs::remove_all(cache);
   return outcome;
-}
-
-Outcome runPosixShell(const fs::path& folder, const std::string& script) {
-  const std::string whole = fmt::format(
-      "cd {}\ngnomon={}\nexport GNOMON_CACHE=\"$PWD/.cache\"\n{{\n{}\n}} >.shell-out 2>.shell-err "
-      "</dev/null\n",
-      shellQuoted(folder.string()), shellQuoted(GNOMON_PROGRAM), script);
-  const int status = statusOf(std::system(whole.c_str()));
-  return {status, bytesOf(folder / ".shell-out"), bytesOf(folder / ".shell-err")};
 }
 
 void expectRefused(const Outcome& outcome, const std::string& what) {

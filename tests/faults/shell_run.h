@@ -10,14 +10,17 @@ namespace gnomon::test {
 /// The status by which a run shows that it did not come to its end in time.
 constexpr int timedOut = 124;
 
-/// Runs a shell's command in a folder, with `gnomon` in it for the program and a cache of its own,
-/// for at most a while; its status is then `timedOut`.
-Outcome runShell(const std::filesystem::path& folder, const std::string& command, int seconds = 60);
+/// How a command of a shell is run.
+struct ShellOptions {
+  const char* shell = "bash";  ///< "sh" for limits and redirections whose units and rules POSIX fixes
+  int seconds = 60;            ///< that it may take: its status is then `timedOut`
+  bool keepsCache = false;     ///< in `.cache` of the folder, from command to command
+};
 
-/// Runs a script of the POSIX shell likewise, for limits and redirections whose units and rules it
-/// fixes. `$gnomon` is the program; its cache is the folder's, and stays from script to script. No
-/// time is set.
-Outcome runPosixShell(const std::filesystem::path& folder, const std::string& script);
+/// Runs a shell's command in a folder. `gnomon` in it is the program, and `$gnomon` its path; it
+/// has a cache of its own.
+Outcome runShell(const std::filesystem::path& folder, const std::string& command,
+                 const ShellOptions& options = {});
 
 /// All bytes of a file; none where it cannot be read.
 std::string bytesOf(const std::filesystem::path& path);

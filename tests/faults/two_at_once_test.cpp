@@ -107,20 +107,20 @@ TEST_F(TwoAtOnce, OnOneCacheBothFillIt) {
 }
 
 TEST_F(TwoAtOnce, ASignalReachesTheFirstProcessOfAContainer) {
-  // For which the system has no default effect.
-  const int process = start("a", "out", "cold", "a");
-  for (int i = 0; i < 2000 && partFilesBelow(file("cold")).empty(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (fs::exists(file("out/small/summary.json"))) break;
+  // For which the system has no default effect. A run that has ended before is tried again.
+  int status = 0;
+  for (int round = 0; round < 10 && status == 0; ++round) {
+    const std::string cache = "cold" + std::to_string(round);
+    const int process = start("a", "out", cache, "a");
+    for (int i = 0; i < 2000 && partFilesBelow(file(cache)).empty(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    std::ifstream children(fmt::format("/proc/{0}/task/{0}/children", process));
+    int first = 0;
+    if (children >> first) ::kill(first, SIGTERM);
+    status = endOf(process);
   }
-  const int asked =
-      startCommand(folder(), {"pkill", "-TERM", "-P", std::to_string(process), "gnomon"}, {},
-                   "/dev/null", "/dev/null");
-  if (endOf(asked) != 0) {
-    (void)endOf(process);
-    GTEST_SKIP() << "it had ended, or there is no pkill";
-  }
-  EXPECT_EQ(endOf(process), 128 + SIGTERM);
+  EXPECT_EQ(status, 128 + SIGTERM);
   EXPECT_EQ(read("a.stderr"), "gnomon: ended by SIGTERM\n");
   EXPECT_EQ(partFilesBelow(folder()), nothing);
 }

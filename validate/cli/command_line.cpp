@@ -158,13 +158,6 @@ class ThreadLimit {
   std::optional<tbb::global_control> limit_;
 };
 
-/// The study's methods are tried before a window opens.
-ExitStatus viewStudy(const ViewRequest& request, const Viewer& viewer) {
-  Cache none;
-  tryMethods(readStudy(request.study, request.options), nullptr, none);
-  return viewer(request);
-}
-
 int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App app("Gnomon measures how right real-time bump-map shadows are.", "gnomon");
   app.require_subcommand(0, 1);
@@ -209,6 +202,9 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   comparison.command = request.command;
   CLI::App* compare = addCompareCommand(app, comparison);
   ViewRequest viewRequest;
+  viewRequest.tryMethod = [](const MethodSpec& method, Wrap wrap) {
+    (void)tryMethod(method, wrap);
+  };
   CLI::App* view = addViewCommand(app, viewRequest);
   CacheRequest cacheRequest;
   CLI::App* cache = app.add_subcommand("cache", "Show what runs left to be taken up, and bound it");
@@ -236,7 +232,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   const ExitStatus status = list->parsed()       ? listParts()
                             : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
-                            : view->parsed()     ? viewStudy(viewRequest, viewer)
+                            : view->parsed()     ? viewer(viewRequest)
                             : bake->parsed()     ? bakeStudies(request)
                             : truth->parsed()    ? traceStudies(request)
                             : exported->parsed() ? exportStudies(request, subdivisions)

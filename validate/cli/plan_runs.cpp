@@ -119,7 +119,7 @@ void keepFirst(Records& records, std::size_t count) {
 void runSteps(const PlanRecords& part, const GlContext& gl, const RunRequest& request, Cache& cache,
               Records& records, const StepJudge& judge) {
   const StudyPlan& plan = *part.plan;
-  for (const StudySpec& step : plan.steps) inStudy(step, [&] { tryMethods(step, &gl, cache); });
+  for (const StudySpec& step : plan.steps) inStudy(step, [&] { tryMethods(step, gl, cache); });
   RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;
   if (plan.sweep) swept = sweepStudy(plan.steps.front(), request.options, folder.path());

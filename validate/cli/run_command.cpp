@@ -36,11 +36,9 @@ void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
 }
 
 /// A run judges no gate; a method that the driver did not let it measure is a problem.
-ExitStatus statusOf(const std::vector<StudyRecord>& records) {
+ExitStatus worstProblem(const std::vector<StudyRecord>& records) {
   ExitStatus worst = ExitStatus::pass;
-  for (const StudyRecord& record : records) {
-    for (const ProblemRecord& problem : record.problems) worst = std::max(worst, problem.status);
-  }
+  for (const StudyRecord& record : records) worst = std::max(worst, worstOf(record.problems));
   return worst;
 }
 
@@ -77,7 +75,7 @@ ExitStatus runStudies(const RunRequest& request) {
     });
   }
   failures.print();
-  return std::max(failures.status(), statusOf(records.all));
+  return std::max(failures.status(), worstProblem(records.all));
 }
 
 ExitStatus bakeStudies(const RunRequest& request) {

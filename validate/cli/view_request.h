@@ -31,6 +31,9 @@ struct ViewRequest {
   /// A JSON file that always says what is on the screen and where the controls are, for scripts
   /// that drive the window.
   std::optional<std::filesystem::path> status;
+  /// Tries a method in a process of its own before it is compiled, each time that its file is
+  /// another; throws InputError for one that may not be (method_trial.h).
+  std::function<void(const MethodSpec& method, Wrap wrap)> tryMethod;
 };
 
 /// Shows a study until its window is closed. The program hands one in, so that the library needs no

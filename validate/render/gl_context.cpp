@@ -124,20 +124,15 @@ GlContext::GlContext() : egl_(std::make_unique<Egl>()) {
 
 GlContext::~GlContext() = default;
 
-std::string GlContext::vendor() const {
-  return glString(GL_VENDOR);
-}
-std::string GlContext::renderer() const {
-  return glString(GL_RENDERER);
-}
-std::string GlContext::version() const {
-  return glString(GL_VERSION);
-}
 int GlContext::largestTexture() const {
   return glInteger(GL_MAX_TEXTURE_SIZE);
 }
 int GlContext::largestVolume() const {
   return glInteger(GL_MAX_3D_TEXTURE_SIZE);
+}
+
+GlDriver currentDriver() {
+  return {glString(GL_VENDOR), glString(GL_RENDERER), glString(GL_VERSION)};
 }
 
 void throwOnGlError(const char* task) {

@@ -5,6 +5,16 @@
 
 namespace gnomon {
 
+/// What a context's driver calls itself.
+struct GlDriver {
+  std::string vendor;    ///< GL_VENDOR
+  std::string renderer;  ///< GL_RENDERER
+  std::string version;   ///< GL_VERSION
+};
+
+/// The driver of the context that is current.
+GlDriver currentDriver();
+
 /// An OpenGL 4.5 core context without a window, current on the thread that made it until it goes.
 /// EGL's surfaceless platform is tried first, then each EGL device: no display is needed.
 class GlContext {
@@ -15,9 +25,7 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  [[nodiscard]] std::string vendor() const;    ///< GL_VENDOR
-  [[nodiscard]] std::string renderer() const;  ///< GL_RENDERER
-  [[nodiscard]] std::string version() const;   ///< GL_VERSION
+  [[nodiscard]] GlDriver driver() const { return currentDriver(); }
   /// Largest side of a two- or three-dimensional texture, texels.
   [[nodiscard]] int largestTexture() const;
   [[nodiscard]] int largestVolume() const;

@@ -49,16 +49,6 @@ std::string differenceOf(const StudyRecord& record, const ReferencePictures& row
   return "";
 }
 
-/// Nothing else that lies there.
-void removeDifferences(const fs::path& folder) {
-  std::error_code ignored;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().string().ends_with("_difference.png")) files.push_back(entry.path());
-  }
-  for (const fs::path& file : files) fs::remove(file);
-}
-
 /// Copies what was kept and draws the change.
 void drawChange(ReferencePictures& row, RunFolder& folder, const fs::path& old) {
   Mask before = maskOfDifference(old);
@@ -88,14 +78,16 @@ Mask maskOfDifference(const fs::path& path) {
 
 void keepReferencePictures(const StudyRecord& record, const fs::path& folder,
                            const fs::path& kept) {
-  removeDifferences(kept);
+  RunFolder pictures(kept, {""});
+  pictures.clear();
   for (const PanelRecord& panel : record.panels) {
     for (const PictureRecord& picture : panel.pictures) {
       if (picture.kind != Kind::difference) continue;
       const fs::path path = picture.path;
-      writeTextAtomically(kept / path.filename(), readFile(folder / path));
+      pictures.write(path.filename().string(), readFile(folder / path));
     }
   }
+  pictures.finish();
 }
 
 std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, RunFolder& folder,

@@ -17,8 +17,9 @@ Mask maskOfDifference(const std::filesystem::path& path);
 
 /// Keeps the signed differences of a run beside its references.
 /// @param folder  of the run
-/// @param kept    takes a file a method, view and light; older ones in it go
-/// @throws InputError where a file cannot be read or written
+/// @param kept    takes a file a method, view and light, and a list of them (run_folder.h); those
+///   of its list before go, and nothing else
+/// @throws InputError where a file cannot be read or written, and as RunFolder
 void keepReferencePictures(const StudyRecord& record, const std::filesystem::path& folder,
                            const std::filesystem::path& kept);
 

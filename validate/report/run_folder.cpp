@@ -134,7 +134,7 @@ std::set<fs::path, std::greater<>> foldersOf(const std::set<std::string>& names)
 RunFolder::RunFolder(fs::path folder, FolderKind kind)
     : folder_(std::move(folder)), kind_(std::move(kind)) {
   names_ = readList(listFile()).value_or(std::set<std::string>{});
-  requireFree(kind_.index);
+  if (!kind_.index.empty()) requireFree(kind_.index);
   for (const std::string& name : kind_.others) requireFree(name);
 }
 
@@ -220,8 +220,12 @@ void RunFolder::write(const std::string& name, std::string_view bytes) {
   replaceFile(path, bytes, Sync::later, path.parent_path());
 }
 
-void RunFolder::finish(std::string_view index) {
+void RunFolder::finish() {
   syncFileSystem(folder_);
+}
+
+void RunFolder::finish(std::string_view index) {
+  finish();
   const fs::path path = newFile(kind_.index);
   replaceFile(path, index, Sync::now, folder_);
 }

@@ -11,7 +11,7 @@ namespace gnomon {
 
 /// How a folder of results tells what is in it.
 struct FolderKind {
-  std::string index;  ///< written last and removed first: where it is, all else is whole
+  std::string index;  ///< written last and removed first: where it is, all else is whole; may be ""
   std::vector<std::string> others = {};  ///< that every run writes too, as far as they are known
   std::string list = "files.txt";        ///< names of all files that were written
 };
@@ -56,6 +56,8 @@ class RunFolder {
   void write(const std::string& name, std::string_view bytes);
   /// Waits until all files are on the disk, then writes the index.
   void finish(std::string_view index);
+  /// The same of a kind without an index.
+  void finish();
 
  private:
   /// @return names of what stays

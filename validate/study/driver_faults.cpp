@@ -10,21 +10,24 @@
 namespace gnomon {
 namespace {
 
-ContentKey driverKey(const GlContext& gl, const std::filesystem::path& shaders) {
+ContentKey driverKey(const GlDriver& gl, const std::filesystem::path& shaders) {
   KeyBuilder key("driver");
-  key.add("vendor", gl.vendor()).add("renderer", gl.renderer()).add("gl", gl.version());
+  key.add("vendor", gl.vendor).add("renderer", gl.renderer).add("gl", gl.version);
   return key.add("shaders", shadersKey(shaders)).key();
 }
 
 }  // namespace
 
-DriverFaults::DriverFaults(const GlContext& gl, std::filesystem::path shaders, Cache& kept)
-    : gl_(gl), shaders_(std::move(shaders)), cache_(kept), driver_(driverKey(gl, shaders_)) {}
+DriverFaults::DriverFaults(std::filesystem::path shaders, Cache& kept)
+    : driver_(currentDriver()),
+      shaders_(std::move(shaders)),
+      cache_(kept),
+      key_(driverKey(driver_, shaders_)) {}
 
 const std::string& DriverFaults::passFault(PassKind kind) {
   const auto known = found_.find(kind);
   if (known != found_.end()) return known->second;
-  const ContentKey key = KeyBuilder("pass").add("driver", driver_).add("pass", kind).key();
+  const ContentKey key = KeyBuilder("pass").add("driver", key_).add("pass", kind).key();
   return found_
       .emplace(kind, cache_.remember(key, [&] { return gnomon::passFault(kind, shaders_); }))
       .first->second;
@@ -33,7 +36,7 @@ const std::string& DriverFaults::passFault(PassKind kind) {
 std::string DriverFaults::faultText(PassKind kind, const std::string& fault) const {
   return fmt::format(
       "this OpenGL gets {} wrong: {} in a scene that is known in closed form ({}, {})",
-      passName(kind), fault, gl_.renderer(), gl_.version());
+      passName(kind), fault, driver_.renderer, driver_.version);
 }
 
 std::string DriverFaults::faultOf(const MethodSpec& method) {
@@ -44,13 +47,14 @@ std::string DriverFaults::faultOf(const MethodSpec& method) {
   return "";
 }
 
+void DriverFaults::require(PassKind kind) {
+  const std::string& fault = passFault(kind);
+  if (!fault.empty()) {
+    throw DriverError(fmt::format("nothing is measured: {}", faultText(kind, fault)));
+  }
+}
+
 void DriverFaults::requireViews(const StudySpec& study) {
-  const auto require = [&](PassKind kind) {
-    const std::string& fault = passFault(kind);
-    if (!fault.empty()) {
-      throw DriverError(fmt::format("nothing is measured: {}", faultText(kind, fault)));
-    }
-  };
   for (const ViewSpec& view : study.views) {
     require(std::holds_alternative<Camera>(view.kind) ? PassKind::cameraSamples
                                                       : PassKind::atlasSamples);

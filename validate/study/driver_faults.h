@@ -23,14 +23,17 @@ class DriverError : public Error {
 /// the program.
 class DriverFaults {
  public:
-  /// @param gl, kept  outlive it
-  DriverFaults(const GlContext& gl, std::filesystem::path shaders, Cache& kept);
+  /// Of the context that is current, and stays so while it is asked.
+  /// @param kept  outlives it
+  DriverFaults(std::filesystem::path shaders, Cache& kept);
 
   /// Why a method cannot be measured: the first kind of pass that it needs and that is drawn wrong,
   /// "this OpenGL gets shadow volumes wrong: …"; empty where all are right.
   /// @throws InputError for a method that cannot be read, as readMethod
   std::string faultOf(const MethodSpec& method);
 
+  /// @throws DriverError where a kind of pass is drawn wrong
+  void require(PassKind kind);
   /// @throws DriverError where the samples of the study's views, which all its methods need, or its
   ///   pictures are drawn wrong
   void requireViews(const StudySpec& study);
@@ -40,10 +43,10 @@ class DriverFaults {
   const std::string& passFault(PassKind kind);
   std::string faultText(PassKind kind, const std::string& fault) const;
 
-  const GlContext& gl_;
+  GlDriver driver_;
   std::filesystem::path shaders_;
   Cache& cache_;
-  ContentKey driver_;
+  ContentKey key_;
   std::map<PassKind, std::string> found_;
 };
 

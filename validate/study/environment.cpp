@@ -61,8 +61,8 @@ EnvironmentRecord describeEnvironment(const GlContext& gl) {
   environment.commit = GNOMON_COMMIT;
   environment.cpu = processorName();
   environment.threads = static_cast<int>(threadCount());
-  environment.glRenderer = gl.renderer();
-  environment.glVersion = gl.version();
+  environment.glRenderer = gl.driver().renderer;
+  environment.glVersion = gl.driver().version;
   environment.embreeVersion = MicroScene::embreeVersion();
   environment.openSubdivVersion = openSubdivVersion();
   environment.frameClock = frameClockName(frameClockOf(environment.glRenderer));

@@ -21,6 +21,12 @@ GateVerdict verdictOf(const GateRecord& gate) {
   return bounded && holds ? GateVerdict::passed : GateVerdict::failed;
 }
 
+ExitStatus worstOf(std::span<const ProblemRecord> problems) {
+  ExitStatus worst = ExitStatus::pass;
+  for (const ProblemRecord& problem : problems) worst = std::max(worst, problem.status);
+  return worst;
+}
+
 RunStatus runStatus(std::span<const GateRecord> gates, std::span<const ProblemRecord> problems) {
   const auto isPassed = [](const GateRecord& gate) { return gate.verdict == GateVerdict::passed; };
   const auto isFault = [](const GateRecord& gate) {

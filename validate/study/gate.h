@@ -48,6 +48,9 @@ struct ProblemRecord {
   std::string message;
 };
 
+/// The largest of the problems' statuses; pass without any.
+ExitStatus worstOf(std::span<const ProblemRecord> problems);
+
 /// What a run's gates say of it, for the exit status of a check, its summary and its report alike.
 enum class RunStatus {
   pass,       ///< a gate passed, all others passed or were skipped, and there was no problem

@@ -47,9 +47,7 @@ std::vector<GateRecord> gatesOf(const StudyRecord& record) {
 
 ExitStatus CheckRecord::status() const {
   if (runStatus(gates, problems) == RunStatus::pass) return ExitStatus::pass;
-  ExitStatus worst = ExitStatus::thresholdFailed;
-  for (const ProblemRecord& problem : problems) worst = std::max(worst, problem.status);
-  return worst;
+  return std::max(ExitStatus::thresholdFailed, worstOf(problems));
 }
 
 }  // namespace gnomon

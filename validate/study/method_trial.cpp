@@ -56,10 +56,10 @@ StudySpec trialStudy(MethodSpec method, Wrap wrap) {
   return study;
 }
 
-std::vector<std::string> argumentsOf(const MethodSpec& method, const StudySpec& study) {
+std::vector<std::string> argumentsOf(const MethodSpec& method, Wrap wrap) {
   return {trialArgument, method.file.string(),
           method.filter == TableFilter::hardware ? "hardware" : "exact",
-          study.relief.field.wrap() == Wrap::clamp ? "clamp" : "repeat"};
+          wrap == Wrap::clamp ? "clamp" : "repeat"};
 }
 
 /// Every method of others that the study draws, each once.
@@ -103,10 +103,12 @@ std::string whatHappened(const ProcessOutcome& outcome, const ProcessLimits& lim
   return fmt::format("the OpenGL driver gives up on its shader (status {})", outcome.code);
 }
 
-/// @return whether it answered
-bool tryMethod(const MethodSpec& method, const StudySpec& study) {
+}  // namespace
+
+bool tryMethod(const MethodSpec& method, Wrap wrap) {
+  if (isBuiltIn(method)) return true;
   const ProcessLimits limits = trialLimits();
-  const ProcessOutcome outcome = runSelf(argumentsOf(method, study), limits);
+  const ProcessOutcome outcome = runSelf(argumentsOf(method, wrap), limits);
   if (outcome.end == ProcessEnd::exited && isOfItsOwnAccord(outcome.code)) {
     return outcome.code == static_cast<int>(ExitStatus::pass);
   }
@@ -114,22 +116,15 @@ bool tryMethod(const MethodSpec& method, const StudySpec& study) {
                                whatHappened(outcome, limits)));
 }
 
-}  // namespace
-
-void tryMethods(const StudySpec& study, const GlContext* gl, Cache& cache) {
+void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache) {
   const std::vector<const MethodSpec*> methods = foreignMethods(study);
   if (methods.empty()) return;
-  std::optional<RunKeys> keys;
-  if (gl != nullptr) keys.emplace(study, *gl, shaderFolder());
+  const RunKeys keys(study, gl, shaderFolder());
   for (const MethodSpec* method : methods) {
-    if (!keys) {
-      tryMethod(*method, study);
-      continue;
-    }
     const ContentKey key =
-        KeyBuilder("trial").add("method", keys->method(*method, readMethod(method->file))).key();
+        KeyBuilder("trial").add("method", keys.method(*method, readMethod(method->file))).key();
     if (cache.find<bool>(key)) continue;
-    if (tryMethod(*method, study)) cache.keep(key, true);
+    if (tryMethod(*method, study.relief.field.wrap())) cache.keep(key, true);
   }
 }
 

@@ -18,11 +18,16 @@ namespace gnomon {
 /// driver while the cache keeps that.
 
 /// Tries the methods of a study, and of its ladders, that do not come with the program.
-/// @param gl  whose driver compiles them; with none, all are tried, whatever the cache holds
+/// @param gl  whose driver compiles them
 /// @throws InputError naming method and file of one whose trial crashes, outgrows its memory or
 ///   overstays its time. Any other refusal, as of a shader that does not compile, is left to the
 ///   run
-void tryMethods(const StudySpec& study, const GlContext* gl, Cache& cache);
+void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache);
+
+/// Tries one method, unless it comes with the program. @throws InputError as tryMethods
+/// @param wrap  of the relief that it is to be drawn on
+/// @return whether it answered
+bool tryMethod(const MethodSpec& method, Wrap wrap);
 
 /// The program's first argument in such a process, before those of a trial.
 constexpr const char* trialArgument = "--try-method";

@@ -102,7 +102,8 @@ ContentKey bakeKey(const HeightField& field, const BakeSettings& settings) {
 RunKeys::RunKeys(const StudySpec& study, const GlContext& gl, const fs::path& shaders)
     : study_(study), shaders_(shadersKey(shaders)) {
   KeyBuilder key("place");
-  key.add("renderer", gl.renderer()).add("gl", gl.version()).add("cage", cageKey(study.cage));
+  const GlDriver driver = gl.driver();
+  key.add("renderer", driver.renderer).add("gl", driver.version).add("cage", cageKey(study.cage));
   place_ = key.add("relief", reliefKey(study.relief)).key();
 }
 

@@ -33,7 +33,7 @@ class StudyRun {
   StudyRun(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
            const StageProgress& progress)
       : study_(study),
-        costs_(frameClockOf(gl.renderer())),
+        costs_(frameClockOf(gl.driver().renderer)),
         clock_(progress),
         scene_(study, clock_, gl, kept),
         before_(scene_.cache.counts()),
@@ -174,7 +174,7 @@ class StudyRun {
 /// Measures what the driver draws right.
 StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter& writer,
                           Cache& kept, const StageProgress& progress, Beside beside) {
-  DriverFaults faults(gl, shaderFolder(), kept);
+  DriverFaults faults(shaderFolder(), kept);
   const MeasurableStudy left = measurable(study, faults);
   StudyRecord record =
       StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, progress).run(beside);

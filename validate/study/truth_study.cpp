@@ -11,7 +11,7 @@ namespace gnomon {
 
 StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
                        const std::function<void(const TracedSurface&)>& whileTraced) {
-  DriverFaults(gl, scene.shaders, scene.cache).requireViews(scene.study);
+  DriverFaults(scene.shaders, scene.cache).requireViews(scene.study);
   StudyRecord record = startRecord(scene.study, gl);
   scene.standardBase();
   {

@@ -11,7 +11,7 @@ namespace {
 
 class SceneMakerTest : public ViewedStudy {
  protected:
-  SceneMaker maker_{study()};
+  SceneMaker maker_{study(), tryNone};
 };
 
 TEST_F(SceneMakerTest, MakesWhatTheShownMethodsRead) {

@@ -14,7 +14,7 @@ namespace {
 class TruthTracerTest : public ViewedStudy {
  protected:
   TruthTracerTest()
-      : maker_(study()),
+      : maker_(study(), tryNone),
         scene_(made(maker_, {}, {})),
         worker_([this](const TruthRequest& request,
                        const TruthTracer::Worker::Job& job) { tracer_.trace(request, job); },

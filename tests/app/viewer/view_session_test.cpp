@@ -1,7 +1,8 @@
 #include "viewer/view_session.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "render/gl_context.h"
 #include "render/shader_files.h"
 #include "support/replaced.h"
+#include "support/scoped_variable.h"
 #include "viewer/saved_view.h"
 #include "viewer/status_file.h"
 
@@ -26,6 +28,7 @@ class ViewSessionTest : public ViewedStudy {
     ViewRequest asked;
     asked.study = study();
     asked.show = std::move(show);
+    asked.tryMethod = tryNone;
     asked.options.overrides = {"truth.step=0.06"};  // a truth that takes some time
     return asked;
   }
@@ -124,6 +127,73 @@ TEST_F(ViewSessionTest, HorizonsThatWereShotForOtherTablesAreNotTaken) {
   ViewSession plain(request({method}), [] {});
   ASSERT_TRUE(completes(plain));
   EXPECT_NE(changed, errorRate(plain)) << "the tables make no difference: the test shows nothing";
+}
+
+TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileChanges) {
+  const std::filesystem::path mine = file("mine.glsl");
+  const std::string text = readFile(shaderFolder() / "methods/max-forsyth.glsl");
+  std::ofstream(mine) << text;
+  std::ofstream(study(), std::ios::app) << "[[method]]\nfile = \"mine.glsl\"\n";
+  ViewRequest asked = request({"mine"});
+  std::atomic<int> trials = 0;
+  asked.tryMethod = [&](const MethodSpec& method, Wrap /*wrap*/) {
+    ++trials;
+    if (readFile(method.file).ends_with("// fatal\n")) throw InputError("mine.glsl: it crashes");
+  };
+  ViewSession session(asked, [] {});
+  ASSERT_TRUE(completes(session));
+  EXPECT_EQ(trials, 1);
+  session.state().changes.methods["mine"].bake.azimuths = 16;
+  ASSERT_TRUE(completes(session));
+  EXPECT_EQ(trials, 1) << "its file is the same";
+  const auto mask = session.maskOf(0);
+  ASSERT_TRUE(mask);
+  std::ofstream(mine) << test::replaced(text, "isShadowed(", "notThere(") << "// fatal\n";
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return !session.errors().empty();
+  }));
+  EXPECT_EQ(trials, 2);
+  EXPECT_EQ(session.errors(), std::vector<std::string>{"mine.glsl: it crashes"})
+      << "the driver has compiled it";
+  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+}
+
+TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
+  namespace fs = std::filesystem;
+  std::ofstream(study(), std::ios::app) << "[[method]]\nname = \"shadow-volume\"\n";
+  fs::copy(shaderFolder(), file("shaders"), fs::copy_options::recursive);
+  const fs::path walls = file("shaders/common/shadow_volume.geom");
+  const std::string right = readFile(walls);
+  const std::string wrong =
+      test::replaced(right, "  emitWall(lit, b, c, a.world, world[3]);\n", "");
+  std::ofstream(walls) << wrong;
+  const test::ScopedVariable shaders("GNOMON_SHADERS", file("shaders").c_str());
+  ViewSession session(request({"max-forsyth", "shadow-volume"}), [] {});
+  ASSERT_TRUE(completes(session));
+  EXPECT_TRUE(session.maskOf(0));
+  EXPECT_FALSE(session.maskOf(1));
+  EXPECT_FALSE(session.pane(1).figures);
+  EXPECT_EQ(session.pane(1).note, "not shown: see the message");
+  ASSERT_EQ(session.errors().size(), 1U);
+  EXPECT_THAT(session.errors().front(),
+              ::testing::StartsWith("shadow-volume is not shown: this OpenGL gets shadow volumes"));
+  // Once it is right, it is shown.
+  std::ofstream(walls) << right;
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return session.errors().empty() && session.isComplete();
+  }));
+  EXPECT_TRUE(session.maskOf(1));
+  // What all methods need is not checked in vain either.
+  const fs::path samples = file("shaders/common/samples.frag");
+  std::ofstream(samples) << test::replaced(readFile(samples), "sampleSt = clamp(st",
+                                           "sampleSt = clamp(st.yx");
+  ViewSession other(request({"max-forsyth"}), [] {});
+  ASSERT_TRUE(completes(other));
+  EXPECT_FALSE(other.hasScene());
+  ASSERT_EQ(other.errors().size(), 1U);
+  EXPECT_THAT(other.errors().front(), ::testing::StartsWith("nothing is measured: this OpenGL"));
 }
 
 TEST_F(ViewSessionTest, IsSavedWhereNamesAreNoText) {
