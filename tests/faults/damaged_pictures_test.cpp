@@ -24,6 +24,7 @@
 #include "relief/height_image.h"
 #include "relief/table_file.h"
 #include "report/mask_picture.h"
+#include "support/sanitized.h"
 #include "support/test_length.h"
 
 namespace gnomon::test {
@@ -432,6 +433,7 @@ TEST_F(DamagedPictures, AreNotFilledUpWithWhatMemoryHeld) {
 }
 
 TEST_F(DamagedPictures, ALargePictureIsInMemoryOnce) {
+  if (test::isSanitized) GTEST_SKIP() << "a sanitizer's own memory counts";
   const int side = repetitions(3000, 12000);
   for (const auto& [ending, channels] : {std::pair("png", 1), {"png", 3}, {"tif", 1}, {"exr", 3}}) {
     SCOPED_TRACE(ending);

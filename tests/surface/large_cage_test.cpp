@@ -10,18 +10,13 @@
 
 #include "common/error.h"
 #include "common/memory.h"
+#include "support/sanitized.h"
 #include "surface/limit_surface.h"
 #include "surface/ply_reader.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;  // shadow memory is counted, too
-#else
-constexpr bool sanitized = false;
-#endif
 
 /// How much more memory this process holds at most from here on (Linux).
 class PeakGrowth {
@@ -72,7 +67,7 @@ std::string triangles(const Cage& grid) {
 }
 
 TEST(LargeCage, AHundredThousandFacesTakeBoundedMemory) {
-  if (sanitized) GTEST_SKIP() << "memory is not the program's own";
+  if (test::isSanitized) GTEST_SKIP() << "memory is not the program's own";
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() /
       ("gnomon_large" + std::to_string(std::random_device{}()) + ".ply");
@@ -98,7 +93,7 @@ TEST(LargeCage, OneThatWouldNotFitIsRefusedBeforeItIsBuilt) {
     cage.creases.push_back({{corner[0], corner[1]}, random(4, 10)});
     cage.creases.push_back({{corner[0], corner[3]}, random(4, 10)});
   }
-  if (sanitized || static_cast<double>(availableMemoryBytes()) > 50e9) {
+  if (test::isSanitized || static_cast<double>(availableMemoryBytes()) > 50e9) {
     GTEST_SKIP() << "it might fit here";
   }
   const PeakGrowth growth;

@@ -141,6 +141,9 @@ std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path, Im
   // ImageInput::open would try the readers of all other formats where this one fails.
   auto file = OIIO::ImageInput::create(readerOf(format));
   if (!file) throw ImageError(OIIO::geterror());
+  // On several threads the TIFF reader unpacks strips by zlib itself, and takes one that holds less
+  // than its rows need: the rest is what its memory held. libtiff, which one thread asks, does not.
+  if (format == ImageFormat::tiff) file->threads(1);
   OIIO::ImageSpec spec;
   if (!file->open(path.string(), spec, wishes)) throw ImageError(file->geterror());
   return std::make_unique<FileReader>(std::move(file));

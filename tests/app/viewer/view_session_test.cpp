@@ -148,7 +148,7 @@ TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileCh
   EXPECT_EQ(trials, 1) << "its file is the same";
   const auto mask = session.maskOf(0);
   ASSERT_TRUE(mask);
-  std::ofstream(mine) << test::replaced(text, "isShadowed(", "notThere(") << "// fatal\n";
+  std::ofstream(mine) << text << "float broken = ;\n// fatal\n";
   ASSERT_TRUE(comesTrue([&] {
     session.update();
     return !session.errors().empty();
@@ -187,8 +187,9 @@ TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
   EXPECT_TRUE(session.maskOf(1));
   // What all methods need is not checked in vain either.
   const fs::path samples = file("shaders/common/samples.frag");
-  std::ofstream(samples) << test::replaced(readFile(samples), "sampleSt = clamp(st",
-                                           "sampleSt = clamp(st.yx");
+  const std::string turned =
+      test::replaced(readFile(samples), "sampleSt = clamp(st", "sampleSt = clamp(st.yx");
+  std::ofstream(samples) << turned;
   ViewSession other(request({"max-forsyth"}), [] {});
   ASSERT_TRUE(completes(other));
   EXPECT_FALSE(other.hasScene());
