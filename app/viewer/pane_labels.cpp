@@ -65,7 +65,8 @@ std::vector<std::string> labelOf(const ViewSession& session, std::size_t pane, d
     lines.push_back(fits(text) ? text : text.substr(0, cut));
     if (!fits(text) && fits(text.substr(cut + 2))) lines.push_back(text.substr(cut + 2));
   }
-  if (needsTruth(content) && !(content.against && content.against->isMethod())) {
+  if (picture.note.empty() && needsTruth(content) &&
+      !(content.against && content.against->isMethod())) {
     const double share = session.tracedShare(pane);
     if (share < 1) lines.push_back(fmt::format("{:.0f} % of the samples traced", 100 * share));
   }

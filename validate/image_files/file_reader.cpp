@@ -47,7 +47,9 @@ ImageFacts factsOf(const OIIO::ImageSpec& spec) {
 
 class FileReader : public ImageReader {
  public:
-  explicit FileReader(std::unique_ptr<OIIO::ImageInput> file) : file_(std::move(file)) {}
+  /// @param rowByRow  rows are asked for one by one, where the file has no tiles
+  FileReader(std::unique_ptr<OIIO::ImageInput> file, bool rowByRow)
+      : file_(std::move(file)), rowByRow_(rowByRow) {}
 
   [[nodiscard]] ImageFacts facts() const override { return factsOf(file_->spec()); }
 
@@ -60,12 +62,15 @@ class FileReader : public ImageReader {
     const OIIO::ImageSpec& spec = file_->spec();
     const std::size_t rowBytes = static_cast<std::size_t>(spec.width) *
                                  static_cast<std::size_t>(end - first) * typeDesc(type).size();
+    auto* out = static_cast<std::uint8_t*>(values);
     if (spec.tile_width == 0) {
-      readScanlines(row_, row_ + rows, first, end, type, values);
-      row_ += rows;
+      const int step = rowByRow_ ? 1 : rows;
+      for (int i = 0; i < rows; i += step, row_ += step) {
+        readScanlines(row_, row_ + step, first, end, type,
+                      out + static_cast<std::size_t>(i) * rowBytes);
+      }
       return;
     }
-    auto* out = static_cast<std::uint8_t*>(values);
     for (int i = 0; i < rows; ++i, ++row_, out += rowBytes) {
       const int inTile = row_ % spec.tile_height;
       if (inTile == 0) readTiles(row_, rowBytes, first, end, type);
@@ -97,6 +102,7 @@ class FileReader : public ImageReader {
   }
 
   std::unique_ptr<OIIO::ImageInput> file_;
+  bool rowByRow_;
   int row_ = 0;  ///< the next one
   std::vector<std::uint8_t> tiles_;
 };
@@ -141,12 +147,14 @@ std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path, Im
   // ImageInput::open would try the readers of all other formats where this one fails.
   auto file = OIIO::ImageInput::create(readerOf(format));
   if (!file) throw ImageError(OIIO::geterror());
-  // On several threads the TIFF reader unpacks strips by zlib itself, and takes one that holds less
-  // than its rows need: the rest is what its memory held. libtiff, which one thread asks, does not.
-  if (format == ImageFormat::tiff) file->threads(1);
+  // On several threads, or asked for several rows at once, the TIFF reader unpacks strips and tiles
+  // by zlib itself, and takes one that holds less than its rows need: the rest is what its memory
+  // held. libtiff, which it asks for single rows, does not.
+  const bool isTiff = format == ImageFormat::tiff;
+  if (isTiff) file->threads(1);
   OIIO::ImageSpec spec;
   if (!file->open(path.string(), spec, wishes)) throw ImageError(file->geterror());
-  return std::make_unique<FileReader>(std::move(file));
+  return std::make_unique<FileReader>(std::move(file), isTiff);
 }
 
 }  // namespace gnomon
