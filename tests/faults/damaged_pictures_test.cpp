@@ -448,7 +448,7 @@ TEST_F(DamagedPictures, ALargePictureIsInMemoryOnce) {
     ASSERT_TRUE(out->close());
     const double heights = static_cast<double>(side) * side * sizeof(float);
     const double peak =
-        peakBytesWhile([&] { readHeightImage(path, channels - 1, 1, Wrap::repeat); });
+        peakBytesWhile([&, last = channels - 1] { readHeightImage(path, last, 1, Wrap::repeat); });
     EXPECT_LT(peak, 1.3 * heights + 5e7);
     EXPECT_GT(peak, 0.5 * heights) << "the peak cannot be told here";
   }

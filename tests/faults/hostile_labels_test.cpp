@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -216,7 +217,7 @@ class HostileLabels : public EndToEnd {
     for (const std::string& line : linesOf(log)) {
       const bool meant =
           areMeant && (line.starts_with("::error file=") || line.starts_with("::notice file="));
-      expectThat(meant || !isCommand(line), where + ": " + line);
+      expectThat(meant || !isCommand(line), fmt::format("{}: {}", where, line));
     }
   }
 
@@ -375,8 +376,7 @@ TEST_F(HostileLabels, ArePathsThatAnErrorOrATableNames) {
                                           "a\tb",
                                           "-",
                                           "\u2028x",
-                                          "\xc2\x9b"
-                                          "2J",
+                                          std::string("\xc2\x9b") + "2J",
                                           std::string(200, 'x')};
   int tried = 0;
   const std::string text = smallStudy() + "\n[[threshold]]\nmax = 1e-6\n";
@@ -389,7 +389,7 @@ TEST_F(HostileLabels, ArePathsThatAnErrorOrATableNames) {
     std::vector<std::string> scripts = {
         "\"$gnomon\" check " + quoted + " --github --junit junit.xml",
         "\"$gnomon\" run " + quoted,
-        "\"$gnomon\" compare " + quoted + " " + quoted,
+        fmt::format("\"$gnomon\" compare {0} {0}", quoted),
         "\"$gnomon\" run " + shellQuoted(name),
         "\"$gnomon\" check small.toml --set " + shellQuoted("threshold.0.method=" + name),
         "\"$gnomon\" check small.toml --junit " + shellQuoted("./" + name + "/"),

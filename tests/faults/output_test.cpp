@@ -93,7 +93,7 @@ TEST_F(LostOutput, GoesIntoNoFileOfTheRun) {
   ASSERT_EQ(shell("\"$gnomon\" run small.toml --out closed >&- 2>&- <&-").status, 3);
   for (const char* name : {"small/summary.json", "small/metrics.csv", "small/report.html"}) {
     const std::string text = read(std::string("closed/") + name);
-    EXPECT_EQ(text.find("\x1b"), std::string::npos) << name;
+    EXPECT_EQ(text.find('\x1b'), std::string::npos) << name;
     EXPECT_EQ(text.find("Report: "), std::string::npos) << name;
   }
   EXPECT_EQ(read("closed/small/metrics.csv"), read("right/small/metrics.csv"));
