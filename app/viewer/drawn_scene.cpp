@@ -32,7 +32,8 @@ DrawnMeshData::DrawnMeshData(const MeshData& of)
 
 void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
   const bool again = data_ && data_->shaders != scene->shaders;
-  if (!faults_ || again) faults_.emplace(shaders_, noCache_);
+  if (!faults_ || faultsOf_ != scene->shaders) faults_.emplace(shaders_, noCache_);
+  faultsOf_ = scene->shaders;
   faults_->require(PassKind::cameraSamples);
   faults_->require(PassKind::pictures);
   std::swap(data_, scene);

@@ -78,7 +78,8 @@ class DrawnScene {
 
   std::filesystem::path shaders_;
   Cache noCache_;
-  std::optional<DriverFaults> faults_;  ///< of the shaders as they are
+  std::optional<DriverFaults> faults_;
+  int faultsOf_ = 0;  ///< the shaders that they are of: see SceneRequest
   std::shared_ptr<const SceneData> data_;
   std::map<std::shared_ptr<const HeightField>, GpuHeights> heights_;
   std::map<std::shared_ptr<const MeshData>, DrawnMeshData> meshes_;

@@ -16,6 +16,7 @@
 #include "relief/stored_table.h"
 #include "render/method.h"
 #include "study/base_case.h"
+#include "study/method_trial.h"
 #include "study/study_file.h"
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
@@ -93,12 +94,10 @@ struct SceneData {
   }
 };
 
-/// Tries a method before the driver gets it: see ViewRequest.
-using MethodTrial = std::function<void(const MethodSpec& method, Wrap wrap)>;
-
 /// Makes scenes and keeps what the next one can use again: tables by what they were baked with.
 class SceneMaker {
  public:
+  /// @param trial  of a method, before the driver gets it, each time that its file is another
   SceneMaker(std::filesystem::path study, MethodTrial trial)
       : file_(std::move(study)), trial_(std::move(trial)) {}
 

@@ -32,7 +32,8 @@ Outcome runShell(const fs::path& folder, const std::string& command, const Shell
   // Beside the folder, so that nothing is in it but what the program reads and writes.
   const fs::path out = folder.string() + ".out";
   const fs::path err = folder.string() + ".err";
-  const fs::path cache = options.keepsCache ? folder / ".cache" : fs::path(folder.string() + ".cache");
+  const fs::path cache =
+      options.keepsCache ? folder / ".cache" : fs::path(folder.string() + ".cache");
   const std::string script = fmt::format("gnomon={}\ngnomon() {{ \"$gnomon\" \"$@\"; }}\n{}",
                                          shellQuoted(GNOMON_PROGRAM), command);
   const std::string line = fmt::format(

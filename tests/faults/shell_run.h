@@ -12,9 +12,10 @@ constexpr int timedOut = 124;
 
 /// How a command of a shell is run.
 struct ShellOptions {
-  const char* shell = "bash";  ///< "sh" for limits and redirections whose units and rules POSIX fixes
-  int seconds = 60;            ///< that it may take: its status is then `timedOut`
-  bool keepsCache = false;     ///< in `.cache` of the folder, from command to command
+  /// "sh" for limits and redirections whose units and rules POSIX fixes.
+  const char* shell = "bash";
+  int seconds = 60;         ///< that it may take: its status is then `timedOut`
+  bool keepsCache = false;  ///< in `.cache` of the folder, from command to command
 };
 
 /// Runs a shell's command in a folder. `gnomon` in it is the program, and `$gnomon` its path; it

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "study/method_trial.h"
 #include "study/study_file.h"
 
 namespace gnomon {
@@ -32,8 +33,8 @@ struct ViewRequest {
   /// that drive the window.
   std::optional<std::filesystem::path> status;
   /// Tries a method in a process of its own before it is compiled, each time that its file is
-  /// another; throws InputError for one that may not be (method_trial.h).
-  std::function<void(const MethodSpec& method, Wrap wrap)> tryMethod;
+  /// another; throws InputError for one that may not be.
+  MethodTrial tryMethod;
 };
 
 /// Shows a study until its window is closed. The program hands one in, so that the library needs no

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -28,6 +29,9 @@ void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache);
 /// @param wrap  of the relief that it is to be drawn on
 /// @return whether it answered
 bool tryMethod(const MethodSpec& method, Wrap wrap);
+
+/// What tries one method: `tryMethod`, but for its answer.
+using MethodTrial = std::function<void(const MethodSpec& method, Wrap wrap)>;
 
 /// The program's first argument in such a process, before those of a trial.
 constexpr const char* trialArgument = "--try-method";

@@ -189,12 +189,19 @@ TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
   const fs::path samples = file("shaders/common/samples.frag");
   const std::string turned =
       test::replaced(readFile(samples), "sampleSt = clamp(st", "sampleSt = clamp(st.yx");
+  const std::string unturned = readFile(samples);
   std::ofstream(samples) << turned;
   ViewSession other(request({"max-forsyth"}), [] {});
   ASSERT_TRUE(completes(other));
   EXPECT_FALSE(other.hasScene());
   ASSERT_EQ(other.errors().size(), 1U);
   EXPECT_THAT(other.errors().front(), ::testing::StartsWith("nothing is measured: this OpenGL"));
+  std::ofstream(samples) << unturned;
+  EXPECT_TRUE(comesTrue([&] {
+    other.update();
+    return other.hasScene() && other.isComplete();
+  }));
+  EXPECT_TRUE(other.errors().empty());
 }
 
 TEST_F(ViewSessionTest, IsSavedWhereNamesAreNoText) {
