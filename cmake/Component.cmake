@@ -18,19 +18,53 @@ endif()
 add_library(gnomon_test_options INTERFACE)
 target_compile_options(gnomon_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
 
-# gnomon_component(NAME SOURCES file… [PUBLIC lib…] [PRIVATE lib…])
-# A folder of validate/ as a library that links only what it is told: the build enforces
-# which component may know which.
+# gnomon_headers(DIRECTORY FOLDER…): fills a folder of the build with links to the headers of
+# the given folders of validate/, under the paths by which they are included.
+function(gnomon_headers directory)
+  file(REMOVE_RECURSE ${directory})
+  foreach(folder IN LISTS ARGN)
+    file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validate/${folder}/*.h)
+    file(MAKE_DIRECTORY ${directory}/${folder})
+    foreach(header IN LISTS headers)
+      cmake_path(GET header FILENAME name)
+      file(CREATE_LINK ${header} ${directory}/${folder}/${name} SYMBOLIC)
+    endforeach()
+  endforeach()
+endfunction()
+
+# gnomon_component(NAME FOLDER folder [PARTS subfolder…] [INNER subfolder…]
+#                  [HEADERS subfolder…] [SOURCES file…] [PUBLIC lib…] [PRIVATE lib…])
+# A folder of validate/ as the library gnomon::NAME: all its sources, those of its PARTS, whose
+# headers others may include, and those of its INNER folders, whose headers only it and its tests
+# (by gnomon::NAME_inner) may. Of the folders HEADERS it has the headers alone. SOURCES are generated.
+# A library finds no header but its own and those of the libraries that it links, so the build
+# enforces which component knows which.
 function(gnomon_component name)
-  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "FOLDER" "PARTS;INNER;HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target gnomon_${name})
-  add_library(${target} STATIC ${arg_SOURCES})
+  list(TRANSFORM arg_PARTS PREPEND ${arg_FOLDER}/)
+  list(TRANSFORM arg_INNER PREPEND ${arg_FOLDER}/)
+  list(TRANSFORM arg_HEADERS PREPEND ${arg_FOLDER}/)
+  set(patterns ${arg_FOLDER} ${arg_PARTS} ${arg_INNER})
+  list(TRANSFORM patterns REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/validate/\\1/*.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+  add_library(${target} STATIC ${sources} ${arg_SOURCES})
   add_library(gnomon::${name} ALIAS ${target})
+
+  set(headers ${PROJECT_BINARY_DIR}/include/${name})
+  gnomon_headers(${headers} ${arg_FOLDER} ${arg_PARTS})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${headers}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gnomon>)
+  if(arg_INNER OR arg_HEADERS)
+    gnomon_headers(${headers}_inner ${arg_INNER} ${arg_HEADERS})
+    add_library(${target}_inner INTERFACE)
+    add_library(gnomon::${name}_inner ALIAS ${target}_inner)
+    target_include_directories(${target}_inner INTERFACE ${headers}_inner)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:${target}_inner>)
+  endif()
+
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/validate>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gnomon>)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC}
     PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:gnomon_options>)
   target_precompile_headers(${target} REUSE_FROM gnomon_precompiled)

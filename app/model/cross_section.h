@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "common/vec.h"
-#include "relief/filtered_table.h"
-#include "relief/height_profile.h"
-#include "relief/osculating_horizon.h"
+#include "horizon/reference/filtered_table.h"
+#include "horizon/reference/height_profile.h"
+#include "horizon/reference/osculating_horizon.h"
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"

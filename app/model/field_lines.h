@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "image/images.h"
 #include "relief/relief.h"
-#include "report/images.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 

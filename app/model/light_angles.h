@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/study_file.h"
+#include "study/spec/study_file.h"
 
 namespace gnomon {
 

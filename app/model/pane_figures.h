@@ -6,7 +6,7 @@
 
 #include "common/mask.h"
 #include "compare/rates.h"
-#include "report/image.h"
+#include "image/image.h"
 
 namespace gnomon {
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cctype>
 
-#include "common/atomic_file.h"
 #include "common/degrees.h"
 #include "common/error.h"
-#include "study/method_replacement.h"
-#include "study/study_paths.h"
-#include "study/study_table.h"
-#include "study/toml_text.h"
+#include "common/files/atomic_file.h"
+#include "study/spec/method_replacement.h"
+#include "study/spec/study_paths.h"
+#include "study/spec/study_table.h"
+#include "study/spec/toml_text.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 
 #include "common/camera.h"
 #include "model/light_angles.h"
-#include "study/study_file.h"
+#include "study/spec/study_file.h"
 
 namespace gnomon {
 

@@ -28,12 +28,12 @@
 #include <vector>
 
 #include "common/vec.h"
+#include "horizon/horizon_bake.h"
+#include "horizon/reference/ray_crossings.h"
+#include "horizon/kernel/tile_kernel.h"
+#include "horizon/stored_bake.h"
 #include "hull_sweep.h"
 #include "relief/height_field.h"
-#include "relief/horizon_bake.h"
-#include "relief/ray_crossings.h"
-#include "relief/stored_bake.h"
-#include "relief/tile_kernel.h"
 
 namespace {
 using gnomon::HeightField;

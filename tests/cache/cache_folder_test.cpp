@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "common/error.h"
-#include "common/part_file.h"
+#include "common/files/part_file.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon {

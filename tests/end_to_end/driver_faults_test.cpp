@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "common/atomic_file.h"
+#include "common/files/atomic_file.h"
 #include "end_to_end/program.h"
 
 namespace gnomon::test {

@@ -1,5 +1,5 @@
 #include "model/saved_study.h"
-#include "study/study_file.h"
+#include "study/spec/study_file.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "end_to_end/program.h"
-#include "study/result_metrics.h"
-#include "study/sample_axes.h"
+#include "study/record/result_metrics.h"
+#include "study/run/scene/sample_axes.h"
 
 // docs/summary.md names every key and column that a run writes, and no other.
 

@@ -17,13 +17,13 @@
 #include <map>
 #include <random>
 
-#include "common/atomic_file.h"
 #include "common/error.h"
-#include "common/memory.h"
+#include "common/files/atomic_file.h"
+#include "common/system/memory.h"
 #include "end_to_end/program.h"
+#include "horizon/table_file.h"
+#include "image/mask_picture.h"
 #include "relief/height_image.h"
-#include "relief/table_file.h"
-#include "report/mask_picture.h"
 #include "support/sanitized.h"
 #include "support/test_length.h"
 

@@ -7,8 +7,8 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "common/shell_quote.h"
-#include "common/utf8.h"
+#include "common/text/shell_quote.h"
+#include "common/text/utf8.h"
 #include "faults/shell_run.h"
 #include "support/lines.h"
 #include "support/test_length.h"

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "common/sha256.h"
+#include "common/text/sha256.h"
 #include "faults/shell_run.h"
 
 namespace gnomon::test {

@@ -7,7 +7,7 @@
 
 #include "faults/shell_run.h"
 #include "model/saved_study.h"
-#include "study/study_file.h"
+#include "study/spec/study_file.h"
 
 namespace gnomon::test {
 namespace {

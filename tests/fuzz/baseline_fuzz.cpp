@@ -1,9 +1,9 @@
 // Any bytes as the committed reference values of a study. What is taken must be the same when it is
 // written and read once more.
 
-#include "common/atomic_file.h"
+#include "common/files/atomic_file.h"
 #include "fuzz/reader_fuzz.h"
-#include "report/baseline_json.h"
+#include "report/json/baseline_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;

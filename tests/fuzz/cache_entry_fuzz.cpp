@@ -6,7 +6,7 @@
 #include "cache/byte_stream.h"
 #include "cache/entry.h"
 #include "fuzz/reader_fuzz.h"
-#include "study/cached_fields.h"
+#include "study/run/scene/cached_fields.h"
 
 namespace {
 

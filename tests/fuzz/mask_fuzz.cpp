@@ -2,7 +2,7 @@
 // read.
 
 #include "fuzz/reader_fuzz.h"
-#include "report/mask_picture.h"
+#include "image/mask_picture.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;

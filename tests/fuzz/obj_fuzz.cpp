@@ -5,7 +5,7 @@
 
 #include "fuzz/reader_fuzz.h"
 #include "surface/limit_surface.h"
-#include "surface/obj_reader.h"
+#include "surface/readers/obj_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;

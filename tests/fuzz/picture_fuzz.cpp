@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fuzz/reader_fuzz.h"
-#include "image_files/image_format.h"
+#include "image/image_format.h"
 #include "relief/height_image.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,7 +1,7 @@
 // Any bytes as a file of horizon tables.
 
 #include "fuzz/reader_fuzz.h"
-#include "relief/table_file.h"
+#include "horizon/table_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   gnomon::test::fuzzReader(data, size, ".exr",

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "relief/filtered_table.h"
-#include "relief/osculating_horizon.h"
+#include "horizon/reference/filtered_table.h"
+#include "horizon/reference/osculating_horizon.h"
 #include "render/render_scene.h"
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "relief/angle_table.h"
-#include "relief/displaced_mesh.h"
-#include "relief/horizon_bake.h"
-#include "relief/horizon_ellipses.h"
+#include "displaced/displaced_mesh.h"
+#include "horizon/angle_table.h"
+#include "horizon/horizon_bake.h"
+#include "horizon/horizon_ellipses.h"
+#include "horizon/stored_table.h"
+#include "horizon/texel_scale.h"
 #include "relief/relief.h"
-#include "relief/stored_table.h"
-#include "relief/texel_scale.h"
 #include "render/gl_context.h"
 #include "render/method_pass.h"
 #include "render/passes.h"

@@ -6,15 +6,15 @@
 #include <regex>
 #include <sstream>
 
-#include "report/budget_bars.h"
-#include "report/budget_files.h"
-#include "report/budget_html.h"
-#include "report/budget_text.h"
-#include "report/report_html.h"
+#include "report/json/summary_json.h"
+#include "report/page/budget_html.h"
+#include "report/page/report_html.h"
+#include "report/plots/budget_bars.h"
 #include "report/sample_record.h"
-#include "report/summary_json.h"
-#include "report/terminal_table.h"
-#include "report/text_width.h"
+#include "report/tables/budget_files.h"
+#include "report/tables/terminal_table.h"
+#include "report/text/budget_text.h"
+#include "report/text/text_width.h"
 
 namespace gnomon {
 namespace {

@@ -7,16 +7,16 @@
 #include <sstream>
 
 #include "common/error.h"
-#include "report/bin_files.h"
-#include "report/confidence_files.h"
-#include "report/confidence_html.h"
-#include "report/confidence_text.h"
-#include "report/interval_text.h"
-#include "report/report_html.h"
+#include "report/json/summary_json.h"
+#include "report/page/confidence_html.h"
+#include "report/page/report_html.h"
 #include "report/sample_record.h"
-#include "report/summary_json.h"
-#include "report/terminal_table.h"
-#include "report/text_width.h"
+#include "report/tables/bin_files.h"
+#include "report/tables/confidence_files.h"
+#include "report/tables/terminal_table.h"
+#include "report/text/confidence_text.h"
+#include "report/text/interval_text.h"
+#include "report/text/text_width.h"
 
 namespace gnomon {
 namespace {

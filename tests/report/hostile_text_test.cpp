@@ -2,14 +2,14 @@
 
 #include <pugixml.hpp>
 
-#include "common/utf8.h"
-#include "report/csv_text.h"
-#include "report/gnuplot.h"
-#include "report/json_values.h"
-#include "report/latex_text.h"
-#include "report/terminal_check.h"
-#include "report/terminal_page.h"
-#include "report/utf8_text.h"
+#include "common/text/utf8.h"
+#include "report/ci/terminal_check.h"
+#include "report/json/json_values.h"
+#include "report/plots/gnuplot.h"
+#include "report/tables/csv_text.h"
+#include "report/tables/latex_text.h"
+#include "report/text/terminal_page.h"
+#include "report/text/utf8_text.h"
 #include "sample_check.h"
 
 // What a name may do to each kind of text that it stands in.

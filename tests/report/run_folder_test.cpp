@@ -5,8 +5,8 @@
 #include <fstream>
 #include <set>
 
-#include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/files/atomic_file.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/gate_record.h"
+#include "study/record/gate_record.h"
 
 namespace gnomon::test {
 

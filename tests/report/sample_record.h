@@ -6,9 +6,9 @@
 
 #include "compare/boundaries.h"
 #include "compare/rates.h"
-#include "report/cases.h"
-#include "study/distinguish.h"
-#include "study/record.h"
+#include "study/judge/distinguish.h"
+#include "study/record/cases.h"
+#include "study/record/record.h"
 
 namespace gnomon::test {
 

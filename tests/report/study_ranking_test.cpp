@@ -1,4 +1,4 @@
-#include "report/study_ranking.h"
+#include "study/judge/study_ranking.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "common/error.h"
-#include "report/ranking_html.h"
-#include "report/ranking_json.h"
+#include "report/json/ranking_json.h"
+#include "report/page/ranking_html.h"
 #include "report/sample_record.h"
-#include "report/terminal_ranking.h"
-#include "report/text_width.h"
+#include "report/tables/terminal_ranking.h"
+#include "report/text/text_width.h"
 
 namespace gnomon {
 namespace {

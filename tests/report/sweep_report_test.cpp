@@ -8,14 +8,14 @@
 #include <sstream>
 
 #include "common/error.h"
+#include "report/page/sweep_html.h"
+#include "report/plots/sweep_cost_plots.h"
+#include "report/plots/sweep_plot.h"
 #include "report/sample_record.h"
-#include "report/study_ranking.h"
-#include "report/sweep_cost_plots.h"
-#include "report/sweep_files.h"
-#include "report/sweep_html.h"
-#include "report/sweep_plot.h"
-#include "report/terminal_sweep.h"
-#include "report/text_width.h"
+#include "report/tables/sweep_files.h"
+#include "report/tables/terminal_sweep.h"
+#include "report/text/text_width.h"
+#include "study/judge/study_ranking.h"
 
 namespace gnomon {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "report/image.h"
+#include "image/image.h"
 
 namespace gnomon::test {
 

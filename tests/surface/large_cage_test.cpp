@@ -9,10 +9,10 @@
 #include <string>
 
 #include "common/error.h"
-#include "common/memory.h"
+#include "common/system/memory.h"
 #include "support/sanitized.h"
 #include "surface/limit_surface.h"
-#include "surface/ply_reader.h"
+#include "surface/readers/ply_reader.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

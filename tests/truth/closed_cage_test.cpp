@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "surface/obj_reader.h"
+#include "surface/readers/obj_reader.h"
 #include "surface/texel_frame.h"
 #include "truth/closed_mesh.h"
 #include "truth/shadow_tracer.h"

@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "surface/obj_reader.h"
+#include "surface/readers/obj_reader.h"
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 

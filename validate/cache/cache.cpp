@@ -13,10 +13,10 @@
 
 #include "cache/cache_folder.h"
 #include "cache/entry.h"
-#include "common/atomic_file.h"
 #include "common/error.h"
-#include "common/memory.h"
-#include "common/part_file.h"
+#include "common/files/atomic_file.h"
+#include "common/files/part_file.h"
+#include "common/system/memory.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

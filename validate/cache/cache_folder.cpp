@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/atomic_file.h"
 #include "common/error.h"
-#include "common/file_lock.h"
-#include "common/part_file.h"
+#include "common/files/atomic_file.h"
+#include "common/files/file_lock.h"
+#include "common/files/part_file.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "common/atomic_file.h"
 #include "common/error.h"
-#include "common/input_file.h"
-#include "report/baseline_json.h"
+#include "common/files/atomic_file.h"
+#include "common/files/input_file.h"
+#include "report/json/baseline_json.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "study/baseline.h"
-#include "study/gate_record.h"
+#include "study/judge/baseline.h"
+#include "study/record/gate_record.h"
 
 namespace gnomon {
 

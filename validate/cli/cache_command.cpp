@@ -7,9 +7,9 @@
 #include "cache/cache_folder.h"
 #include "cli/failure.h"
 #include "cli/output.h"
-#include "common/memory.h"
-#include "report/number_text.h"
-#include "study/run_keys.h"
+#include "common/system/memory.h"
+#include "report/text/number_text.h"
+#include "study/run/scene/run_keys.h"
 
 namespace gnomon {
 

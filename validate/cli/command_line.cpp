@@ -21,11 +21,11 @@
 #include "cli/run_command.h"
 #include "cli/view_command.h"
 #include "common/error.h"
-#include "common/interruption.h"
-#include "common/shell_quote.h"
+#include "common/system/interruption.h"
+#include "common/text/shell_quote.h"
 #include "render/method.h"
-#include "study/method_trial.h"
-#include "study/result_metrics.h"
+#include "study/record/result_metrics.h"
+#include "study/run/method_trial.h"
 
 namespace gnomon {
 namespace {

@@ -9,12 +9,12 @@
 #include <limits>
 
 #include "cli/output.h"
-#include "common/atomic_file.h"
+#include "common/files/atomic_file.h"
 #include "compare/mask_metrics.h"
 #include "compare/metric_range.h"
-#include "report/images.h"
-#include "report/mask_comparison.h"
-#include "report/mask_picture.h"
+#include "image/images.h"
+#include "image/mask_picture.h"
+#include "report/json/mask_comparison.h"
 
 namespace gnomon {
 namespace {

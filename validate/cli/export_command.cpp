@@ -10,13 +10,13 @@
 #include "cli/run_folders.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
-#include "report/export_files.h"
-#include "report/export_json.h"
-#include "report/mesh_files.h"
-#include "report/number_text.h"
-#include "report/refinement_text.h"
-#include "report/truth_files.h"
-#include "study/truth_study.h"
+#include "export/export_files.h"
+#include "export/export_json.h"
+#include "export/mesh_files.h"
+#include "export/truth_files.h"
+#include "report/text/number_text.h"
+#include "report/text/refinement_text.h"
+#include "study/run/truth_study.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <new>
 
-#include "common/one_line.h"
-#include "report/github_annotations.h"
+#include "common/text/one_line.h"
+#include "report/ci/github_annotations.h"
 
 namespace gnomon {
 namespace {

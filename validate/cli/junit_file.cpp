@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "common/atomic_file.h"
-#include "report/junit.h"
+#include "common/files/atomic_file.h"
+#include "report/ci/junit.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -11,8 +11,8 @@
 #include <cstring>
 
 #include "common/error.h"
-#include "common/one_line.h"
-#include "report/github_annotations.h"
+#include "common/text/one_line.h"
+#include "report/ci/github_annotations.h"
 
 namespace gnomon {
 namespace {

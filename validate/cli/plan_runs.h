@@ -9,9 +9,9 @@
 #include "cli/run_command.h"
 #include "cli/run_folders.h"
 #include "render/gl_context.h"
-#include "report/study_ranking.h"
-#include "study/record.h"
-#include "study/sweep.h"
+#include "study/judge/study_ranking.h"
+#include "study/record/record.h"
+#include "study/spec/sweep.h"
 
 namespace gnomon {
 

@@ -11,12 +11,12 @@
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
-#include "common/memory.h"
-#include "common/part_file.h"
-#include "relief/table_file.h"
-#include "report/gnuplot.h"
-#include "report/terminal_ranking.h"
-#include "study/truth_study.h"
+#include "common/files/part_file.h"
+#include "common/system/memory.h"
+#include "horizon/table_file.h"
+#include "report/plots/gnuplot.h"
+#include "report/tables/terminal_ranking.h"
+#include "study/run/truth_study.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "study/study_file.h"
+#include "study/spec/study_file.h"
 
 namespace gnomon {
 

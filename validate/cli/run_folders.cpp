@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "common/error.h"
-#include "study/resolved_study.h"
+#include "study/spec/resolved_study.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

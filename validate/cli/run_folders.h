@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "common/file_lock.h"
+#include "common/files/file_lock.h"
 #include "report/run_folder.h"
-#include "study/sweep.h"
+#include "study/spec/sweep.h"
 
 namespace gnomon {
 

@@ -7,7 +7,7 @@
 
 #include "cli/output.h"
 #include "common/error.h"
-#include "study/sweep.h"
+#include "study/spec/sweep.h"
 
 namespace gnomon {
 

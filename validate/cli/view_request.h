@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "study/method_trial.h"
-#include "study/study_file.h"
+#include "study/run/method_trial.h"
+#include "study/spec/study_file.h"
 
 namespace gnomon {
 

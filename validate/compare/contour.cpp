@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "common/error.h"
-#include "common/memory.h"
+#include "common/system/memory.h"
 #include "compare/mask_checks.h"
 
 namespace gnomon {

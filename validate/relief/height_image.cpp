@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "image_files/image_file.h"
+#include "image/image_file.h"
 
 namespace gnomon {
 namespace {

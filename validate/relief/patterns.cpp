@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/memory.h"
 #include "common/parallel.h"
+#include "common/system/memory.h"
 #include "common/vec.h"
 
 namespace gnomon {

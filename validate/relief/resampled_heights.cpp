@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/memory.h"
 #include "common/parallel.h"
+#include "common/system/memory.h"
 
 namespace gnomon {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/memory.h"
+#include "common/system/memory.h"
 #include "render/gl_context.h"
 
 namespace gnomon {

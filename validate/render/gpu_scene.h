@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "relief/angle_table.h"
-#include "relief/displaced_mesh.h"
+#include "displaced/displaced_mesh.h"
+#include "horizon/angle_table.h"
+#include "horizon/table_file.h"
 #include "relief/relief.h"
-#include "relief/table_file.h"
 #include "render/gl_handles.h"
 #include "surface/base_mesh.h"
 

@@ -14,9 +14,9 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/memory.h"
-#include "common/one_line.h"
-#include "common/toml_nesting.h"
+#include "common/system/memory.h"
+#include "common/text/one_line.h"
+#include "common/text/toml_nesting.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

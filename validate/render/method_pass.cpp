@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "common/error.h"
-#include "common/memory.h"
+#include "common/system/memory.h"
 #include "render/gl_context.h"
 #include "render/target.h"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "common/atomic_file.h"
 #include "common/error.h"
+#include "common/files/atomic_file.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "common/error.h"
-#include "common/memory.h"
+#include "common/system/memory.h"
 
 namespace gnomon {
 namespace {

@@ -1,10 +1,10 @@
 #include "report/folder_writer.h"
 
-#include "report/channel_image.h"
-#include "report/displaced_image.h"
-#include "report/images.h"
-#include "report/region_image.h"
-#include "report/web_picture.h"
+#include "image/channel_image.h"
+#include "image/images.h"
+#include "image/web_picture.h"
+#include "report/page/displaced_image.h"
+#include "report/page/region_image.h"
 
 namespace gnomon {
 

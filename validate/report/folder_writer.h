@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/run_folder.h"
-#include "study/run_writer.h"
+#include "study/run/stages/run_writer.h"
 
 namespace gnomon {
 

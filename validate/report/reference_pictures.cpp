@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/atomic_file.h"
 #include "common/error.h"
-#include "report/grey_picture.h"
-#include "report/images.h"
+#include "common/files/atomic_file.h"
+#include "image/grey_picture.h"
+#include "image/images.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

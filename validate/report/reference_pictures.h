@@ -5,7 +5,7 @@
 
 #include "common/mask.h"
 #include "report/run_folder.h"
-#include "study/record.h"
+#include "study/record/record.h"
 
 namespace gnomon {
 

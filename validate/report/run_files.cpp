@@ -11,19 +11,19 @@
 #include <vector>
 
 #include "common/parallel.h"
-#include "report/bin_files.h"
-#include "report/budget_files.h"
-#include "report/frontier.h"
-#include "report/gnuplot.h"
-#include "report/metrics_csv.h"
-#include "report/report_html.h"
-#include "report/study_plots.h"
-#include "report/summary_json.h"
-#include "report/sweep_cost_plots.h"
-#include "report/sweep_files.h"
-#include "report/sweep_html.h"
-#include "report/sweep_plot.h"
-#include "report/table_files.h"
+#include "report/json/summary_json.h"
+#include "report/page/report_html.h"
+#include "report/page/sweep_html.h"
+#include "report/plots/frontier.h"
+#include "report/plots/gnuplot.h"
+#include "report/plots/study_plots.h"
+#include "report/plots/sweep_cost_plots.h"
+#include "report/plots/sweep_plot.h"
+#include "report/tables/bin_files.h"
+#include "report/tables/budget_files.h"
+#include "report/tables/metrics_csv.h"
+#include "report/tables/sweep_files.h"
+#include "report/tables/table_files.h"
 
 namespace gnomon {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "cache/cache.h"
 #include "report/run_folder.h"
-#include "study/record.h"
-#include "study/sweep_record.h"
+#include "study/record/record.h"
+#include "study/record/sweep_record.h"
 
 namespace gnomon {
 

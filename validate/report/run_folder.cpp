@@ -11,10 +11,10 @@
 #include <sstream>
 #include <system_error>
 
-#include "common/atomic_file.h"
-#include "common/disk_sync.h"
 #include "common/error.h"
-#include "common/part_file.h"
+#include "common/files/atomic_file.h"
+#include "common/files/disk_sync.h"
+#include "common/files/part_file.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

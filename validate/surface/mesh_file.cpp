@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "common/error.h"
-#include "surface/obj_reader.h"
-#include "surface/ply_reader.h"
+#include "surface/readers/obj_reader.h"
+#include "surface/readers/ply_reader.h"
 
 namespace gnomon {
 

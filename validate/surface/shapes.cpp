@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/error.h"
-#include "common/memory.h"
+#include "common/system/memory.h"
 
 namespace gnomon {
 namespace {

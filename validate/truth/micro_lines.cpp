@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/memory.h"
 #include "common/parallel.h"
+#include "common/system/memory.h"
 #include "surface/edge_rings.h"
 #include "surface/face_texels.h"
 

@@ -10,8 +10,8 @@
 
 #include "common/counted_progress.h"
 #include "common/error.h"
-#include "common/memory.h"
 #include "common/parallel.h"
+#include "common/system/memory.h"
 #include "surface/limit_face.h"
 #include "surface/shared_vertices.h"
 #include "surface/texel_frame.h"

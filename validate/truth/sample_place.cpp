@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "common/counted_progress.h"
-#include "common/memory.h"
 #include "common/parallel.h"
+#include "common/system/memory.h"
 
 namespace gnomon {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "common/counted_progress.h"
-#include "common/memory.h"
 #include "common/parallel.h"
+#include "common/system/memory.h"
 #include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"
 #include "truth/shadow_tracer.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/progress.h"
-#include "relief/angle_table.h"
+#include "horizon/angle_table.h"
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "report/images.h"
+#include "image/images.h"
 
 namespace gnomon {
 namespace {

@@ -5,8 +5,9 @@
 #include <fstream>
 #include <map>
 
-#include "study/method_section.h"
-#include "study/sweep.h"
+#include "study/record/sweep_record.h"
+#include "study/spec/method_section.h"
+#include "study/spec/sweep.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "support/temporary_folder.h"
-#include "viewer/scene_data.h"
+#include "viewer/session/scene_data.h"
 
 namespace gnomon {
 

@@ -3,7 +3,7 @@
 
 #include <compare/counts.h>
 #include <compare/rates.h>
-#include <report/images.h>
+#include <image/images.h>
 #include <surface/curvature.h>
 #include <surface/shapes.h>
 #include <truth/micro_scene.h>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/camera.h"
-#include "relief/displaced_mesh.h"
+#include "displaced/displaced_mesh.h"
 
 namespace gnomon {
 

@@ -1,0 +1,6 @@
+#include "cli/command_line.h"
+#include "viewer/window/open_viewer.h"
+
+int main(int argc, char** argv) {
+  return gnomon::runCommandLine(argc, argv, gnomon::openViewer);
+}

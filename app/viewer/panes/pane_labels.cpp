@@ -1,0 +1,208 @@
+#include "viewer/panes/pane_labels.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "image/images.h"
+#include "viewer/panes/gui.h"
+
+namespace gnomon {
+namespace {
+
+ImTextureID textureOf(GLuint name) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the interface passes names of textures so
+  return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
+}
+
+/// A part of a picture, from one share of its width to another.
+void drawPart(ImDrawList& list, const PaneRectangle& rectangle, const PanePicture& picture,
+              double from, double to) {
+  if (picture.texture == 0 || !(from < to)) return;
+  const Vec2 begin = rectangle.corner + Vec2(from * rectangle.size.x, 0);
+  const Vec2 end = rectangle.corner + Vec2(to * rectangle.size.x, rectangle.size.y);
+  const float top = picture.topDown ? 0.0F : 1.0F;
+  list.AddImage(textureOf(picture.texture), point(begin), point(end),
+                ImVec2(static_cast<float>(from), top), ImVec2(static_cast<float>(to), 1 - top));
+}
+
+constexpr float chipPadding = 6;
+
+void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<std::string>& lines,
+              bool rightAligned, bool active) {
+  const float lineHeight = ImGui::GetTextLineHeight() + 2;
+  float width = 0;
+  for (const std::string& line : lines)
+    width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
+  width = std::min(width + 2 * chipPadding, static_cast<float>(widest));
+  const float height = lineHeight * static_cast<float>(lines.size()) + 2 * chipPadding - 2;
+  ImVec2 begin = point(corner);
+  if (rightAligned) begin.x -= width;
+  const ImVec2 end(begin.x + width, begin.y + height);
+  list.AddRectFilled(begin, end, ink::chip, 4);
+  if (active) list.AddRect(begin, end, ink::line, 4);
+  list.PushClipRect(begin, end, true);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    list.AddText(
+        ImVec2(begin.x + chipPadding, begin.y + chipPadding + lineHeight * static_cast<float>(i)),
+        i == 0 ? ink::text : ink::faint, lines[i].c_str());
+  }
+  list.PopClipRect();
+}
+
+std::vector<std::string> labelOf(const ViewSession& session, std::size_t pane, double width) {
+  const PaneContent& content = session.state().panes.at(pane);
+  const PanePicture& picture = session.pane(pane);
+  std::vector<std::string> lines = {titleOf(content)};
+  if (!picture.note.empty()) lines.push_back(picture.note);
+  if (const auto& figures = picture.figures) {
+    const std::string text = figuresText(*figures);
+    const std::size_t cut = text.find(": ");
+    const auto fits = [&](const std::string& line) {
+      return ImGui::CalcTextSize(line.c_str()).x + 2 * chipPadding <= width;
+    };
+    // A narrow pane has room for the error alone.
+    lines.push_back(fits(text) ? text : text.substr(0, cut));
+    if (!fits(text) && fits(text.substr(cut + 2))) lines.push_back(text.substr(cut + 2));
+  }
+  if (picture.note.empty() && needsTruth(content) &&
+      !(content.against && content.against->isMethod())) {
+    const double share = session.tracedShare(pane);
+    if (share < 1) lines.push_back(fmt::format("{:.0f} % of the samples traced", 100 * share));
+  }
+  return lines;
+}
+
+ImU32 colourOf(const Rgb& colour) {
+  return IM_COL32(colour[0], colour[1], colour[2], 255);
+}
+
+float differenceLegendHeight() {
+  return ImGui::GetTextLineHeight() + 10;
+}
+
+/// What the colours of a difference mean.
+void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool rightAligned) {
+  constexpr std::array entries = {std::pair(DifferenceColours::falseShadow, "false shadow"),
+                                  std::pair(DifferenceColours::falseLight, "false light")};
+  constexpr float square = 11;
+  float width = 8;
+  for (const auto& [colour, text] : entries) width += square + 18 + ImGui::CalcTextSize(text).x;
+  const float height = differenceLegendHeight();
+  ImVec2 at = point(pane.corner +
+                    Vec2(rightAligned ? pane.size.x - width - 10 : 10, pane.size.y - height - 10));
+  list.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ink::chip, 4);
+  at = ImVec2(at.x + 8, at.y + 5);
+  for (const auto& [colour, text] : entries) {
+    list.AddRectFilled(ImVec2(at.x, at.y + 3), ImVec2(at.x + square, at.y + 3 + square),
+                       colourOf(colour), 2);
+    list.AddText(ImVec2(at.x + square + 5, at.y), ink::text, text);
+    at.x += square + 18 + ImGui::CalcTextSize(text).x;
+  }
+}
+
+/// Above the line in which the legends of differences stand.
+void drawCurvatureLegend(ImDrawList& list, const PaneRectangle& pictures, double largest) {
+  constexpr float width = 200;
+  constexpr float bar = 10;
+  const float height = 2 * ImGui::GetTextLineHeight() + bar + 18;
+  const ImVec2 begin =
+      point(pictures.corner + Vec2((pictures.size.x - width) / 2,
+                                   pictures.size.y - height - differenceLegendHeight() - 20));
+  list.AddRectFilled(begin, ImVec2(begin.x + width, begin.y + height), ink::chip, 4);
+  list.AddText(ImVec2(begin.x + 8, begin.y + 4), ink::text, "κ along the light, 1/world");
+  constexpr int steps = 46;
+  const float top = begin.y + ImGui::GetTextLineHeight() + 9;
+  for (int i = 0; i < steps; ++i) {
+    const double value = largest * (2.0 * i / (steps - 1) - 1);
+    const float x = begin.x + 8 + static_cast<float>(i) * 4;
+    list.AddRectFilled(ImVec2(x, top), ImVec2(x + 4, top + bar),
+                       colourOf(curvatureColour(value, largest)));
+  }
+  const float below = top + bar + 2;
+  const std::string high = fmt::format("{:+.3g}", largest);
+  list.AddText(ImVec2(begin.x + 8, below), ink::faint, fmt::format("{:+.3g}", -largest).c_str());
+  list.AddText(ImVec2(begin.x + 8 + steps * 2 - 4, below), ink::faint, "0");
+  list.AddText(ImVec2(begin.x + width - 8 - ImGui::CalcTextSize(high.c_str()).x, below), ink::faint,
+               high.c_str());
+}
+
+std::string percent(const Metric& metric) {
+  return metric.value ? fmt::format("{:.2f} %", 100 * *metric.value) : "undefined";
+}
+
+}  // namespace
+
+std::string titleOf(const PaneContent& content) {
+  if (content.shown == displacedSurface) return "displaced surface, ray-traced";
+  const std::string shown = sourceText(content.shown);
+  return content.against ? fmt::format("{} \u2212 {}", shown, sourceText(*content.against)) : shown;
+}
+
+std::string figuresText(const PaneFigures& figures) {
+  return fmt::format("{} wrong: {} false shadow, {} false light; IoU {}",
+                     percent(figures.errorRate), percent(figures.falseShadow),
+                     percent(figures.falseLight),
+                     figures.iou.value ? fmt::format("{:.3f}", *figures.iou.value) : "undefined");
+}
+
+void PaneView::showCurvature(const CurvaturePicture& picture) {
+  if (shown_ == picture.key) return;
+  shown_ = picture.key;
+  if (width_ != picture.image.width || height_ != picture.image.height) {
+    width_ = picture.image.width;
+    height_ = picture.image.height;
+    curvature_ = gl::makeTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(curvature_.name(), 1, GL_RGBA8, width_, height_);
+    glTextureParameteri(curvature_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(curvature_.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+  constexpr std::uint8_t opacity = 165;
+  std::vector<std::uint8_t> rgba(4 * picture.defined.size());
+  for (std::size_t i = 0; i < picture.defined.size(); ++i) {
+    std::copy_n(&picture.image.rgb[3 * i], 3, &rgba[4 * i]);
+    rgba[4 * i + 3] = picture.defined[i] != 0 ? opacity : 0;
+  }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(curvature_.name(), 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
+                      rgba.data());
+}
+
+void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int activePane) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ViewState& state = session.state();
+  const bool wipes = state.paneCount == 2;
+  const CurvaturePicture* curvature = state.overlays.curvature ? session.curvature() : nullptr;
+  if (curvature != nullptr) showCurvature(*curvature);
+  if (state.paneCount == 4) {  // what shows between them
+    list.AddRectFilled(point(layout.pictures.corner),
+                       point(layout.pictures.corner + layout.pictures.size), ink::line);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state.paneCount); ++i) {
+    const PaneRectangle& pane = layout.panes.at(i);
+    const double from = wipes && i == 1 ? state.wipe : 0;
+    const double to = wipes && i == 0 ? state.wipe : 1;
+    drawPart(list, pane, session.pane(i), from, to);
+    if (curvature != nullptr) {
+      drawPart(list, pane, {curvature_.name(), true, {}, {}}, from, to);
+    }
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state.paneCount); ++i) {
+    const PaneRectangle& pane = layout.panes.at(i);
+    const bool right = wipes && i == 1;
+    const double room = (wipes ? pane.size.x / 2 : pane.size.x) - 20;
+    drawChip(list, pane.corner + Vec2(right ? pane.size.x - 10 : 10, 10), room,
+             labelOf(session, i, room), right,
+             state.paneCount > 1 && static_cast<int>(i) == activePane);
+    if (state.panes.at(i).isDifference()) drawDifferenceLegend(list, pane, right);
+  }
+  if (wipes) {
+    const Vec2 top = layout.pictures.corner + Vec2(state.wipe * layout.pictures.size.x, 0);
+    list.AddLine(point(top), point(top + Vec2(0, layout.pictures.size.y)), ink::text, 2);
+    list.AddCircleFilled(point(top + Vec2(0, layout.pictures.size.y / 2)), 9, ink::chip);
+    list.AddCircle(point(top + Vec2(0, layout.pictures.size.y / 2)), 9, ink::text, 0, 2);
+  }
+  if (curvature != nullptr) drawCurvatureLegend(list, layout.pictures, curvature->largest);
+}
+
+}  // namespace gnomon

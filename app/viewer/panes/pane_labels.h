@@ -1,0 +1,27 @@
+#pragma once
+
+#include "viewer/panes/layout.h"
+#include "viewer/session/view_session.h"
+
+namespace gnomon {
+
+/// Draws the panes' pictures, overlays and labels behind all panels.
+class PaneView {
+ public:
+  void draw(const ViewSession& session, const WindowLayout& layout, int activePane);
+
+ private:
+  void showCurvature(const CurvaturePicture& picture);
+
+  gl::Texture curvature_;
+  int width_ = 0, height_ = 0;
+  std::optional<ContentKey> shown_;  ///< whose picture the texture holds
+};
+
+/// "2.41 % wrong: 1.20 % false shadow, 1.21 % false light; IoU 0.873".
+std::string figuresText(const PaneFigures& figures);
+
+/// What a pane's label says it shows: "onoue-2004 − truth".
+std::string titleOf(const PaneContent& content);
+
+}  // namespace gnomon

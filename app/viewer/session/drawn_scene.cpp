@@ -1,0 +1,187 @@
+#include "viewer/session/drawn_scene.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/error.h"
+
+namespace gnomon {
+namespace {
+
+GpuTable gpuTable(const TableImage& image) {
+  return GpuTable(image.values, image.width, image.height, image.layers, image.wrap, image.border);
+}
+
+std::optional<GpuVolumes> volumesOf(const MeshData& data) {
+  if (!data.displaced) return std::nullopt;
+  return std::optional<GpuVolumes>(std::in_place, *data.displaced);
+}
+
+/// Keeps the entries of a map whose key is in use.
+template <typename Map, typename InUse>
+void keep(Map& map, const InUse& inUse) {
+  std::erase_if(map, [&](const auto& entry) { return !inUse(entry.first); });
+}
+
+}  // namespace
+
+DrawnMeshData::DrawnMeshData(const MeshData& of)
+    : gpu(of.mesh()), volumes(volumesOf(of)), texture(textureView(of.mesh())) {}
+
+void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
+  const bool again = data_ && data_->shaders != scene->shaders;
+  if (!faults_ || faultsOf_ != scene->shaders) faults_.emplace(shaders_, noCache_);
+  faultsOf_ = scene->shaders;
+  faults_->require(PassKind::cameraSamples);
+  faults_->require(PassKind::pictures);
+  std::swap(data_, scene);
+  try {
+    heights_.try_emplace(data_->heights, *data_->heights);
+    for (const auto& [choice, mesh] : data_->meshes) meshes_.try_emplace(mesh, *mesh);
+    for (const auto& [label, method] : data_->methods) {
+      upload(*method);
+      compile(label, *method, again);
+    }
+  } catch (...) {
+    std::swap(data_, scene);
+    throw;
+  }
+  dropUnused();
+}
+
+void DrawnScene::upload(const MethodData& method) {
+  if (method.tables && !pairs_.contains(method.tables)) {
+    pairs_.emplace(method.tables,
+                   Pair{gpuTable(method.tables->horizon), gpuTable(method.tables->distance)});
+  }
+  if (method.ellipses && !ellipses_.contains(method.ellipses)) {
+    ellipses_.emplace(method.ellipses, gpuTable(*method.ellipses));
+  }
+  if (method.angles) {
+    angles_.try_emplace({method.angles, method.spec.bake.bits}, *method.angles,
+                        method.spec.bake.bits);
+  }
+}
+
+void DrawnScene::compile(const std::string& label, const MethodData& method, bool again) {
+  std::string key =
+      fmt::format("{}\n{}\n{}", method.spec.file.string(), static_cast<int>(method.spec.filter),
+                  static_cast<int>(data_->heights->wrap()));
+  for (const auto& [name, value] : method.spec.parameters) {
+    key += fmt::format("\n{}={}", name, value);
+  }
+  const auto found = passes_.find(label);
+  if (!again && found != passes_.end() && found->second.key == key) return;
+  try {
+    if (!isDrawnRight(label, method)) return;
+    MethodPass pass(shaders_, method.method, data_->heights->wrap(), method.spec.filter,
+                    method.spec.parameters);
+    passes_.erase(label);
+    passes_.emplace(label, Compiled{key, std::move(pass)});
+    errors_.erase(label);
+  } catch (const InputError& error) {
+    errors_[label] = error.what();
+  }
+}
+
+bool DrawnScene::isDrawnRight(const std::string& label, const MethodData& method) {
+  const std::string fault = faults_->faultOf(method.spec);
+  if (fault.empty()) return true;
+  errors_[label] = fmt::format("{} is not shown: {}", label, fault);
+  passes_.erase(label);
+  return false;
+}
+
+void DrawnScene::dropUnused() {
+  const auto used = [&](const auto& isOf) {
+    return std::any_of(data_->methods.begin(), data_->methods.end(),
+                       [&](const auto& method) { return isOf(*method.second); });
+  };
+  keep(heights_, [&](const auto& key) { return key == data_->heights; });
+  keep(meshes_, [&](const auto& key) {
+    return std::any_of(data_->meshes.begin(), data_->meshes.end(),
+                       [&](const auto& mesh) { return mesh.second == key; });
+  });
+  keep(pairs_, [&](const auto& key) {
+    return used([&](const MethodData& method) { return method.tables == key; });
+  });
+  keep(ellipses_, [&](const auto& key) {
+    return used([&](const MethodData& method) { return method.ellipses == key; });
+  });
+  keep(angles_, [&](const auto& key) {
+    return used([&](const MethodData& method) {
+      return method.angles == key.first && method.spec.bake.bits == key.second;
+    });
+  });
+  std::erase_if(errors_, [&](const auto& error) { return !data_->methods.contains(error.first); });
+}
+
+ContentKey DrawnScene::anglesKey(const MethodData& method) const {
+  const MeshChoice& mesh = method.mesh;
+  return KeyBuilder("viewed angles")
+      .add("surface", data_->keys.truth)
+      .add("mesh", mesh.kind)
+      .add("subdivisions", mesh.subdivisions)
+      .add("azimuths", method.spec.bake.settings.azimuths)
+      .add("limit", method.spec.bake.angleLimit)
+      .add("bits", method.spec.bake.bits)
+      .key();
+}
+
+bool DrawnScene::installAngles(const std::string& label, const ContentKey& key,
+                               const AngleTable& table) {
+  const auto method = data_->methods.find(label);
+  if (method == data_->methods.end() || anglesKey(*method->second) != key) return false;
+  ownAngles_.erase(label);
+  ownAngles_.emplace(label, OwnAngles{key, GpuAngles(table, method->second->spec.bake.bits)});
+  return true;
+}
+
+bool DrawnScene::lacksAngles(const std::string& label) const {
+  const auto method = data_->methods.find(label);
+  if (method == data_->methods.end() || !method->second->method.tables.surfaceAngles) return false;
+  const auto found = ownAngles_.find(label);
+  return found == ownAngles_.end() || found->second.key != anglesKey(*method->second);
+}
+
+const DrawnMeshData& DrawnScene::mesh(MeshChoice choice) const {
+  return meshes_.at(data_->meshes.at(choice));
+}
+
+Drawing DrawnScene::drawing(MeshChoice choice, const Vec3& light) const {
+  const DrawnMeshData& drawn = mesh(choice);
+  return {drawn.gpu,
+          heights_.at(data_->heights),
+          data_->heights->wrap(),
+          data_->study->relief.space,
+          data_->texelsPerHeight,
+          light,
+          drawn.volumes ? &*drawn.volumes : nullptr,
+          &drawn.texture};
+}
+
+std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) const {
+  if (!data_) return std::nullopt;
+  const auto found = data_->methods.find(label);
+  const auto pass = passes_.find(label);
+  if (found == data_->methods.end() || pass == passes_.end()) return std::nullopt;
+  const MethodData& method = *found->second;
+  GpuTables tables;
+  tables.searchRadius = method.spec.bake.settings.radiusTexels;
+  if (method.tables) {
+    tables.horizon = &pairs_.at(method.tables).horizon;
+    tables.distance = &pairs_.at(method.tables).distance;
+  }
+  if (method.ellipses) tables.ellipse = &ellipses_.at(method.ellipses);
+  if (method.angles) tables.angles = &angles_.at({method.angles, method.spec.bake.bits});
+  if (method.method.tables.surfaceAngles) {
+    const auto own = ownAngles_.find(label);
+    if (own == ownAngles_.end()) return std::nullopt;
+    tables.angles = &own->second.angles;
+  }
+  return Ready{&method, &pass->second.pass, tables};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "render/drawing.h"
+#include "render/method_pass.h"
+#include "study/run/driver_faults.h"
+#include "viewer/session/scene_data.h"
+
+namespace gnomon {
+
+/// A mesh on the GPU.
+struct DrawnMeshData {
+  explicit DrawnMeshData(const MeshData& of);
+  GpuMesh gpu;
+  std::optional<GpuVolumes> volumes;
+  RenderView texture;  ///< the texture's own plane
+};
+
+/// A scene on the GPU. Parts that the next scene has too are kept. All members need the context.
+class DrawnScene {
+ public:
+  explicit DrawnScene(std::filesystem::path shaders) : shaders_(std::move(shaders)) {}
+
+  /// Uploads a scene in the place of the one before, which stays where that fails, and compiles
+  /// its methods: all of them where shaders have changed, else those that are new. One that does
+  /// not compile stays as it was; one that the driver would draw wrong is not drawn.
+  /// @throws InputError for what is larger than OpenGL takes, DriverError where the driver draws
+  ///   the pixels or the pictures wrong that all methods need
+  void install(std::shared_ptr<const SceneData> scene);
+  /// What the horizons of a method hang on that are shot on the displaced surface.
+  [[nodiscard]] ContentKey anglesKey(const MethodData& method) const;
+  /// Gives a method the horizons that were shot for it.
+  /// @param key  of what they were shot for; they are dropped where the method asks for others now
+  /// @return whether they were taken
+  bool installAngles(const std::string& label, const ContentKey& key, const AngleTable& table);
+
+  [[nodiscard]] const SceneData* data() const { return data_.get(); }
+  [[nodiscard]] std::shared_ptr<const SceneData> sharedData() const { return data_; }
+  [[nodiscard]] const DrawnMeshData& mesh(MeshChoice choice) const;
+  [[nodiscard]] Drawing drawing(MeshChoice choice, const Vec3& light) const;
+
+  /// A method with its tables, if all of it is there.
+  struct Ready {
+    const MethodData* data;
+    const MethodPass* pass;
+    GpuTables tables;
+  };
+  [[nodiscard]] std::optional<Ready> method(const std::string& label) const;
+  /// The method waits for horizons that are shot on the displaced surface.
+  [[nodiscard]] bool lacksAngles(const std::string& label) const;
+  /// Why a method is not drawn as its file has it, by label: what its last compilation said, or
+  /// what the driver draws wrong. Those that went well are not in it.
+  [[nodiscard]] const std::map<std::string, std::string>& errors() const { return errors_; }
+
+ private:
+  struct Pair {
+    GpuTable horizon;
+    GpuTable distance;
+  };
+  struct Compiled {
+    std::string key;  ///< file, filter, wrap and parameters
+    MethodPass pass;
+  };
+  struct OwnAngles {
+    ContentKey key;  ///< of the surface and the bake that they were shot for
+    GpuAngles angles;
+  };
+  void compile(const std::string& label, const MethodData& method, bool again);
+  /// Whether the driver draws a method right; otherwise it is no longer drawn.
+  bool isDrawnRight(const std::string& label, const MethodData& method);
+  void upload(const MethodData& method);
+  void dropUnused();
+
+  std::filesystem::path shaders_;
+  Cache noCache_;
+  std::optional<DriverFaults> faults_;
+  int faultsOf_ = 0;  ///< the shaders that they are of: see SceneRequest
+  std::shared_ptr<const SceneData> data_;
+  std::map<std::shared_ptr<const HeightField>, GpuHeights> heights_;
+  std::map<std::shared_ptr<const MeshData>, DrawnMeshData> meshes_;
+  std::map<std::shared_ptr<const TableImagePair>, Pair> pairs_;
+  std::map<std::shared_ptr<const TableImage>, GpuTable> ellipses_;
+  std::map<std::pair<std::shared_ptr<const AngleTable>, TableBits>, GpuAngles> angles_;
+  std::map<std::string, OwnAngles> ownAngles_;
+  std::map<std::string, Compiled> passes_;
+  std::map<std::string, std::string> errors_;
+};
+
+}  // namespace gnomon

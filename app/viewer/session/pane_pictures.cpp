@@ -1,0 +1,242 @@
+#include "viewer/session/pane_pictures.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "image/images.h"
+
+namespace gnomon {
+namespace {
+
+Mask emptyMask(const Camera& camera) {
+  return {camera.width, camera.height,
+          std::vector<Shade>(
+              static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height),
+              Shade::none)};
+}
+
+const PartialTruth* truthOf(const KnownTruth& known, MeshChoice mesh, const Camera& camera) {
+  const auto found = known.truths.find(mesh);
+  if (found == known.truths.end()) return nullptr;
+  const Mask& mask = found->second.mask;
+  return mask.width == camera.width && mask.height == camera.height ? &found->second : nullptr;
+}
+
+/// A method's answers where both have one, to be held against each other: neither has one where
+/// the other lacks it. Where a truth has none yet, it counts as agreement.
+std::pair<Mask, Mask> comparable(Mask first, Mask second, bool agreeWhereUnknown) {
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    Shade& a = first.samples[i];
+    Shade& b = second.samples[i];
+    if (a != Shade::none && b != Shade::none) continue;
+    if (agreeWhereUnknown && a != b) {
+      (a == Shade::none ? a : b) = a == Shade::none ? b : a;
+    } else {
+      a = b = Shade::none;
+    }
+  }
+  return {std::move(first), std::move(second)};
+}
+
+/// Why there is nothing to show of methods that lack a common mesh; empty while one is awaited.
+std::string noteOfNone(const DrawnScene& scene, const PaneContent& content) {
+  bool waits = false;
+  for (const PaneSource& source : {content.shown, content.against.value_or(tracedTruth)}) {
+    if (!source.isMethod() || scene.method(source.label)) continue;
+    if (scene.errors().contains(source.label)) return "not shown: see the message";
+    waits = true;
+  }
+  return waits ? "" : "these two draw different meshes: no common pixels";
+}
+
+std::vector<Vec3> endsOf(const std::vector<LineSegment>& lines) {
+  std::vector<Vec3> ends;
+  ends.reserve(2 * lines.size());
+  for (const LineSegment& line : lines) {
+    ends.push_back(line.begin);
+    ends.push_back(line.end);
+  }
+  return ends;
+}
+
+}  // namespace
+
+PanePictures::PanePictures(const std::filesystem::path& shaders)
+    : shaders_(shaders), samples_(shaders) {}
+
+void PanePictures::reloadShaders(const std::filesystem::path& shaders) {
+  SamplesPass samples(shaders);
+  if (programs_) programs_.emplace(Programs(shaders, programs_->wrap));
+  samples_ = std::move(samples);
+}
+
+std::optional<MeshChoice> PanePictures::meshOf(const DrawnScene& scene,
+                                               const PaneContent& content) {
+  std::optional<MeshChoice> mesh;
+  for (const PaneSource& source : {content.shown, content.against.value_or(tracedTruth)}) {
+    if (!source.isMethod()) continue;
+    const auto ready = scene.method(source.label);
+    if (!ready || (mesh && *mesh != ready->data->mesh)) return std::nullopt;
+    mesh = ready->data->mesh;
+  }
+  return mesh ? mesh : scene.data()->standardMesh();
+}
+
+SampleGrid PanePictures::samplesOf(const DrawnScene& scene, MeshChoice mesh,
+                                   const Camera& camera) const {
+  const RenderView view = cameraView(camera, scene.data()->meshes.at(mesh)->mesh());
+  return samples_.render(view, scene.mesh(mesh).gpu);
+}
+
+const Mask* PanePictures::methodMask(const DrawnScene& scene, const ViewState& state,
+                                     const std::string& label, std::uint64_t serial) {
+  const auto found = masks_.find(label);
+  if (found != masks_.end() && found->second.serial == serial) return &found->second.mask;
+  const auto ready = scene.method(label);
+  if (!ready) return nullptr;
+  const MeshChoice mesh = ready->data->mesh;
+  const RenderView view = cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
+  Mask mask =
+      ready->pass
+          ->render(view, scene.drawing(mesh, lightSpec(state.light).direction()), ready->tables)
+          .drawn;
+  CachedMask& kept = masks_[label];
+  kept = {serial, std::move(mask)};
+  return &kept.mask;
+}
+
+void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& state,
+                         MeshChoice mesh, const Mask& mask) {
+  const Wrap wrap = scene.data()->heights->wrap();
+  if (!programs_ || programs_->wrap != wrap) programs_.emplace(shaders_, wrap);
+  const RenderView view = cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
+  if (!pane.target || pane.target->width() != view.width || pane.target->height() != view.height) {
+    pane.target = std::make_unique<Target>(view.width, view.height, std::vector<GLenum>{GL_RGBA8});
+  }
+  const ShadePass& pass =
+      mesh.kind == DrawnMesh::displaced ? programs_->shadeDisplaced : programs_->shadeBase;
+  pass.draw(view, scene.drawing(mesh, lightSpec(state.light).direction()), mask, *pane.target);
+  if (const auto& lines = scene.data()->lines; lines && state.overlays.directions) {
+    programs_->lines.draw(view, endsOf(lines->larger), {0.70F, 0.10F, 0.35F}, *pane.target);
+    programs_->lines.draw(view, endsOf(lines->smaller), {0.05F, 0.35F, 0.60F}, *pane.target);
+  }
+  pane.shown.texture = pane.target->colourTexture(0);
+  pane.shown.topDown = false;
+}
+
+void PanePictures::showImage(Pane& pane, const Image& image) {
+  if (pane.imageWidth != image.width || pane.imageHeight != image.height) {
+    pane.image = gl::makeTexture(GL_TEXTURE_2D);
+    glTextureStorage2D(pane.image.name(), 1, GL_RGB8, image.width, image.height);
+    glTextureParameteri(pane.image.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(pane.image.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTextureParameteri(pane.image.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(pane.image.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    pane.imageWidth = image.width;
+    pane.imageHeight = image.height;
+  }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(pane.image.name(), 0, 0, 0, image.width, image.height, GL_RGB,
+                      GL_UNSIGNED_BYTE, image.rgb.data());
+  pane.shown.texture = pane.image.name();
+  pane.shown.topDown = true;
+}
+
+void PanePictures::measure(Pane& pane, const PaneContent& content, MeshChoice mesh,
+                           const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
+                           std::uint64_t serial) {
+  pane.shown.figures.reset();
+  if (!content.shown.isMethod()) return;
+  const Mask* candidate = methodMask(scene, state, content.shown.label, serial);
+  if (candidate == nullptr) return;
+  if (content.against && content.against->isMethod()) {
+    const Mask* other = methodMask(scene, state, content.against->label, serial);
+    if (other == nullptr) return;
+    const auto [a, b] = comparable(*candidate, *other, false);
+    const std::vector<std::uint8_t> all(a.size(), 1);
+    pane.shown.figures = paneFigures(a, b, all);
+    return;
+  }
+  const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, mesh, state.camera);
+  if (partial == nullptr || partial->tracedCount == 0) return;
+  pane.shown.figures = paneFigures(*candidate, partial->mask, partial->traced);
+}
+
+void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnScene& scene,
+                            const ViewState& state, const KnownTruth& truth, std::uint64_t serial) {
+  pane.shown.note.clear();
+  if (content.shown == displacedSurface) {
+    pane.shown.figures.reset();
+    if (truth.picture) showImage(pane, *truth.picture);
+    if (!truth.picture) {
+      shade(pane, scene, state, scene.data()->standardMesh(), emptyMask(state.camera));
+    }
+    return;
+  }
+  const auto mesh = meshOf(scene, content);
+  if (!mesh) {
+    pane.shown.note = noteOfNone(scene, content);
+    pane.shown.figures.reset();
+    if (!pane.shown.note.empty()) {
+      shade(pane, scene, state, scene.data()->standardMesh(), emptyMask(state.camera));
+    }
+    return;  // what was there stays until the tables are ready
+  }
+  const PartialTruth* partial = truthOf(truth, *mesh, state.camera);
+  const auto operand = [&](const PaneSource& source) -> std::optional<Mask> {
+    // A truth of the light before is no measure: until there is another, nothing differs.
+    const bool usable = partial != nullptr && !(truth.stale && content.isDifference());
+    if (source == tracedTruth) return usable ? partial->preview : emptyMask(state.camera);
+    const Mask* mask = methodMask(scene, state, source.label, serial);
+    return mask != nullptr ? std::optional(*mask) : std::nullopt;
+  };
+  const auto first = operand(content.shown);
+  if (!first) return;
+  if (content.against) {
+    const auto second = operand(*content.against);
+    if (!second) return;
+    const bool hasTruth = content.shown == tracedTruth || *content.against == tracedTruth;
+    const auto [a, b] = comparable(*first, *second, hasTruth);
+    showImage(pane, differenceImage(a, b));
+  } else {
+    shade(pane, scene, state, *mesh, *first);
+  }
+  measure(pane, content, *mesh, scene, state, truth, serial);
+}
+
+bool PanePictures::draw(const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
+                        std::uint64_t serial) {
+  serial_ = serial;
+  bool drawn = false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(state.paneCount); ++i) {
+    Pane& pane = panes_.at(i);
+    const Key key{state.panes.at(i), serial, truth.serial, state.overlays.directions};
+    if (pane.key == key) continue;
+    try {
+      drawPane(pane, key.content, scene, state, truth, serial);
+    } catch (const Error& error) {
+      pane.shown.note = error.what();
+      pane.shown.figures.reset();
+    }
+    pane.key = key;
+    drawn = true;
+  }
+  return drawn;
+}
+
+std::optional<Mask> PanePictures::maskOf(const DrawnScene& scene, const ViewState& state,
+                                         const KnownTruth& truth, const PaneContent& content) {
+  if (content.isDifference() || content.shown == displacedSurface) return std::nullopt;
+  const auto mesh = meshOf(scene, content);
+  if (!mesh) return std::nullopt;
+  const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, *mesh, state.camera);
+  if (content.shown == tracedTruth) {
+    return partial != nullptr ? std::optional(partial->mask) : std::nullopt;
+  }
+  const Mask* mask = methodMask(scene, state, content.shown.label, serial_);
+  return mask != nullptr ? std::optional(*mask) : std::nullopt;
+}
+
+}  // namespace gnomon

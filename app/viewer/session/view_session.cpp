@@ -1,0 +1,317 @@
+#include "viewer/session/view_session.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "render/gl_context.h"
+
+namespace gnomon {
+namespace {
+
+std::function<void(const SceneRequest&, const BackgroundWorker<SceneRequest, SceneResult>::Job&)>
+sceneWork(const ViewRequest& asked) {
+  return [maker = std::make_shared<SceneMaker>(asked.study, asked.tryMethod)](
+             const SceneRequest& request, const auto& job) {
+    SceneResult result;
+    try {
+      result.scene =
+          maker->make(request, [&](const std::string& stage) { return job.progress(stage); });
+    } catch (const std::exception& error) {
+      result.error = error.what();
+    }
+    job.publish(std::move(result));
+  };
+}
+
+std::function<void(const TruthRequest&, const TruthTracer::Worker::Job&)> truthWork() {
+  return [tracer = std::make_shared<TruthTracer>()](const TruthRequest& request, const auto& job) {
+    tracer->trace(request, job);
+  };
+}
+
+bool sameCamera(const Camera& a, const Camera& b) {
+  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.width == b.width &&
+         a.height == b.height && a.verticalFov == b.verticalFov;
+}
+
+bool sameLight(const LightAngles& a, const LightAngles& b) {
+  return a.azimuth == b.azimuth && a.elevation == b.elevation;
+}
+
+}  // namespace
+
+ViewSession::ViewSession(const ViewRequest& request, const std::function<void()>& wake)
+    : request_(request),
+      shaders_(shaderFolder()),
+      opened_(std::make_shared<const StudySpec>(readStudy(request.study, optionsOf(request)))),
+      numbers_(numbersOf(request)),
+      labels_(labelsOf(*opened_)),
+      state_(firstView(*opened_, request_, labels_)),
+      scene_(shaders_),
+      pictures_(shaders_),
+      watch_(shaders_),
+      cameraMoved_(Clock::now() - std::chrono::hours(1)),
+      baker_(sceneWork(request), wake),
+      tracer_(truthWork(), wake) {
+  request_.options = optionsOf(request);
+}
+
+void ViewSession::resetView() {
+  const ViewState first = firstView(*opened_, request_, labels_);
+  const auto [width, height] = std::pair(state_.camera.width, state_.camera.height);
+  state_.camera = first.camera;
+  state_.camera.width = width;
+  state_.camera.height = height;
+  state_.light = first.light;
+}
+
+StudyOptions ViewSession::shownOptions() const {
+  StudyOptions options = request_.options;
+  const std::vector<std::string> changes =
+      overridesOf(state_.changes, request_.study, request_.options);
+  options.overrides.insert(options.overrides.end(), changes.begin(), changes.end());
+  return options;
+}
+
+void ViewSession::askForScene() {
+  const std::vector<std::string> shown = shownMethods(state_);
+  const StudyOptions options = shownOptions();
+  const std::string asked =
+      fmt::format("{}\n{}\n{}\n{}", fmt::join(options.overrides, "\n"), fmt::join(shown, "\n"),
+                  shaderVersion_, state_.overlays.directions);
+  if (asked == askedScene_) return;
+  askedScene_ = asked;
+  sceneArrives_ = true;
+  baker_.request({options, shown, state_.overlays.directions, shaderVersion_});
+}
+
+void ViewSession::takeScenes() {
+  while (auto result = baker_.take()) {
+    sceneArrives_ = false;
+    sceneError_ = result->error;
+    if (!result->scene) continue;
+    const bool sameTruth = hasScene() && scene()->keys.truth == result->scene->keys.truth;
+    auto old = scene_.sharedData();
+    try {
+      scene_.install(std::move(result->scene));
+    } catch (const Error& error) {
+      sceneError_ = error.what();
+      continue;
+    }
+    baker_.dispose(std::move(old));
+    std::vector<std::filesystem::path> files;
+    for (const auto& [label, method] : scene()->methods) files.push_back(method->spec.file);
+    watch_.watch(files);
+    ++serial_;
+    if (!sameTruth) {
+      forgetTruth(true);
+      tracer_.dispose(std::exchange(traced_, {}));  // of another surface
+    }
+  }
+}
+
+/// The light may be followed by a truth that is out of date; another camera has other pixels.
+void ViewSession::forgetTruth(bool cameraMoved) {
+  tracer_.cancel();
+  askedTruth_.clear();
+  ++truth_.serial;
+  truth_.stale = true;
+  pictureWhole_ = false;
+  curvatureWhole_ = false;
+  if (!cameraMoved) return;
+  tracer_.dispose(std::exchange(truth_.truths, {}));
+  tracer_.dispose(std::exchange(truth_.picture, {}));
+  tracer_.dispose(std::exchange(curvature_, {}));
+  tracer_.dispose(std::exchange(grids_, {}));
+}
+
+void ViewSession::noticeChanges() {
+  const bool cameraMoved = !sameCamera(state_.camera, shownCamera_);
+  const bool lightMoved = !sameLight(state_.light, shownLight_);
+  if (cameraMoved) cameraMoved_ = Clock::now();
+  if (cameraMoved || lightMoved) {
+    shownCamera_ = state_.camera;
+    shownLight_ = state_.light;
+    ++serial_;
+    forgetTruth(cameraMoved);
+  }
+  if (watch_.changed()) reloadShaders();
+}
+
+void ViewSession::reloadShaders() {
+  // Methods compile again with the next scene, for which they are read and tried again.
+  ++shaderVersion_;
+  ++serial_;
+  try {
+    pictures_.reloadShaders(shaders_);
+    shaderError_.clear();
+  } catch (const InputError& error) {
+    shaderError_ = error.what();
+  }
+}
+
+std::vector<AnglesRequest> ViewSession::missingAngles() const {
+  std::vector<AnglesRequest> missing;
+  for (const auto& [label, method] : scene()->methods) {
+    if (!scene_.lacksAngles(label)) continue;
+    const RenderView& plane = scene_.mesh(method->mesh).texture;
+    requireTextureView(plane);
+    missing.push_back({label,
+                       scene_.anglesKey(*method),
+                       method->spec.bake,
+                       pictures_.texelsOf(plane, scene_.mesh(method->mesh).gpu),
+                       {plane.texelWindow.x, plane.texelWindow.y}});
+  }
+  return missing;
+}
+
+void ViewSession::askForTruth() {
+  constexpr auto rest = std::chrono::milliseconds(120);
+  if (!hasScene() || Clock::now() - cameraMoved_ < rest) return;
+  TruthRequest wanted;
+  bool wantsPicture = false;
+  std::string asked = scene()->keys.truth.text();
+  std::vector<MeshChoice> meshes;
+  for (int i = 0; i < state_.paneCount; ++i) {
+    const PaneContent& content = state_.panes.at(static_cast<std::size_t>(i));
+    if (content.shown == displacedSurface) wantsPicture = true;
+    const auto mesh = PanePictures::meshOf(scene_, content);
+    if (mesh && needsTruth(content) &&
+        std::find(meshes.begin(), meshes.end(), *mesh) == meshes.end()) {
+      meshes.push_back(*mesh);
+    }
+  }
+  const MeshChoice standard = scene()->standardMesh();
+  const bool overlay = state_.overlays.curvature || state_.overlays.section;
+  if (overlay && std::find(meshes.begin(), meshes.end(), standard) == meshes.end()) {
+    meshes.push_back(standard);
+  }
+  for (const MeshChoice& mesh : meshes) {
+    asked += fmt::format("\n{} {} {}", static_cast<int>(mesh.kind), mesh.subdivisions,
+                         static_cast<int>(mesh.curvature));
+  }
+  asked += fmt::format("\n{} {}", wantsPicture, state_.overlays.curvature);
+  for (const auto& [label, method] : scene()->methods) {
+    if (scene_.lacksAngles(label)) asked += "\n" + scene_.anglesKey(*method).text() + label;
+  }
+  if (asked == askedTruth_) return;
+  askedTruth_ = asked;
+  for (const MeshChoice& mesh : meshes) {
+    auto& grid = grids_[mesh];
+    if (!grid) {
+      grid = std::make_shared<const SampleGrid>(pictures_.samplesOf(scene_, mesh, state_.camera));
+    }
+    const auto known = truth_.truths.find(mesh);
+    const bool whole = !truth_.stale && known != truth_.truths.end() && known->second.share() == 1;
+    if (!whole) wanted.views.push_back({mesh, grid});
+  }
+  wanted.scene = scene_.sharedData();
+  wanted.light = lightSpec(state_.light).direction();
+  if (wantsPicture && !pictureWhole_) wanted.picture = state_.camera;
+  if (state_.overlays.curvature && !curvatureWhole_) wanted.curvature = grids_.at(standard);
+  wanted.angles = missingAngles();
+  tracer_.request(std::move(wanted));
+}
+
+void ViewSession::takeTruths() {
+  while (auto result = tracer_.take()) {
+    if (truth_.stale && result->truth) {
+      truth_.stale = false;
+      tracer_.dispose(std::exchange(truth_.truths, {}));
+    }
+    ++truth_.serial;
+    traced_ = result->traced;
+    truthError_ = result->error;
+    if (result->truth) {
+      auto& known = truth_.truths[result->truth->mesh];
+      std::swap(known, *result->truth);
+      tracer_.dispose(std::move(*result->truth));
+    }
+    if (result->picture) {
+      pictureWhole_ = result->picture->width == state_.camera.width &&
+                      result->picture->height == state_.camera.height;
+      std::swap(truth_.picture, result->picture);
+      tracer_.dispose(std::move(result->picture));
+    }
+    if (result->curvature) {
+      std::swap(curvature_, result->curvature);
+      tracer_.dispose(std::move(result->curvature));
+      curvatureWhole_ = true;
+    }
+    if (result->angles) {
+      const ShotAngles& angles = *result->angles;
+      if (scene_.installAngles(angles.label, angles.key, angles.table)) ++serial_;
+    }
+  }
+}
+
+bool ViewSession::update() {
+  noticeChanges();
+  try {
+    askForScene();
+  } catch (const Error& error) {  // the study's file is not what it was
+    sceneError_ = error.what();
+  }
+  takeScenes();
+  if (!hasScene()) return false;
+  try {
+    askForTruth();
+  } catch (const Error& error) {
+    truthError_ = error.what();
+  }
+  takeTruths();
+  const bool drawn = pictures_.draw(scene_, state_, truth_, serial_);
+  throwOnGlError("drawing the panes");
+  return drawn;
+}
+
+bool ViewSession::isComplete() const {
+  if (!hasScene()) return !sceneError_.empty();
+  if (sceneArrives_ || askedTruth_.empty()) return false;
+  if (!truthError_.empty()) return true;
+  for (const auto& [label, method] : scene()->methods) {
+    if (scene_.lacksAngles(label)) return false;
+  }
+  for (int i = 0; i < state_.paneCount; ++i) {
+    const auto pane = static_cast<std::size_t>(i);
+    const PaneContent& content = state_.panes.at(pane);
+    if (content.shown == displacedSurface && !pictureWhole_) return false;
+    if (needsTruth(content) && PanePictures::meshOf(scene_, content) && tracedShare(pane) < 1) {
+      return false;
+    }
+  }
+  return !state_.overlays.curvature || curvatureWhole_;
+}
+
+double ViewSession::tracedShare(std::size_t pane) const {
+  if (!hasScene() || truth_.stale) return 0;
+  const auto mesh = PanePictures::meshOf(scene_, state_.panes.at(pane));
+  if (!mesh) return 0;
+  const auto found = truth_.truths.find(*mesh);
+  return found == truth_.truths.end() ? 0 : found->second.share();
+}
+
+std::optional<Mask> ViewSession::maskOf(std::size_t pane) {
+  if (!hasScene()) return std::nullopt;
+  return pictures_.maskOf(scene_, state_, truth_, state_.panes.at(pane));
+}
+
+const SampleGrid* ViewSession::samples() const {
+  if (!hasScene()) return nullptr;
+  const auto found = grids_.find(scene()->standardMesh());
+  return found == grids_.end() ? nullptr : found->second.get();
+}
+
+std::vector<std::string> ViewSession::errors() const {
+  std::vector<std::string> lines;
+  for (const std::string& error : {shaderError_, sceneError_, truthError_}) {
+    if (!error.empty()) lines.push_back(error);
+  }
+  for (const auto& [label, error] : scene_.errors()) lines.push_back(error);
+  return lines;
+}
+
+}  // namespace gnomon

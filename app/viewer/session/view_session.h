@@ -1,0 +1,124 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/view_request.h"
+#include "viewer/session/background_worker.h"
+#include "viewer/session/drawn_scene.h"
+#include "viewer/session/first_view.h"
+#include "viewer/session/pane_pictures.h"
+#include "viewer/session/shader_watch.h"
+#include "viewer/session/truth_worker.h"
+#include "viewer/session/view_state.h"
+
+namespace gnomon {
+
+/// A scene that was asked for, or why there is none.
+struct SceneResult {
+  std::shared_ptr<const SceneData> scene;
+  std::string error;
+};
+
+/// What stands between a person's choices and the pictures: asks the background for what is
+/// missing, takes what it has made, and draws. Made and used by the thread that has the context.
+class ViewSession {
+ public:
+  /// Reads the study, and waits for nothing else.
+  /// @param wake  called from other threads when there is something new
+  /// @throws InputError as readStudy, UsageError for contents that are none
+  ViewSession(const ViewRequest& request, const std::function<void()>& wake);
+
+  ViewState& state() { return state_; }
+  [[nodiscard]] const ViewState& state() const { return state_; }
+
+  /// Brings everything up to date with the state and with what the background has made.
+  /// @return whether a picture was drawn anew
+  bool update();
+
+  /// All that was asked for is there, the truth to its last sample.
+  [[nodiscard]] bool isComplete() const;
+  /// A scene is there to draw.
+  [[nodiscard]] bool hasScene() const { return scene_.data() != nullptr; }
+
+  [[nodiscard]] const SceneData* scene() const { return scene_.data(); }
+  [[nodiscard]] const StudySpec& study() const {
+    return hasScene() ? *scene_.data()->study : *opened_;
+  }
+  /// The study as it was opened, before any slider.
+  [[nodiscard]] const StudySpec& opened() const { return *opened_; }
+  [[nodiscard]] const StudyNumbers& numbers() const { return numbers_; }
+  /// Back to the camera and light that the window opened with.
+  void resetView();
+  [[nodiscard]] const ViewRequest& request() const { return request_; }
+  [[nodiscard]] const PanePicture& pane(std::size_t index) const { return pictures_.pane(index); }
+  /// Share of the truth that is traced for a pane, 0 to 1.
+  [[nodiscard]] double tracedShare(std::size_t pane) const;
+  /// What a pane shows, as a mask; none for a difference or the displaced surface.
+  [[nodiscard]] std::optional<Mask> maskOf(std::size_t pane);
+  [[nodiscard]] WorkStatus baking() const { return baker_.status(); }
+  [[nodiscard]] WorkStatus tracing() const { return tracer_.status(); }
+  /// What stands in the way, one a line: shaders that do not compile, keys out of range.
+  [[nodiscard]] std::vector<std::string> errors() const;
+  /// Labels of all methods, the study's own first.
+  [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
+  /// The pixels of the study's base mesh, and the curvature there, once the camera rests.
+  [[nodiscard]] const SampleGrid* samples() const;
+  [[nodiscard]] const CurvaturePicture* curvature() const {
+    return curvature_ ? &*curvature_ : nullptr;
+  }
+  [[nodiscard]] const TracedMesh* traced() const { return traced_.get(); }
+  [[nodiscard]] std::uint64_t truthSerial() const { return truth_.serial; }
+  [[nodiscard]] std::uint64_t serial() const { return serial_; }
+  /// The options that read the study as it is shown, sliders included.
+  [[nodiscard]] StudyOptions shownOptions() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Baker = BackgroundWorker<SceneRequest, SceneResult>;
+
+  void askForScene();
+  void takeScenes();
+  void takeTruths();
+  void noticeChanges();
+  void askForTruth();
+  void forgetTruth(bool cameraMoved);
+  void reloadShaders();
+  [[nodiscard]] std::vector<AnglesRequest> missingAngles() const;
+
+  ViewRequest request_;
+  std::filesystem::path shaders_;
+  std::shared_ptr<const StudySpec> opened_;
+  StudyNumbers numbers_;
+  std::vector<std::string> labels_;
+  ViewState state_;
+  DrawnScene scene_;
+  PanePictures pictures_;
+  ShaderWatch watch_;
+  std::string shaderError_, sceneError_, truthError_;
+
+  std::string askedScene_;  ///< what the last scene was asked with
+  int shaderVersion_ = 0;
+  bool sceneArrives_ = true;  ///< one was asked for and is not there yet
+
+  std::uint64_t serial_ = 0;
+  Camera shownCamera_;
+  LightAngles shownLight_;
+  Clock::time_point cameraMoved_;
+
+  KnownTruth truth_;
+  std::map<MeshChoice, std::shared_ptr<const SampleGrid>> grids_;  ///< of the camera at rest
+  std::optional<CurvaturePicture> curvature_;
+  std::shared_ptr<const TracedMesh> traced_;
+  std::string askedTruth_;
+  bool pictureWhole_ = false;
+  bool curvatureWhole_ = false;
+
+  Baker baker_;  // last: their threads end first
+  BackgroundWorker<TruthRequest, TruthResult> tracer_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,69 @@
+#include "viewer/window/saved_view.h"
+
+#include <fmt/core.h>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "common/files/input_file.h"
+#include "image/images.h"
+#include "model/saved_study.h"
+#include "study/spec/file_names.h"
+#include "viewer/window/status_file.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int mostViews = 100000;
+
+/// The first number that no file of the folder bears.
+fs::path freePath(const ViewSession& session, const std::string& ending) {
+  const fs::path folder = session.request().out / session.opened().name / "view";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
+  for (int number = 1; number < mostViews; ++number) {
+    fs::path path = folder / fmt::format("view-{}{}", number, ending);
+    if (!pathExists(path)) return path;
+  }
+  throw InputError(fmt::format("{}: no free name for another view", folder.string()));
+}
+
+}  // namespace
+
+std::string saveStudyView(const ViewSession& session) {
+  const fs::path path = freePath(session, ".toml");
+  StudyState state;
+  state.file = session.request().study;
+  state.options = session.shownOptions();
+  state.methods = shownMethods(session.state());
+  if (state.methods.empty()) state.methods = {session.labels().front()};
+  state.camera = session.state().camera;
+  state.light = session.state().light;
+  saveStudy(state, path);
+  fs::path figures = path;
+  figures.replace_extension(".json");
+  writeTextAtomically(figures, screenJson(session));
+  return fmt::format("saved {}", path.string());
+}
+
+std::string savePicture(const ViewSession& session, const Image& picture) {
+  const fs::path path = freePath(session, ".png");
+  writePng(path, picture);
+  return fmt::format("saved {}", path.string());
+}
+
+std::string saveMasks(ViewSession& session) {
+  std::string said;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(session.state().paneCount); ++i) {
+    const auto mask = session.maskOf(i);
+    if (!mask) continue;
+    const std::string shown = sourceText(session.state().panes.at(i).shown);
+    const fs::path path = freePath(session, fmt::format("_{}.png", fileNames({shown}).front()));
+    writePng(path, maskImage(*mask));
+    said += fmt::format("{}saved {}", said.empty() ? "" : "\n", path.string());
+  }
+  return said.empty() ? "no pane shows a mask" : said;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "image/image.h"
+#include "viewer/session/view_session.h"
+
+namespace gnomon {
+
+/// What a person saves from the window: `OUT/NAME/view/view-N…`, N the first number that is free.
+
+/// The state as a study that `gnomon run` reproduces, and beside it what the screen says of it.
+/// @return what was written, for the person
+/// @throws InputError where it cannot be written
+std::string saveStudyView(const ViewSession& session);
+
+/// The window's content.
+std::string savePicture(const ViewSession& session, const Image& picture);
+
+/// The masks of the panes that show one.
+std::string saveMasks(ViewSession& session);
+
+}  // namespace gnomon

@@ -1,0 +1,236 @@
+#include "viewer/session/view_session.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/viewer/viewed_study.h"
+#include "common/files/atomic_file.h"
+#include "model/orbit.h"
+#include "render/gl_context.h"
+#include "render/shader_files.h"
+#include "support/replaced.h"
+#include "support/scoped_variable.h"
+#include "viewer/window/saved_view.h"
+#include "viewer/window/status_file.h"
+
+namespace gnomon {
+namespace {
+
+/// A session without a window: the test is the loop that draws its frames.
+class ViewSessionTest : public ViewedStudy {
+ protected:
+  [[nodiscard]] ViewRequest request(std::vector<std::string> show) const {
+    ViewRequest asked;
+    asked.study = study();
+    asked.show = std::move(show);
+    asked.tryMethod = tryNone;
+    asked.options.overrides = {"truth.step=0.06"};  // a truth that takes some time
+    return asked;
+  }
+  /// Until a condition holds, or half a minute is over.
+  template <typename Condition>
+  static bool comesTrue(const Condition& condition) {
+    for (int i = 0; i < 15000; ++i) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+  static bool completes(ViewSession& session) {
+    return comesTrue([&] {
+      session.update();
+      return session.isComplete();
+    });
+  }
+  /// Frames until the truth is asked for, and none while it is traced: all of it waits to be taken.
+  static bool tracesWithoutAFrame(ViewSession& session) {
+    return comesTrue([&] {
+             session.update();
+             return session.tracing().busy;
+           }) &&
+           comesTrue([&] { return !session.tracing().busy; });
+  }
+  static double errorRate(const ViewSession& session) {
+    const auto& figures = session.pane(0).figures;
+    return figures && figures->errorRate.value ? *figures->errorRate.value : -1;
+  }
+
+  GlContext gl_;
+};
+
+TEST_F(ViewSessionTest, ATruthThatEndsAsTheCameraMovesMeasuresNothing) {
+  ViewSession session(request({"max-forsyth"}), [] {});
+  ASSERT_TRUE(tracesWithoutAFrame(session));
+  session.state().camera = orbited(session.state().camera, 0.4, 0.2);
+  session.update();
+  EXPECT_FALSE(session.pane(0).figures) << "measured against the truth of the camera before";
+  EXPECT_EQ(session.tracedShare(0), 0);
+  // What is measured then is what a session finds that never saw another camera.
+  const Camera camera = session.state().camera;
+  ASSERT_TRUE(completes(session));
+  ViewSession other(request({"max-forsyth"}), [] {});
+  other.state().camera = camera;
+  ASSERT_TRUE(completes(other));
+  EXPECT_EQ(errorRate(session), errorRate(other));
+  EXPECT_GT(errorRate(other), 0);
+}
+
+TEST_F(ViewSessionTest, ATruthThatEndsAsTheLightMovesMeasuresNothing) {
+  ViewSession session(request({"max-forsyth"}), [] {});
+  ASSERT_TRUE(tracesWithoutAFrame(session));
+  session.state().light.elevation = 12;
+  session.update();
+  EXPECT_FALSE(session.pane(0).figures) << "measured against the truth of the light before";
+}
+
+TEST_F(ViewSessionTest, AMethodLabelledDisplacedIsThatMethod) {
+  std::ofstream(study(), std::ios::app)
+      << "[[method]]\nname = \"unshadowed\"\nlabel = \"displaced\"\n";
+  ViewSession session(request({"displaced"}), [] {});
+  ASSERT_TRUE(completes(session));
+  const auto mask = session.maskOf(0);
+  ASSERT_TRUE(mask) << "the ray-traced surface has none";
+  const double error = errorRate(session);
+  session.state().panes[0] = {methodSource("unshadowed")};
+  ASSERT_TRUE(completes(session));
+  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+  EXPECT_EQ(errorRate(session), error);
+  EXPECT_GT(error, 0);
+  // The surface is still there to be looked at.
+  session.state().panes[0] = {displacedSurface};
+  ASSERT_TRUE(completes(session));
+  EXPECT_FALSE(session.maskOf(0));
+  EXPECT_FALSE(session.pane(0).figures);
+}
+
+TEST_F(ViewSessionTest, HorizonsThatWereShotForOtherTablesAreNotTaken) {
+  std::ofstream(study(), std::ios::app) << "[[method]]\nname = \"sloan-cohen-surface\"\n";
+  const std::string method = "sloan-cohen-surface";
+  ViewSession session(request({method}), [] {});
+  // The first horizons are on their way when others are asked for.
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return session.tracing().busy;
+  }));
+  session.state().changes.methods[method].bake.azimuths = 16;
+  ASSERT_TRUE(completes(session));
+  const double changed = errorRate(session);
+  ViewSession other(request({method}), [] {});
+  other.state().changes.methods[method].bake.azimuths = 16;
+  ASSERT_TRUE(completes(other));
+  EXPECT_EQ(changed, errorRate(other));
+  ViewSession plain(request({method}), [] {});
+  ASSERT_TRUE(completes(plain));
+  EXPECT_NE(changed, errorRate(plain)) << "the tables make no difference: the test shows nothing";
+}
+
+TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileChanges) {
+  const std::filesystem::path mine = file("mine.glsl");
+  const std::string text = readFile(shaderFolder() / "methods/max-forsyth.glsl");
+  std::ofstream(mine) << text;
+  std::ofstream(study(), std::ios::app) << "[[method]]\nfile = \"mine.glsl\"\n";
+  ViewRequest asked = request({"mine"});
+  std::atomic<int> trials = 0;
+  asked.tryMethod = [&](const MethodSpec& method, Wrap /*wrap*/) {
+    ++trials;
+    if (readFile(method.file).ends_with("// fatal\n")) throw InputError("mine.glsl: it crashes");
+  };
+  ViewSession session(asked, [] {});
+  ASSERT_TRUE(completes(session));
+  EXPECT_EQ(trials, 1);
+  session.state().changes.methods["mine"].bake.azimuths = 16;
+  ASSERT_TRUE(completes(session));
+  EXPECT_EQ(trials, 1) << "its file is the same";
+  const auto mask = session.maskOf(0);
+  ASSERT_TRUE(mask);
+  std::ofstream(mine) << text << "float broken = ;\n// fatal\n";
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return !session.errors().empty();
+  }));
+  EXPECT_EQ(trials, 2);
+  EXPECT_EQ(session.errors(), std::vector<std::string>{"mine.glsl: it crashes"})
+      << "the driver has compiled it";
+  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+}
+
+TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
+  namespace fs = std::filesystem;
+  std::ofstream(study(), std::ios::app) << "[[method]]\nname = \"shadow-volume\"\n";
+  fs::copy(shaderFolder(), file("shaders"), fs::copy_options::recursive);
+  const fs::path walls = file("shaders/common/shadow_volume.geom");
+  const std::string right = readFile(walls);
+  const std::string wrong =
+      test::replaced(right, "  emitWall(lit, b, c, a.world, world[3]);\n", "");
+  std::ofstream(walls) << wrong;
+  const test::ScopedVariable shaders("GNOMON_SHADERS", file("shaders").c_str());
+  ViewSession session(request({"max-forsyth", "shadow-volume"}), [] {});
+  ASSERT_TRUE(completes(session));
+  EXPECT_TRUE(session.maskOf(0));
+  EXPECT_FALSE(session.maskOf(1));
+  EXPECT_FALSE(session.pane(1).figures);
+  EXPECT_EQ(session.pane(1).note, "not shown: see the message");
+  ASSERT_EQ(session.errors().size(), 1U);
+  EXPECT_THAT(session.errors().front(),
+              ::testing::StartsWith("shadow-volume is not shown: this OpenGL gets shadow volumes"));
+  // Once it is right, it is shown.
+  std::ofstream(walls) << right;
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return session.errors().empty() && session.isComplete();
+  }));
+  EXPECT_TRUE(session.maskOf(1));
+  // What all methods need is not checked in vain either.
+  const fs::path samples = file("shaders/common/samples.frag");
+  const std::string turned =
+      test::replaced(readFile(samples), "sampleSt = clamp(st", "sampleSt = clamp(st.yx");
+  const std::string unturned = readFile(samples);
+  std::ofstream(samples) << turned;
+  ViewSession other(request({"max-forsyth"}), [] {});
+  ASSERT_TRUE(completes(other));
+  EXPECT_FALSE(other.hasScene());
+  ASSERT_EQ(other.errors().size(), 1U);
+  EXPECT_THAT(other.errors().front(), ::testing::StartsWith("nothing is measured: this OpenGL"));
+  std::ofstream(samples) << unturned;
+  EXPECT_TRUE(comesTrue([&] {
+    other.update();
+    return other.hasScene() && other.isComplete();
+  }));
+  EXPECT_TRUE(other.errors().empty());
+}
+
+TEST_F(ViewSessionTest, IsSavedWhereNamesAreNoText) {
+  namespace fs = std::filesystem;
+  const fs::path home = file("caf\xE9");
+  const fs::path shader = home / "own\xE9.glsl";
+  fs::create_directories(home);
+  fs::copy(shaderFolder() / "methods/max-forsyth.glsl", shader);
+  std::ofstream(home / "ball.toml")
+      << test::replaced(readFile(study()), "name = \"max-forsyth\"", "file = \"file:own%E9.glsl\"");
+  ViewRequest asked = request({"own%E9"});
+  asked.study = home / "ball.toml";
+  asked.out = home / "out";
+  ViewSession session(asked, [] {});
+  ASSERT_TRUE(completes(session));
+  EXPECT_NO_THROW((void)saveStudyView(session));
+  const StudySpec saved = readStudy(home / "out/ball/view/view-1.toml");
+  EXPECT_TRUE(fs::equivalent(saved.methods.at(0).file, shader));
+  // An error that names the file is part of what is on the screen.
+  std::ofstream(shader) << "no method";
+  ASSERT_TRUE(comesTrue([&] {
+    session.update();
+    return !session.errors().empty();
+  }));
+  EXPECT_NE(session.errors().front().find("caf\xE9"), std::string::npos);
+  const auto screen = nlohmann::json::parse(screenJson(session));
+  EXPECT_NE(screen.at("errors").at(0).get<std::string>().find("caf\uFFFD/own\uFFFD.glsl"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gnomon

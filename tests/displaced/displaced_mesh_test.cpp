@@ -1,0 +1,178 @@
+#include "displaced/displaced_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "relief/patterns.h"
+#include "surface/texel_frame.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::cubeCage;
+using test::flatRelief;
+using test::randomRelief;
+
+/// A position to the bit.
+using Place = std::tuple<double, double, double>;
+
+Place placeOf(const DisplacedMesh& mesh, std::uint32_t vertex) {
+  const Vec3& p = mesh.mesh.vertices[vertex].position;
+  return {p.x, p.y, p.z};
+}
+
+std::array<std::uint32_t, 3> cornersOf(const DisplacedMesh& mesh, std::size_t triangle) {
+  return {mesh.mesh.triangles[3 * triangle], mesh.mesh.triangles[3 * triangle + 1],
+          mesh.mesh.triangles[3 * triangle + 2]};
+}
+
+/// The corner opposite to each directed side, by the places of the side's ends.
+std::map<std::pair<Place, Place>, Place> sidesOf(const DisplacedMesh& mesh) {
+  std::map<std::pair<Place, Place>, Place> sides;
+  for (std::size_t triangle = 0; triangle < mesh.mesh.triangleCount(); ++triangle) {
+    const auto corners = cornersOf(mesh, triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::pair side(placeOf(mesh, corners.at(k)), placeOf(mesh, corners.at((k + 1) % 3)));
+      EXPECT_TRUE(sides.emplace(side, placeOf(mesh, corners.at((k + 2) % 3))).second);
+    }
+  }
+  return sides;
+}
+
+/// Every side's opposite vertex is the neighbour's third corner, or the own one at a border.
+/// @returns the number of border sides
+std::size_t expectAdjacency(const DisplacedMesh& mesh) {
+  const auto sides = sidesOf(mesh);
+  EXPECT_EQ(mesh.adjacency.size(), 6 * mesh.mesh.triangleCount());
+  std::size_t borders = 0;
+  for (std::size_t triangle = 0; triangle < mesh.mesh.triangleCount(); ++triangle) {
+    const auto corners = cornersOf(mesh, triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(mesh.adjacency[6 * triangle + 2 * k], corners.at(k));
+      const std::uint32_t opposite = mesh.adjacency[6 * triangle + 2 * k + 1];
+      const auto neighbour =
+          sides.find({placeOf(mesh, corners.at((k + 1) % 3)), placeOf(mesh, corners.at(k))});
+      if (neighbour == sides.end()) {
+        ++borders;
+        EXPECT_EQ(opposite, corners.at((k + 2) % 3));
+      } else {
+        EXPECT_EQ(placeOf(mesh, opposite), neighbour->second);
+      }
+    }
+  }
+  return borders;
+}
+
+TEST(DisplacedMesh, VerticesAreTheDisplacedPointsOfTheLimitSurface) {
+  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
+    Relief relief = randomRelief(96, 66, 2, 3);
+    relief.space = space;
+    relief.repeats = Vec2(2, 1);
+    const LimitSurface surface(makeTorus(30, 10, 64, 60));
+    const DisplacedMesh mesh = makeDisplacedMesh(surface, relief, 4);
+    double highest = 0;
+    for (const BaseVertex& v : mesh.mesh.vertices) {
+      const LimitPoint point = surface.evaluate(v.face, v.st.x, v.st.y);
+      const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+      // Where the texture's two ends meet the first face's height rules: 0 and 192 are alike, since
+      // the map repeats.
+      const Vec3 expected = point.position + worldPerHeight(space, frame) *
+                                                 relief.field.at(frame.texel) * frame.normal;
+      ASSERT_LT(glm::length(v.position - expected), 1e-6);
+      highest = std::max(highest, glm::length(v.position - point.position));
+    }
+    EXPECT_GT(highest, 1);
+  }
+}
+
+TEST(DisplacedMesh, AllButPositionsIsTheUndisplacedMeshs) {
+  const Relief relief = randomRelief(32, 32, 2, 3);
+  const LimitSurface surface(makeSphere(40, 1, 1, 16, 16));
+  const DisplacedMesh mesh = makeDisplacedMesh(surface, relief, 3);
+  const BaseMesh base = makeBaseMesh(surface, relief.texelsPerUv(), 3);
+  ASSERT_EQ(mesh.mesh.vertices.size(), base.vertices.size());
+  EXPECT_EQ(mesh.mesh.triangles, base.triangles);
+  for (std::size_t i = 0; i < base.vertices.size(); ++i) {
+    const BaseVertex& a = mesh.mesh.vertices[i];
+    const BaseVertex& b = base.vertices[i];
+    ASSERT_EQ(std::tie(a.normal, a.px, a.py, a.texel, a.face, a.st, a.k1, a.k2),
+              std::tie(b.normal, b.px, b.py, b.texel, b.face, b.st, b.k1, b.k2));
+  }
+}
+
+TEST(DisplacedMesh, HasThePapersNumberOfPolygons) {
+  const LimitSurface surface(makePlane(24, 20, 24, 20));
+  EXPECT_EQ(makeDisplacedMesh(surface, flatRelief(24, 20), 1).mesh.triangleCount(), 960U);
+  EXPECT_EQ(makeDisplacedMesh(surface, flatRelief(24, 20), 9).mesh.triangleCount(), 77760U);
+}
+
+TEST(DisplacedMesh, OfAClosedCageIsWatertightAcrossTextureSeams) {
+  const LimitSurface surface(cubeCage());
+  for (const int subdivisions : {1, 2, 7}) {
+    const DisplacedMesh mesh = makeDisplacedMesh(surface, randomRelief(16, 16, 1, 5), subdivisions);
+    EXPECT_EQ(expectAdjacency(mesh), 0U);
+    // Euler: V - E + F = 2, with 3 F = 2 E.
+    std::set<Place> places;
+    for (const std::uint32_t vertex : mesh.mesh.triangles) places.insert(placeOf(mesh, vertex));
+    EXPECT_EQ(2 * places.size(), 4 + mesh.mesh.triangleCount());
+  }
+}
+
+TEST(DisplacedMesh, NeighboursOfATorusMeetAcrossItsSeams) {
+  const LimitSurface surface(makeTorus(30, 10, 58, 58));
+  EXPECT_EQ(expectAdjacency(makeDisplacedMesh(surface, randomRelief(96, 66, 2, 3), 2)), 0U);
+}
+
+TEST(DisplacedMesh, RimOfAnOpenPatchSeesItsOwnTriangle) {
+  const LimitSurface surface(makePlane(12, 8, 3, 2));
+  const DisplacedMesh mesh = makeDisplacedMesh(surface, randomRelief(12, 8, 1, 9), 4);
+  EXPECT_EQ(expectAdjacency(mesh), 2U * (3 + 2) * 4);
+}
+
+TEST(DisplacedMesh, NeighboursSeeEachOther) {
+  const LimitSurface surface(cubeCage());
+  const DisplacedMesh mesh = makeDisplacedMesh(surface, randomRelief(16, 16, 1, 5), 3);
+  // The pairs (own third corner, opposite vertex) come once in each of both orders.
+  std::map<std::tuple<Place, Place>, int> seen;
+  for (std::size_t triangle = 0; triangle < mesh.mesh.triangleCount(); ++triangle) {
+    const auto corners = cornersOf(mesh, triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++seen[{placeOf(mesh, corners.at((k + 2) % 3)),
+              placeOf(mesh, mesh.adjacency[6 * triangle + 2 * k + 1])}];
+    }
+  }
+  for (const auto& [pair, count] : seen) {
+    const auto& [own, other] = pair;
+    EXPECT_EQ(seen.at({other, own}), count);
+  }
+}
+
+TEST(DisplacedMesh, FirstFacesHeightRulesASeam) {
+  const LimitSurface surface(cubeCage());
+  const Relief relief = randomRelief(16, 16, 1, 5);
+  const DisplacedMesh mesh = makeDisplacedMesh(surface, relief, 4);
+  const auto faceVertices = 5U * 5U;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
+    const BaseVertex& v = mesh.mesh.vertices[i];
+    const TexelFrame frame =
+        texelFrame(surface.evaluate(v.face, v.st.x, v.st.y), relief.texelsPerUv());
+    const bool own = glm::length(v.position - displaced(relief, frame)) < 1e-9;
+    if (i < faceVertices) {
+      EXPECT_TRUE(own);
+    }
+    moved += own ? 0 : 1;
+  }
+  // Along an edge of which both sides run over the map alike heights agree; at corners the map's
+  // four do, since it repeats. At most: every inner vertex of an edge, once.
+  EXPECT_GT(moved, 0U);
+  EXPECT_LE(moved, 12U * 3);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,106 @@
+#include "image/formats/image_library.h"
+
+#include <array>
+#include <fstream>
+#include <numeric>
+
+#include "common/error.h"
+#include "image/image_error.h"
+#include "image/image_file.h"
+#include "support/temporary_folder.h"
+
+namespace gnomon {
+namespace {
+
+class ImageFiles : public TemporaryFolder {
+ protected:
+  /// 3 × 4 pixels of two channels, 0, 1, 2 … in one row after the other.
+  void writeCounting(NumberType numbers) const {
+    std::vector<float> values(24);
+    std::iota(values.begin(), values.end(), 0.0F);
+    const auto exr = imageLibrary().createExr(path(), {3, 4, {"b", "a"}, numbers, attributes()});
+    exr->writeRows(0, 3, NumberType::float32, values.data());
+    exr->writeRows(3, 4, NumberType::float32, values.data() + 18);
+    exr->close();
+  }
+
+  static ImageAttributes attributes() {
+    return {{"test:count", 7}, {"test:share", 0.25F}, {"test:name", std::string("columns")}};
+  }
+  [[nodiscard]] std::filesystem::path path() const { return file("counting.exr"); }
+};
+
+TEST_F(ImageFiles, TellsWhatItHolds) {
+  writeCounting(NumberType::half);
+  const ImageFacts facts = ImageFile(path()).facts();
+  EXPECT_EQ(facts.data.width, 3);
+  EXPECT_EQ(facts.data.height, 4);
+  EXPECT_EQ(facts.display.height, 4);
+  EXPECT_EQ(facts.depth, 1);
+  EXPECT_EQ(facts.channelCount(), 2);
+  EXPECT_GE(facts.channel("a"), 0);
+  EXPECT_GE(facts.channel("b"), 0);
+  EXPECT_EQ(facts.channel("c"), -1);
+  EXPECT_EQ(facts.channelNumbers, std::vector<std::string>(2, nameOf(NumberType::half)));
+  EXPECT_EQ(facts.numbers, "half");
+  EXPECT_EQ(facts.pixelCount, 12U);
+  EXPECT_EQ(facts.bytesAPixel, 4U);
+  for (const auto& [name, value] : attributes()) {
+    ASSERT_TRUE(facts.attributes.contains(name)) << name;
+    EXPECT_EQ(facts.attributes.at(name), value) << name;
+  }
+}
+
+TEST_F(ImageFiles, GivesBackWhatWasWritten) {
+  writeCounting(NumberType::float32);
+  ImageFile image(path());
+  const int b = image.facts().channel("b");
+  std::vector<float> values;
+  image.readBands<float>(b, b + 1, NumberType::float32, [&](const float* band, int top, int rows) {
+    EXPECT_EQ(values.size(), static_cast<std::size_t>(3 * top));
+    values.insert(values.end(), band, band + 3 * rows);
+  });
+  ASSERT_EQ(values.size(), 12U);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], 2 * i);
+
+  // From the top again, row after row.
+  ASSERT_TRUE(image.goTo(0));
+  std::array<float, 6> row{};
+  for (int y = 0; y < 3; ++y) image.readRows(1, 0, 2, NumberType::float32, row.data());
+  EXPECT_EQ(row[static_cast<std::size_t>(b)], 12);
+  EXPECT_EQ(row[static_cast<std::size_t>(2 + b)], 14);
+}
+
+TEST_F(ImageFiles, HasPartsUpToItsLast) {
+  writeCounting(NumberType::uint32);
+  ImageFile image(path());
+  EXPECT_TRUE(image.goTo(0));
+  EXPECT_FALSE(image.goTo(1));
+}
+
+TEST_F(ImageFiles, IsTheSameBytesAgain) {
+  const auto content = [&] {
+    std::ifstream in(path(), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  writeCounting(NumberType::float32);
+  const std::string first = content();
+  EXPECT_FALSE(first.empty());
+  writeCounting(NumberType::float32);
+  EXPECT_EQ(content(), first);
+}
+
+TEST_F(ImageFiles, ThatIsMissingOrDamagedIsAnError) {
+  EXPECT_THROW(ImageFile(file("missing.png")), InputError);
+  EXPECT_THROW(
+      (void)imageLibrary().createExr(file("no/folder.exr"), {1, 1, {"Y"}, NumberType::half, {}}),
+      ImageError);
+  writeCounting(NumberType::float32);
+  std::filesystem::resize_file(path(), std::filesystem::file_size(path()) - 20);
+  ImageFile image(path());
+  std::vector<float> values(24);
+  EXPECT_THROW(image.readRows(4, 0, 2, NumberType::float32, values.data()), InputError);
+}
+
+}  // namespace
+}  // namespace gnomon

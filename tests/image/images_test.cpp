@@ -1,0 +1,153 @@
+#include "image/images.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "image/mask_picture.h"
+#include "support/read_image.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, removed at its end.
+class Images : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("gnomon-" + std::string(test->name()) + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path folder_;
+};
+
+constexpr Shade lit = Shade::lit;
+constexpr Shade dark = Shade::shadowed;
+constexpr Shade none = Shade::none;
+
+Rgb pixel(const Image& image, std::size_t i) {
+  return {image.rgb.at(3 * i), image.rgb.at(3 * i + 1), image.rgb.at(3 * i + 2)};
+}
+
+TEST_F(Images, MasksReadBackFromTheFile) {
+  const Mask mask{3, 2, {lit, dark, none, dark, dark, lit}};
+  writePng(folder_ / "mask.png", maskImage(mask));
+  const Mask back = readMaskPicture(folder_ / "mask.png").mask;
+  EXPECT_EQ(back.width, 3);
+  EXPECT_EQ(back.height, 2);
+  EXPECT_EQ(back.samples, mask.samples);
+}
+
+TEST_F(Images, ColoursSurviveTheFileExactly) {
+  Image image{16, 16, {}};
+  for (int i = 0; i < 3 * 256; ++i) image.rgb.push_back(static_cast<std::uint8_t>((i * 89) % 256));
+  writePng(folder_ / "all.png", image);
+  const Image back = test::readImage(folder_ / "all.png");
+  EXPECT_EQ(back.width, image.width);
+  EXPECT_EQ(back.height, image.height);
+  EXPECT_EQ(back.rgb, image.rgb);
+}
+
+TEST_F(Images, SameImageSameBytes) {
+  const Image image = maskImage(Mask{2, 1, {lit, dark}});
+  writePng(folder_ / "one.png", image);
+  writePng(folder_ / "two.png", image);
+  EXPECT_EQ(readFile(folder_ / "one.png"), readFile(folder_ / "two.png"));
+}
+
+TEST_F(Images, DifferenceIsSigned) {
+  const Mask candidate{5, 1, {lit, dark, dark, lit, none}};
+  const Mask truth{5, 1, {lit, dark, lit, dark, none}};
+  const Image image = differenceImage(candidate, truth);
+  EXPECT_EQ(pixel(image, 0), DifferenceColours::bothLit);
+  EXPECT_EQ(pixel(image, 1), DifferenceColours::bothShadowed);
+  EXPECT_EQ(pixel(image, 2), DifferenceColours::falseShadow);
+  EXPECT_EQ(pixel(image, 3), DifferenceColours::falseLight);
+  EXPECT_EQ(pixel(image, 4), DifferenceColours::none);
+}
+
+TEST_F(Images, DifferenceRefusesMasksOfDifferentViews) {
+  EXPECT_THROW(differenceImage(Mask{1, 1, {lit}}, Mask{2, 1, {lit, lit}}), InputError);
+  EXPECT_THROW(differenceImage(Mask{1, 1, {lit}}, Mask{1, 1, {none}}), InputError);
+  EXPECT_THROW(differenceImage(Mask{2, 2, {lit}}, Mask{2, 2, {lit}}), InternalError);
+}
+
+/// Linear light of an sRGB value (IEC 61966-2-1).
+double linear(std::uint8_t value) {
+  const double v = value / 255.0;
+  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+/// The colour as full deuteranopia or protanopia sees it, in linear RGB (Viénot, Brettel & Mollon
+/// 1999: project on the plane of what remains, in their LMS space).
+std::array<double, 3> asSeenBy(const Rgb& colour, bool protanope) {
+  const double r = linear(colour[0]);
+  const double g = linear(colour[1]);
+  const double b = linear(colour[2]);
+  double l = 17.8824 * r + 43.5161 * g + 4.11935 * b;
+  double m = 3.45565 * r + 27.1554 * g + 3.86714 * b;
+  const double s = 0.0299566 * r + 0.184309 * g + 1.46709 * b;
+  if (protanope) {
+    l = 2.02344 * m - 2.52581 * s;
+  } else {
+    m = 0.494207 * l + 1.24827 * s;
+  }
+  return {0.080944 * l - 0.130504 * m + 0.116721 * s, -0.0102485 * l + 0.0540194 * m - 0.113615 * s,
+          -0.000365294 * l - 0.00412163 * m + 0.693513 * s};
+}
+
+/// Distance in CIE L*a*b* (1976, D65) of two colours in linear RGB.
+double labDistance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  const auto lab = [](const std::array<double, 3>& c) {
+    const auto f = [](double t) {
+      return t > 216.0 / 24389 ? std::cbrt(t) : t * 841 / 108 + 4.0 / 29;
+    };
+    const double x = f((0.4124 * c[0] + 0.3576 * c[1] + 0.1805 * c[2]) / 0.9505);
+    const double y = f(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
+    const double z = f((0.0193 * c[0] + 0.1192 * c[1] + 0.9505 * c[2]) / 1.089);
+    return std::array<double, 3>{116 * y - 16, 500 * (x - y), 200 * (y - z)};
+  };
+  const auto p = lab(a);
+  const auto q = lab(b);
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+TEST_F(Images, DifferenceColoursStayApartForTheColourBlind) {
+  const std::array colours = {DifferenceColours::falseShadow, DifferenceColours::falseLight,
+                              DifferenceColours::bothLit, DifferenceColours::bothShadowed,
+                              DifferenceColours::none};
+  for (const bool protanope : {false, true}) {
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        // 2.3 is just noticeable. Errors are held far from all else, greys from each other less.
+        const double least = j < 2 ? 25 : 9;
+        EXPECT_GT(labDistance(asSeenBy(colours[i], protanope), asSeenBy(colours[j], protanope)),
+                  least)
+            << i << " and " << j << (protanope ? ", protanope" : ", deuteranope");
+      }
+    }
+  }
+}
+
+TEST_F(Images, RefusesImagesThatAreNotWhole) {
+  EXPECT_THROW(writePng(folder_ / "a.png", Image{2, 2, {1, 2, 3}}), InternalError);
+  EXPECT_THROW(writePng(folder_ / "a.png", Image{-1, -1, {1, 2, 3}}), InternalError);
+  EXPECT_THROW(writePng(folder_ / "a.png", Image{}), InternalError);
+  EXPECT_TRUE(fs::is_empty(folder_));
+  EXPECT_THROW(maskImage(Mask{2, 2, {}}), InternalError);
+}
+
+TEST_F(Images, AFileThatCannotBeWrittenIsAnError) {
+  fs::create_directories(folder_ / "taken.png" / "inside");
+  EXPECT_THROW(writePng(folder_ / "taken.png", maskImage(Mask{1, 1, {lit}})), InputError);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,312 @@
+#include "report/page/report_html.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "image/images.h"
+#include "report/page/page.h"
+#include "report/sample_record.h"
+#include "report/text/html_text.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+using test::sampleRecord;
+using ::testing::ElementsAre;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A decoder written from RFC 4648, bit by bit.
+std::string fromBase64(const std::string& text) {
+  const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0;
+  int held = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    bits = (bits << 6) | static_cast<unsigned>(alphabet.find(c));
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>((bits >> held) & 0xFF);
+  }
+  return bytes;
+}
+
+class ReportHtml : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("gnomon-" + std::string(test->name()) + std::to_string(::getpid()));
+    fs::create_directories(folder_ / "images");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  PictureRecord picture(PictureRecord::Kind kind, const std::string& method) {
+    const std::string path = "images/" + std::to_string(++pictures_) + ".png";
+    const auto grey = static_cast<std::uint8_t>(pictures_);
+    writePng(folder_ / path, Image{1, 1, {grey, grey, grey}});
+    const std::string embedded =
+        kind == PictureRecord::Kind::difference ? "" : "picture " + std::to_string(pictures_);
+    return {kind, method, "Caption <" + method + ">", path, "", embedded};
+  }
+
+  StudyRecord recordWithPanel() {
+    using Kind = PictureRecord::Kind;
+    StudyRecord record = sampleRecord();
+    record.panels = {
+        {"camera",
+         "elevation 15°",
+         1,
+         1,
+         {picture(Kind::shaded, "rough, \"old\""), picture(Kind::shaded, "best"),
+          picture(Kind::displaced, "truth"), picture(Kind::shaded, "truth"),
+          picture(Kind::difference, "rough, \"old\""), picture(Kind::difference, "best")}}};
+    return record;
+  }
+
+  fs::path folder_;
+  int pictures_ = 0;
+};
+
+TEST_F(ReportHtml, LoadsNothing) {
+  const std::string html = reportHtml(recordWithPanel(), folder_);
+  EXPECT_FALSE(holds(html, "http://"));
+  EXPECT_FALSE(holds(html, "https://"));
+  EXPECT_FALSE(holds(html, "<link"));
+  EXPECT_EQ(count(html, "<script"), 1U);
+  EXPECT_EQ(count(html, "<script>" + std::string(viewerScript()) + "</script>"), 1U);
+  EXPECT_TRUE(holds(html, "script-src " + std::string(viewerScriptHash())));
+  EXPECT_FALSE(holds(reportHtml(sampleRecord(), folder_), "<script"))
+      << "without pictures there is nothing to compare";
+  EXPECT_FALSE(holds(html, "@import"));
+  EXPECT_FALSE(holds(html, "url("));
+  EXPECT_TRUE(holds(html, "default-src 'none'"));
+  EXPECT_EQ(count(html, " src=\""), count(html, " src=\"data:image/png;base64,") +
+                                        count(html, " src=\"data:image/webp;base64,"));
+}
+
+/// The bytes of all embedded pictures of a type.
+std::vector<std::string> embedded(const std::string& html, const std::string& type) {
+  std::vector<std::string> pictures;
+  const std::string opening = "src=\"data:image/" + type + ";base64,";
+  for (std::size_t at = html.find(opening); at != std::string::npos; at = html.find(opening, at)) {
+    at += opening.size();
+    pictures.push_back(fromBase64(html.substr(at, html.find('"', at) - at)));
+  }
+  return pictures;
+}
+
+TEST_F(ReportHtml, EmbedsEveryDifferenceByteForByteAndAnyOtherPictureOnce) {
+  const StudyRecord record = recordWithPanel();
+  const std::string html = reportHtml(record, folder_);
+  const auto exact = embedded(html, "png");
+  EXPECT_EQ(exact.size(), 2U);
+  for (const PictureRecord& picture : record.panels[0].pictures) {
+    const bool isDifference = picture.kind == PictureRecord::Kind::difference;
+    EXPECT_EQ(std::count(exact.begin(), exact.end(), readFile(folder_ / picture.path)),
+              isDifference ? 1 : 0)
+        << picture.path;
+  }
+  EXPECT_THAT(embedded(html, "webp"),
+              ElementsAre("picture 1", "picture 2", "picture 4", "picture 3"));
+}
+
+TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
+  StudyRecord record = recordWithPanel();
+  PanelRecord& panel = record.panels[0];
+  writePng(folder_ / "shadowed.png", maskImage(Mask{1, 1, {Shade::shadowed}}));
+  panel.layers = {{"lit 0", "dark 0"}, {"lit 1", "dark 1"}};
+  panel.pictures[0].layers = 0;
+  panel.pictures[1].layers = 1;
+  panel.pictures[3].layers = 0;
+  panel.pictures[3].mask = "shadowed.png";
+  const std::string html = reportHtml(record, folder_);
+  EXPECT_EQ(count(html, "<img class=\"truth\" data-mesh=\"0\""), 1U);
+  EXPECT_TRUE(holds(html,
+                    "data-name=\"Caption &lt;best&gt;\" data-rate=\"error 1.00\u202f%\" "
+                    "data-mesh=\"1\">"));
+  EXPECT_EQ(count(html, " whole\""), 1U) << "the displaced surface";
+  const auto exact = embedded(html, "png");
+  EXPECT_EQ(std::count(exact.begin(), exact.end(), readFile(folder_ / "shadowed.png")), 1);
+  for (const std::size_t mesh : {0U, 1U}) {
+    for (const std::string kind : {"lit", "dark"}) {
+      const std::string image =
+          "<img class=\"" + kind + "\" data-mesh=\"" + std::to_string(mesh) + "\"";
+      ASSERT_EQ(count(html, image), 1U) << image;
+      EXPECT_EQ(embedded(html.substr(html.find(image)), "webp").front(),
+                kind + " " + std::to_string(mesh));
+    }
+  }
+}
+
+TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
+  const std::string html = reportHtml(sampleRecord(1), folder_);
+  EXPECT_TRUE(holds(html, "<th class=\"n\">Shadow length</th>"));
+  EXPECT_TRUE(holds(html, "title=\"quartiles 0.50 and 2.00 over 400 runs\">1.80</td>"));
+  EXPECT_TRUE(holds(html, "title=\"fewer than 30 cast shadows with both ends in view\">–</td>"));
+}
+
+TEST_F(ReportHtml, OneLetteredFigureAMethod) {
+  const std::string html = reportHtml(recordWithPanel(), folder_);
+  EXPECT_EQ(count(html, "<figure"), 3U);
+  EXPECT_TRUE(holds(html, "<b>(a)</b> Caption &lt;rough, &quot;old&quot;&gt;"));
+  EXPECT_TRUE(holds(html, "<b>(c)</b> Caption &lt;truth&gt;"));
+  EXPECT_FALSE(holds(html, "<b>(d)</b>"));
+  EXPECT_TRUE(holds(html, ">error 10.00\u202f%<"));
+  EXPECT_TRUE(holds(html, ">uncertain by 0.20\u202f%<"));
+  EXPECT_EQ(count(html, "Lower pictures"), 1U);
+  // The shading stands above whatever goes with it, in whichever order they were recorded.
+  const std::string truth = html.substr(html.find("<figure data-method=\"truth\""));
+  EXPECT_LT(truth.find("class=\"shaded whole\""), truth.find("class=\"displaced whole\""));
+}
+
+TEST_F(ReportHtml, LetteringGoesOnAfterZ) {
+  StudyRecord record = sampleRecord(1);
+  record.panels = {{"camera", "elevation 15°", 1, 1, {}}};
+  for (int i = 0; i < 28; ++i) {
+    record.panels[0].pictures.push_back(
+        picture(PictureRecord::Kind::shaded, "method " + std::to_string(i)));
+  }
+  const std::string html = reportHtml(record, folder_);
+  EXPECT_TRUE(holds(html, "<b>(z)</b>"));
+  EXPECT_TRUE(holds(html, "<b>(aa)</b>"));
+  EXPECT_TRUE(holds(html, "<b>(ab)</b>"));
+}
+
+TEST_F(ReportHtml, EscapesAllText) {
+  StudyRecord record = recordWithPanel();
+  const std::string evil = "<script>'\"&";
+  const auto spoil = [&](std::string& text) { text = evil; };
+  for (MethodRecord& m : record.methods) spoil(m.title), spoil(m.citation), spoil(m.name);
+  for (ResultRecord& r : record.results) {
+    spoil(r.light), spoil(r.view);
+    r.method += evil;
+    if (r.region != "all") r.region += evil;
+  }
+  for (CostRecord& c : record.cost) spoil(c.method);
+  for (TimingRecord& t : record.timings) spoil(t.stage);
+  for (ThresholdRecord& t : record.thresholds) {
+    spoil(t.method), spoil(t.light), spoil(t.view), spoil(t.region), spoil(t.metric);
+  }
+  for (ClaimRecord& c : record.claims) spoil(c.text), spoil(c.source), spoil(c.detail);
+  for (UncertaintyRecord& f : record.truth.flips) spoil(f.view), spoil(f.light);
+  for (PanelRecord& p : record.panels) {
+    spoil(p.view), spoil(p.light);
+    for (PictureRecord& picture : p.pictures) spoil(picture.method), spoil(picture.caption);
+  }
+  EnvironmentRecord& e = record.environment;
+  for (std::string* text : {&record.name, &record.title, &record.source, &record.file,
+                            &record.command, &e.gnomonVersion, &e.commit, &e.cpu, &e.glRenderer,
+                            &e.glVersion, &e.embreeVersion, &e.openSubdivVersion, &e.frameClock}) {
+    spoil(*text);
+  }
+  const std::string html = reportHtml(record, folder_);
+  EXPECT_EQ(count(html, "<script"), 1U) << "the page's own";
+  EXPECT_FALSE(holds(html, "'\"&"));
+  EXPECT_GT(count(html, "&lt;script&gt;&#39;&quot;&amp;"), 40U);
+}
+
+TEST_F(ReportHtml, TheTitleOfTheSampleIsEscaped) {
+  const std::string html = reportHtml(sampleRecord(), folder_);
+  EXPECT_TRUE(holds(html, "<h1>Columns on a sphere &lt;script&gt;alert(&quot;1&quot;)"));
+}
+
+TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
+  StudyRecord record = sampleRecord();
+  test::addDifferences(record, 1e-6);
+  const std::string html = reportHtml(record, folder_);
+  EXPECT_TRUE(holds(html, "<b>best</b> is closest to the truth: it gets <b>1.00&#8239;%</b>"));
+  EXPECT_TRUE(holds(html, "1 of 2 thresholds met"));
+  EXPECT_TRUE(holds(html, "not distinguishable from close"));
+  EXPECT_TRUE(holds(html, "<b>1.00 <small>±&#8239;0.30</small></b>"));
+  EXPECT_LT(html.find("is closest to"), html.find("What was claimed"));
+}
+
+TEST_F(ReportHtml, UndefinedCellsCarryTheirReason) {
+  const std::string html = reportHtml(sampleRecord(), folder_);
+  EXPECT_TRUE(holds(html, "<td class=\"n\" title=\"no samples\">–</td>"));
+}
+
+TEST_F(ReportHtml, TagsAreBalanced) {
+  const std::string html = reportHtml(recordWithPanel(), folder_);
+  for (const std::string tag :
+       {"table",      "thead",  "tbody",    "tr",     "td",     "section", "figure", "div",
+        "figcaption", "ul",     "li",       "dl",     "dt",     "dd",      "span",   "small",
+        "b",          "p",      "main",     "header", "style",  "pre",     "code",   "i",
+        "svg",        "select", "fieldset", "label",  "button", "kbd",     "script"}) {
+    EXPECT_EQ(count(html, "<" + tag + ">") + count(html, "<" + tag + " "),
+              count(html, "</" + tag + ">"))
+        << tag;
+  }
+  EXPECT_GT(count(html, "<tr>"), 20U);
+}
+
+TEST_F(ReportHtml, LegendAndPicturesShareTheirColours) {
+  const std::string html = reportHtml(recordWithPanel(), folder_);
+  EXPECT_TRUE(holds(html, "--false-shadow:rgb(230 97 0)"));
+  EXPECT_EQ(DifferenceColours::falseShadow, (Rgb{230, 97, 0}));
+  EXPECT_TRUE(holds(html, "--false-light:rgb(26 133 255)"));
+  EXPECT_EQ(DifferenceColours::falseLight, (Rgb{26, 133, 255}));
+}
+
+TEST_F(ReportHtml, HasBothSchemesAndPrint) {
+  const std::string html = reportHtml(sampleRecord(), folder_);
+  EXPECT_TRUE(holds(html, "prefers-color-scheme: dark"));
+  EXPECT_TRUE(holds(html, "@media print"));
+  EXPECT_TRUE(holds(html, "name=\"viewport\""));
+}
+
+TEST_F(ReportHtml, SmallRecordsDoNotStopIt) {
+  EXPECT_TRUE(holds(reportHtml(StudyRecord{}, folder_), "No result has an error rate."));
+  StudyRecord record = recordWithPanel();
+  record.results.clear();
+  EXPECT_TRUE(holds(reportHtml(record, folder_), "<figure"));
+}
+
+TEST_F(ReportHtml, RefusesWhatItCannotShow) {
+  StudyRecord record = recordWithPanel();
+  const fs::path difference = folder_ / record.panels[0].pictures[4].path;
+  fs::remove(difference);
+  EXPECT_THROW(reportHtml(record, folder_), InputError);
+  writeTextAtomically(difference, "GIF89a");
+  EXPECT_THROW(reportHtml(record, folder_), InternalError);
+  record = sampleRecord();
+  record.cost[0].frameMs = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(reportHtml(record, folder_), InternalError);
+}
+
+TEST_F(ReportHtml, SameRecordSameBytes) {
+  const StudyRecord record = recordWithPanel();
+  EXPECT_EQ(reportHtml(record, folder_), reportHtml(record, folder_));
+}
+
+TEST(EscapeHtml, LeavesUtf8AndShowsWhereElseWas) {
+  EXPECT_EQ(escapeHtml("30° ≥ κ"), "30° ≥ κ");
+  EXPECT_EQ(escapeHtml(std::string("a\0b\x1b\tc\n", 7)), "a\uFFFDb\uFFFD\tc\n");
+  EXPECT_EQ(escapeHtml("\xff|\xc3(|\u202e|\xc2\x85"), "\uFFFD|\uFFFD(|\uFFFD|\uFFFD");
+  EXPECT_EQ(escapeHtml("<a href='x' title=\"y\">&"),
+            "&lt;a href=&#39;x&#39; title=&quot;y&quot;&gt;&amp;");
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,113 @@
+#include "report/plots/study_plots.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "common/error.h"
+#include "report/plots/bin_plot.h"
+#include "report/sample_record.h"
+
+namespace gnomon {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+BinRecord bin(const std::string& method, const std::string& view, std::optional<double> low,
+              std::optional<double> high, double wrong, std::size_t samples) {
+  return {method, view, "all", "elevation", low, high, test::countsOf(samples, wrong, 0)};
+}
+
+/// "best" has all four bins, "close" not the first; in the third none has a sample.
+StudyRecord plottedRecord() {
+  StudyRecord made = test::sampleRecord();
+  made.bins = {bin("best", "camera", {}, 0, 5, 100),    bin("best", "camera", 0, 10, 20, 200),
+               bin("best", "camera", 20, {}, 7, 700),   bin("close", "camera", 0, 10, 50, 200),
+               bin("close", "camera", 20, {}, 70, 700), bin("best", "atlas", 0, 10, 1, 10)};
+  return made;
+}
+
+TEST(BinPlot, DrawsEachBinsErrorAtItsPlace) {
+  const std::string script = binPlot(plottedRecord(), "elevation", "camera").commands;
+  EXPECT_THAT(script, HasSubstr("$m0 << EOD\n0 5\n1 10\n2 1\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$m1 << EOD\n0 NaN\n1 25\n2 10\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("set xtics ('0' 0.5, '10…20' 1.5)\n"));
+  EXPECT_THAT(script, HasSubstr("set x2tics ('10.0 %%' 0, '20.0 %%' 1, '70.0 %%' 2)\n"));
+  // Flips of 0.2 and 0.4 percent under the two lights.
+  EXPECT_THAT(script, HasSubstr("$truth << EOD\n-0.5 0.3\n2.5 0.3\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("degrees'"));
+}
+
+TEST(BinPlot, NamesTheViewsOfAnAxis) {
+  EXPECT_THAT(binAxes(plottedRecord()), ElementsAre("elevation"));
+  EXPECT_THAT(binViews(plottedRecord(), "elevation"), ElementsAre("camera", "atlas"));
+  EXPECT_TRUE(binViews(plottedRecord(), "nosuch").empty());
+}
+
+TEST(StudyPlots, AreNamedApartAndDrawn) {
+  std::vector<std::string> names;
+  for (const PlotSheet& sheet : studyPlots(plottedRecord())) {
+    names.push_back(sheet.name);
+    EXPECT_FALSE(sheet.about.empty());
+    EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
+  }
+  EXPECT_THAT(names, ElementsAre("error-by-elevation_camera", "error-by-elevation_atlas"));
+  EXPECT_TRUE(studyPlots(StudyRecord{}).empty());
+}
+
+TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const std::string here = pdfsOf({sheet}).front();
+  const char* before = std::getenv("TZ");
+  const std::string kept = before == nullptr ? "" : before;
+  ::setenv("TZ", "XYZ-05:30", 1);
+  const std::string elsewhere = pdfsOf({sheet}).front();
+  before == nullptr ? ::unsetenv("TZ") : ::setenv("TZ", kept.c_str(), 1);
+  EXPECT_TRUE(elsewhere == here);
+}
+
+TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const std::string pdf = pdfsOf({sheet}).front();
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  EXPECT_THAT(pdf, HasSubstr("%%EOF"));
+  EXPECT_THAT(pdf, HasSubstr("/Count 1"));
+  EXPECT_THAT(pdf, HasSubstr("/CreationDate (D:19700101000000"));
+  // 1000 pixels at 144 an inch are 500 points; 560 are 280.
+  EXPECT_THAT(pdf, HasSubstr("/MediaBox [ 0 0 500 280 ]"));
+  ::sleep(1);  // what a date would tell apart
+  EXPECT_EQ(pdf, pdfsOf({sheet}).front());
+  EXPECT_EQ(svgOf(sheet), svgOf(sheet));
+  EXPECT_THAT(svgOf(sheet), HasSubstr("<title>Error by light over the tangent plane"));
+}
+
+/// One gnuplot draws all: nothing that one plot sets reaches the next.
+TEST(PlotSheet, PdfIsTheSameBesideOthers) {
+  const PlotSheet meddler{
+      "x",
+      "x",
+      "x",
+      300,
+      200,
+      "set logscale xy\nset key off\nset border 15 lc rgb '#ff0000'\nset xrange [2:3]\n"
+      "set format x '%.9f'\nset style data lines\nset multiplot layout 1,2\n"
+      "set encoding iso_8859_1\n"
+      "$bins << EOD\n1 2\nEOD\nplot x\nplot x\nunset multiplot\n"};
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet};
+  const std::vector<std::string> pdfs = pdfsOf(beside);
+  ASSERT_EQ(pdfs.size(), 4U);
+  for (const std::size_t i : {0U, 1U, 2U, 3U}) {
+    EXPECT_EQ(pdfs[i], pdfsOf({beside[i]}).front()) << i;
+  }
+}
+
+TEST(PlotSheet, ErrorsAreGnuplots) {
+  EXPECT_THROW((void)pdfsOf({{"x", "x", "x", 100, 100, "plot nosuch$(\n"}}), InternalError);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,571 @@
+#include "study/judge/claims.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "study/judge/distinguish.h"
+#include "study/record/result_metrics.h"
+
+namespace gnomon {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// 10,000 samples, 30 % shadow in the truth, with a given error rate, all of it false light.
+Counts withErrorRate(double rate) {
+  constexpr double samples = 10'000;
+  const double wrong = rate * samples;
+  return {0.3 * samples - wrong, 0, wrong, 0.7 * samples, static_cast<std::size_t>(samples)};
+}
+
+/// Gives a record the intervals of its error rates: as wide as is asked for on either side.
+void measureIntervals(StudyRecord& record, double half) {
+  record.confidence.clear();
+  record.differences.clear();
+  std::vector<ResultRecord> rows;
+  for (const ResultRecord& result : record.results) {
+    if (result.region == "all") rows.push_back(result);
+  }
+  double gains = 0;
+  double uncertainties = 0;
+  for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
+    const ResultRecord& first = rows[i];
+    const std::array<double, 2> rates = {metricOf(first, "error_rate").value.value_or(0),
+                                         metricOf(rows[i + 1], "error_rate").value.value_or(0)};
+    const auto around = [&](double value) { return Interval{value - half, value + half}; };
+    const auto flip =
+        std::find_if(record.truth.flips.begin(), record.truth.flips.end(),
+                     [&](const UncertaintyRecord& found) { return found.light == first.light; });
+    const double uncertainty =
+        flip == record.truth.flips.end() ? record.truth.uncertainty : flip->flipRate;
+    const double difference = rates[0] - rates[1];
+    gains += difference / (static_cast<double>(rows.size()) / 2);
+    uncertainties += uncertainty / (static_cast<double>(rows.size()) / 2);
+    record.confidence.push_back(
+        {"new", "camera", first.light, rates[0], around(rates[0]), "", 81, 12});
+    record.confidence.push_back(
+        {"old", "camera", first.light, rates[1], around(rates[1]), "", 81, 12});
+    record.differences.push_back({"camera", first.light, "new", "old", difference,
+                                  around(difference), "", uncertainty,
+                                  verdictOn(difference, around(difference), uncertainty)});
+  }
+  const Interval all{gains - half, gains + half};
+  record.differences.push_back({"camera", "all", "new", "old", gains, all, "", uncertainties,
+                                verdictOn(gains, all, uncertainties)});
+}
+
+/// A study whose methods `new` and `old` have given error rates, one pair a light; intervals are
+/// narrow.
+StudyRecord study(const std::string& name, const std::vector<std::pair<double, double>>& rates,
+                  double uncertainty) {
+  StudyRecord record;
+  record.name = name;
+  record.truth.uncertainty = uncertainty;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const std::string light = "light " + std::to_string(i);
+    record.truth.flips.push_back({"camera", light, uncertainty});
+    record.results.push_back({"new", light, "camera", "all", withErrorRate(rates[i].first)});
+    record.results.push_back({"old", light, "camera", "all", withErrorRate(rates[i].second)});
+    // Regions must not be judged: here the other order holds.
+    record.results.push_back({"new", light, "camera", "cast", withErrorRate(0.25)});
+    record.results.push_back({"old", light, "camera", "cast", withErrorRate(0.0)});
+  }
+  measureIntervals(record, 1e-6);
+  return record;
+}
+
+ClaimSpec newIsBetter(const std::string& gainExceeds = {}) {
+  return {"The new method is better", "§4", "new", "old", "error_rate", gainExceeds};
+}
+
+ClaimRecord judge(const ClaimSpec& claim, const std::vector<StudyRecord>& run,
+                  std::size_t own = 0) {
+  const auto records = judgeClaims({claim}, run, own);
+  EXPECT_EQ(records.size(), 1U);
+  EXPECT_EQ(records.at(0).text, claim.text);
+  EXPECT_EQ(records.at(0).source, claim.source);
+  return records.at(0);
+}
+
+// ---- one method against another
+
+TEST(Claims, HoldWhereSmallerEverywhereByMoreThanTheUncertainty) {
+  const ClaimRecord record = judge(newIsBetter(), {study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::held);
+  EXPECT_THAT(
+      record.detail,
+      HasSubstr("error_rate of new smaller than of old: holds for all lights together; holds "
+                "under 2 of 2 lights, fails under 0; "
+                "ratio 0.39 (0.38 to 0.40)"));
+  EXPECT_THAT(record.detail, HasSubstr("mean difference 4.00 points"));
+}
+
+TEST(Claims, FailWhereLargerSomewhereByMoreThanTheUncertainty) {
+  const ClaimRecord record = judge(newIsBetter(), {study("s", {{0.02, 0.08}, {0.06, 0.03}}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::failed);
+  EXPECT_THAT(record.detail,
+              HasSubstr("holds under 1 of 2 lights, fails under 1; ratio 1.12 (0.25 to 2.00)"));
+}
+
+TEST(Claims, AreNotDistinguishableWithinTheUncertainty) {
+  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.03, 0.035}}, 0.01)}).verdict,
+            Verdict::notDistinguishable)
+      << "smaller, but by less than the truth's own error";
+  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.035, 0.03}}, 0.01)}).verdict,
+            Verdict::notDistinguishable)
+      << "larger, but by less than the truth's own error";
+  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.02, 0.031}, {0.03, 0.035}}, 0.01)}).verdict,
+            Verdict::notDistinguishable)
+      << "by 0.008 on average";
+  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.03, 0.03}}, 0)}).verdict,
+            Verdict::notDistinguishable)
+      << "equal";
+}
+
+TEST(Claims, AreJudgedByTheUncertaintyOfTheirOwnLight) {
+  StudyRecord record = study("s", {{0.02, 0.05}, {0.02, 0.05}}, 0.04);
+  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::notDistinguishable);
+  // The largest uncertainty stays; that of each light is less than its difference.
+  for (UncertaintyRecord& flip : record.truth.flips) flip.flipRate = 0.01;
+  measureIntervals(record, 1e-6);
+  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::held);
+  // A light without its own is judged by the largest.
+  record.truth.flips.pop_back();
+  measureIntervals(record, 1e-6);
+  EXPECT_EQ(judge(newIsBetter(), {record}).spread->held, 1U);
+}
+
+TEST(Claims, HoldForTheMeanOfAllLightsThoughNotUnderEach) {
+  // Under the second light it cannot be told; on average it is 0.0175.
+  const ClaimRecord record =
+      judge(newIsBetter(), {study("s", {{0.02, 0.05}, {0.03, 0.035}}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::held);
+  EXPECT_EQ(record.spread->together, Verdict::held);
+  EXPECT_EQ(record.spread->held, 1U);
+  EXPECT_EQ(record.spread->failed, 0U);
+  EXPECT_THAT(record.detail,
+              HasSubstr("holds for all lights together; holds under 1 of 2 lights, fails under 0"));
+  // However good on average, a light under which it fails is not passed over.
+  const ClaimRecord mixed = judge(newIsBetter(), {study("s", {{0.02, 0.25}, {0.05, 0.035}}, 0.01)});
+  EXPECT_EQ(mixed.spread->together, Verdict::held);
+  EXPECT_EQ(mixed.verdict, Verdict::failed);
+  EXPECT_THAT(mixed.detail,
+              HasSubstr("holds for all lights together; holds under 1 of 2 lights, fails under 1"));
+  // It may fail on average though under no light by itself.
+  StudyRecord wide = study("s", {{0.05, 0.02}, {0.05, 0.02}}, 0.01);
+  measureIntervals(wide, 0.04);
+  wide.differences.back().interval = Interval{0.02, 0.04};
+  wide.differences.back().verdict = DifferenceVerdict::worse;
+  EXPECT_EQ(judge(newIsBetter(), {wide}).spread->failed, 0U);
+  EXPECT_EQ(judge(newIsBetter(), {wide}).verdict, Verdict::failed);
+  // One light says all.
+  EXPECT_FALSE(judge(newIsBetter(), {study("s", {{0.02, 0.05}}, 0.01)}).spread->together);
+}
+
+TEST(Claims, OfBoundsHoldForTheMeanOfAllLightsThoughNotUnderEach) {
+  ClaimSpec claim{"Below 0.05", "§4", "", "", "error_rate", ""};
+  claim.method = "new";
+  claim.below = 0.05;
+  StudyRecord record = study("s", {{0.02, 0.1}, {0.045, 0.1}}, 0.01);
+  record.confidence.push_back({"new", "camera", "all", 0.0325, Interval{0.03, 0.04}, "", 81, 12});
+  const ClaimRecord judged = judge(claim, {record});
+  EXPECT_EQ(judged.spread->held, 1U);
+  EXPECT_EQ(judged.verdict, Verdict::held);
+  record.confidence.back().interval->high = 0.051;
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  record.confidence.back().interval.reset();
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+}
+
+TEST(Claims, AreNotEvaluatedWithoutFigures) {
+  EXPECT_EQ(judge(newIsBetter(), {study("s", {}, 0.01)}).verdict, Verdict::notEvaluated);
+  StudyRecord empty = study("s", {{0.02, 0.05}}, 0.01);
+  for (ResultRecord& result : empty.results) result.counts = {};
+  const ClaimRecord record = judge(newIsBetter(), {empty});
+  EXPECT_EQ(record.verdict, Verdict::notEvaluated);
+  EXPECT_THAT(record.detail, HasSubstr("error_rate is not defined for new and old"));
+}
+
+TEST(Claims, SpeakOfAnyMetric) {
+  ClaimSpec claim = newIsBetter();
+  claim.metric = "iou";
+  // The truth's shadow is 0.3; all errors are false light: iou = 1 - rate / 0.3.
+  EXPECT_EQ(judge(claim, {study("s", {{0.06, 0.03}}, 0.01)}).verdict, Verdict::held);
+  EXPECT_EQ(judge(claim, {study("s", {{0.03, 0.06}}, 0.01)}).verdict, Verdict::failed);
+}
+
+TEST(Claims, SpeakOfTheirRegion) {
+  ClaimSpec claim = newIsBetter();
+  claim.region = "cast";
+  const ClaimRecord record = judge(claim, {study("s", {{0.02, 0.05}}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::failed) << "there the other order holds";
+  EXPECT_THAT(record.detail,
+              HasSubstr("than of old in the region cast: holds under 0 of 1 light, fails under 1"));
+}
+
+TEST(Claims, TakeAllFlipsToLieInTheRegion) {
+  // 0.01 of all samples flip; with a tenth of them in the region, that may be 0.1 of these.
+  ClaimSpec claim = newIsBetter();
+  claim.region = "cast";
+  std::swap(claim.less, claim.than);
+  StudyRecord record = study("s", {{0.02, 0.05}}, 0.01);
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::held) << "0.25 is more than 0.01";
+  for (ResultRecord& result : record.results) {
+    if (result.region == "cast") result.counts.samples /= 10;
+  }
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::held) << "and than 0.1";
+  for (UncertaintyRecord& flip : record.truth.flips) flip.flipRate = 0.03;
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable) << "not than 0.3";
+}
+
+TEST(Claims, NeedAnIntervalWithoutZero) {
+  StudyRecord record = study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.001);
+  measureIntervals(record, 0.045);
+  const ClaimRecord one = judge(newIsBetter(), {record});
+  EXPECT_EQ(one.verdict, Verdict::notDistinguishable) << "0.04 on average is less than 0.045";
+  EXPECT_EQ(one.spread->held, 1U);
+  EXPECT_EQ(one.spread->notDistinguishable(), 1U);
+  ClaimSpec reverse = newIsBetter();
+  std::swap(reverse.less, reverse.than);
+  EXPECT_EQ(judge(reverse, {record}).verdict, Verdict::failed) << "under the second light";
+  measureIntervals(record, 0.06);
+  EXPECT_EQ(judge(reverse, {record}).verdict, Verdict::notDistinguishable);
+  measureIntervals(record, 0.02);
+  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::held);
+  record.differences.back().interval.reset();
+  record.differences.back().verdict = DifferenceVerdict::notDistinguishable;
+  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::notDistinguishable)
+      << "an interval was refused";
+}
+
+TEST(Claims, TellHowTheyFareOverManyLights) {
+  const StudyRecord record = study(
+      "s", {{0.012, 0.1}, {0.024, 0.1}, {0.0312, 0.1}, {0.04, 0.1}, {0.2, 0.1}, {0.1, 0.1}}, 0.001);
+  const ClaimRecord judged = judge(newIsBetter(), {record});
+  EXPECT_EQ(judged.verdict, Verdict::failed);
+  ASSERT_TRUE(judged.spread);
+  EXPECT_EQ(judged.spread->cases, 6U);
+  EXPECT_EQ(judged.spread->held, 4U);
+  EXPECT_EQ(judged.spread->failed, 1U);
+  EXPECT_EQ(judged.spread->notDistinguishable(), 1U);
+  EXPECT_EQ(judged.spread->quantity, "ratio");
+  EXPECT_TRUE(judged.spread->hasIntervals);
+  const Quartiles& ratios = *judged.spread->quartiles;
+  EXPECT_NEAR(ratios.least, 0.12, 1e-12);
+  EXPECT_NEAR(ratios.first, 0.258, 1e-12);
+  EXPECT_NEAR(ratios.median, 0.356, 1e-12);
+  EXPECT_NEAR(ratios.third, 0.85, 1e-12);
+  EXPECT_NEAR(ratios.most, 2, 1e-12);
+  EXPECT_THAT(judged.detail, HasSubstr("holds under 4 of 6 lights, fails under 1; ratio 0.36 (0.12 "
+                                       "to 2.00, quartiles 0.26 and 0.85)"));
+}
+
+TEST(Claims, HaveNoRatioToNoErrorAtAll) {
+  const ClaimRecord judged = judge(newIsBetter(), {study("s", {{0.02, 0.0}}, 0.001)});
+  EXPECT_EQ(judged.verdict, Verdict::failed);
+  EXPECT_FALSE(judged.spread->quartiles);
+  EXPECT_THAT(judged.detail, HasSubstr("fails under 1; mean difference"));
+}
+
+TEST(Claims, SayCasesWhereThereAreSeveralViews) {
+  StudyRecord record = study("s", {{0.02, 0.05}}, 0.01);
+  for (ResultRecord& result : study("s", {{0.02, 0.05}}, 0.01).results) {
+    result.view = "atlas";
+    record.results.push_back(result);
+  }
+  EXPECT_THAT(judge(newIsBetter(), {record}).detail,
+              HasSubstr("holds in 1 of 2 cases, fails in 0"));
+}
+
+// ---- lengths
+
+/// A study whose method `new` has given length ratios, one a light; `old` none at all.
+StudyRecord lengthStudy(const std::vector<double>& ratios, std::optional<double> lengthError) {
+  std::vector<std::pair<double, double>> rates(ratios.size(), {0.02, 0.05});
+  StudyRecord record = study("s", rates, 0.5);
+  for (UncertaintyRecord& flip : record.truth.flips) flip.lengthError = lengthError;
+  std::size_t next = 0;
+  for (ResultRecord& result : record.results) {
+    if (result.method != "new" || result.region != "all") continue;
+    const double ratio = ratios[next++];
+    result.lengths = ShadowLengths{100, ratio, ratio - 0.1, ratio + 0.1, 8.0};
+  }
+  return record;
+}
+
+ClaimSpec newIsBetween(std::optional<double> above, std::optional<double> below) {
+  ClaimSpec claim{"As long as the truth's", "§4", "", "", "shadow_length_ratio", ""};
+  claim.method = "new";
+  claim.above = above;
+  claim.below = below;
+  return claim;
+}
+
+TEST(Claims, BetweenBoundsHoldWhereWithinEverywhere) {
+  const ClaimRecord record =
+      judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.03, 0.97}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::held);
+  EXPECT_THAT(record.detail,
+              HasSubstr("shadow_length_ratio of new between 0.95 and 1.05: holds under "
+                        "3 of 3 lights, fails under 0; value 1.00 (0.97 to 1.03); "
+                        "no interval exists for it"));
+}
+
+TEST(Claims, BetweenBoundsFailWhereOutsideSomewhere) {
+  const ClaimRecord above = judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.2, 0.97}, 0.01)});
+  EXPECT_EQ(above.verdict, Verdict::failed);
+  EXPECT_THAT(above.detail,
+              HasSubstr("holds under 2 of 3 lights, fails under 1; value 1.00 (0.97 to 1.20)"));
+  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 0.8}, 0.01)}).verdict,
+            Verdict::failed);
+}
+
+TEST(Claims, NearABoundAreNotDistinguishable) {
+  for (const double ratio : {0.945, 0.955, 1.045, 1.055}) {
+    EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.01)}).verdict,
+              Verdict::notDistinguishable)
+        << ratio;
+    EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.0)}).verdict,
+              ratio > 0.95 && ratio < 1.05 ? Verdict::held : Verdict::failed)
+        << ratio << ", by an exact truth";
+  }
+  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.05}, 0.0)}).verdict,
+            Verdict::notDistinguishable)
+      << "on the bound itself";
+}
+
+TEST(Claims, MayHaveOneBoundAlone) {
+  EXPECT_EQ(judge(newIsBetween(1.05, {}), {lengthStudy({1.1, 9}, 0.01)}).verdict, Verdict::held);
+  EXPECT_EQ(judge(newIsBetween(1.05, {}), {lengthStudy({1.1, 1}, 0.01)}).verdict, Verdict::failed);
+  EXPECT_EQ(judge(newIsBetween({}, 1.05), {lengthStudy({1, 0}, 0.01)}).verdict, Verdict::held);
+  EXPECT_THAT(judge(newIsBetween({}, 1.05), {lengthStudy({1, 2}, 0.01)}).detail,
+              HasSubstr("of new below 1.05: holds under 1 of 2 lights, fails under 1"));
+}
+
+TEST(Claims, SayWhereTheMetricIsNotDefined) {
+  StudyRecord record = lengthStudy({1.0, 1.02}, 0.01);
+  record.results.front().lengths = ShadowLengths{};
+  const ClaimRecord judged = judge(newIsBetween(0.95, 1.05), {record});
+  EXPECT_EQ(judged.verdict, Verdict::held);
+  EXPECT_THAT(
+      judged.detail,
+      HasSubstr("holds under 1 of 1 light, fails under 0; value 1.02, not defined in 1 more"));
+  ClaimSpec old = newIsBetween(0.95, 1.05);
+  old.method = "old";
+  EXPECT_EQ(judge(old, {record}).verdict, Verdict::notEvaluated);
+  EXPECT_THAT(judge(old, {record}).detail, HasSubstr("shadow_length_ratio is not defined for old"));
+}
+
+TEST(Claims, AboutRatesBetweenBoundsGoByTheFlips) {
+  ClaimSpec claim = newIsBetween({}, 0.05);
+  claim.metric = "error_rate";
+  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::held);
+  EXPECT_EQ(judge(claim, {study("s", {{0.045, 0.1}}, 0.01)}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judge(claim, {study("s", {{0.2, 0.1}}, 0.01)}).verdict, Verdict::failed);
+  StudyRecord wide = study("s", {{0.02, 0.1}}, 0.01);
+  measureIntervals(wide, 0.04);
+  EXPECT_EQ(judge(claim, {wide}).verdict, Verdict::notDistinguishable) << "and by the interval";
+  wide.confidence[0].interval.reset();
+  EXPECT_EQ(judge(claim, {wide}).verdict, Verdict::notDistinguishable);
+  claim.region = "cast";
+  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::failed);
+}
+
+TEST(Claims, OrderLengthsByTheTruthsOwnLengths) {
+  StudyRecord record = lengthStudy({1.0, 1.02}, 0.01);
+  for (ResultRecord& result : record.results) {
+    if (result.method == "old" && result.region == "all") {
+      result.lengths = ShadowLengths{100, 1.1, 1.0, 1.2, 8.0};
+    }
+  }
+  ClaimSpec claim = newIsBetter();
+  claim.metric = "shadow_length_ratio";
+  const ClaimRecord judged = judge(claim, {record});
+  EXPECT_EQ(judged.verdict, Verdict::held) << "though half of the samples flip";
+  EXPECT_THAT(judged.detail, HasSubstr("mean difference 0.090"));
+  for (UncertaintyRecord& flip : record.truth.flips) flip.lengthError = 0.09;
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+}
+
+// ---- boundaries
+
+/// A study whose methods `new` and `old` have given values of one boundary metric under one light,
+/// where the coarser truth has the value `truths`.
+StudyRecord boundaryStudy(std::string_view metric, double ofNew, double ofOld,
+                          std::optional<double> truths) {
+  StudyRecord record = study("s", {{0.02, 0.05}}, 0.5);
+  record.truth.flips[0].boundaries = {{metric, truths, {}}};
+  record.results[0].boundaries = {{metric, ofNew, {}}};
+  record.results[1].boundaries = {{metric, ofOld, {}}};
+  return record;
+}
+
+TEST(Claims, OrderBoundariesByTheTruthsOwn) {
+  ClaimSpec claim = newIsBetter();
+  claim.metric = "assd";
+  const ClaimRecord judged = judge(claim, {boundaryStudy("assd", 0.5, 0.75, 0.125)});
+  EXPECT_EQ(judged.verdict, Verdict::held) << "though half of the samples flip";
+  EXPECT_THAT(judged.detail, HasSubstr("mean difference 0.250"));
+  EXPECT_EQ(judge(claim, {boundaryStudy("assd", 0.5, 0.75, 0.25)}).verdict,
+            Verdict::notDistinguishable);
+  EXPECT_EQ(judge(claim, {boundaryStudy("assd", 0.75, 0.5, 0.125)}).verdict, Verdict::failed);
+
+  claim.metric = "surface_dice_2";
+  EXPECT_EQ(judge(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.875)}).verdict,
+            Verdict::held);
+  EXPECT_EQ(judge(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.75)}).verdict,
+            Verdict::notDistinguishable);
+}
+
+TEST(Claims, TellNoBoundariesApartWithoutTheTruthsOwn) {
+  ClaimSpec claim = newIsBetter();
+  claim.metric = "hd95";
+  StudyRecord record = boundaryStudy("hd95", 1, 100, {});
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  record.truth.flips.clear();
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  record.results[0].boundaries[0].value.reset();
+  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notEvaluated);
+}
+
+// ---- across studies
+
+TEST(Claims, CompareGainsAcrossStudies) {
+  // Mean gains: 5 points here, 1 there; the uncertainties sum to 2.
+  const StudyRecord here = study("here", {{0.02, 0.06}, {0.02, 0.08}}, 0.01);
+  const StudyRecord there = study("there", {{0.02, 0.03}}, 0.01);
+  const ClaimRecord record = judge(newIsBetter("there"), {here, there});
+  EXPECT_EQ(record.verdict, Verdict::held);
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.00 points in there"));
+  EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::failed);
+}
+
+TEST(Claims, DoNotDistinguishGainsWithinBothUncertainties) {
+  const StudyRecord here = study("here", {{0.02, 0.06}}, 0.02);
+  const StudyRecord there = study("there", {{0.02, 0.03}}, 0.02);
+  // 3 points apart, 4 uncertain.
+  EXPECT_EQ(judge(newIsBetter("there"), {here, there}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::notDistinguishable);
+}
+
+/// Gains of 5 and 1 points: 4 apart. Halves of 3 and 2 come to √13 = 3.6, of 3 and 3 to 4.2.
+TEST(Claims, CompareGainsByTheIntervalsOfBoth) {
+  StudyRecord here = study("here", {{0.02, 0.07}}, 0.001);
+  StudyRecord there = study("there", {{0.02, 0.03}}, 0.001);
+  measureIntervals(here, 0.03);
+  measureIntervals(there, 0.02);
+  const ClaimRecord sure = judge(newIsBetter("there"), {here, there});
+  EXPECT_EQ(sure.verdict, Verdict::held);
+  EXPECT_THAT(sure.detail, HasSubstr("95 % interval of their difference 0.39 to 7.61 points"));
+  EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::failed);
+  measureIntervals(there, 0.03);
+  EXPECT_EQ(judge(newIsBetter("there"), {here, there}).verdict, Verdict::notDistinguishable);
+  there.differences.back().interval.reset();
+  const ClaimRecord unknown = judge(newIsBetter("there"), {here, there});
+  EXPECT_EQ(unknown.verdict, Verdict::notDistinguishable);
+  EXPECT_THAT(unknown.detail, HasSubstr("their difference has no interval"));
+}
+
+TEST(Claims, CompareGainsWithThoseOfASweep) {
+  // Mean gains: 5 points here; 1 and 2, on average 1.5, there.
+  const StudyRecord here = study("here", {{0.02, 0.07}}, 0.01);
+  const std::vector<StudyRecord> run = {here, study("there/1", {{0.02, 0.03}}, 0.01),
+                                        study("there/2.5", {{0.02, 0.04}}, 0.01),
+                                        study("thereabouts", {{0.02, 0.22}}, 0.01)};
+  const ClaimRecord record = judge(newIsBetter("there"), run);
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.50 points in there"));
+}
+
+TEST(Claims, AboutAStudyThatWasNotRunAreNotEvaluatedAndSayWhatToRun) {
+  const ClaimRecord record = judge(newIsBetter("other"), {study("s", {{0.02, 0.05}}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::notEvaluated);
+  EXPECT_THAT(record.detail, HasSubstr("needs the study other in the same run"));
+}
+
+TEST(Claims, AboutAStudyWithoutTheMethodsAreNotEvaluated) {
+  const ClaimRecord record =
+      judge(newIsBetter("other"), {study("s", {{0.02, 0.05}}, 0.01), study("other", {}, 0.01)});
+  EXPECT_EQ(record.verdict, Verdict::notEvaluated);
+  EXPECT_THAT(record.detail, HasSubstr("other has no results of new and old"));
+}
+
+TEST(Claims, AreJudgedInTheirOrder) {
+  ClaimSpec reverse = newIsBetter();
+  std::swap(reverse.less, reverse.than);
+  const std::vector<StudyRecord> run = {study("s", {{0.02, 0.05}}, 0.01)};
+  const auto records = judgeClaims({newIsBetter(), reverse}, run, 0);
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[0].verdict, Verdict::held);
+  EXPECT_EQ(records[1].verdict, Verdict::failed);
+}
+
+// ---- over the values of a sweep
+
+SweepRecord sweepOf(const std::vector<StudyRecord>& steps) {
+  SweepRecord sweep;
+  sweep.key = "surface.curvature";
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    sweep.values.push_back(0.5 * static_cast<double>(i));
+  }
+  sweep.steps = steps;
+  return sweep;
+}
+
+ClaimRecord judgeGrowth(const std::vector<StudyRecord>& steps) {
+  ClaimSpec claim = newIsBetter();
+  claim.gainGrows = true;
+  return judgeSweepClaims({claim}, sweepOf(steps)).at(0);
+}
+
+TEST(SweepClaims, GainsGrowFromTheFirstValueToTheLast) {
+  // 1, 0 and 5 points; 4 more at the last than at the first, 3 uncertain.
+  const std::vector<StudyRecord> steps = {study("a", {{0.02, 0.03}, {0.04, 0.05}}, 0.01),
+                                          study("b", {{0.03, 0.03}}, 0.01),
+                                          study("c", {{0.02, 0.06}, {0.02, 0.08}}, 0.02)};
+  const ClaimRecord record = judgeGrowth(steps);
+  EXPECT_EQ(record.verdict, Verdict::held);
+  EXPECT_THAT(record.detail, HasSubstr("5.00 points at surface.curvature = 1, 1.00 points at 0"));
+  EXPECT_EQ(judgeGrowth({steps[2], steps[1], steps[0]}).verdict, Verdict::failed);
+}
+
+TEST(SweepClaims, GainsWithinBothUncertaintiesAreNotDistinguishable) {
+  const std::vector<StudyRecord> steps = {study("a", {{0.02, 0.03}}, 0.02),
+                                          study("b", {{0.02, 0.06}}, 0.02)};
+  EXPECT_EQ(judgeGrowth(steps).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeGrowth({study("a", {}, 0.01), steps[1]}).verdict, Verdict::notEvaluated);
+  EXPECT_EQ(judgeGrowth({steps[1], study("a", {}, 0.01)}).verdict, Verdict::notEvaluated);
+}
+
+TEST(SweepClaims, AGainThatGrowsIsNotEvaluatedInASingleStudy) {
+  ClaimSpec claim = newIsBetter();
+  claim.gainGrows = true;
+  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.05}}, 0.01)}).verdict, Verdict::notEvaluated);
+}
+
+ClaimRecord judgeVerdicts(const std::vector<Verdict>& verdicts) {
+  std::vector<StudyRecord> steps;
+  for (const Verdict verdict : verdicts) {
+    steps.emplace_back();
+    steps.back().claims = {{"another", "", Verdict::failed, ""}, {"c", "", verdict, ""}};
+  }
+  return judgeSweepClaims({newIsBetter(), newIsBetter()}, sweepOf(steps)).at(1);
+}
+
+TEST(SweepClaims, OtherClaimsMustHoldAtEveryValue) {
+  using V = Verdict;
+  const V unsure = V::notDistinguishable;
+  EXPECT_EQ(judgeVerdicts({V::held, V::held}).verdict, V::held);
+  EXPECT_EQ(judgeVerdicts({V::held, unsure}).verdict, unsure);
+  EXPECT_EQ(judgeVerdicts({V::notEvaluated, unsure}).verdict, unsure);
+  EXPECT_EQ(judgeVerdicts({V::held, V::notEvaluated}).verdict, V::notEvaluated);
+  const ClaimRecord record = judgeVerdicts({V::held, V::failed, unsure, V::held});
+  EXPECT_EQ(record.verdict, V::failed);
+  EXPECT_EQ(record.detail,
+            "surface.curvature: held at 0, 1.5; failed at 0.5; not distinguishable at 1");
+  EXPECT_EQ(record.text, newIsBetter().text);
+}
+
+}  // namespace
+}  // namespace gnomon

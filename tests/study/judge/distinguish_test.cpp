@@ -1,0 +1,97 @@
+#include "study/judge/distinguish.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon {
+namespace {
+
+TEST(VerdictOn, NeedsAnIntervalWithoutZeroAndMoreThanTheTruthsError) {
+  EXPECT_EQ(verdictOn(-0.02, Interval{-0.03, -0.01}, 0.01), DifferenceVerdict::better);
+  EXPECT_EQ(verdictOn(0.02, Interval{0.01, 0.03}, 0.01), DifferenceVerdict::worse);
+  EXPECT_EQ(verdictOn(0.02, Interval{-0.01, 0.03}, 0), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(verdictOn(0.02, Interval{0, 0.03}, 0), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(verdictOn(0.02, Interval{0.01, 0.03}, 0.02), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(verdictOn(-0.02, Interval{-0.03, -0.01}, 0.02), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(verdictOn(0.5, std::nullopt, 0), DifferenceVerdict::notDistinguishable);
+}
+
+TEST(VerdictByTruth, AsksForMoreThanTheTruthsErrorAlone) {
+  EXPECT_EQ(verdictByTruth(-0.02, 0.01), DifferenceVerdict::better);
+  EXPECT_EQ(verdictByTruth(0.02, 0.01), DifferenceVerdict::worse);
+  EXPECT_EQ(verdictByTruth(0.01, 0.01), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(verdictByTruth(0, 0), DifferenceVerdict::notDistinguishable);
+}
+
+DifferenceRecord row(const std::string& view, const std::string& light, double difference,
+                     std::optional<Interval> interval, double uncertainty) {
+  return {view,
+          light,
+          "a",
+          "b",
+          difference,
+          interval,
+          interval ? "" : "too few",
+          uncertainty,
+          verdictOn(difference, interval, uncertainty)};
+}
+
+/// Two views under two lights.
+StudyRecord twoViews() {
+  StudyRecord record;
+  for (const char* view : {"atlas", "camera"}) {
+    for (const char* light : {"all", "noon", "dusk"}) {
+      record.confidence.push_back({"a", view, light, 0.1, Interval{0.08, 0.12}, "", 81, 12});
+    }
+  }
+  record.differences = {row("atlas", "all", 0.03, Interval{0.02, 0.04}, 0.001),
+                        row("atlas", "noon", 0.05, Interval{0.03, 0.07}, 0.001),
+                        row("atlas", "dusk", 0.01, Interval{-0.01, 0.03}, 0.001),
+                        row("camera", "all", 0.01, Interval{-0.03, 0.05}, 0.003)};
+  return record;
+}
+
+TEST(DifferenceOf, TurnsADifferenceAsAsked) {
+  const StudyRecord record = twoViews();
+  EXPECT_EQ(differenceOf(record, "atlas", "noon", "a", "b")->difference, 0.05);
+  const auto turned = differenceOf(record, "atlas", "noon", "b", "a");
+  ASSERT_TRUE(turned);
+  EXPECT_EQ(turned->first, "b");
+  EXPECT_EQ(turned->difference, -0.05);
+  EXPECT_EQ(turned->interval->low, -0.07);
+  EXPECT_EQ(turned->interval->high, -0.03);
+  EXPECT_EQ(turned->verdict, DifferenceVerdict::better);
+  EXPECT_FALSE(differenceOf(record, "camera", "noon", "a", "b")) << "measured for all alone";
+  EXPECT_FALSE(differenceOf(record, "atlas", "noon", "a", "c"));
+}
+
+TEST(DifferenceOf, TakesTheOnlyLightOfAStudyForAllOfThem) {
+  StudyRecord record = twoViews();
+  std::erase_if(record.confidence, [](const auto& c) { return c.light != "all"; });
+  EXPECT_EQ(differenceOf(record, "atlas", "noon", "a", "b")->difference, 0.03);
+  EXPECT_EQ(findConfidence(record, "atlas", "noon", "a")->light, "all");
+  EXPECT_EQ(findConfidence(twoViews(), "atlas", "noon", "a")->light, "noon");
+  EXPECT_FALSE(findConfidence(twoViews(), "atlas", "noon", "b"));
+}
+
+TEST(DifferenceOverViews, IsTheMeanWithTheMeanOfTheEnds) {
+  StudyRecord record = twoViews();
+  const auto mean = differenceOverViews(record, "a", "b");
+  ASSERT_TRUE(mean);
+  EXPECT_DOUBLE_EQ(mean->difference, 0.02);
+  EXPECT_NEAR(mean->interval->low, -0.005, 1e-15);
+  EXPECT_NEAR(mean->interval->high, 0.045, 1e-15);
+  EXPECT_DOUBLE_EQ(mean->uncertainty, 0.002);
+  EXPECT_EQ(mean->verdict, DifferenceVerdict::notDistinguishable);
+  EXPECT_DOUBLE_EQ(differenceOverViews(record, "b", "a")->difference, -0.02);
+  record.differences[3] = row("camera", "all", 0.01, Interval{-0.01, 0.03}, 0.003);
+  EXPECT_EQ(differenceOverViews(record, "a", "b")->verdict, DifferenceVerdict::worse);
+  EXPECT_EQ(differenceOverViews(record, "b", "a")->verdict, DifferenceVerdict::better);
+  record.differences[3] = row("camera", "all", 0.5, std::nullopt, 0.003);
+  EXPECT_FALSE(differenceOverViews(record, "a", "b")->interval);
+  EXPECT_EQ(differenceOverViews(record, "a", "b")->reason, "too few");
+  EXPECT_EQ(differenceOverViews(record, "a", "b")->verdict, DifferenceVerdict::notDistinguishable);
+  EXPECT_FALSE(differenceOverViews(record, "a", "c"));
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,220 @@
+#include "study/run/scene/light_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/camera.h"
+#include "surface/base_mesh.h"
+#include "truth/shadow_tracer.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::cubeCage;
+using test::lightToward;
+using test::stepRelief;
+
+/// The samples that an atlas of a grid chart has, by its description.
+SampleGrid atlasSamples(const LimitSurface& surface, const RenderView& view) {
+  const int columns = surface.grid().value().columns;
+  const int side = view.width / columns;
+  SampleGrid grid{view.width, view.height, {}};
+  for (int row = 0; row < view.height; ++row) {
+    const int up = view.height - 1 - row;
+    for (int column = 0; column < view.width; ++column) {
+      grid.samples.push_back({up / side * columns + column / side,
+                              (static_cast<float>(column % side) + 0.5F) / static_cast<float>(side),
+                              (static_cast<float>(up % side) + 0.5F) / static_cast<float>(side)});
+    }
+  }
+  return grid;
+}
+
+/// Samples here and there on all faces.
+SampleGrid scatteredSamples(const LimitSurface& surface) {
+  SampleGrid grid{surface.faceCount(), 1, {}};
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    const auto share = [face](int k) { return static_cast<float>((face * k + 3) % 17 + 1) / 19; };
+    grid.samples.push_back({face, share(5), share(7)});
+  }
+  return grid;
+}
+
+/// Where a camera shows a point, in columns and rows, by its axes.
+Vec2 pixelOf(const Camera& camera, const Vec3& point) {
+  const CameraAxes axis = axes(camera);
+  const Vec3 to = point - camera.eye;
+  const double scale = camera.height / (2 * std::tan(camera.verticalFov / 2));
+  const Vec2 offset =
+      Vec2(glm::dot(to, axis.right), -glm::dot(to, axis.up)) / -glm::dot(to, axis.back) * scale;
+  return offset + Vec2(camera.width, camera.height) / 2.0;
+}
+
+/// The direction in which shadows fall at a point, unit.
+Vec3 fallDirection(const LimitPoint& point, const Vec3& light) {
+  const Vec3 normal = outwardNormal(point);
+  return glm::normalize(glm::cross(normal, glm::cross(normal, light)));
+}
+
+Camera obliqueCamera() {
+  Camera camera;
+  camera.eye = {40, -90, 160};
+  camera.target = {3, 0, 30};
+  camera.width = 300;
+  camera.height = 200;
+  return camera;
+}
+
+TEST(LightField, IsTheMotionOfThePictureInACamera) {
+  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  const Camera camera = obliqueCamera();
+  const RenderView view = cameraView(camera, makeBaseMesh(surface, Vec2(1), 1));
+  const SampleGrid samples = scatteredSamples(surface);
+  const Vec3 light = lightToward(35, 40);
+  const LightField field = makeLightField(surface, view, samples, light);
+  ASSERT_EQ(field.steps.size(), samples.samples.size());
+  EXPECT_EQ(field.width, samples.width);
+  EXPECT_EQ(field.height, 1);
+  EXPECT_EQ(field.tileSide, 0);
+  int defined = 0;
+  for (std::size_t i = 0; i < field.steps.size(); ++i) {
+    const LightStep& step = field.steps[i];
+    const SurfaceSample& sample = samples.samples[i];
+    const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+    if (step.away == glm::vec2(0)) continue;
+    ++defined;
+    EXPECT_NEAR(glm::length(step.away), 1, 1e-6);
+    // Half a step on and back by the camera's own axes.
+    const Vec3 half = 0.005 * static_cast<double>(step.length) * fallDirection(point, light);
+    const Vec2 motion =
+        (pixelOf(camera, point.position + half) - pixelOf(camera, point.position - half)) / 0.01;
+    EXPECT_NEAR(glm::distance(motion, Vec2(step.away)), 0, 1e-4);
+    EXPECT_NEAR(glm::distance(Vec3(step.place), point.position), 0, 1e-5);
+  }
+  EXPECT_GT(defined, 200);
+}
+
+TEST(LightField, IsTheMotionOfTheParametersInAnAtlas) {
+  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  constexpr int side = 8;
+  const RenderView view = atlasView(surface, side);
+  const SampleGrid samples = scatteredSamples(surface);
+  const Vec3 light = lightToward(-70, 50);
+  const LightField field = makeLightField(surface, view, samples, light);
+  int defined = 0;
+  for (std::size_t i = 0; i < field.steps.size(); ++i) {
+    const LightStep& step = field.steps[i];
+    if (step.away == glm::vec2(0)) continue;
+    ++defined;
+    const SurfaceSample& sample = samples.samples[i];
+    const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+    // A hundredth of a step there and back: columns along s, rows against t.
+    const Vec2 move = 0.01 * Vec2(step.away.x, -step.away.y) / double{side};
+    const auto at = [&](double sign) {
+      return surface
+          .evaluate(sample.face, sample.s + sign * move.x / 2, sample.t + sign * move.y / 2)
+          .position;
+    };
+    const Vec3 motion = (at(1) - at(-1)) / (0.01 * static_cast<double>(step.length));
+    EXPECT_NEAR(glm::distance(motion, fallDirection(point, light)), 0, 1e-3);
+  }
+  EXPECT_GT(defined, 200);
+}
+
+TEST(LightField, HasNoDirectionWhereShadowsHaveNone) {
+  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  const RenderView view = atlasView(surface, 8);
+  SampleGrid samples = scatteredSamples(surface);
+  samples.samples[7].face = -1;
+  const Vec3 light = lightToward(20, 25);
+  const LightField field = makeLightField(surface, view, samples, light);
+  int turned = 0;
+  for (std::size_t i = 0; i < field.steps.size(); ++i) {
+    const SurfaceSample& sample = samples.samples[i];
+    if (sample.face < 0) continue;
+    const Vec3 normal = outwardNormal(surface.evaluate(sample.face, sample.s, sample.t));
+    EXPECT_EQ(field.steps[i].away == glm::vec2(0), glm::dot(normal, light) <= 0);
+    turned += glm::dot(normal, light) <= 0 ? 1 : 0;
+  }
+  EXPECT_GT(turned, 20);
+  EXPECT_EQ(field.steps[7].away, glm::vec2(0));
+  // Straight from above nothing is cast.
+  const LimitSurface plane(makePlane(8, 8, 2, 2));
+  for (const LightStep& step :
+       makeLightField(plane, atlasView(plane, 4), scatteredSamples(plane), {0, 0, 1}).steps) {
+    EXPECT_EQ(step.away, glm::vec2(0));
+  }
+}
+
+TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
+  const LimitSurface plane(makePlane(8, 4, 2, 2));
+  const RenderView view = atlasView(plane, 4);  // samples 1 apart along x, ½ along y
+  const SampleGrid samples = atlasSamples(plane, view);
+  for (const LightStep& step : makeLightField(plane, view, samples, lightToward(30, 45)).steps) {
+    EXPECT_NEAR(step.reach, 3 * (1 + 0.5), 1e-5);
+  }
+  Camera camera;
+  camera.eye = {0, 0, 100};
+  camera.height = 50;
+  const double pixel = 2 * 100 * std::tan(camera.verticalFov / 2) / camera.height;
+  const RenderView above = cameraView(camera, makeBaseMesh(plane, Vec2(1), 1));
+  for (const LightStep& step : makeLightField(plane, above, samples, lightToward(30, 45)).steps) {
+    EXPECT_NEAR(step.reach, 3 * 2 * pixel, 1e-4);
+    EXPECT_NEAR(step.length, pixel, 1e-5);
+  }
+}
+
+TEST(LightField, HasTilesWhereTheChartIsNoGrid) {
+  const LimitSurface cube(cubeCage());
+  const RenderView view = atlasView(cube, 6);
+  EXPECT_EQ(makeLightField(cube, view, scatteredSamples(cube), lightToward(30, 45)).tileSide, 6);
+  Camera camera = obliqueCamera();
+  const RenderView seen = cameraView(camera, makeBaseMesh(cube, Vec2(1), 1));
+  EXPECT_EQ(makeLightField(cube, seen, scatteredSamples(cube), lightToward(30, 45)).tileSide, 0);
+  const LimitSurface plane(makePlane(8, 4, 2, 2));
+  EXPECT_EQ(makeLightField(plane, atlasView(plane, 6), scatteredSamples(plane), {0, 0, 1}).tileSide,
+            0);
+}
+
+// ---- through the truth, to a closed form
+
+/// A block 20 × 12 texels wide and 5 high on a plane of one unit a texel: its rim is at the centres
+/// of its outermost texels, and beyond it every line is in shadow for height / tan(elevation).
+class BlockShadow : public testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(BlockShadow, IsAsLongAsTheTangentOfTheLightSays) {
+  const auto [azimuth, elevation] = GetParam();
+  constexpr double height = 5;
+  const LimitSurface surface(makePlane(96, 64, 24, 16));
+  const Relief relief = stepRelief(
+      96, 64, height, [](int i, int j) { return i >= 38 && i < 58 && j >= 26 && j < 38; });
+  const MicroMesh mesh(surface, relief, {0.25, 0});
+  const MicroScene scene(mesh);
+  constexpr int side = 24;  // six samples a unit
+  const RenderView view = atlasView(surface, side);
+  const SampleGrid samples = atlasSamples(surface, view);
+  const Vec3 light = lightToward(azimuth, elevation);
+  const Truth truth = traceShadows(surface, relief, mesh, scene, samples, {light, 1000, 1e-6});
+  const ShadowLengths found =
+      compareShadowLengths(truth.mask, truth.mask, makeLightField(surface, view, samples, light));
+  ASSERT_TRUE(found.truthLength) << found.runs;
+  EXPECT_NEAR(*found.truthLength, height / std::tan(radians(elevation)), 1.0 / 6);
+  EXPECT_EQ(found.ratio, 1);
+  // The rim has a line a sample of its width across the light; the slopes around it, a texel on
+  // each side, have shorter ones.
+  const auto across = [turn = azimuth](double width, double depth) {
+    return width * std::abs(std::sin(radians(turn))) + depth * std::abs(std::cos(radians(turn)));
+  };
+  EXPECT_GT(found.runs, 6 * across(19, 11));
+  EXPECT_LT(found.runs, 6 * across(21, 13) * (1 + std::sqrt(2) / 34));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lights, BlockShadow,
+                         testing::Values(std::pair{0.0, 45.0}, std::pair{90.0, 30.0},
+                                         std::pair{200.0, 35.0}, std::pair{-55.0, 30.0},
+                                         std::pair{135.0, 60.0}, std::pair{270.0, 25.0}));
+
+}  // namespace
+}  // namespace gnomon

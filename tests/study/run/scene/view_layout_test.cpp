@@ -1,0 +1,106 @@
+#include "study/run/scene/view_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/camera.h"
+#include "surface/base_mesh.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon {
+namespace {
+
+using test::cubeCage;
+
+constexpr int width = 30;
+constexpr int height = 20;
+constexpr int cut = 14;  ///< the last column before the break
+
+/// What a camera straight above the middle of a plane 100 wide and 60 high sees, a hundredth of it
+/// a pixel: the right part as if it were moved by some pixels.
+SampleGrid pixelsOfPlane(int shift) {
+  SampleGrid grid{width, height, {}};
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const double x = column - width / 2 + 0.5 + (column > cut ? shift : 0);
+      const double y = height / 2 - row - 0.5;
+      grid.samples.push_back(
+          {0, static_cast<float>(0.5 + x / 100), static_cast<float>(0.5 + y / 60)});
+    }
+  }
+  return grid;
+}
+
+SampleLayout layoutInCamera(const SampleGrid& samples) {
+  const LimitSurface plane(makePlane(100, 60, 1, 1));
+  Camera camera;
+  camera.width = width;
+  camera.height = height;
+  // A pixel is one unit.
+  camera.eye = {0, 0, height / (2 * std::tan(camera.verticalFov / 2))};
+  const RenderView view = cameraView(camera, makeBaseMesh(plane, Vec2(1), 1));
+  return makeSampleLayout(plane, Vec2(7), view, samples);
+}
+
+TEST(ViewLayout, IsAnImageWithoutBreaksInACamera) {
+  const SampleLayout layout = layoutInCamera(pixelsOfPlane(0));
+  EXPECT_EQ(layout.columnStep, 1);
+  EXPECT_EQ(layout.rowStep, 1);
+  EXPECT_EQ(layout.tileSide, 0);
+  ASSERT_EQ(layout.breaks.size(), std::size_t{width * height});
+  EXPECT_EQ(std::count(layout.breaks.begin(), layout.breaks.end(), 0), width * height);
+}
+
+TEST(ViewLayout, BreaksWhereTheSurfaceLeapsInACamera) {
+  // Neighbours reach 3 × (1 + 1) pixels.
+  for (const int shift : {4, 6, -8, 20}) {
+    const SampleLayout layout = layoutInCamera(pixelsOfPlane(shift));
+    const bool leaps = std::abs(shift + 1) > 6;
+    for (std::size_t i = 0; i < layout.breaks.size(); ++i) {
+      EXPECT_EQ(layout.breaks[i], leaps && i % width == cut ? breakRight : 0) << shift << ", " << i;
+    }
+  }
+}
+
+TEST(ViewLayout, BreaksBetweenRowsToo) {
+  SampleGrid samples = pixelsOfPlane(0);
+  for (std::size_t i = width * 5; i < samples.samples.size(); ++i) samples.samples[i].t -= 0.25F;
+  const SampleLayout layout = layoutInCamera(samples);
+  for (std::size_t i = 0; i < layout.breaks.size(); ++i) {
+    EXPECT_EQ(layout.breaks[i], i / width == 4 ? breakBelow : 0) << i;
+  }
+}
+
+TEST(ViewLayout, KnowsNothingOfWhatIsNotShown) {
+  SampleGrid samples = pixelsOfPlane(20);
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    if (i % width == cut) samples.samples[i].face = -1;
+  }
+  const SampleLayout layout = layoutInCamera(samples);
+  EXPECT_EQ(std::count(layout.breaks.begin(), layout.breaks.end(), 0), width * height);
+}
+
+TEST(ViewLayout, OfAnAtlasIsInTexels) {
+  // A face has 400 / 10 by 60 / 6 texels.
+  const LimitSurface plane(makePlane(100, 60, 10, 6));
+  const SampleLayout layout = makeSampleLayout(plane, Vec2(400, 60), atlasView(plane, 8), {});
+  EXPECT_NEAR(layout.columnStep, 40 / 8.0, 1e-12);
+  EXPECT_NEAR(layout.rowStep, 10 / 8.0, 1e-12);
+  EXPECT_EQ(layout.tileSide, 0);
+  EXPECT_TRUE(layout.breaks.empty());
+  // A sphere's faces differ in size but not in texels.
+  const LimitSurface sphere(makeSphere(60, 1.6, 1.2, 20, 15));
+  const SampleLayout round = makeSampleLayout(sphere, Vec2(128, 64), atlasView(sphere, 3), {});
+  EXPECT_NEAR(round.columnStep, 128 / 20.0 / 3, 1e-9);
+  EXPECT_NEAR(round.rowStep, 64 / 15.0 / 3, 1e-9);
+}
+
+TEST(ViewLayout, HasTilesWhereTheChartIsNoGrid) {
+  const LimitSurface cube(cubeCage());
+  EXPECT_EQ(makeSampleLayout(cube, Vec2(64), atlasView(cube, 6), {}).tileSide, 6);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,118 @@
+#include "study/run/stages/confidence.h"
+
+#include <gtest/gtest.h>
+
+#include "common/error.h"
+#include "compare/random_errors.h"
+#include "study/judge/distinguish.h"
+
+namespace gnomon {
+namespace {
+
+constexpr int maskSide = 144;
+
+/// Methods whose errors are the level sets of fields with much in common, under two lights.
+ViewErrors someErrors() {
+  const Mask truth{maskSide, maskSide,
+                   std::vector<Shade>(std::size_t{maskSide} * maskSide, Shade::lit)};
+  ViewErrors errors{"camera", chooseTiling(truth), {"noon", "evening"}, {}};
+  test::RandomFields fields(maskSide, 1, 5);
+  const std::vector<float> common = fields.next();
+  const auto add = [&](const std::string& method, double noon, double evening) {
+    MethodErrors made{method, {}};
+    for (const double rate : {noon, evening}) {
+      const Mask mask = test::errorMask(test::mixed(common, fields.next(), 0.7), maskSide,
+                                        test::ErrorShape::blobs, rate);
+      made.lights.push_back(blockErrors(mask, truth, errors.tiling.cellSide));
+    }
+    errors.methods.push_back(made);
+  };
+  add("rough", 0.2, 0.3);
+  add("fine", 0.02, 0.03);
+  add("close", 0.02, 0.03);
+  return errors;
+}
+
+TEST(ConfidenceOf, SpeaksOfAllLightsAndOfEach) {
+  const ViewErrors errors = someErrors();
+  const std::vector<ConfidenceRecord> records = confidenceOf(errors);
+  ASSERT_EQ(records.size(), 9U);
+  EXPECT_EQ(records[0].method, "rough");
+  EXPECT_EQ(records[0].view, "camera");
+  EXPECT_EQ(records[0].light, "all");
+  EXPECT_EQ(records[1].light, "noon");
+  EXPECT_EQ(records[2].light, "evening");
+  EXPECT_EQ(records[3].method, "fine");
+  EXPECT_DOUBLE_EQ(records[0].rate, (records[1].rate + records[2].rate) / 2);
+  EXPECT_DOUBLE_EQ(records[1].rate, errors.methods[0].lights[0].rate());
+  for (const ConfidenceRecord& record : records) {
+    ASSERT_TRUE(record.interval) << record.reason;
+    EXPECT_TRUE(record.interval->holds(record.rate));
+    EXPECT_EQ(record.reason, "");
+    EXPECT_EQ(record.blocks, 144U);
+    EXPECT_EQ(record.blockSide, 12);
+  }
+  const Interval alone = *rateConfidence(errors.methods[0].lights[1], errors.tiling).interval;
+  EXPECT_EQ(records[2].interval->low, alone.low);
+  EXPECT_EQ(records[2].interval->high, alone.high);
+}
+
+TEST(ConfidenceOf, OneLightIsAllOfThem) {
+  ViewErrors errors = someErrors();
+  errors.lights = {"noon"};
+  for (MethodErrors& method : errors.methods) method.lights.pop_back();
+  const std::vector<ConfidenceRecord> records = confidenceOf(errors);
+  ASSERT_EQ(records.size(), 3U);
+  for (const ConfidenceRecord& record : records) EXPECT_EQ(record.light, "all");
+}
+
+TEST(DifferencesOf, ComparesEachMethodWithEveryLaterOne) {
+  const ViewErrors errors = someErrors();
+  const std::vector<ConfidenceRecord> rates = confidenceOf(errors);
+  const std::vector<DifferenceRecord> records = differencesOf(errors, {0.0005, 0.0015});
+  ASSERT_EQ(records.size(), 9U) << "all lights, then each";
+  EXPECT_EQ(records[0].first, "rough");
+  EXPECT_EQ(records[0].second, "fine");
+  EXPECT_EQ(records[1].second, "close");
+  EXPECT_EQ(records[2].first, "fine");
+  EXPECT_EQ(records[2].second, "close");
+  EXPECT_DOUBLE_EQ(records[0].difference, rates[0].rate - rates[3].rate);
+  EXPECT_EQ(records[0].verdict, DifferenceVerdict::worse);
+  EXPECT_EQ(records[2].verdict, DifferenceVerdict::notDistinguishable);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const DifferenceRecord& record = records[i];
+    EXPECT_EQ(record.view, "camera");
+    EXPECT_EQ(record.light, i < 3 ? "all" : i < 6 ? "noon" : "evening");
+    EXPECT_DOUBLE_EQ(record.uncertainty, i < 3 ? 0.001 : i < 6 ? 0.0005 : 0.0015);
+    ASSERT_TRUE(record.interval) << record.reason;
+    EXPECT_TRUE(record.interval->holds(record.difference));
+    EXPECT_EQ(record.verdict, verdictOn(record.difference, record.interval, record.uncertainty));
+  }
+  EXPECT_DOUBLE_EQ(records[0].difference, (records[3].difference + records[6].difference) / 2);
+  BlockErrors first = errors.methods[0].lights[0];
+  BlockErrors second = errors.methods[1].lights[0];
+  first += errors.methods[0].lights[1];
+  second += errors.methods[1].lights[1];
+  EXPECT_EQ(records[0].interval->low,
+            differenceConfidence(first, second, errors.tiling).interval->low);
+}
+
+TEST(DifferencesOf, OneLightIsAllOfThem) {
+  ViewErrors errors = someErrors();
+  errors.lights = {"noon"};
+  for (MethodErrors& method : errors.methods) method.lights.pop_back();
+  const std::vector<DifferenceRecord> records = differencesOf(errors, {0.001});
+  ASSERT_EQ(records.size(), 3U);
+  for (const DifferenceRecord& record : records) EXPECT_EQ(record.light, "all");
+}
+
+TEST(DifferencesOf, WithinTheTruthsUncertaintySaysNothing) {
+  const std::vector<DifferenceRecord> sure = differencesOf(someErrors(), {0.1, 0.1});
+  EXPECT_EQ(sure[0].verdict, DifferenceVerdict::worse);
+  const std::vector<DifferenceRecord> unsure = differencesOf(someErrors(), {0.3, 0.3});
+  EXPECT_EQ(unsure[0].verdict, DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(unsure[0].difference, sure[0].difference);
+}
+
+}  // namespace
+}  // namespace gnomon

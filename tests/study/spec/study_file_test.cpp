@@ -1,0 +1,238 @@
+#include "study/spec/study_file.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "image/formats/image_library.h"
+#include "study/spec/study_file_fixture.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// ---- what a study says
+
+TEST_F(StudyFile, HoldsWhatItSays) {
+  const StudySpec study = read(plainStudy);
+  EXPECT_EQ(study.name, "plain");
+  EXPECT_EQ(study.title, "Columns on a plane");
+  EXPECT_EQ(study.source, "a test");
+  EXPECT_EQ(study.relief.field.width(), 64);
+  EXPECT_EQ(study.relief.field.height(), 32);
+  EXPECT_EQ(study.relief.space, HeightSpace::world);
+  ASSERT_EQ(study.views.size(), 2U);
+  const Camera& camera = std::get<Camera>(study.views[0].kind);
+  EXPECT_EQ(study.views[0].name, "camera");
+  EXPECT_EQ(camera.width, 200);
+  EXPECT_EQ(camera.eye, Vec3(0, 0, 90));
+  EXPECT_EQ(study.views[1].name, "atlas");
+  EXPECT_EQ(std::get<AtlasSpec>(study.views[1].kind).samplesPerSide, 8);
+  ASSERT_EQ(study.methods.size(), 2U);
+  EXPECT_EQ(study.methods[0].label, "max-forsyth");
+  EXPECT_EQ(study.methods[1].label, "ours");
+  EXPECT_EQ(study.methods[1].file.filename(), "onoue-2004.glsl");
+}
+
+TEST_F(StudyFile, SearchesOccludersAsFarAsTheLongestShadowUnlessTold) {
+  const StudySpec study = read(plainStudy);
+  EXPECT_EQ(study.bake.settings.radiusTexels, std::ceil(4 / std::tan(radians(30.0))));
+  EXPECT_EQ(study.methods[0].bake.settings.radiusTexels, study.bake.settings.radiusTexels);
+  EXPECT_EQ(study.radius.bound, RadiusBound::leaves);
+  // The longest of all lights.
+  EXPECT_EQ(readWith({"light.0.elevation=[60, 15]"}).bake.settings.radiusTexels,
+            std::ceil(4 / std::tan(radians(15.0))));
+  const StudySpec stated = readWith({"bake.radius=12.5"});
+  EXPECT_EQ(stated.bake.settings.radiusTexels, 12.5);
+  EXPECT_EQ(stated.radius.bound, RadiusBound::stated);
+  EXPECT_EQ(stated.radius.texels, 12.5);
+}
+
+TEST_F(StudyFile, EndsAMapWithAnOpenPatch) {
+  EXPECT_EQ(read(plainStudy).relief.field.border(), (Border{true, true}));
+  EXPECT_EQ(readWith({"relief.repeats=[2, 1]"}).relief.field.border(), (Border{false, true}));
+}
+
+TEST_F(StudyFile, WrapsAndRepeatsOnceUnlessTold) {
+  const StudySpec standard = read(plainStudy);
+  EXPECT_EQ(standard.relief.field.wrap(), Wrap::repeat);
+  EXPECT_EQ(standard.relief.repeats, Vec2(1));
+  const StudySpec told = readWith({"relief.wrap=clamp", "relief.repeats=[2, 3.5]"});
+  EXPECT_EQ(told.relief.field.wrap(), Wrap::clamp);
+  EXPECT_EQ(told.relief.repeats, Vec2(2, 3.5));
+}
+
+TEST_F(StudyFile, EveryShapeAndPatternCanBeAskedFor) {
+  const char* bSpline =
+      R"({shape="b-spline", columns=4, points=[[0,0,0],[1,0,0],[2,0,0],[3,0,0],[0,1,0],[1,1,0],)"
+      R"([2,1,0],[3,1,0],[0,2,0],[1,2,0],[2,2,0],[3,2,0],[0,3,0],[1,3,0],[2,3,0],[3,3,0]]})";
+  for (const char* shape : {R"({shape="plane", quads=[2, 3], size=[9, 9]})",
+                            R"({shape="cylinder", quads=[12, 2], size=[9, 9], curvature=0.1})",
+                            R"({shape="sphere", quads=[20, 20], size=[9, 9], curvature=0.1})",
+                            R"({shape="torus", quads=[60, 80], major=4, minor=1})", bSpline}) {
+    EXPECT_FALSE(readWith({std::string("surface=") + shape}).cage.faceVertices.empty()) << shape;
+  }
+  for (const char* pattern :
+       {R"(pattern="columns", radius=3, wall=2, period=8)", R"(pattern="cosine", period=8)",
+        R"(pattern="cells", period=8, jitter=0.5, groove=1, seed=3)",
+        R"(pattern="ripples", period=8, windward=0.7, meander=2)"}) {
+    const StudySpec study = readWith({std::string("relief={texels=[16, 16], height=5, "
+                                                  "height_space=\"texture\", ") +
+                                      pattern + "}"});
+    EXPECT_GT(study.relief.field.maximum(), 2) << pattern;
+    EXPECT_LE(study.relief.field.maximum(), 5) << pattern;
+  }
+}
+
+TEST_F(StudyFile, ReadsAHeightImageBesideIt) {
+  const std::array<float, 2> heights = {0.25F, 1.0F};
+  const auto image =
+      imageLibrary().createExr(file("map.exr"), {2, 1, {"Y"}, NumberType::float32, {}});
+  image->writeRows(0, 1, NumberType::float32, heights.data());
+  image->close();
+  const StudySpec study = readWith({R"(relief={image="map.exr", height=8, height_space="world"})"});
+  EXPECT_EQ(study.relief.field.width(), 2);
+  EXPECT_EQ(study.relief.field.texel(0, 0), 2);
+  EXPECT_EQ(study.relief.field.texel(1, 0), 8);
+}
+
+// ---- lights
+
+TEST_F(StudyFile, LightsPointWhereTheyAreSaidTo) {
+  const StudySpec study = readWith({"light.0.azimuth=90", "light.0.elevation=30"});
+  const Vec3 direction = study.lights.at(0).direction();
+  EXPECT_NEAR(glm::length(direction - Vec3(0, std::sqrt(0.75), 0.5)), 0, 1e-15);
+  EXPECT_NEAR(glm::length(readWith({"light.0.elevation=90"}).lights[0].direction() - Vec3(0, 0, 1)),
+              0, 1e-15);
+}
+
+TEST_F(StudyFile, ASweepIsEveryElevationWithEveryAzimuth) {
+  const StudySpec study =
+      readWith({"light.0.azimuth=[0, 120, 240]", "light.0.elevation=[60, 12.5]"});
+  ASSERT_EQ(study.lights.size(), 6U);
+  EXPECT_EQ(study.lights[0].name, "elevation 60° azimuth 0°");
+  EXPECT_EQ(study.lights[1].name, "elevation 12.5° azimuth 0°");
+  EXPECT_EQ(study.lights[5].name, "elevation 12.5° azimuth 240°");
+  EXPECT_NEAR(study.lights[5].azimuth, radians(240), 1e-15);
+  EXPECT_NEAR(study.lights[5].elevation, radians(12.5), 1e-15);
+}
+
+TEST_F(StudyFile, OneLightMayHaveAName) {
+  EXPECT_EQ(readWith({"light.0.name=dusk"}).lights.at(0).name, "dusk");
+  EXPECT_EQ(readWith({"light.0.name=dusk", "light.0.elevation=[30]"}).lights.at(0).name, "dusk");
+  EXPECT_THAT(failureWith({"light.0.name=dusk", "light.0.elevation=[30, 20]"}),
+              HasSubstr("light.0.name: a sweep of lights names itself"));
+}
+
+// ---- methods
+
+TEST_F(StudyFile, MethodsOverrideTheStudysBakeAndBase) {
+  const StudySpec study = readWith(
+      {"bake={azimuths=16, bits=16, radius=20}", "base.subdivisions=3", "method.1.bake.azimuths=4",
+       "method.1.base.subdivisions=2", "method.1.filter=hardware", "method.1.name=relief-march",
+       "method.1.parameters.steps=7", "base.curvature=vertices", "method.1.base.curvature=limit"});
+  const MethodSpec& first = study.methods[0];
+  EXPECT_EQ(first.bake.settings.azimuths, 16);
+  EXPECT_EQ(first.bake.bits, TableBits::sixteen);
+  EXPECT_EQ(first.baseSubdivisions, 3);
+  EXPECT_EQ(first.baseCurvature, CurvatureSource::vertices);
+  EXPECT_EQ(first.filter, TableFilter::exact);
+  EXPECT_TRUE(first.parameters.empty());
+  const MethodSpec& second = study.methods[1];
+  EXPECT_EQ(second.bake.settings.azimuths, 4);
+  EXPECT_EQ(second.bake.settings.radiusTexels, 20);
+  EXPECT_EQ(second.bake.bits, TableBits::sixteen);
+  EXPECT_EQ(second.baseSubdivisions, 2);
+  EXPECT_EQ(second.baseCurvature, CurvatureSource::limit);
+  EXPECT_EQ(second.filter, TableFilter::hardware);
+  EXPECT_EQ(second.parameters, (std::map<std::string, double>{{"steps", 7}}));
+}
+
+TEST_F(StudyFile, AMethodMayBeAFileBesideIt) {
+  fs::create_directory(folder() / "own");
+  std::ofstream(folder() / "own/mine.glsl")
+      << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\nazimuths = 8\nsubdivisions = 5\n*/\n"
+         "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n";
+  const StudySpec study = readWith(
+      {R"(method=[{file="own/mine.glsl"},{file="own/mine.glsl",label="b",bake={azimuths=12}}])"});
+  EXPECT_EQ(study.methods[0].file, folder() / "own/mine.glsl");
+  EXPECT_EQ(study.methods[0].label, "mine");
+  // What its authors state comes before the study's own, and an override before that.
+  EXPECT_EQ(study.methods[0].bake.settings.azimuths, 8);
+  EXPECT_EQ(study.methods[0].baseSubdivisions, 5);
+  EXPECT_EQ(study.methods[1].bake.settings.azimuths, 12);
+}
+
+TEST_F(StudyFile, OnlyTheMethodsAskedForStay) {
+  const std::string text = std::string(plainStudy) + R"(
+[[threshold]]
+method = "max-forsyth"
+max = 0.5
+[[threshold]]
+method = "ours"
+max = 0.1
+[[threshold]]
+max = 0.9
+[[claim]]
+text = "better"
+source = "here"
+less = "ours"
+than = "max-forsyth"
+)";
+  const StudySpec byLabel = read(text, {{}, {"ours"}, false});
+  ASSERT_EQ(byLabel.methods.size(), 1U);
+  EXPECT_EQ(byLabel.methods[0].label, "ours");
+  EXPECT_TRUE(byLabel.claims.empty());
+  ASSERT_EQ(byLabel.thresholds.size(), 2U);
+  EXPECT_EQ(byLabel.thresholds[0].method, "ours");
+  EXPECT_EQ(byLabel.thresholds[1].method, "");
+  EXPECT_EQ(read(text, {{}, {"onoue-2004"}, false}).methods.at(0).label, "ours") << "by its name";
+  EXPECT_EQ(read(text, {{}, {"ours", "max-forsyth"}, false}).claims.size(), 1U);
+  EXPECT_THAT(failure<UsageError>(text, {{}, {"ours", "ous"}, false}),
+              StartsWith("--method ous: plain.toml has max-forsyth, ours"));
+}
+
+// ---- quick
+
+TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
+  const StudySpec full = read(plainStudy);
+  const StudySpec quick = read(plainStudy, {{"truth.step=0.125", "view.0.height=3"}, {}, true});
+  EXPECT_EQ(std::get<Camera>(quick.views[0].kind).width, 50);
+  EXPECT_EQ(std::get<Camera>(quick.views[0].kind).height, 1) << "never none";
+  EXPECT_EQ(std::get<AtlasSpec>(quick.views[1].kind).samplesPerSide, 3)
+      << "odd, near a quarter of 8";
+  EXPECT_EQ(quick.truth.stepTexels, 0.5);
+  EXPECT_EQ(16 * quick.truth.leastTriangles, full.truth.leastTriangles);
+  EXPECT_FALSE(full.truth.stepTexels);
+  const StudySpec wanted = read(plainStudy, {{"truth.uncertainty=0.001"}, {}, true});
+  EXPECT_EQ(wanted.truthUncertainty, 0.004) << "four times the step is as much less certain";
+}
+
+TEST_F(StudyFile, TheTruthHasAStepOrAnUncertainty) {
+  EXPECT_FALSE(read(plainStudy).truthUncertainty);
+  EXPECT_EQ(readWith({"truth.uncertainty=0.001"}).truthUncertainty, 0.001);
+  EXPECT_EQ(failure(std::string(plainStudy) + "[truth]\nstep = 0.25\nuncertainty = 0.001\n"),
+            "plain.toml:39: truth.uncertainty: `step` found beside it, one of the two expected");
+  EXPECT_THAT(failureWith({"truth.uncertainty=0"}), HasSubstr("truth.uncertainty: 0 found"));
+  EXPECT_THAT(failureWith({"truth.uncertainty=2"}), HasSubstr("truth.uncertainty: 2 found"));
+}
+
+// ---- the studies that come with the program
+
+TEST(Scenes, CanAllBeRead) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(GNOMON_SCENES)) {
+    if (entry.path().extension() != ".toml") continue;
+    ++count;
+    StudySpec study = readStudy(entry.path());
+    EXPECT_EQ(study.name, entry.path().stem().string());
+    EXPECT_FALSE(study.claims.empty() && study.thresholds.empty()) << entry.path();
+  }
+  EXPECT_GE(count, 3);
+}
+
+}  // namespace
+}  // namespace gnomon

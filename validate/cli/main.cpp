@@ -1,6 +1,0 @@
-#include "cli/command_line.h"
-#include "viewer/open_viewer.h"
-
-int main(int argc, char** argv) {
-  return gnomon::runCommandLine(argc, argv, gnomon::openViewer);
-}

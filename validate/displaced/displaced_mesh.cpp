@@ -1,0 +1,99 @@
+#include "displaced/displaced_mesh.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "common/parallel.h"
+#include "common/system/memory.h"
+#include "surface/shared_vertices.h"
+
+namespace gnomon {
+namespace {
+
+/// One side of a triangle: its ends by the number that coinciding vertices share, the lower first.
+struct Side {
+  std::uint32_t low, high;
+  std::uint32_t triangle;
+  std::uint32_t corner;  ///< the side runs from this corner to the next
+
+  friend bool operator<(const Side& a, const Side& b) {
+    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+  }
+  [[nodiscard]] bool meets(const Side& other) const {
+    return low == other.low && high == other.high;
+  }
+};
+
+std::vector<Side> sortedSides(const BaseMesh& mesh, const std::vector<std::uint32_t>& shared) {
+  std::vector<Side> sides;
+  sides.reserve(mesh.triangles.size());
+  for (std::uint32_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t a = shared[mesh.triangles[3 * triangle + corner]];
+      const std::uint32_t b = shared[mesh.triangles[3 * triangle + (corner + 1) % 3]];
+      sides.push_back({std::min(a, b), std::max(a, b), triangle, corner});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> triangleAdjacency(const BaseMesh& mesh,
+                                             const std::vector<std::uint32_t>& shared) {
+  std::vector<std::uint32_t> adjacency(2 * mesh.triangles.size());
+  const auto opposite = [&mesh](const Side& side) {
+    return mesh.triangles[3 * side.triangle + (side.corner + 2) % 3];
+  };
+  const auto put = [&](const Side& side, std::uint32_t vertex) {
+    adjacency[6 * side.triangle + 2 * side.corner] =
+        mesh.triangles[3 * side.triangle + side.corner];
+    adjacency[6 * side.triangle + 2 * side.corner + 1] = vertex;
+  };
+  const std::vector<Side> sides = sortedSides(mesh, shared);
+  for (std::size_t i = 0; i < sides.size();) {
+    // The cage has at most two faces an edge, so that an edge has one or two sides.
+    const bool pair = i + 1 < sides.size() && sides[i].meets(sides[i + 1]);
+    put(sides[i], opposite(sides[pair ? i + 1 : i]));
+    if (pair) put(sides[i + 1], opposite(sides[i]));
+    i += pair ? 2 : 1;
+  }
+  return adjacency;
+}
+
+DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relief,
+                                int subdivisions) {
+  DisplacedMesh result;
+  result.mesh = makeBaseMesh(surface, relief.texelsPerUv(), subdivisions);
+  BaseMesh& mesh = result.mesh;
+  requireMemory(static_cast<double>(mesh.triangles.size()) * (sizeof(Side) + 12),
+                fmt::format("a displaced mesh of {} triangles", mesh.triangleCount()));
+  parallelFor(0, mesh.vertices.size(), [&](std::size_t i) {
+    BaseVertex& v = mesh.vertices[i];
+    const bool defined = v.px != Vec3(0) || v.py != Vec3(0);
+    v.position = displaced(relief, {v.position, v.normal, v.px, v.py, v.texel, defined});
+  });
+  std::vector<std::uint32_t> shared(mesh.vertices.size());
+  std::iota(shared.begin(), shared.end(), 0U);
+  const int lines = subdivisions + 1;
+  forEachSharedVertex(
+      surface,
+      [lines](std::size_t face) {
+        return FaceGrid{static_cast<std::uint32_t>(face) * static_cast<std::uint32_t>(lines) *
+                            static_cast<std::uint32_t>(lines),
+                        lines, lines};
+      },
+      [&](std::size_t first, std::size_t vertex) {
+        mesh.vertices[vertex].position = mesh.vertices[first].position;
+        shared[vertex] = static_cast<std::uint32_t>(first);
+      });
+  result.adjacency = triangleAdjacency(mesh, shared);
+  return result;
+}
+
+}  // namespace gnomon

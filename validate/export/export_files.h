@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "displaced/welded_mesh.h"
+#include "report/run_folder.h"
+#include "study/run/scene/run_scene.h"
+#include "study/run/truth_study.h"
+
+namespace gnomon {
+
+/// The parts of an export that are pictures; `exportJson` tells what they hold. All are written
+/// whole or not at all.
+
+/// `samples/VIEW.exr` and `roi/VIEW.png`.
+std::string sampleMapFile(const CaseNames& names, std::size_t view);
+std::string roiFile(const CaseNames& names, std::size_t view);
+
+/// Writes the height map as `heights.exr`, channel `height`, in height units; the first row is the
+/// one with the largest v.
+void writeHeights(RunFolder& folder, const HeightField& field);
+
+/// Writes a sample map for every view of the standard base, whose truths are not needed. Channels:
+///   face, s, t          the sample; face is -1, and all else 0, where the truth has no answer
+///   texel.X, .Y         texture coordinates in texels
+///   base.X, .Y, .Z      P, on the undisplaced limit surface
+///   normal.X, .Y, .Z    n there, unit, outward
+///   point.X, .Y, .Z     the displaced point, where the truth's shadow ray starts
+///   facet.X, .Y, .Z     normal of the facet that holds it, unit, outward
+///   weight              area that the sample stands for in an atlas; 1 in a camera's view
+/// @throws MemoryError for a map that cannot fit
+void writeSampleMaps(RunFolder& folder, RunScene& scene, const MicroMesh& mesh);
+
+/// Writes, for every view, where the truths have an answer: white there, black elsewhere.
+void writeRegionsOfInterest(RunFolder& folder, RunScene& scene);
+
+}  // namespace gnomon

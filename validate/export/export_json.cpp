@@ -1,0 +1,193 @@
+#include "export/export_json.h"
+
+#include "export/export_files.h"
+#include "export/truth_files.h"
+#include "render/view.h"
+#include "report/json/json_values.h"
+
+namespace gnomon {
+namespace {
+
+constexpr double degreesPerRadian = 180 / pi;
+
+Json conventionsJson() {
+  return {
+      {"question",
+       "For every pixel of a sample map: is the displaced point lit? It is where its facet faces "
+       "the light (facet . direction > 0) and a ray from the point toward the light meets no other "
+       "part of the displaced surface. ray_lift is how far off the facet the truth's rays start."},
+      {"world",
+       "Right-handed, in the study's world units. Directions and normals are unit vectors, a "
+       "light's direction points toward it. Triangles run counter-clockwise seen from outside."},
+      {"pictures",
+       "Row 0 is the top. Masks: 255 lit, 0 shadowed, 128 no sample. Regions of interest: 255 "
+       "where "
+       "the truth has an answer. Sample maps: see channels."},
+      {"matrices",
+       "Row by row, for column vectors: clip = projection view (x, y, z, 1). The camera looks "
+       "along "
+       "-z with +y up; clip depth runs from -1 to 1. The centre of column c, row r lies at clip x "
+       "= "
+       "2 (c + 0.5) / width - 1, y = 1 - 2 (r + 0.5) / height, both over w."},
+      {"atlas",
+       "Faces are square tiles, in columns from the left and rows from the bottom: face f is in "
+       "column f mod columns, row f div columns; s runs to the right, t upward. weight is the "
+       "world "
+       "area that a sample stands for."},
+      {"height_map",
+       "h(x, y), in texels, is the bilinear interpolant of the texels of heights.exr, whose "
+       "centres "
+       "lie at + 0.5, y upward: the picture's first row is the largest v. (x, y) = uv "
+       "texels_per_uv; "
+       "outside the map by wrap. The displaced point is D = P + a h n, n the limit surface's "
+       "normal; "
+       "a = 1 for height_space world, a = |P_x x P_y|^(1/2) for texture, with P_x, P_y the world "
+       "length per texel."},
+      {"tables",
+       "Channel horizon.M: the largest slope (h(p + r e) - h(p)) / r over 0 < r <= radius_texels "
+       "toward azimuth 2 pi M / azimuths in the texture's plane; distance.M: the smallest r that "
+       "attains it, 0 for the limit r -> 0. 8 and 16 bits are codes: value = low + code (high - "
+       "low) "
+       "/ (2^bits - 1)."}};
+}
+
+Json channelsJson() {
+  return {{"face, s, t", "the sample: face of the cage and parameters on it; face -1 is no sample"},
+          {"texel.X, .Y", "texture coordinates in texels"},
+          {"base.X, .Y, .Z", "P, the point of the undisplaced limit surface"},
+          {"normal.X, .Y, .Z", "n, the normal there"},
+          {"point.X, .Y, .Z", "the displaced point, where the truth's shadow ray starts"},
+          {"facet.X, .Y, .Z", "normal of the truth's facet that holds it"},
+          {"weight", "of the sample in an atlas; 1 in a camera's view"}};
+}
+
+Json vectorJson(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+Json matrixJson(const glm::dmat4& matrix) {
+  Json rows = Json::array();
+  for (int row = 0; row < 4; ++row) {
+    rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
+  }
+  return rows;
+}
+
+Json cameraJson(const Camera& camera, const BaseMesh& mesh) {
+  const CameraMatrices matrices = cameraMatrices(camera, mesh);
+  return {{"eye", vectorJson(camera.eye)},
+          {"target", vectorJson(camera.target)},
+          {"up", vectorJson(camera.up)},
+          {"vertical_fov_degrees", degreesPerRadian * camera.verticalFov},
+          {"view", matrixJson(matrices.view)},
+          {"projection", matrixJson(matrices.projection)}};
+}
+
+Json atlasJson(const AtlasSpec& atlas, const RenderView& view) {
+  return {{"samples_per_side", atlas.samplesPerSide},
+          {"columns", view.atlasTiles.x},
+          {"rows", view.atlasTiles.y}};
+}
+
+Json viewJson(RunScene& scene, const StudyRecord& record, const CaseNames& names,
+              std::size_t index) {
+  const BaseCase& base = scene.standardBase();
+  const ViewSpec& spec = scene.study.views[index];
+  const RenderView& view = base.views[index].view;
+  Json json = {{"name", spec.name}, {"width", view.width}, {"height", view.height}};
+  if (const auto* camera = std::get_if<Camera>(&spec.kind)) {
+    json["type"] = "camera";
+    json["camera"] = cameraJson(*camera, base.drawn.get().mesh);
+  } else {
+    json["type"] = "atlas";
+    json["atlas"] = atlasJson(std::get<AtlasSpec>(spec.kind), view);
+  }
+  json["samples"] = sampleMapFile(names, index);
+  json["roi"] = roiFile(names, index);
+  Json masks = Json::array();
+  const std::size_t lights = scene.study.lights.size();
+  for (std::size_t l = 0; l < lights; ++l) {
+    masks.push_back({{"light", scene.study.lights[l].name},
+                     {"truth", truthMaskFile(names, index, l)},
+                     {"uncertainty", jsonNumber(record.truth.flips.at(index * lights + l).flipRate,
+                                                "views.masks.uncertainty")}});
+  }
+  json["masks"] = std::move(masks);
+  return json;
+}
+
+Json lightJson(const LightSpec& light) {
+  return {{"name", light.name},
+          {"azimuth_degrees", degreesPerRadian * light.azimuth},
+          {"elevation_degrees", degreesPerRadian * light.elevation},
+          {"direction", vectorJson(light.direction())}};
+}
+
+Json heightsJson(const Relief& relief) {
+  const HeightField& field = relief.field;
+  const Vec2 texelsPerUv = relief.texelsPerUv();
+  return {{"file", "heights.exr"},
+          {"channel", "height"},
+          {"width", field.width()},
+          {"height", field.height()},
+          {"minimum", field.minimum()},
+          {"maximum", field.maximum()},
+          {"height_space", relief.space == HeightSpace::world ? "world" : "texture"},
+          {"wrap", field.wrap() == Wrap::repeat ? "repeat" : "clamp"},
+          {"repeats", {relief.repeats.x, relief.repeats.y}},
+          {"texels_per_uv", {texelsPerUv.x, texelsPerUv.y}}};
+}
+
+Json rangeJson(const StoredTable& table) {
+  return {{"low", table.low}, {"high", table.high}};
+}
+
+Json tablesJson(const StoredHorizons& tables) {
+  return {{"file", "tables.exr"},
+          {"azimuths", tables.azimuths},
+          {"radius_texels", tables.radiusTexels},
+          {"bits", static_cast<int>(tables.horizon.bits)},
+          {"horizon", rangeJson(tables.horizon)},
+          {"distance", rangeJson(tables.distance)}};
+}
+
+Json displacedJson(const ExportedMesh& mesh) {
+  return {{"file", "displaced.ply"},
+          {"subdivisions", mesh.subdivisions},
+          {"vertices", mesh.vertices},
+          {"triangles", mesh.triangles},
+          {"closed", mesh.closed}};
+}
+
+}  // namespace
+
+std::string exportJson(RunScene& scene, const StudyRecord& record, const ExportedMesh& mesh,
+                       const StoredHorizons& tables, double rayLift) {
+  const CaseNames names = caseNames(scene.study);
+  Json views = Json::array();
+  for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
+    views.push_back(viewJson(scene, record, names, v));
+  }
+  const BaseMesh& base = scene.standardBase().drawn.get().mesh;
+  const Json json = {{"schema", "gnomon-export/1"},
+                     {"study", jsonStudy(record)},
+                     {"environment", jsonEnvironment(record.environment)},
+                     {"conventions", conventionsJson()},
+                     {"displaced_mesh", displacedJson(mesh)},
+                     {"base_mesh",
+                      {{"file", "base.obj"},
+                       {"subdivisions", scene.study.baseSubdivisions},
+                       {"vertices", base.vertices.size()},
+                       {"triangles", base.triangleCount()}}},
+                     {"height_map", heightsJson(scene.study.relief)},
+                     {"tables", tablesJson(tables)},
+                     {"lights", jsonList(scene.study.lights, lightJson)},
+                     {"views", std::move(views)},
+                     {"channels", channelsJson()},
+                     {"ray_lift", jsonNumber(rayLift, "ray_lift")},
+                     {"truth", jsonTruth(record.truth)},
+                     {"undefined_samples", record.undefinedSamples}};
+  return jsonText(json);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "displaced/welded_mesh.h"
+#include "horizon/table_file.h"
+#include "study/run/scene/run_scene.h"
+#include "study/run/truth_study.h"
+
+namespace gnomon {
+
+/// What an export says of its displaced mesh.
+struct ExportedMesh {
+  int subdivisions = 0;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  bool closed = false;
+};
+
+/// The export's description, schema "gnomon-export/1": files, units, conventions, camera matrices,
+/// lights. Enough for another renderer to answer at the study's samples.
+/// @param rayLift  world length by which the truth's rays start off their facets
+std::string exportJson(RunScene& scene, const StudyRecord& record, const ExportedMesh& mesh,
+                       const StoredHorizons& tables, double rayLift);
+
+}  // namespace gnomon

@@ -1,0 +1,113 @@
+#include "export/mesh_files.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "common/system/memory.h"
+
+namespace gnomon {
+namespace {
+
+static_assert(sizeof(glm::vec3) == 12, "a vertex of the PLY is three floats and nothing else");
+
+std::string plyHeader(const WeldedMesh& mesh, const std::string& comment) {
+  const char* order = std::endian::native == std::endian::little ? "little" : "big";
+  return fmt::format(
+      "ply\nformat binary_{}_endian 1.0\ncomment {}\nelement vertex {}\nproperty float x\n"
+      "property float y\nproperty float z\nelement face {}\n"
+      "property list uchar int vertex_indices\nend_header\n",
+      order, comment, mesh.vertices.size(), mesh.triangleCount());
+}
+
+/// The face records: a count of 3 and three indices, 13 bytes without padding.
+std::string faceBytes(const WeldedMesh& mesh, std::size_t first, std::size_t count) {
+  constexpr std::size_t indexBytes = 3 * sizeof(std::uint32_t);
+  std::string bytes(count * (1 + indexBytes), '\3');
+  for (std::size_t face = 0; face < count; ++face) {
+    std::memcpy(&bytes[face * (1 + indexBytes) + 1], &mesh.triangles[3 * (first + face)],
+                indexBytes);
+  }
+  return bytes;
+}
+
+/// Writes a file part by part.
+class MeshFile {
+ public:
+  /// @param path  as messages name the file that is filled, `temporary`
+  MeshFile(const std::filesystem::path& path, const std::filesystem::path& temporary)
+      : path_(path), file_(temporary, std::ios::binary) {
+    require();
+  }
+  void write(std::string_view bytes) {
+    file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    require();
+  }
+  void close() {
+    file_.close();
+    require();
+  }
+
+ private:
+  /// At once after each step, while the system still says why.
+  void require() const {
+    if (file_) return;
+    const std::string reason = std::generic_category().message(errno);
+    throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), reason));
+  }
+
+  const std::filesystem::path& path_;
+  std::ofstream file_;
+};
+
+}  // namespace
+
+void writePly(const std::filesystem::path& path, const WeldedMesh& mesh,
+              const std::string& comment) {
+  writeAtomically(path, [&](const std::filesystem::path& temporary) {
+    MeshFile file(path, temporary);
+    file.write(plyHeader(mesh, comment));
+    file.write({reinterpret_cast<const char*>(mesh.vertices.data()),
+                mesh.vertices.size() * sizeof(glm::vec3)});
+    constexpr std::size_t atOnce = 1 << 16;
+    for (std::size_t first = 0; first < mesh.triangleCount(); first += atOnce) {
+      file.write(faceBytes(mesh, first, std::min(atOnce, mesh.triangleCount() - first)));
+    }
+    file.close();
+  });
+}
+
+void writeObj(const std::filesystem::path& path, const BaseMesh& mesh, Vec2 texelsPerUv,
+              const std::string& comment) {
+  constexpr double bytesPerVertex = 160;
+  constexpr double bytesPerTriangle = 80;
+  requireMemory(bytesPerVertex * static_cast<double>(mesh.vertices.size()) +
+                    bytesPerTriangle * static_cast<double>(mesh.triangleCount()),
+                path.string());
+  std::string text = fmt::format("# {}\n", comment);
+  const auto shortest = [](double value) { return static_cast<float>(value); };
+  const auto append = [&](const char* key, const Vec3& v) {
+    text += fmt::format("{} {} {} {}\n", key, shortest(v.x), shortest(v.y), shortest(v.z));
+  };
+  for (const BaseVertex& vertex : mesh.vertices) {
+    const Vec2 uv = vertex.texel / texelsPerUv;
+    append("v", vertex.position);
+    text += fmt::format("vt {} {}\n", shortest(uv.x), shortest(uv.y));
+    append("vn", vertex.normal);
+  }
+  for (std::size_t k = 0; k < mesh.triangles.size(); k += 3) {
+    text += fmt::format("f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", mesh.triangles[k] + 1,
+                        mesh.triangles[k + 1] + 1, mesh.triangles[k + 2] + 1);
+  }
+  writeTextAtomically(path, text);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "horizon/horizon_bake.h"
+#include "relief/height_field.h"
+
+namespace gnomon {
+
+/// Horizon *angles* off the surface's normal, as Sloan & Cohen 2000 (§2) keep them: a light is seen
+/// where its own angle off the normal is smaller. Per texel centre and azimuth φ_m = 2πm/M.
+/// Layout: [m][y][x], index (m * height + y) * width + x.
+struct AngleTable {
+  int width = 0;
+  int height = 0;
+  int azimuths = 0;
+  /// The largest angle that is kept, radians, up to π: π/2 in their paper (§3).
+  double limit = 0;
+  std::vector<float> angles;  ///< radians, 0 to `limit`
+  Wrap wrap = Wrap::repeat;
+  /// Texel coordinates of the table's own (0, 0): a table over the whole surface, every texel of it
+  /// unique, starts where the surface's texture coordinates do.
+  int originX = 0;
+  int originY = 0;
+};
+
+/// The angles of a flat relief's horizons: π/2 - atan k δ, at most `limit`.
+/// @param texelsPerHeight  k > 0, of the frame in which they are taken: see texel_scale.h
+AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight);
+
+}  // namespace gnomon

@@ -1,0 +1,177 @@
+#include "horizon/kernel/horizon_tiles.h"
+
+#include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "common/error.h"
+#include "common/parallel.h"
+#include "common/system/memory.h"
+#include "horizon/kernel/azimuth_plan.h"
+#include "horizon/kernel/box_maxima.h"
+#include "horizon/kernel/padded_map.h"
+#include "horizon/reference/ray_crossings.h"
+#include "horizon/kernel/tile_kernel.h"
+
+namespace gnomon {
+namespace {
+
+/// A padded map with the boxes that bound rays, and what making them takes, over the map alone.
+constexpr double boundedMapBytes = 2.2;
+constexpr int bundleRowShift = 3;
+
+void checkSettings(const BakeSettings& settings) {
+  if (settings.azimuths < 1) {
+    throw InputError(
+        fmt::format("bake.azimuths: {} found, at least 1 expected", settings.azimuths));
+  }
+  if (!(settings.radiusTexels > 0) || !std::isfinite(settings.radiusTexels)) {
+    throw InputError(fmt::format("bake.radius: {} texels found, a finite number over 0 expected",
+                                 settings.radiusTexels));
+  }
+}
+
+void checkHeights(const HeightField& field) {
+  // Differences of differences of heights are taken in floats, and past a border of thousands of
+  // times the range.
+  const double range = static_cast<double>(field.maximum()) - field.minimum();
+  if (range > 1e34) {
+    throw InputError(fmt::format("height map: heights from {} to {}, at most 1e+34 apart expected",
+                                 field.minimum(), field.maximum()));
+  }
+}
+
+/// Azimuths whose rays are bounded by boxes of the same sizes.
+using BoxSizes = std::pair<BoxSize, BoxSize>;
+using Classes = std::map<BoxSizes, std::vector<std::size_t>>;
+
+Classes classesOf(const std::vector<AzimuthPlan>& plans) {
+  Classes classes;
+  for (std::size_t m = 0; m < plans.size(); ++m) {
+    classes[{plans[m].groupBox, plans[m].bundleBox}].push_back(m);
+  }
+  return classes;
+}
+
+/// Cuts a map into strips of tiles along its rows or columns, whichever is nearer to the rays'
+/// direction: most of what the rays of a tile meet, those of the next one meet again.
+class Strips {
+ public:
+  Strips(int width, int height, Vec2 direction)
+      : width_(width), height_(height), upright_(std::abs(direction.y) > std::abs(direction.x)) {}
+
+  [[nodiscard]] std::size_t count() const { return upright_ ? columns() : rows(); }
+  [[nodiscard]] std::size_t tiles() const { return upright_ ? rows() : columns(); }
+  [[nodiscard]] TexelTile tile(std::size_t strip, std::size_t index) const {
+    const int left = static_cast<int>(upright_ ? strip : index) * TexelTile::width;
+    const int bottom = static_cast<int>(upright_ ? index : strip) * TexelTile::height;
+    return {left, bottom, std::min(left + TexelTile::width, width_),
+            std::min(bottom + TexelTile::height, height_)};
+  }
+
+ private:
+  [[nodiscard]] std::size_t columns() const { return parts(width_, TexelTile::width); }
+  [[nodiscard]] std::size_t rows() const { return parts(height_, TexelTile::height); }
+  static std::size_t parts(int whole, int part) {
+    return static_cast<std::size_t>((whole + part - 1) / part);
+  }
+
+  int width_, height_;
+  bool upright_;
+};
+
+/// A strip of the map for one azimuth: what a thread takes at once.
+struct Task {
+  std::size_t azimuth, strip;
+};
+
+std::vector<Task> tasksOf(const std::vector<std::size_t>& azimuths,
+                          const std::vector<Strips>& strips) {
+  std::vector<Task> tasks;
+  for (const std::size_t m : azimuths) {
+    for (std::size_t s = 0; s < strips[m].count(); ++s) tasks.push_back({m, s});
+  }
+  return tasks;
+}
+
+/// What a thread bakes its tiles with. It is the same from its first strip to its last, for fresh
+/// memory costs more than what is written to it.
+struct Workplace {
+  TileNotes notes;
+  HorizonTile baked;
+};
+
+/// Counts what is done and reports it, one call at a time.
+class Counter {
+ public:
+  Counter(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
+  void add() {
+    if (!progress_) return;
+    const std::lock_guard lock(mutex_);
+    progress_(static_cast<double>(++done_) / static_cast<double>(total_));
+  }
+
+ private:
+  const Progress& progress_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+void checkBake(const HeightField& field, const BakeSettings& settings, double tableBytes) {
+  checkSettings(settings);
+  checkHeights(field);
+  const double bytes = tableBytes + boundedMapBytes * paddedMapBytes(field, settings.radiusTexels) +
+                       azimuthPlanBytes(settings.radiusTexels) * settings.azimuths +
+                       tileNotesBytes(settings.radiusTexels) * static_cast<double>(threadCount());
+  requireMemory(
+      bytes, fmt::format("bake.azimuths = {} and bake.radius = {} on a map of {} x {} "
+                         "texels",
+                         settings.azimuths, settings.radiusTexels, field.width(), field.height()));
+}
+
+void bakeTiles(const HeightField& field, const BakeSettings& settings, const TileSink& sink,
+               const Progress& progress) {
+  const PaddedMap map = padMap(field, settings.radiusTexels);
+  std::vector<AzimuthPlan> plans(static_cast<std::size_t>(settings.azimuths));
+  parallelFor(0, plans.size(), [&](std::size_t m) {
+    plans[m] = planAzimuth(azimuthDirection(static_cast<int>(m), settings.azimuths),
+                           settings.radiusTexels, map);
+  });
+  std::vector<Strips> strips;
+  strips.reserve(plans.size());
+  for (const AzimuthPlan& plan : plans) {
+    strips.emplace_back(field.width(), field.height(), plan.direction);
+  }
+  Counter counter(progress, strips.front().count() * strips.front().tiles() * plans.size());
+  tbb::enumerable_thread_specific<Workplace> workplaces;
+  for (const auto& [boxes, members] : classesOf(plans)) {
+    const BoxMaxima groups = boxMaxima(map, boxes.first, 0);
+    const BoxMaxima bundles = boxMaxima(map, groups, boxes.second, bundleRowShift);
+    const std::vector<Task> tasks = tasksOf(members, strips);
+    parallelFor(0, tasks.size(), [&](std::size_t index) {
+      const auto [m, strip] = tasks[index];
+      const AzimuthBake bake{map, plans[m], groups, bundles};
+      auto& [notes, baked] = workplaces.local();
+      baked.azimuth = static_cast<int>(m);
+      for (std::size_t t = 0; t < strips[m].tiles(); ++t) {
+        baked.tile = strips[m].tile(strip, t);
+        bakeTile(bake, baked.tile, notes, TexelTile::width, baked.horizon.data(),
+                 baked.distance.data());
+        sink(baked);
+        counter.add();
+      }
+    });
+  }
+}
+
+}  // namespace gnomon

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+
+#include "common/raw_vector.h"
+#include "horizon/reference/ray_crossings.h"
+#include "relief/height_field.h"
+
+namespace gnomon {
+
+/// A height map with margins that the wrap rule filled, so that every node of a ray of length D
+/// from any texel lies in it at one and the same offset from that texel. Texel (i, j) of the map
+/// lies at (marginX + i, marginY + j). Heights are height units above the middle of the map's
+/// range: floats are finest there.
+///
+/// Past a border the first line of nodes holds what the wrap rule says, since the relief is known
+/// that far (`HeightField::knownLength`). All nodes beyond it lie 2¹² times the map's range below
+/// it: a ray falls there at once, so that no slope past the known relief exceeds the slope at its
+/// end, and rays need no ends of their own. That holds for directions that are at least 1e-3 from
+/// parallel to the border, or parallel to it, as with up to 1,500 azimuths all are.
+///
+/// Margins are ⌈D⌉ + 2 texels. An axis that repeats without a border never needs more than half its
+/// side: offsets are taken modulo the side (`offset`), so that the map does not grow with the
+/// radius any more.
+struct PaddedMap {
+  int width = 0, height = 0;              ///< of the map itself
+  bool repeatsX = true, repeatsY = true;  ///< without a border
+  std::ptrdiff_t stride = 0;              ///< texels from one row to the next
+  std::ptrdiff_t rows = 0;
+  std::ptrdiff_t marginX = 0, marginY = 0;
+  RawVector<float> heights;
+  /// h00 - h10 - h01 + h11 of the cell right of and above each texel: what bends a ray's profile.
+  /// 0 in a cell past two borders, whose one known corner is a ray's last known point.
+  RawVector<float> twists;
+  float maximum = 0;  ///< highest texel
+  float lowestTwist = 0, highestTwist = 0;
+  /// 2⁻²⁰ (highest - lowest): slopes count as equal unless they differ by more than this over their
+  /// distance, about the sum of the roundings that either may have suffered. Without it a plane's
+  /// horizon would move to wherever the roundings happen to be favourable.
+  float tolerance = 0;
+
+  /// Where a node relative to any texel lies: in the margins, or a period away from there.
+  [[nodiscard]] Node folded(Node node) const;
+  /// The same as an offset into `heights`.
+  [[nodiscard]] std::ptrdiff_t offset(Node node) const {
+    const Node n = folded(node);
+    return n.y * stride + n.x;
+  }
+};
+
+/// @param radius  D > 0, texels
+PaddedMap padMap(const HeightField& field, double radius);
+
+/// Memory that `padMap` takes, bytes.
+double paddedMapBytes(const HeightField& field, double radius);
+
+}  // namespace gnomon

@@ -1,0 +1,42 @@
+#include "horizon/reference/filtered_table.h"
+
+#include "relief/neighbours.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace gnomon {
+namespace {
+
+double layerValue(const StoredTable& table, const TableShape& shape, Vec2 texel, int azimuth) {
+  const Neighbours column =
+      neighbours(texel.x, shape.width, shape.border.x ? Wrap::clamp : shape.wrap);
+  const Neighbours row =
+      neighbours(texel.y, shape.height, shape.border.y ? Wrap::clamp : shape.wrap);
+  const auto entry = [&](int x, int y) {
+    const std::size_t line =
+        static_cast<std::size_t>(azimuth) * static_cast<std::size_t>(shape.height) +
+        static_cast<std::size_t>(y);
+    return static_cast<double>(
+        table.value(line * static_cast<std::size_t>(shape.width) + static_cast<std::size_t>(x)));
+  };
+  const double low = (1 - column.share) * entry(column.first, row.first) +
+                     column.share * entry(column.second, row.first);
+  const double high = (1 - column.share) * entry(column.first, row.second) +
+                      column.share * entry(column.second, row.second);
+  return (1 - row.share) * low + row.share * high;
+}
+
+}  // namespace
+
+double filteredValue(const StoredTable& table, const TableShape& shape, Vec2 texel,
+                     double azimuth) {
+  const double turns = azimuth / (2 * pi);
+  const double place = (turns - std::floor(turns)) * shape.azimuths;
+  const int below = static_cast<int>(place);
+  const double share = place - below;
+  return (1 - share) * layerValue(table, shape, texel, below % shape.azimuths) +
+         share * layerValue(table, shape, texel, (below + 1) % shape.azimuths);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,173 @@
+#include "horizon/reference/height_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+/// A position as a node and an offset from it in [0, 1), the node where nodes are counted in ints.
+struct LatticePlace {
+  Node node;
+  Vec2 offset;
+};
+
+/// A coordinate beyond all that a ray of this radius can tell apart, brought near.
+double broughtNear(double x, int size, Wrap wrap, double radius) {
+  if (wrap == Wrap::repeat) return x - size * std::floor(x / size);
+  return std::clamp(x, -radius - 2, size + radius + 2);
+}
+
+LatticePlace placeOf(const HeightField& field, Vec2 origin, double radius) {
+  const Vec2 near(broughtNear(origin.x, field.width(), field.wrap(), radius),
+                  broughtNear(origin.y, field.height(), field.wrap(), radius));
+  Vec2 corner = glm::floor(near - 0.5);
+  Vec2 offset = near - 0.5 - corner;
+  for (int k = 0; k < 2; ++k) {
+    // A stretch so short that its slope were rounding.
+    constexpr double touching = 1e-9;
+    if (offset[k] > 1 - touching) corner[k] += 1;
+    if (offset[k] > 1 - touching || offset[k] < touching) offset[k] = 0;
+  }
+  return {{static_cast<int>(corner.x), static_cast<int>(corner.y)}, offset};
+}
+
+/// A ray over the relief, with heights at its crossings.
+class ReliefRay {
+ public:
+  ReliefRay(const HeightField& field, const LatticePlace& place, Vec2 direction, double radius)
+      : field_(field), place_(place), ray_(cutRay(direction, radius, place.offset)) {}
+
+  [[nodiscard]] const RayCrossings& ray() const { return ray_; }
+
+  [[nodiscard]] double heightAt(const Crossing& crossing) const {
+    const double from = at(crossing.from);
+    return from + crossing.share * (at(crossing.to) - from);
+  }
+
+  /// At a distance within the cell of that node.
+  [[nodiscard]] double heightIn(Node cell, double distance) const {
+    const Vec2 inside = place_.offset + distance * ray_.direction - Vec2(cell.x, cell.y);
+    const double low = at(cell) + inside.x * (at({cell.x + 1, cell.y}) - at(cell));
+    const Node upper{cell.x, cell.y + 1};
+    const double high = at(upper) + inside.x * (at({upper.x + 1, upper.y}) - at(upper));
+    return low + inside.y * (high - low);
+  }
+
+  /// C of the parabola A + B r + C r² that the relief is in that cell.
+  [[nodiscard]] double bend(Node cell) const {
+    const double twist = at(cell) - at({cell.x + 1, cell.y}) - at({cell.x, cell.y + 1}) +
+                         at({cell.x + 1, cell.y + 1});
+    return twist * ray_.direction.x * ray_.direction.y;
+  }
+
+  /// The first cell that the ray runs through.
+  [[nodiscard]] Node firstCell() const {
+    return ray_.crossings.empty() ? ray_.lastCell : ray_.crossings.front().cell;
+  }
+
+  /// The limit of the slope, r → 0⁺.
+  [[nodiscard]] double startingSlope() const {
+    const Node cell = firstCell();
+    const Vec2 inside = place_.offset - Vec2(cell.x, cell.y);
+    const double lower = at({cell.x + 1, cell.y}) - at(cell);
+    const double upper = at({cell.x + 1, cell.y + 1}) - at({cell.x, cell.y + 1});
+    const double left = at({cell.x, cell.y + 1}) - at(cell);
+    const double right = at({cell.x + 1, cell.y + 1}) - at({cell.x + 1, cell.y});
+    return ray_.direction.x * (lower + inside.y * (upper - lower)) +
+           ray_.direction.y * (left + inside.x * (right - left));
+  }
+
+ private:
+  [[nodiscard]] double at(Node node) const {
+    return field_.texel(place_.node.x + node.x, place_.node.y + node.y);
+  }
+
+  const HeightField& field_;
+  LatticePlace place_;
+  RayCrossings ray_;
+};
+
+/// The greatest slope so far, with the rule of `bakeHorizons` for what counts as greater.
+class Highest {
+ public:
+  Highest(double slope, double range) : best_{slope, 0}, tolerance_(0x1p-20 * range) {}
+
+  void offer(double slope, double distance) {
+    if (slope > best_.slope + tolerance_ / std::max(best_.distance, 1.0)) best_ = {slope, distance};
+  }
+
+  [[nodiscard]] const FlatHorizon& best() const { return best_; }
+
+ private:
+  FlatHorizon best_;
+  double tolerance_;
+};
+
+/// A stretch of the profile inside one cell.
+struct CellStretch {
+  ProfilePoint from, to;
+  double bend;  ///< C
+};
+
+/// Offers the slope's extremum inside a stretch, at r = √((A - h₀) / C): a maximum where A < h₀.
+void offerInside(const CellStretch& stretch, double start, Highest& highest) {
+  if (!(stretch.bend < 0)) return;
+  const auto [near, far, c] = stretch;
+  const double b = (far.height - near.height) / (far.distance - near.distance) -
+                   c * (near.distance + far.distance);
+  const double a = near.height - near.distance * (b + c * near.distance);
+  const double r = std::sqrt(std::max(0.0, (a - start) / c));
+  if (r > near.distance && r < far.distance) highest.offer((a - start) / r + b + c * r, r);
+}
+
+}  // namespace
+
+HeightProfile heightProfile(const HeightField& field, Vec2 origin, Vec2 direction, double radius,
+                            double behind) {
+  HeightProfile profile{origin, direction, {}};
+  const LatticePlace place = placeOf(field, origin, std::max(radius, behind));
+  if (behind > 0) {
+    const ReliefRay back(field, place, -direction, behind);
+    profile.points.push_back({-behind, back.heightIn(back.ray().lastCell, behind)});
+    const auto& crossings = back.ray().crossings;
+    for (auto crossing = crossings.rbegin(); crossing != crossings.rend(); ++crossing) {
+      if (crossing->leave < behind) {
+        profile.points.push_back({-crossing->leave, back.heightAt(*crossing)});
+      }
+    }
+  }
+  const ReliefRay ahead(field, place, direction, radius);
+  profile.points.push_back({0, ahead.heightIn(ahead.firstCell(), 0)});
+  for (const Crossing& crossing : ahead.ray().crossings) {
+    profile.points.push_back({crossing.leave, ahead.heightAt(crossing)});
+  }
+  if (ahead.ray().lastEnter < radius) {
+    profile.points.push_back({radius, ahead.heightIn(ahead.ray().lastCell, radius)});
+  }
+  return profile;
+}
+
+FlatHorizon flatHorizon(const HeightField& field, Vec2 origin, Vec2 direction, double radius) {
+  radius = std::min(radius, field.knownLength(origin, direction));
+  const ReliefRay ahead(field, placeOf(field, origin, radius), direction, radius);
+  const double start = ahead.heightIn(ahead.firstCell(), 0);
+  Highest highest(ahead.startingSlope(), static_cast<double>(field.maximum()) - field.minimum());
+  ProfilePoint from{0, start};
+  const auto follow = [&](Node cell, ProfilePoint to) {
+    // In the first cell A = h₀: the slope B + C r has its ends alone.
+    if (from.distance > 0) offerInside({from, to, ahead.bend(cell)}, start, highest);
+    highest.offer((to.height - start) / to.distance, to.distance);
+    from = to;
+  };
+  for (const Crossing& crossing : ahead.ray().crossings) {
+    follow(crossing.cell, {crossing.leave, ahead.heightAt(crossing)});
+  }
+  if (ahead.ray().lastEnter < radius) {
+    const Node cell = ahead.ray().lastCell;
+    follow(cell, {radius, ahead.heightIn(cell, radius)});
+  }
+  return highest.best();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,53 @@
+#include "image/formats/image_library.h"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <system_error>
+
+#include "common/error.h"
+#include "common/text/one_line.h"
+#include "image/openimageio/module.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+/// The module's file, or its mere name where the linker is to look for it.
+std::vector<std::string> places() {
+  if (const char* chosen = std::getenv("GNOMON_IMAGE_MODULE"); chosen != nullptr) return {chosen};
+  std::error_code failure;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path installed = program.parent_path() / GNOMON_MODULE_FOLDER / GNOMON_IMAGE_MODULE;
+  if (fs::is_regular_file(installed, failure)) return {installed.string()};
+  return {GNOMON_IMAGE_MODULE, GNOMON_BUILT_IMAGE_MODULE};
+}
+
+const ImageLibrary& load() {
+  void* module = nullptr;
+  std::string reason;
+  for (const std::string& place : places()) {
+    // Never closed: the library keeps threads, whose code must not go.
+    module = dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (module != nullptr) break;
+    reason = dlerror();
+  }
+  void* const symbol = module == nullptr ? nullptr : dlsym(module, imageModuleSymbol);
+  if (module != nullptr && symbol == nullptr) reason = dlerror();
+  if (symbol == nullptr) {
+    throw InternalError(fmt::format(
+        "no image can be read or written: the module for OpenImageIO cannot be loaded: {}",
+        oneLine(reason)));
+  }
+  return *reinterpret_cast<ImageModuleFunction>(symbol)();
+}
+
+}  // namespace
+
+const ImageLibrary& imageLibrary() {
+  static const ImageLibrary& library = load();
+  return library;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "image/formats/image_attributes.h"
+#include "image/formats/number_type.h"
+
+namespace gnomon {
+
+/// A rectangle of pixels.
+struct ImageWindow {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// What a file tells of one of its parts before any pixel is read. A damaged or foreign file may
+/// say anything.
+struct ImageFacts {
+  ImageWindow data;     ///< the pixels that it holds
+  ImageWindow display;  ///< the picture; without pixels where the file has none
+  int depth = 1;        ///< layers of pixels
+  bool isDeep = false;  ///< several values a pixel and channel
+  std::vector<std::string> channels;
+  std::vector<std::string> channelNumbers;  ///< each channel's type: "uint8", "half", "float" …
+  std::string numbers;                      ///< the widest of them
+  int alpha = -1;                           ///< index of a channel; none
+  int z = -1;                               ///< index of a channel; none
+  bool hasPlainAlpha = false;               ///< colours do not come multiplied by it
+  int orientation = 1;                      ///< as Exif counts them, 1 upright
+  std::uint64_t pixelCount = 0;
+  std::size_t bytesAPixel = 0;  ///< in the file, unpacked
+  ImageAttributes attributes;   ///< integers, floats and texts
+
+  [[nodiscard]] int channelCount() const { return static_cast<int>(channels.size()); }
+  /// The index of a channel, -1 where there is none of this name.
+  [[nodiscard]] int channel(const std::string& name) const {
+    for (int c = 0; c < channelCount(); ++c) {
+      if (channels[static_cast<std::size_t>(c)] == name) return c;
+    }
+    return -1;
+  }
+};
+
+/// An image file that is open for reading.
+class ImageReader {
+ public:
+  ImageReader() = default;
+  ImageReader(const ImageReader&) = delete;
+  ImageReader& operator=(const ImageReader&) = delete;
+  virtual ~ImageReader() = default;
+
+  /// Of the part gone to, at first the file's first.
+  [[nodiscard]] virtual ImageFacts facts() const = 0;
+  /// Goes to a part, and there to its first row; false where the file has none of this number.
+  virtual bool goTo(int part) = 0;
+
+  /// Reads channels [first, end) of the next rows of the part gone to, beside each other, one row
+  /// after the other from the top of its data window. Integers of the file are shares of their
+  /// largest value, unless `type` is theirs. All rows of a part are read with the same channels and
+  /// type.
+  /// @param rows    at most as many as are left
+  /// @param values  rows × width × (end - first) numbers of `type`
+  /// @throws ImageError
+  virtual void readRows(int rows, int first, int end, NumberType type, void* values) = 0;
+};
+
+}  // namespace gnomon

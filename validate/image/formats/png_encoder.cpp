@@ -1,0 +1,89 @@
+#include "image/formats/png_encoder.h"
+
+#include <png.h>
+#include <zlib.h>
+
+#include <csetjmp>
+#include <cstddef>
+#include <new>
+#include <utility>
+
+#include "image/image_error.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::size_t channels = 3;
+
+/// libpng's two structures, and what it writes and complains of.
+struct Writer {
+  Writer() {
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, fail, warn);
+    if (png) info = png_create_info_struct(png);
+    if (!info) {
+      png_destroy_write_struct(&png, nullptr);
+      throw std::bad_alloc();
+    }
+    png_set_write_fn(png, this, append, nullptr);
+  }
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::string bytes;
+  const char* message = "";
+
+ private:
+  static void append(png_structp png, png_bytep data, std::size_t count) {
+    auto* writer = static_cast<Writer*>(png_get_io_ptr(png));
+    bool fits = true;
+    try {
+      writer->bytes.append(reinterpret_cast<const char*>(data), count);
+    } catch (const std::bad_alloc&) {
+      fits = false;
+    }
+    if (!fits) png_error(png, "no memory");  // it does not return, and must not out of a handler
+  }
+  [[noreturn]] static void fail(png_structp png, png_const_charp message) {
+    static_cast<Writer*>(png_get_error_ptr(png))->message = message;
+    png_longjmp(png, 1);
+  }
+  static void warn(png_structp, png_const_charp) {}
+};
+
+/// Every row less the one above is as small as with a filter chosen row by row, sooner. zlib's
+/// search for runs alone is made for pictures: those here take half the time that they take at its
+/// usual effort, and on the whole a tenth more bytes.
+void choosePacking(png_structp png) {
+  constexpr int mostMemory = 9;
+  constexpr std::size_t oneChunk = 1U << 20;  // or few
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  png_set_compression_strategy(png, Z_RLE);
+  png_set_compression_mem_level(png, mostMemory);
+  png_set_compression_buffer_size(png, oneChunk);
+}
+
+}  // namespace
+
+std::string pngBytes(int width, int height, const std::uint8_t* rgb) {
+  const std::string what =
+      "a PNG of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (width < 1 || height < 1) throw ImageError(what + " cannot be written");
+  Writer writer;
+  // libpng comes back here where it fails. Nothing below has a destructor that would be left out.
+  if (setjmp(png_jmpbuf(writer.png)) != 0) throw ImageError(what + ": " + writer.message);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width),
+               static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  choosePacking(writer.png);
+  png_write_info(writer.png, writer.info);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+    png_write_row(writer.png, rgb + y * channels * static_cast<std::size_t>(width));
+  }
+  png_write_end(writer.png, writer.info);
+  return std::move(writer.bytes);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,100 @@
+#include "image/images.h"
+
+#include <fmt/core.h>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "image/image_error.h"
+#include "image/formats/png_encoder.h"
+
+namespace gnomon {
+namespace {
+
+/// Whether `count` values fill width × height pixels of `channels` values each.
+bool fills(std::size_t count, int width, int height, std::size_t channels) {
+  return width >= 0 && height >= 0 &&
+         count == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels;
+}
+
+void requireWhole(const Mask& mask) {
+  if (!fills(mask.size(), mask.width, mask.height, 1)) {
+    throw InternalError(fmt::format("mask: {} x {} expected, {} samples found", mask.width,
+                                    mask.height, mask.size()));
+  }
+}
+
+void requireWhole(const Image& image) {
+  if (!fills(image.rgb.size(), image.width, image.height, 3)) {
+    throw InternalError(fmt::format("image: {} x {} pixels of 3 values expected, {} values found",
+                                    image.width, image.height, image.rgb.size()));
+  }
+}
+
+Image emptyImage(const Mask& mask) {
+  Image image{mask.width, mask.height, {}};
+  image.rgb.reserve(3 * mask.size());
+  return image;
+}
+
+void append(Image& image, const Rgb& colour) {
+  image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+}
+
+const Rgb& maskColour(Shade shade) {
+  static constexpr Rgb lit = MaskColours::lit;
+  static constexpr Rgb shadowed = MaskColours::shadowed;
+  static constexpr Rgb none = MaskColours::none;
+  return shade == Shade::lit ? lit : shade == Shade::shadowed ? shadowed : none;
+}
+
+Rgb differenceColour(Shade candidate, Shade truth) {
+  if (truth == Shade::none) return DifferenceColours::none;
+  if (candidate == truth) {
+    return truth == Shade::lit ? DifferenceColours::bothLit : DifferenceColours::bothShadowed;
+  }
+  return truth == Shade::lit ? DifferenceColours::falseShadow : DifferenceColours::falseLight;
+}
+
+}  // namespace
+
+Image maskImage(const Mask& mask) {
+  requireWhole(mask);
+  Image image = emptyImage(mask);
+  for (const Shade shade : mask.samples) append(image, maskColour(shade));
+  return image;
+}
+
+Image differenceImage(const Mask& candidate, const Mask& truth) {
+  requireWhole(candidate);
+  requireWhole(truth);
+  if (candidate.width != truth.width || candidate.height != truth.height) {
+    throw InputError(fmt::format("candidate mask: {} x {} samples, but the truth has {} x {}",
+                                 candidate.width, candidate.height, truth.width, truth.height));
+  }
+  Image image = emptyImage(truth);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if ((candidate.samples[i] == Shade::none) != (truth.samples[i] == Shade::none)) {
+      const auto width = static_cast<std::size_t>(truth.width);
+      throw InputError(fmt::format("masks: column {}, row {} has a sample in only one of the two",
+                                   i % width, i / width));
+    }
+    append(image, differenceColour(candidate.samples[i], truth.samples[i]));
+  }
+  return image;
+}
+
+std::string pngOf(const Image& image) {
+  requireWhole(image);
+  if (image.rgb.empty()) throw InternalError("PNG: an image without pixels");
+  try {
+    return pngBytes(image.width, image.height, image.rgb.data());
+  } catch (const ImageError& error) {
+    throw InternalError(fmt::format("PNG: {}", error.what()));
+  }
+}
+
+void writePng(const std::filesystem::path& path, const Image& image) {
+  writeTextAtomically(path, pngOf(image));
+}
+
+}  // namespace gnomon

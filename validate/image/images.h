@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "common/mask.h"
+#include "image/image.h"
+
+namespace gnomon {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// The colours of a mask picture. Exact, so that a mask can be read back: see mask_picture.h.
+struct MaskColours {
+  static constexpr Rgb lit{255, 255, 255};
+  static constexpr Rgb shadowed{0, 0, 0};
+  static constexpr Rgb none{128, 128, 128};
+};
+
+/// The colours of a signed difference. Agreement is grey, errors are orange and blue: a pair that
+/// the common colour vision deficiencies keep apart, and close in lightness, so that neither kind
+/// of error looks like the larger one. The report's legend and bars use the same constants.
+struct DifferenceColours {
+  static constexpr Rgb falseShadow{230, 97, 0};
+  static constexpr Rgb falseLight{26, 133, 255};
+  static constexpr Rgb bothLit{226, 226, 226};
+  static constexpr Rgb bothShadowed{92, 92, 92};
+  static constexpr Rgb none{255, 255, 255};
+};
+
+/// A mask as a picture.
+/// @throws InternalError if the mask's samples do not fill its width × height
+Image maskImage(const Mask& mask);
+
+/// Where a candidate differs from the truth, and in which direction.
+/// @throws InputError if the sizes differ or only one of the two has a sample somewhere
+Image differenceImage(const Mask& candidate, const Mask& truth);
+
+/// An image as the bytes of a PNG. Same image, same bytes.
+/// @throws InternalError for an image without pixels or one whose values do not fill its width ×
+///   height
+std::string pngOf(const Image& image);
+
+/// Writes a PNG, whole or not at all. Same image, same bytes.
+/// @throws InputError when the file cannot be written, InternalError for an image without pixels or
+///   one whose values do not fill its width × height
+void writePng(const std::filesystem::path& path, const Image& image);
+
+}  // namespace gnomon

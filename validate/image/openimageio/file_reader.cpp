@@ -1,0 +1,160 @@
+#include "image/openimageio/file_reader.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "image/image_error.h"
+#include "image/openimageio/type_desc.h"
+
+namespace gnomon {
+namespace {
+
+ImageAttributes attributesOf(const OIIO::ImageSpec& spec) {
+  ImageAttributes attributes;
+  for (const OIIO::ParamValue& value : spec.extra_attribs) {
+    const std::string name = value.name().string();
+    if (value.type() == OIIO::TypeDesc::INT) attributes[name] = value.get_int();
+    if (value.type() == OIIO::TypeDesc::FLOAT) attributes[name] = value.get_float();
+    if (value.type() == OIIO::TypeDesc::STRING) attributes[name] = value.get_string();
+  }
+  return attributes;
+}
+
+ImageFacts factsOf(const OIIO::ImageSpec& spec) {
+  ImageFacts facts;
+  facts.data = {spec.x, spec.y, spec.width, spec.height};
+  facts.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+  facts.depth = spec.depth;
+  facts.isDeep = spec.deep;
+  for (int c = 0; c < spec.nchannels; ++c) {
+    facts.channels.emplace_back(spec.channel_name(c));
+    facts.channelNumbers.emplace_back(spec.channelformat(c).c_str());
+  }
+  facts.numbers = spec.format.c_str();
+  facts.alpha = spec.alpha_channel;
+  facts.z = spec.z_channel;
+  facts.hasPlainAlpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
+  facts.orientation = spec.get_int_attribute("Orientation", 1);
+  facts.pixelCount = spec.image_pixels();
+  facts.bytesAPixel = spec.pixel_bytes(true);
+  facts.attributes = attributesOf(spec);
+  return facts;
+}
+
+class FileReader : public ImageReader {
+ public:
+  /// @param rowByRow  rows are asked for one by one, where the file has no tiles
+  FileReader(std::unique_ptr<OIIO::ImageInput> file, bool rowByRow)
+      : file_(std::move(file)), rowByRow_(rowByRow) {}
+
+  [[nodiscard]] ImageFacts facts() const override { return factsOf(file_->spec()); }
+
+  bool goTo(int part) override {
+    row_ = 0;
+    return file_->seek_subimage(part, 0);
+  }
+
+  void readRows(int rows, int first, int end, NumberType type, void* values) override {
+    const OIIO::ImageSpec& spec = file_->spec();
+    const std::size_t rowBytes = static_cast<std::size_t>(spec.width) *
+                                 static_cast<std::size_t>(end - first) * typeDesc(type).size();
+    auto* out = static_cast<std::uint8_t*>(values);
+    if (spec.tile_width == 0) {
+      const int step = rowByRow_ ? 1 : rows;
+      for (int i = 0; i < rows; i += step, row_ += step) {
+        readScanlines(row_, row_ + step, first, end, type,
+                      out + static_cast<std::size_t>(i) * rowBytes);
+      }
+      return;
+    }
+    for (int i = 0; i < rows; ++i, ++row_, out += rowBytes) {
+      const int inTile = row_ % spec.tile_height;
+      if (inTile == 0) readTiles(row_, rowBytes, first, end, type);
+      std::copy_n(tiles_.data() + static_cast<std::size_t>(inTile) * rowBytes, rowBytes, out);
+    }
+  }
+
+ private:
+  // Rows of the file are counted from the data window's own origin.
+  void readScanlines(int top, int bottom, int first, int end, NumberType type, void* values) {
+    const OIIO::ImageSpec& spec = file_->spec();
+    check(file_->read_scanlines(file_->current_subimage(), 0, spec.y + top, spec.y + bottom, 0,
+                                first, end, typeDesc(type), values));
+  }
+
+  /// The tiles beside each other whose first row is `top`.
+  void readTiles(int top, std::size_t rowBytes, int first, int end, NumberType type) {
+    const OIIO::ImageSpec& spec = file_->spec();
+    const int rows = std::min(spec.tile_height, spec.height - top);
+    tiles_.resize(rowBytes * static_cast<std::size_t>(rows));
+    check(file_->read_tiles(file_->current_subimage(), 0, spec.x, spec.x + spec.width, spec.y + top,
+                            spec.y + top + rows, spec.z, spec.z + 1, first, end, typeDesc(type),
+                            tiles_.data()));
+  }
+
+  void check(bool isRead) {
+    // The TIFF reader answers true for a file that is cut off, but keeps its error.
+    if (!isRead || file_->has_error()) throw ImageError(file_->geterror());
+  }
+
+  std::unique_ptr<OIIO::ImageInput> file_;
+  bool rowByRow_;
+  int row_ = 0;  ///< the next one
+  std::vector<std::uint8_t> tiles_;
+};
+
+/// OpenImageIO's name of a format's reader.
+const char* readerOf(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::exr:
+      return "openexr";
+    case ImageFormat::tiff:
+      return "tiff";
+    case ImageFormat::jpeg:
+      return "jpeg";
+    case ImageFormat::hdr:
+      return "hdr";
+    case ImageFormat::pnm:
+    case ImageFormat::pfm:
+      return "pnm";
+    case ImageFormat::bmp:
+      return "bmp";
+    case ImageFormat::tga:
+      return "targa";
+    case ImageFormat::png:
+      break;  // png_reader.h
+  }
+  throw ImageError("no reader");
+}
+
+/// Has EXRs read by OpenEXR's core library. The older reader takes a chunk that unpacks to less
+/// than its rows, and fills up the rest with what its memory held.
+void chooseExrReader() {
+  OIIO::attribute("openexr:core", 1);
+}
+
+}  // namespace
+
+std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path, ImageFormat format) {
+  chooseExrReader();
+  // What was written unmultiplied stays so: the library would round the product to a file's bits.
+  OIIO::ImageSpec wishes;
+  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  // ImageInput::open would try the readers of all other formats where this one fails.
+  auto file = OIIO::ImageInput::create(readerOf(format));
+  if (!file) throw ImageError(OIIO::geterror());
+  // On several threads, or asked for several rows at once, the TIFF reader unpacks strips and tiles
+  // by zlib itself, and takes one that holds less than its rows need: the rest is what its memory
+  // held. libtiff, which it asks for single rows, does not.
+  const bool isTiff = format == ImageFormat::tiff;
+  if (isTiff) file->threads(1);
+  OIIO::ImageSpec spec;
+  if (!file->open(path.string(), spec, wishes)) throw ImageError(file->geterror());
+  return std::make_unique<FileReader>(std::move(file), isTiff);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,95 @@
+#include "report/ci/github_annotations.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+
+#include "report/text/gate_text.h"
+#include "report/text/utf8_text.h"
+
+namespace gnomon {
+namespace {
+
+std::string escaped(std::string_view text, bool property) {
+  std::string result;
+  for (const char c : xmlText(text)) {
+    const bool special = c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
+    result += special ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
+  }
+  return result;
+}
+
+/// @param line  0 where none is known
+std::string command(const char* level, const std::string& file, int line, const std::string& title,
+                    const std::string& message) {
+  const std::string place = line > 0 ? fmt::format(",line={}", line) : "";
+  return fmt::format("::{} file={}{},title={}::{}\n", level, escaped(file, true), place,
+                     escaped(title, true), escaped(message, false));
+}
+
+/// The line that a message names first, 0 for none.
+int lineOf(std::string_view message, const std::string& file) {
+  if (!message.starts_with(file + ":")) return 0;
+  message.remove_prefix(file.size() + 1);
+  int line = 0;
+  const auto [end, failure] =
+      std::from_chars(message.data(), message.data() + message.size(), line);
+  const bool whole =
+      failure == std::errc() && end != message.data() + message.size() && *end == ':';
+  return whole ? line : 0;
+}
+
+std::string gateAnnotation(const CheckRecord& check, const GateRecord& gate) {
+  const bool threshold = gate.kind == GateKind::threshold;
+  const char* what = threshold ? "threshold" : "reference";
+  const char* outcome = gate.verdict == GateVerdict::failed ? "failed" : "undefined";
+  const std::string message = fmt::format("{}\n{}", gateFaultText(gate), check.command);
+  return command("error", threshold ? check.file : check.baseline, gate.line,
+                 fmt::format("{}: {} {}", check.name, what, outcome), message);
+}
+
+}  // namespace
+
+std::string githubAnnotations(std::span<const CheckRecord> checks) {
+  std::string text;
+  for (const CheckRecord& check : checks) {
+    for (const ProblemRecord& problem : check.problems) {
+      text += command("error", check.file, lineOf(problem.message, check.file),
+                      fmt::format("{}: not judged", check.name),
+                      fmt::format("{}\n{}", problem.message, check.command));
+    }
+    for (const GateRecord& gate : check.gates) {
+      const bool holds =
+          gate.verdict == GateVerdict::passed || gate.verdict == GateVerdict::skipped;
+      if (!holds) text += gateAnnotation(check, gate);
+    }
+  }
+  for (const CheckRecord& check : checks) {
+    for (const NoticeRecord& notice : check.notices) {
+      text += command("notice", check.file, notice.line, fmt::format("{}: notice", check.name),
+                      notice.text);
+    }
+  }
+  return text;
+}
+
+std::string withoutWorkflowCommands(std::string_view text) {
+  std::string plain;
+  plain.reserve(text.size());
+  bool opensLine = true;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view rest = text.substr(i);
+    plain += rest.front();
+    // A space breaks the sign that the runner looks for.
+    if (rest.starts_with("##[")) {
+      plain += "# ";
+      ++i;
+    } else if (opensLine && rest.starts_with("::")) {
+      plain += ' ';
+    }
+    opensLine = rest.front() == '\n' || (opensLine && rest.front() == ' ');
+  }
+  return plain;
+}
+
+}  // namespace gnomon

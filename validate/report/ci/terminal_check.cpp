@@ -1,0 +1,189 @@
+#include "report/ci/terminal_check.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "report/text/gate_text.h"
+#include "report/text/number_text.h"
+#include "report/text/terminal_page.h"
+#include "report/text/text_width.h"
+#include "study/record/cases.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::size_t mostMethod = 24;
+constexpr std::size_t verdictWidth = 11;
+
+using Cells = std::array<std::string, 7>;
+using CheckWidths = std::array<std::size_t, 7>;
+enum CheckColumn : std::size_t { method, metric, place, value, limit, margin, verdict };
+
+std::string anyOr(const std::string& name) {
+  return name.empty() ? "any" : name;
+}
+
+std::string placeText(const GateRecord& gate) {
+  std::string text = fmt::format("{}, {}", anyOr(gate.view), anyOr(gate.light));
+  if (gate.region != wholeRegion) text += ", " + gate.region;
+  if (gate.answer != Answer::drawn) text += fmt::format(", {}", answerName(gate.answer));
+  const std::size_t slash = gate.step.find('/');
+  return slash == std::string::npos ? text : gate.step.substr(slash + 1) + ", " + text;
+}
+
+/// Four decimals; four digits where a limit is so far off that these would fill the table.
+std::string marginText(double margin) {
+  return std::abs(margin) < 1e4 ? fmt::format("{:+.4f}", margin) : fmt::format("{:+.3e}", margin);
+}
+
+Cells cellsOf(const GateRecord& gate) {
+  const auto margin = gate.margin();
+  return {anyOr(gate.method),
+          gate.metric,
+          placeText(gate),
+          gate.value ? fmt::format("{:.4f}", *gate.value) : "–",
+          limitText(gate),
+          margin ? marginText(*margin) : "–",
+          gateVerdictName(gate.verdict)};
+}
+
+/// Each column as wide as its widest cell; the method's, then the place's cut to what is left.
+CheckWidths widthsOf(const std::vector<Cells>& rows) {
+  CheckWidths widths{};
+  for (const Cells& cells : rows) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      widths[i] = std::max(widths[i], displayWidth(cells[i]));
+    }
+  }
+  widths[CheckColumn::method] = std::min(widths[CheckColumn::method], mostMethod);
+  widths[CheckColumn::verdict] = verdictWidth;
+  std::size_t taken = terminalIndent + 2 * (widths.size() - 1);
+  for (std::size_t i = 0; i < widths.size(); ++i) taken += i == CheckColumn::place ? 0 : widths[i];
+  const std::size_t room = taken < terminalWidth ? terminalWidth - taken : 1;
+  widths[CheckColumn::place] = std::min(widths[CheckColumn::place], room);
+  return widths;
+}
+
+std::string rowText(const Cells& cells, const CheckWidths& widths) {
+  std::string row(terminalIndent, ' ');
+  for (std::size_t i = 0; i < CheckColumn::verdict; ++i) {
+    const bool number = i >= CheckColumn::value;
+    row += (number ? fitRight(cells[i], widths[i]) : fitLeft(cells[i], widths[i])) + "  ";
+  }
+  return row;
+}
+
+const char* verdictColour(GateVerdict verdict) {
+  if (verdict == GateVerdict::passed) return "32";
+  return verdict == GateVerdict::skipped ? "33" : "31";
+}
+
+std::vector<const GateRecord*> gatesOf(const CheckRecord& check, GateKind kind) {
+  std::vector<const GateRecord*> gates;
+  for (const GateRecord& gate : check.gates) {
+    if (gate.kind == kind) gates.push_back(&gate);
+  }
+  return gates;
+}
+
+bool isFault(const GateRecord& gate) {
+  return gate.verdict == GateVerdict::failed || gate.verdict == GateVerdict::undefined;
+}
+
+std::size_t countOf(const std::vector<const GateRecord*>& gates, GateVerdict verdict) {
+  return static_cast<std::size_t>(std::count_if(
+      gates.begin(), gates.end(), [&](const GateRecord* g) { return g->verdict == verdict; }));
+}
+
+void appendTable(TerminalPage& page, const std::vector<const GateRecord*>& gates) {
+  if (gates.empty()) return;
+  std::vector<Cells> rows = {
+      {"method", "metric", "view, light", "value", "limit", "margin", "verdict"}};
+  for (const GateRecord* gate : gates) rows.push_back(cellsOf(*gate));
+  const CheckWidths widths = widthsOf(rows);
+  page.line(rowText(rows.front(), widths) + rows.front()[CheckColumn::verdict]);
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    const Cells& cells = rows[i + 1];
+    page.line(rowText(cells, widths) +
+              page.styled(cells[CheckColumn::verdict], verdictColour(gates[i]->verdict)));
+  }
+}
+
+void appendReferences(TerminalPage& page, const CheckRecord& check) {
+  const std::vector<const GateRecord*> gates = gatesOf(check, GateKind::reference);
+  if (gates.empty()) return;
+  const std::size_t skipped = countOf(gates, GateVerdict::skipped);
+  page.paragraph(fmt::format("{}: {} of {} references hold{}", check.baseline,
+                             countOf(gates, GateVerdict::passed), gates.size(),
+                             skipped > 0 ? fmt::format(", {} skipped", skipped) : ""),
+                 terminalIndent);
+  std::vector<const GateRecord*> faults;
+  std::copy_if(gates.begin(), gates.end(), std::back_inserter(faults),
+               [](const GateRecord* gate) { return isFault(*gate); });
+  appendTable(page, faults);
+}
+
+/// Each fault in full, since a table cuts names.
+void appendFaults(TerminalPage& page, const CheckRecord& check) {
+  const auto fault = [&](const std::string& label, const std::string& text) {
+    page.line(std::string(terminalIndent, ' ') + page.styled(label, "31"));
+    page.paragraph(text, 2 * terminalIndent);
+  };
+  for (const ProblemRecord& problem : check.problems) fault("error", problem.message);
+  for (const GateRecord& gate : check.gates) {
+    if (!isFault(gate)) continue;
+    const bool failed = gate.verdict == GateVerdict::failed;
+    fault(failed ? "failed" : "undefined", gateFaultText(gate));
+  }
+}
+
+void appendNotices(TerminalPage& page, const CheckRecord& check) {
+  for (const NoticeRecord& notice : check.notices) {
+    const std::string place =
+        notice.line > 0 ? fmt::format("{}:{}", check.file, notice.line) : check.file;
+    page.paragraph(fmt::format("Notice: {}: {}", place, notice.text), terminalIndent);
+  }
+}
+
+}  // namespace
+
+std::string checkTable(const CheckRecord& check, bool colours) {
+  TerminalPage page(colours);
+  page.heading(fmt::format("{} ({})", check.name, check.file));
+  appendTable(page, gatesOf(check, GateKind::threshold));
+  appendReferences(page, check);
+  appendFaults(page, check);
+  appendNotices(page, check);
+  if (check.status() != ExitStatus::pass) {
+    page.line(std::string(terminalIndent, ' ') + "Reproduce:");
+    page.line(std::string(2 * terminalIndent, ' ') + terminalText(check.command));
+  }
+  return page.text();
+}
+
+std::string checkSummary(std::span<const CheckRecord> checks, ExitStatus status, bool colours) {
+  std::vector<const GateRecord*> gates;
+  std::size_t problems = 0;
+  std::string bad;
+  for (const CheckRecord& check : checks) {
+    for (const GateRecord& gate : check.gates) gates.push_back(&gate);
+    problems += check.problems.size();
+    if (check.status() != ExitStatus::pass) bad += (bad.empty() ? "" : ", ") + check.name;
+  }
+  TerminalPage page(colours);
+  page.paragraph(fmt::format(
+      "Check of {} {}: {} of {} gates passed, {} failed, {} undefined, {} skipped, {} {}. Exit "
+      "status {}.",
+      checks.size(), checks.size() == 1 ? "study" : "studies", countOf(gates, GateVerdict::passed),
+      gates.size(), countOf(gates, GateVerdict::failed), countOf(gates, GateVerdict::undefined),
+      countOf(gates, GateVerdict::skipped), problems, problems == 1 ? "error" : "errors",
+      static_cast<int>(status)));
+  if (!bad.empty()) page.paragraph("Not passed: " + bad);
+  return page.text();
+}
+
+}  // namespace gnomon

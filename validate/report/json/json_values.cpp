@@ -1,0 +1,210 @@
+#include "report/json/json_values.h"
+
+#include <fmt/core.h>
+
+#include "common/text/utf8.h"
+#include "report/page/region_image.h"
+#include "report/text/gate_text.h"
+#include "report/text/names.h"
+#include "report/text/number_text.h"
+#include "report/text/radius_text.h"
+
+namespace gnomon {
+namespace {
+
+Json flipJson(const UncertaintyRecord& flip) {
+  Json boundaries = Json::object();
+  addMetrics(boundaries, flip.boundaries);
+  return {{"view", flip.view},
+          {"light", flip.light},
+          {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
+          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
+          {"boundaries", std::move(boundaries)}};
+}
+
+/// A study's settings hold no dates, which JSON does not know.
+Json tomlJson(const toml::node& node) {
+  if (const auto* table = node.as_table()) {
+    Json json = Json::object();
+    for (const auto& [key, value] : *table) json[std::string(key.str())] = tomlJson(value);
+    return json;
+  }
+  if (const auto* array = node.as_array()) return jsonList(*array, tomlJson);
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto flag = node.value_exact<bool>()) return *flag;
+  if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
+  const auto number = node.value_exact<double>();
+  if (!number) throw InternalError("study.settings: a value that is neither text nor number");
+  return jsonNumber(*number, "study.settings");
+}
+
+Json inputJson(const InputRecord& input) {
+  return {{"kind", inputKindName(input.kind)}, {"file", input.file}, {"sha256", input.sha256}};
+}
+
+Json refinementJson(const RefinementRecord& level) {
+  return {{"step_texels", jsonNumber(level.stepTexels, "truth.refinement.step_texels")},
+          {"micro_triangles", level.microTriangles},
+          {"flip_rate", jsonNumber(level.flipRate, "truth.refinement.flip_rate")}};
+}
+
+Json spreadJson(const ClaimSpread& spread) {
+  const auto quartile = [&](double Quartiles::*which) {
+    return jsonNumber(spread.quartiles ? std::optional((*spread.quartiles).*which) : std::nullopt,
+                      "claims.spread");
+  };
+  return {{"cases", spread.cases},
+          {"held", spread.held},
+          {"failed", spread.failed},
+          {"not_distinguishable", spread.notDistinguishable()},
+          {"intervals", spread.hasIntervals},
+          {"together", spread.together ? Json(verdictName(*spread.together)) : Json(nullptr)},
+          {"quantity", spread.quantity},
+          {"least", quartile(&Quartiles::least)},
+          {"quartile_1", quartile(&Quartiles::first)},
+          {"median", quartile(&Quartiles::median)},
+          {"quartile_3", quartile(&Quartiles::third)},
+          {"most", quartile(&Quartiles::most)}};
+}
+
+}  // namespace
+
+Json jsonNumber(double value, std::string_view key) {
+  return requireFinite(value, key);
+}
+
+Json jsonNumber(std::optional<double> value, std::string_view key) {
+  return value ? jsonNumber(*value, key) : Json(nullptr);
+}
+
+Json jsonReason(const std::string& reason) {
+  return reason.empty() ? Json(nullptr) : Json(reason);
+}
+
+void addMetrics(Json& json, const std::vector<Metric>& metrics) {
+  Json undefined = Json::object();
+  for (const Metric& metric : metrics) {
+    const std::string name(metric.name);
+    json[name] = jsonNumber(metric.value, name);
+    if (!metric.value) undefined[name] = metric.reason;
+  }
+  json["undefined"] = std::move(undefined);
+}
+
+Json jsonEnvironment(const EnvironmentRecord& environment) {
+  return {{"gnomon_version", environment.gnomonVersion},
+          {"commit", environment.commit},
+          {"cpu", environment.cpu},
+          {"threads", environment.threads},
+          {"gl_renderer", environment.glRenderer},
+          {"frame_clock", environment.frameClock},
+          {"gl_version", environment.glVersion},
+          {"embree_version", environment.embreeVersion},
+          {"opensubdiv_version", environment.openSubdivVersion}};
+}
+
+Json jsonRegionColours() {
+  Json colours = Json::object();
+  for (const Region region : reportedRegions) {
+    colours[std::string(regionName(region))] = regionColour(region);
+  }
+  colours[std::string(regionName(Region::none))] = regionColour(Region::none);
+  return colours;
+}
+
+Json jsonStudy(const StudyRecord& record) {
+  return {{"name", record.name},
+          {"title", record.title},
+          {"source", record.source},
+          {"file", record.file},
+          {"command", record.command},
+          {"copy", record.reproduction.file},
+          {"settings", tomlJson(record.reproduction.settings)},
+          {"inputs", jsonList(record.reproduction.inputs, inputJson)}};
+}
+
+Json jsonRadius(const RadiusRecord& radius) {
+  return {{"texels", jsonNumber(radius.texels, "search_radius.texels")}, {"reason", radius.reason}};
+}
+
+Json jsonTruth(const TruthRecord& truth) {
+  Json json = {{"micro_triangles", truth.microTriangles},
+               {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
+               {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
+               {"bvh_bytes", truth.bvhBytes},
+               {"mesh_bytes", truth.meshBytes},
+               {"flips", jsonList(truth.flips, flipJson)}};
+  if (truth.wantedUncertainty) {
+    json["wanted_uncertainty"] = jsonNumber(*truth.wantedUncertainty, "truth.wanted_uncertainty");
+    json["refinement"] = jsonList(truth.refinement, refinementJson);
+  }
+  return json;
+}
+
+Json jsonClaim(const ClaimRecord& claim) {
+  return {{"text", claim.text},
+          {"source", claim.source},
+          {"verdict", verdictName(claim.verdict)},
+          {"detail", claim.detail},
+          {"spread", claim.spread ? spreadJson(*claim.spread) : Json(nullptr)},
+          {"radius", jsonRadiusCheck(claim)}};
+}
+
+Json jsonMeans(const MethodMeans& means) {
+  return {{"method", means.label},
+          {"error_rate", jsonNumber(means.errorRate, "results.error_rate")},
+          {"false_shadow", jsonNumber(means.falseShadow, "results.false_shadow")},
+          {"false_light", jsonNumber(means.falseLight, "results.false_light")},
+          {"uncertainty", jsonNumber(means.uncertainty, "results.uncertainty")},
+          {"cases", means.cases()},
+          {"all_cases", means.caseErrors.size()}};
+}
+
+Json jsonStatus(RunStatus status) {
+  return runStatusName(status);
+}
+
+Json jsonReference(const GateRecord& gate) {
+  return {{"method", gate.method},
+          {"light", gate.light},
+          {"view", gate.view},
+          {"answer", answerName(gate.answer)},
+          {"metric", gate.metric},
+          {"committed", jsonNumber(gate.expected, "references.committed")},
+          {"value", jsonNumber(gate.value, "references.value")},
+          {"minimum", jsonNumber(gate.minimum, "references.minimum")},
+          {"maximum", jsonNumber(gate.maximum, "references.maximum")},
+          {"verdict", gateVerdictName(gate.verdict)},
+          {"reason", jsonReason(gate.reason)}};
+}
+
+Json jsonProblem(const ProblemRecord& problem) {
+  return {{"part", problem.part}, {"message", problem.message}};
+}
+
+std::string plainJson(const Json& json, int indent) {
+  const std::string dumped = json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  std::string text;
+  text.reserve(dumped.size());
+  for (std::string_view rest = dumped; !rest.empty();) {
+    const Utf8Character character = firstCharacter(rest);
+    // JSON stands on terminals and in logs too. In a string an escape is the same character.
+    const bool moves =
+        character.code != '\n' && (isControl(character.code) || turnsDirection(character.code));
+    if (moves) {
+      text += fmt::format("\\u{:04x}", character.code);
+    } else if (rest.starts_with('[') && text.ends_with("##")) {
+      text += "\\u005b";
+    } else {
+      text += rest.substr(0, character.bytes);
+    }
+    rest.remove_prefix(character.bytes);
+  }
+  return text;
+}
+
+std::string jsonText(const Json& json) {
+  return plainJson(json, 2) + "\n";
+}
+
+}  // namespace gnomon

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/rates.h"
+#include "study/judge/study_ranking.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// Parts that the JSON files of a run share. Keys stay in the order in which they were set.
+using Json = nlohmann::ordered_json;
+
+/// A number.
+/// @throws InternalError naming the key for one that is not finite: the library would write it as
+///   null, without a word
+Json jsonNumber(double value, std::string_view key);
+/// A number, or null.
+Json jsonNumber(std::optional<double> value, std::string_view key);
+
+/// A reason, or null where there is none to give.
+Json jsonReason(const std::string& reason);
+
+/// Adds each value by its name, and under `undefined` why there is none.
+void addMetrics(Json& json, const std::vector<Metric>& metrics);
+
+template <typename Records, typename Convert>
+Json jsonList(const Records& records, const Convert& convert) {
+  Json array = Json::array();
+  for (const auto& record : records) array.push_back(convert(record));
+  return array;
+}
+
+/// How far occluders are searched: texels, and reason.
+Json jsonRadius(const RadiusRecord& radius);
+/// The colours of a picture of regions, by the regions' names.
+Json jsonRegionColours();
+
+Json jsonEnvironment(const EnvironmentRecord& environment);
+/// name, title, source, file, command, copy, settings, inputs.
+Json jsonStudy(const StudyRecord& record);
+/// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light;
+/// where an uncertainty was asked for, also wanted_uncertainty and the levels of `refinement`.
+Json jsonTruth(const TruthRecord& truth);
+/// text, source, verdict, detail; `spread` over the study's cases, or null: cases, held, failed,
+/// not_distinguishable (numbers of cases), intervals (false: judged by the truth's uncertainty
+/// alone), together (the verdict on the mean of all cases), quantity ("ratio", `less` over `than`;
+/// or "value"), and its least, quartile_1, median, quartile_3, most (null where no case has it);
+/// and `radius` (jsonRadiusCheck).
+Json jsonClaim(const ClaimRecord& claim);
+/// method, error_rate, false_shadow, false_light, uncertainty, cases, all_cases.
+Json jsonMeans(const MethodMeans& means);
+/// The status of a run by its name.
+Json jsonStatus(RunStatus status);
+/// A gate that is a reference: method, light, view, metric, committed, value, minimum, maximum,
+/// verdict, reason.
+Json jsonReference(const GateRecord& gate);
+/// part, message.
+Json jsonProblem(const ProblemRecord& problem);
+
+/// JSON as UTF-8 (bytes that are not become U+FFFD). Characters that would move a terminal's cursor
+/// or turn the direction of text, and the [ of `##[`, which GitHub's runner would take for a
+/// command, are written as \uXXXX: the same string.
+/// @param indent  spaces; -1 for all on one line
+std::string plainJson(const Json& json, int indent);
+
+/// The file's text, as plainJson: two spaces of indent, a last LF.
+std::string jsonText(const Json& json);
+
+}  // namespace gnomon

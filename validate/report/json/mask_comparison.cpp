@@ -1,0 +1,166 @@
+#include "report/json/mask_comparison.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/error.h"
+#include "report/json/json_values.h"
+#include "report/text/number_text.h"
+#include "report/text/terminal_page.h"
+#include "report/text/text_width.h"
+
+namespace gnomon {
+namespace {
+
+std::size_t countOf(const Mask& mask, Shade shade) {
+  return static_cast<std::size_t>(std::count(mask.samples.begin(), mask.samples.end(), shade));
+}
+
+Json fileJson(const MaskFileRecord& file) {
+  return {{"file", file.file},
+          {"lit", file.lit},
+          {"shadowed", file.shadowed},
+          {"none", file.none},
+          {"binarised", file.binarised}};
+}
+
+Json gateJson(const MaskGate& gate) {
+  return {{"metric", gate.metric},
+          {"value", jsonNumber(gate.value, "gates.value")},
+          {"minimum", jsonNumber(gate.minimum, "gates.minimum")},
+          {"maximum", jsonNumber(gate.maximum, "gates.maximum")},
+          {"passed", gate.passed}};
+}
+
+std::string fileLine(const char* what, const MaskFileRecord& file) {
+  std::string text = fmt::format("{}: {} lit, {} shadowed", what, groupedText(file.lit),
+                                 groupedText(file.shadowed));
+  if (file.none > 0) text += fmt::format(", {} without a sample", groupedText(file.none));
+  if (file.binarised > 0) text += fmt::format("; {} by the threshold", groupedText(file.binarised));
+  return text;
+}
+
+std::string pixelsLine(const MaskComparison& c) {
+  std::string text =
+      fmt::format("{} × {} pixels: {} compared", c.width, c.height, groupedText(c.counts.samples));
+  if (c.withoutSample > 0)
+    text += fmt::format(", {} without a sample", groupedText(c.withoutSample));
+  if (c.outsideRoi > 0) {
+    text += fmt::format(", {} outside the region of interest", groupedText(c.outsideRoi));
+  }
+  return text;
+}
+
+std::string countsLine(const Counts& counts) {
+  const auto pixels = [](double cell) { return groupedText(static_cast<std::uint64_t>(cell)); };
+  return fmt::format("shadowed in both {}, false shadow {}, false light {}, lit in both {}",
+                     pixels(counts.truePositive), pixels(counts.falsePositive),
+                     pixels(counts.falseNegative), pixels(counts.trueNegative));
+}
+
+/// Six significant digits; a value that is not 0 or 1 never looks so.
+std::string figureText(double value) {
+  std::string text = fmt::format("{:.6g}", requireFinite(value, "metric"));
+  return text == "1" && value != 1 ? exactText(value) : text;
+}
+
+void appendMetrics(TerminalPage& page, const std::vector<Metric>& metrics) {
+  constexpr std::size_t nameWidth = 18;
+  constexpr std::size_t valueWidth = 12;
+  page.line(std::string(terminalIndent, ' ') + fitLeft("metric", nameWidth) +
+            fitRight("value", valueWidth));
+  for (const Metric& metric : metrics) {
+    const std::string value = metric.value ? figureText(*metric.value) : "–";
+    std::string row = std::string(terminalIndent, ' ') + fitLeft(metric.name, nameWidth) +
+                      fitRight(value, valueWidth);
+    if (!metric.value) row += fmt::format("  {}", metric.reason);
+    page.line(row);
+  }
+}
+
+std::string failureText(const MaskGate& gate) {
+  std::string text = fmt::format("{} is {}", gate.metric,
+                                 gate.value ? exactText(*gate.value) : "undefined: " + gate.reason);
+  if (gate.maximum) text += fmt::format(", at most {} allowed", exactText(*gate.maximum));
+  if (gate.minimum) text += fmt::format(", at least {} required", exactText(*gate.minimum));
+  return text;
+}
+
+void appendGates(TerminalPage& page, const std::vector<MaskGate>& gates) {
+  if (gates.empty()) return;
+  const auto met =
+      std::count_if(gates.begin(), gates.end(), [](const auto& g) { return g.passed; });
+  page.blank();
+  page.heading(fmt::format("Gates: {} of {} met", met, gates.size()));
+  for (const MaskGate& gate : gates) {
+    if (gate.passed) continue;
+    page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
+    page.paragraph(failureText(gate), 2 * terminalIndent);
+  }
+}
+
+}  // namespace
+
+MaskFileRecord::MaskFileRecord(std::string name, const Mask& mask, std::size_t soft)
+    : file(std::move(name)),
+      lit(countOf(mask, Shade::lit)),
+      shadowed(countOf(mask, Shade::shadowed)),
+      none(countOf(mask, Shade::none)),
+      binarised(soft) {}
+
+bool MaskComparison::passed() const {
+  return std::all_of(gates.begin(), gates.end(), [](const MaskGate& gate) { return gate.passed; });
+}
+
+std::vector<MaskGate> judged(std::vector<MaskGate> gates, const std::vector<Metric>& metrics) {
+  for (MaskGate& gate : gates) {
+    const auto found = std::find_if(metrics.begin(), metrics.end(), [&](const Metric& metric) {
+      return metric.name == gate.metric;
+    });
+    if (found == metrics.end()) {
+      throw InternalError(fmt::format("a gate on {}, which was not measured", gate.metric));
+    }
+    gate.value = found->value;
+    gate.reason = found->reason;
+    gate.passed = gate.value && (!gate.maximum || *gate.value <= *gate.maximum) &&
+                  (!gate.minimum || *gate.value >= *gate.minimum);
+  }
+  return gates;
+}
+
+std::string maskComparisonJson(const MaskComparison& c) {
+  Json json = {{"schema", "gnomon-comparison/1"},
+               {"status", jsonStatus(c.passed() ? RunStatus::pass : RunStatus::fail)},
+               {"command", c.command},
+               {"candidate", fileJson(c.candidate)},
+               {"truth", fileJson(c.truth)},
+               {"roi", c.roi ? fileJson(*c.roi) : Json(nullptr)},
+               {"width", c.width},
+               {"height", c.height},
+               {"without_sample", c.withoutSample},
+               {"outside_roi", c.outsideRoi},
+               {"samples", c.counts.samples},
+               {"tp", jsonNumber(c.counts.truePositive, "tp")},
+               {"fp", jsonNumber(c.counts.falsePositive, "fp")},
+               {"fn", jsonNumber(c.counts.falseNegative, "fn")},
+               {"tn", jsonNumber(c.counts.trueNegative, "tn")}};
+  addMetrics(json, c.metrics);
+  json["gates"] = jsonList(c.gates, gateJson);
+  return jsonText(json);
+}
+
+std::string maskComparisonTable(const MaskComparison& c, bool colours) {
+  TerminalPage page(colours);
+  page.heading(fmt::format("{} against {}", c.candidate.file, c.truth.file));
+  page.paragraph(fileLine("Candidate", c.candidate));
+  page.paragraph(fileLine("Truth", c.truth));
+  page.paragraph(pixelsLine(c));
+  page.paragraph(countsLine(c.counts));
+  page.blank();
+  appendMetrics(page, c.metrics);
+  appendGates(page, c.gates);
+  return page.text();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,84 @@
+#include "report/json/ranking_json.h"
+
+#include <algorithm>
+
+#include "report/json/json_values.h"
+#include "report/tables/csv_text.h"
+#include "report/text/number_text.h"
+
+namespace gnomon {
+namespace {
+
+Json studyJson(const StudyMeans& study) {
+  return {{"name", study.name},
+          {"title", study.title},
+          {"status", jsonStatus(study.status)},
+          {"report", study.name + "/report.html"}};
+}
+
+Json rankedMethodJson(const RankedOverStudies& method) {
+  return {{"rank", method.rank ? Json(*method.rank) : Json(nullptr)},
+          {"label", method.label},
+          {"names", method.names},
+          {"studies", method.studies},
+          {"cases", method.cases},
+          {"all_cases", method.allCases},
+          {"mean_error_rate", jsonNumber(method.meanError, "methods.mean_error_rate")},
+          {"worst_error_rate", jsonNumber(method.worstError, "methods.worst_error_rate")},
+          {"worst_study", method.worstError ? Json(method.worstStudy) : Json(nullptr)},
+          {"uncertainty", jsonNumber(method.uncertainty, "methods.uncertainty")},
+          {"leader_error_rate", jsonNumber(method.leaderError, "methods.leader_error_rate")}};
+}
+
+Json resultsJson(std::span<const StudyMeans> studies) {
+  Json results = Json::array();
+  for (const StudyMeans& study : studies) {
+    for (const MethodMeans& method : study.methods) {
+      Json row = {{"study", study.name}};
+      row.update(jsonMeans(method));
+      results.push_back(std::move(row));
+    }
+  }
+  return results;
+}
+
+Json claimsJson(std::span<const StudyMeans> studies) {
+  Json claims = Json::array();
+  for (const StudyMeans& study : studies) {
+    for (const ClaimRecord& claim : study.claims) {
+      Json json = {{"study", study.name}};
+      json.update(jsonClaim(claim));
+      claims.push_back(std::move(json));
+    }
+  }
+  return claims;
+}
+
+}  // namespace
+
+std::string rankingJson(std::span<const StudyMeans> studies, std::string_view command) {
+  const Json json = {{"schema", rankingSchema},
+                     {"status", jsonStatus(statusOf(studies))},
+                     {"command", command},
+                     {"studies", jsonList(studies, studyJson)},
+                     {"methods", jsonList(rankOverStudies(studies), rankedMethodJson)},
+                     {"results", resultsJson(studies)},
+                     {"claims", claimsJson(studies)}};
+  return jsonText(json);
+}
+
+std::string rankingCsv(std::span<const StudyMeans> studies) {
+  std::string csv = csvLine({"study", "method", "error_rate", "false_shadow", "false_light",
+                             "uncertainty", "cases", "all_cases"});
+  for (const StudyMeans& study : studies) {
+    for (const MethodMeans& method : study.methods) {
+      csv += csvLine({study.name, method.label, exactText(method.errorRate),
+                      exactText(method.falseShadow), exactText(method.falseLight),
+                      exactText(method.uncertainty), std::to_string(method.cases()),
+                      std::to_string(method.caseErrors.size())});
+    }
+  }
+  return csv;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,129 @@
+#include "report/json/summary_json.h"
+
+#include "report/json/json_values.h"
+#include "report/tables/bin_files.h"
+#include "report/tables/budget_files.h"
+#include "report/tables/confidence_files.h"
+#include "report/tables/cost.h"
+#include "report/text/names.h"
+#include "study/record/result_metrics.h"
+
+namespace gnomon {
+namespace {
+
+Json methodJson(const MethodRecord& method) {
+  return {{"label", method.label},
+          {"name", method.name},
+          {"title", method.title},
+          {"citation", method.citation}};
+}
+
+Json resultJson(const ResultRecord& result) {
+  const Counts& counts = result.counts;
+  Json json = {{"method", result.method},
+               {"light", result.light},
+               {"view", result.view},
+               {"answer", answerName(result.answer)},
+               {"region", result.region},
+               {"samples", counts.samples},
+               {"tp", jsonNumber(counts.truePositive, "results.tp")},
+               {"fp", jsonNumber(counts.falsePositive, "results.fp")},
+               {"fn", jsonNumber(counts.falseNegative, "results.fn")},
+               {"tn", jsonNumber(counts.trueNegative, "results.tn")}};
+  addMetrics(json, metricsOf(result));
+  return json;
+}
+
+Json costJson(const StudyRecord& record, const CostRecord& cost) {
+  return {{"method", cost.method},
+          {"polygons", cost.polygons},
+          {"table_bytes", cost.tableBytes},
+          {"height_bytes", cost.heightBytes},
+          {"frame_ms", jsonNumber(cost.frameMs, "cost.frame_ms")},
+          {"passes", cost.passes},
+          {"frame_ratio", jsonNumber(frameRatio(record, cost), "cost.frame_ratio")},
+          {"frame_kept_since", cost.keptSince.empty() ? Json(nullptr) : Json(cost.keptSince)}};
+}
+
+Json cacheJson(const std::optional<CacheCounts>& cache) {
+  if (!cache) return nullptr;
+  return {{"hits", cache->hits}, {"misses", cache->misses}, {"damaged", cache->damaged}};
+}
+
+Json timingJson(const TimingRecord& timing) {
+  return {{"stage", timing.stage}, {"seconds", jsonNumber(timing.seconds, "timings.seconds")}};
+}
+
+Json thresholdJson(const ThresholdRecord& threshold) {
+  return {{"method", threshold.method},
+          {"light", threshold.light},
+          {"view", threshold.view},
+          {"answer", answerName(threshold.answer)},
+          {"region", threshold.region},
+          {"metric", threshold.metric},
+          {"value", jsonNumber(threshold.value, "thresholds.value")},
+          {"minimum", jsonNumber(threshold.minimum, "thresholds.minimum")},
+          {"maximum", jsonNumber(threshold.maximum, "thresholds.maximum")},
+          {"passed", threshold.passed},
+          {"reason", jsonReason(threshold.reason)}};
+}
+
+Json truthFilesJson(const std::optional<TruthFilesRecord>& truth) {
+  if (!truth) return nullptr;
+  return {{"mask", truth->mask},
+          {"regions", truth->regions},
+          {"seam", truth->seam.empty() ? Json(nullptr) : Json(truth->seam)},
+          {"weights", truth->weights.empty() ? Json(nullptr) : Json(truth->weights)}};
+}
+
+Json pictureJson(const PictureRecord& picture) {
+  return {{"kind", pictureKindName(picture.kind)},
+          {"method", picture.method},
+          {"caption", picture.caption},
+          {"path", picture.path},
+          {"mask", picture.mask.empty() ? Json(nullptr) : Json(picture.mask)},
+          {"test_mask", picture.testMask.empty() ? Json(nullptr) : Json(picture.testMask)},
+          {"truth", truthFilesJson(picture.truth)}};
+}
+
+Json panelJson(const PanelRecord& panel) {
+  return {{"view", panel.view},
+          {"light", panel.light},
+          {"width", panel.width},
+          {"height", panel.height},
+          {"pictures", jsonList(panel.pictures, pictureJson)}};
+}
+
+}  // namespace
+
+std::string summaryJson(const StudyRecord& record) {
+  const Json json = {
+      {"schema", summarySchema},
+      {"status", jsonStatus(record.status())},
+      {"study", jsonStudy(record)},
+      {"environment", jsonEnvironment(record.environment)},
+      {"search_radius", jsonRadius(record.radius)},
+      {"truth", jsonTruth(record.truth)},
+      {"methods", jsonList(record.methods, methodJson)},
+      {"results", jsonList(record.results, resultJson)},
+      {"confidence", jsonList(record.confidence, jsonConfidence)},
+      {"differences", jsonList(record.differences, jsonDifference)},
+      {"bins", jsonList(record.bins, jsonBin)},
+      {"cost",
+       jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
+      {"timings", jsonList(record.timings, timingJson)},
+      {"thresholds", jsonList(record.thresholds, thresholdJson)},
+      {"baseline", record.baseline.empty() ? Json(nullptr) : Json(record.baseline)},
+      {"references", jsonList(record.references, jsonReference)},
+      {"problems", jsonList(record.problems, jsonProblem)},
+      {"claims", jsonList(record.claims, jsonClaim)},
+      {"budget", jsonList(record.budgets, jsonBudget)},
+      {"panels", jsonList(record.panels, panelJson)},
+      {"region_colours", jsonRegionColours()},
+      {"notices", record.notices},
+      {"undefined_samples", record.undefinedSamples},
+      {"cache", cacheJson(record.cache)}};
+  return jsonText(json);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// The pictures of one case as lettered figures, one a method, in the order of the record: the
+/// shading, under it the signed difference (or, for the truth, the displaced surface as one sees
+/// it), and a caption with the method's error rate; below them what the colours of the differences
+/// mean. Pictures are embedded as base64; `folder` is where their paths start.
+/// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
+///   PNG
+std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
+                         const std::filesystem::path& folder);
+
+/// A picture's file as an address that a page embeds, byte for byte.
+/// @throws InputError if it cannot be read, InternalError if it is no PNG
+std::string pngAddress(const std::filesystem::path& path);
+
+/// CSS properties --false-shadow, --false-light, --both-lit, --both-shadowed: the colours that the
+/// difference pictures hold.
+std::string differenceProperties();
+
+}  // namespace gnomon

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "report/plots/study_plots.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// A run as one page that needs nothing beside it: style and pictures are inside, and its own
+/// content policy forbids it to load anything. In the order of a reader's questions: is it right
+/// (verdict, ranking, claims, thresholds), where is it wrong (pictures and regions a case), what
+/// does it cost, how far can the truth be trusted, how is it run again.
+/// @param folder  the run's folder: where the paths of the pictures start
+/// @param plots   embedded, in this order
+/// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
+///   PNG, or for a number that is not finite
+std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
+                       std::span<const DrawnPlot> plots = {});
+
+}  // namespace gnomon

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/plots/study_plots.h"
+#include "study/record/sweep_record.h"
+
+namespace gnomon {
+
+/// A sweep as one page that loads nothing: its plots, the error rates of methods × values shaded by
+/// size, its claims and the thresholds that failed. It links to the reports of its steps, whose
+/// folders lie beside it.
+/// @param plots  error against the value, then what the values cost: embedded
+/// @throws InternalError for a number that is not finite
+std::string sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots);
+
+}  // namespace gnomon

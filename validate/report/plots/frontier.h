@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "report/plots/plot_sheet.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// One method entry's memory and mean error.
+struct FrontierPoint {
+  std::string label;
+  std::string name;        ///< the method's own: entries of one name are one series
+  double bytes = 0;        ///< its tables and the height map, where it reads it
+  double errorRate = 0;    ///< mean over lights and views, share of the samples
+  bool efficient = false;  ///< no other entry has as little memory and as small an error
+};
+
+/// The entries that read tables or the height map and answer in every case (rankByError), by
+/// memory, then error. Empty unless some method
+/// stands in the study with two different memories: only then there is something to trade.
+std::vector<FrontierPoint> frontier(const StudyRecord& record);
+
+/// The points as a plot, error against memory (both logarithmic), one series a method, the
+/// efficient ones joined by steps.
+/// @throws InternalError for a number that is not finite
+PlotSheet frontierPlot(const std::vector<FrontierPoint>& points);
+
+/// The same as rows: method (its label), shader (its name), bytes, error_rate, efficient.
+std::string frontierCsv(const std::vector<FrontierPoint>& points);
+
+}  // namespace gnomon

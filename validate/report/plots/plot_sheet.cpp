@@ -1,0 +1,60 @@
+#include "report/plots/plot_sheet.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "report/plots/gnuplot.h"
+
+namespace gnomon {
+namespace {
+
+constexpr const char* encoding = "set encoding utf8\n";
+
+constexpr std::string_view dateKey = "/CreationDate (D:";
+
+bool showsDate(const std::string& pdf) {
+  return pdf.find(dateKey) != std::string::npos;
+}
+
+/// A PDF says when it was made: it shall not. Nothing else in it moves.
+std::string withoutDate(std::string pdf) {
+  const std::size_t at = pdf.rfind(dateKey);
+  if (at == std::string::npos) return pdf;
+  const std::string never = "19700101000000";
+  return pdf.replace(at + dateKey.size(), never.size(), never);
+}
+
+}  // namespace
+
+std::string svgOf(const PlotSheet& sheet) {
+  const std::string terminal = fmt::format(
+      "set terminal svg size {},{} noenhanced font 'sans-serif,14' background '#ffffff'\n",
+      sheet.width, sheet.height);
+  return cleanSvg(runGnuplot(encoding + terminal + sheet.commands), sheet.title);
+}
+
+std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
+  constexpr double pixelsPerInch = 144;
+  // gnuplot drops what is left of a point: half a thousandth keeps the last one.
+  const auto inches = [](int pixels) { return pixels / pixelsPerInch + 0.0005; };
+  std::vector<std::string> scripts;
+  for (const PlotSheet& sheet : sheets) {
+    const std::string terminal = fmt::format(
+        "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
+        "fontscale 0.4 linewidth 0.5\n",
+        inches(sheet.width), inches(sheet.height));
+    scripts.push_back(encoding + terminal + sheet.commands);
+  }
+  std::vector<std::string> pdfs = drawByGnuplot(scripts);
+  // cairo 1.18 compresses the date too.
+  if (!std::all_of(pdfs.begin(), pdfs.end(), showsDate)) {
+    pdfs = drawByGnuplot(scripts, PdfObjects::plain);
+  }
+  for (std::string& pdf : pdfs) pdf = withoutDate(std::move(pdf));
+  return pdfs;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "report/plots/gnuplot.h"
+#include "report/text/text_width.h"
+
+namespace gnomon {
+
+// What the plots share.
+
+/// The colours of Okabe and Ito that are readable as lines on white: the common colour vision
+/// deficiencies keep them apart.
+constexpr std::array<const char*, 7> plotColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                    "#56B4E9", "#E69F00", "#000000"};
+/// gnuplot's numbers of point shapes, one a colour.
+constexpr std::array<int, 7> plotPoints = {7, 5, 9, 13, 11, 6, 4};
+
+/// The style of a plot's m-th line with its points.
+inline std::string plotLine(std::size_t m) {
+  return "lc rgb '" + std::string(plotColours.at(m % plotColours.size())) + "' pt " +
+         std::to_string(plotPoints.at(m % plotPoints.size())) + " ps 0.7 lw 2 dt " +
+         std::to_string(1 + m / plotColours.size());
+}
+
+/// The most characters of a label that a legend shows.
+constexpr std::size_t longestLegend = 40;
+
+/// A label of a legend, shortened where it is too long, quoted for gnuplot.
+inline std::string plotLegend(const std::string& label) {
+  return gnuplotText(displayWidth(label) > longestLegend ? fitLeft(label, longestLegend) : label);
+}
+
+}  // namespace gnomon

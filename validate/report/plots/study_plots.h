@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "report/plots/plot_sheet.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// A plot as a report embeds it.
+struct DrawnPlot {
+  PlotSheet sheet;
+  std::string svg;
+};
+
+/// All plots of a study: error against memory, where there is something to trade; error by the bins
+/// of every axis in every view; the error budget of all lights. Names are distinct.
+/// @throws InternalError as the plots
+std::vector<PlotSheet> studyPlots(const StudyRecord& record);
+
+}  // namespace gnomon

@@ -1,0 +1,147 @@
+#include "report/plots/sweep_cost_plots.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "report/plots/gnuplot.h"
+#include "report/plots/plot_style.h"
+#include "report/tables/cost.h"
+#include "report/text/number_text.h"
+#include "study/judge/study_ranking.h"
+
+namespace gnomon {
+namespace {
+
+/// One value of a method; none where it was not measured, an error none either where it lacks a
+/// case.
+struct Point {
+  double value = 0;
+  std::optional<double> megabytes, errorRate, frameMs;
+};
+
+struct Line {
+  std::string label;
+  std::vector<Point> points;  ///< by value
+};
+
+Point pointOf(const StudyRecord& step, double value, const std::string& label) {
+  Point point{value, {}, {}, {}};
+  const StudyMeans study = studyMeans(step);
+  const MethodMeans* means = findMeans(study, label);
+  if (means != nullptr && means->isInEveryCase()) point.errorRate = means->errorRate;
+  if (const CostRecord* cost = costOf(step, label)) {
+    point.frameMs = cost->frameMs;
+    const std::uint64_t bytes = memoryBytes(*cost);
+    if (bytes > 0) point.megabytes = static_cast<double>(bytes) / 1e6;
+  }
+  return point;
+}
+
+std::vector<Line> linesOf(const SweepRecord& sweep) {
+  std::vector<std::size_t> order(sweep.values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return sweep.values[a] < sweep.values[b]; });
+  std::vector<Line> lines;
+  for (const MethodMeans& method : studyMeans(sweep).methods) {
+    Line line{method.label, {}};
+    for (const std::size_t i : order) {
+      line.points.push_back(pointOf(sweep.steps.at(i), sweep.values[i], method.label));
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+bool isTimed(const Line& line) {
+  return std::any_of(line.points.begin(), line.points.end(),
+                     [](const Point& point) { return point.frameMs && *point.frameMs > 0; });
+}
+
+bool hasChoice(const Line& line) {
+  std::set<double> memories;
+  for (const Point& point : line.points) {
+    if (point.megabytes && point.errorRate) memories.insert(*point.megabytes);
+  }
+  return memories.size() > 1;
+}
+
+/// A sheet of lines over two axes.
+/// @param row  x and y of one point; a gap where it is empty
+template <typename Row>
+PlotSheet sheetOf(const std::vector<Line>& lines, const std::string& axes, const Row& row) {
+  std::string data;
+  std::string plot;
+  for (std::size_t m = 0; m < lines.size(); ++m) {
+    data += fmt::format("$m{} << EOD\n", m);
+    for (const Point& point : lines[m].points) data += row(point) + "\n";
+    data += "EOD\n";
+    plot += fmt::format("{}$m{} using 1:2 with linespoints {} title {}",
+                        plot.empty() ? "plot " : ", \\\n  ", m, plotLine(m),
+                        plotLegend(lines[m].label));
+  }
+  constexpr std::size_t linesOfPage = 22;
+  constexpr int lineHeight = 24;
+  const auto more = static_cast<int>(std::max(lines.size(), linesOfPage) - linesOfPage);
+  PlotSheet sheet;
+  sheet.height += more * lineHeight;
+  sheet.commands = data +
+                   "set border 3 lc rgb '#5b626b'\n"
+                   "set tics nomirror out textcolor rgb '#1a1d21'\n"
+                   "set grid lc rgb '#dde1e6' lw 1 dt 1\n" +
+                   axes + "set format y '%g'\nset offsets graph 0.03, graph 0.03, 0, 0\n" +
+                   "set key outside right top Left reverse samplen 2 spacing 1.1 maxcols 1\n" +
+                   plot + "\n";
+  return sheet;
+}
+
+PlotSheet framePlot(std::vector<Line> lines, const std::string& axis) {
+  std::erase_if(lines, [](const Line& line) { return !isTimed(line); });
+  PlotSheet sheet = sheetOf(
+      lines,
+      "set logscale y\nset xlabel " + gnuplotText(axis) + "\nset ylabel 'time of a frame, ms'\n",
+      [](const Point& point) {
+        return fmt::format("{} {}", exactText(point.value),
+                           point.frameMs ? exactText(*point.frameMs) : "NaN");
+      });
+  sheet.name = "sweep_frames";
+  sheet.title = "Time of a frame";
+  sheet.about = "Time of a frame of each method against " + axis;
+  return sheet;
+}
+
+PlotSheet memoryPlot(std::vector<Line> lines) {
+  std::erase_if(lines, [](const Line& line) { return !hasChoice(line); });
+  PlotSheet sheet =
+      sheetOf(lines,
+              "set logscale xy\nset format x '%g'\nset xlabel 'tables and height map, MB'\n"
+              "set ylabel 'error rate, percent of the samples'\n",
+              [](const Point& point) {
+                if (!point.megabytes || !point.errorRate) return std::string("NaN NaN");
+                // An error of nothing has no place on a logarithmic axis.
+                return fmt::format("{} {}", exactText(*point.megabytes),
+                                   exactText(100 * std::max(*point.errorRate, 1e-5)));
+              });
+  sheet.name = "sweep_memory";
+  sheet.title = "Error against memory";
+  sheet.about = "Error rate of each method against the memory of its tables and height map";
+  return sheet;
+}
+
+}  // namespace
+
+std::vector<PlotSheet> sweepCostPlots(const SweepRecord& sweep) {
+  const std::vector<Line> lines = linesOf(sweep);
+  std::vector<PlotSheet> sheets;
+  if (std::any_of(lines.begin(), lines.end(), isTimed)) {
+    sheets.push_back(framePlot(lines, sweep.axis));
+  }
+  if (std::any_of(lines.begin(), lines.end(), hasChoice)) sheets.push_back(memoryPlot(lines));
+  return sheets;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,180 @@
+#include "report/plots/sweep_plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "report/plots/gnuplot.h"
+#include "report/plots/plot_style.h"
+#include "report/text/number_text.h"
+#include "study/judge/study_ranking.h"
+
+namespace gnomon {
+namespace {
+
+using MeanFigure = std::optional<double> MethodMeans::*;
+
+struct Panel {
+  MeanFigure figure;
+  const char* name;  ///< of its data, as a suffix
+  const char* title;
+  /// As shares of the page: left, right, bottom, top. The first panel ends where its legend begins.
+  std::array<double, 4> margins;
+};
+
+constexpr int pageWidth = 1000;  // pixels
+constexpr const char* truthLegend = "uncertainty of the truth";
+
+constexpr std::array<Panel, 3> panels = {{
+    {&MethodMeans::errorRate, "e", "error rate, percent of the samples", {0.09, 0, 0.53, 0.95}},
+    {&MethodMeans::falseShadow, "s", "false shadow, percent", {0.09, 0.49, 0.09, 0.37}},
+    {&MethodMeans::falseLight, "l", "false light, percent", {0.58, 0.98, 0.09, 0.37}},
+}};
+
+/// A sweep's figures in increasing order of its values.
+struct Series {
+  std::vector<double> values;
+  std::vector<StudyMeans> steps;
+  std::vector<std::string> methods;  ///< as the steps list them
+  std::vector<std::string> legends;  ///< one a method
+};
+
+Series seriesOf(const SweepRecord& sweep) {
+  std::vector<std::size_t> order(sweep.values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return sweep.values[a] < sweep.values[b]; });
+  Series series;
+  for (const std::size_t i : order) {
+    series.values.push_back(sweep.values[i]);
+    series.steps.push_back(studyMeans(sweep.steps.at(i)));
+  }
+  for (const MethodMeans& method : studyMeans(sweep).methods) {
+    series.methods.push_back(method.label);
+    series.legends.push_back(labelWithCases(method));
+  }
+  return series;
+}
+
+std::string percentData(std::optional<double> share) {
+  return share ? exactText(100 * *share) : "NaN";
+}
+
+std::string lineData(const Series& series, const std::string& method, MeanFigure figure) {
+  std::string rows;
+  for (std::size_t i = 0; i < series.values.size(); ++i) {
+    const MethodMeans* means = findMeans(series.steps[i], method);
+    rows += fmt::format("{} {}\n", exactText(series.values[i]),
+                        percentData(means == nullptr ? std::nullopt : means->*figure));
+  }
+  return rows;
+}
+
+std::string bandData(const Series& series) {
+  std::string rows;
+  for (std::size_t i = 0; i < series.values.size(); ++i) {
+    rows += fmt::format("{} {}\n", exactText(series.values[i]),
+                        percentData(largestUncertainty(series.steps[i])));
+  }
+  return rows;
+}
+
+std::string dataBlocks(const Series& series) {
+  std::string text = "$truth << EOD\n" + bandData(series) + "EOD\n";
+  for (const Panel& panel : panels) {
+    for (std::size_t m = 0; m < series.methods.size(); ++m) {
+      text += fmt::format("${}{} << EOD\n{}EOD\n", panel.name, m,
+                          lineData(series, series.methods[m], panel.figure));
+    }
+  }
+  return text;
+}
+
+/// Indices of the methods from the highest line to the lowest at the largest value.
+std::vector<std::size_t> legendOrder(const Series& series) {
+  const auto last = [&](std::size_t m) {
+    const MethodMeans* means = findMeans(series.steps.back(), series.methods[m]);
+    return means == nullptr ? 0 : means->errorRate.value_or(0);
+  };
+  std::vector<std::size_t> order(series.methods.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return last(a) > last(b); });
+  return order;
+}
+
+std::string plotCommand(const Series& series, const Panel& panel) {
+  std::string text = fmt::format(
+      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title '{}'", truthLegend);
+  for (const std::size_t m : legendOrder(series)) {
+    text += fmt::format(", \\\n  ${}{} using 1:2 with linespoints {} title {}", panel.name, m,
+                        plotLine(m), plotLegend(series.legends[m]));
+  }
+  return text + "\n";
+}
+
+/// Where the legend beside the first panel begins, as a share of the page: so that its longest
+/// label fits.
+double legendLeft(const Series& series) {
+  constexpr double symbol = 45;    // pixels
+  constexpr double character = 8;  // likewise: wider than those of most fonts of 14 pixels
+  std::size_t longest = displayWidth(truthLegend);
+  for (const std::string& legend : series.legends) {
+    longest = std::max(longest, std::min(longestLegend, displayWidth(legend)));
+  }
+  return 1 - (symbol + character * static_cast<double>(longest)) / pageWidth;
+}
+
+std::string panelCommands(const Series& series, const Panel& panel) {
+  std::string text;
+  constexpr std::array sides = {"lmargin", "rmargin", "bmargin", "tmargin"};
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    text += fmt::format("set {} at screen {}\n", sides.at(i), panel.margins.at(i));
+  }
+  return text + "set title " + gnuplotText(panel.title) + "\n" + plotCommand(series, panel);
+}
+
+/// So high that the first panel is as high as the legend beside it: gnuplot would put the rest into
+/// a second column, off the page.
+int pageHeight(const Series& series) {
+  constexpr double lineHeight = 24;
+  const double share = panels[0].margins[3] - panels[0].margins[2];
+  const double lines = static_cast<double>(series.methods.size()) + 2;
+  return std::max(820, static_cast<int>(lines * lineHeight / share));
+}
+
+}  // namespace
+
+PlotSheet sweepPlot(const SweepRecord& sweep) {
+  const Series series = seriesOf(sweep);
+  std::string text =
+      dataBlocks(series) +
+      fmt::format(
+          "set multiplot\n"
+          "set border 3 lc rgb '#5b626b'\n"
+          "set tics nomirror out textcolor rgb '#1a1d21'\n"
+          "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
+          "set title offset 0,-0.4\n"
+          "set xlabel offset 0,0.4 {}\n"
+          "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
+          "set yrange [0:*]\n"
+          "set key at screen {:.3f}, screen 0.94 left top Left reverse samplen 2 spacing 1.1 "
+          "maxcols 1\n",
+          gnuplotText(sweep.axis), legendLeft(series));
+  for (Panel panel : panels) {
+    if (panel.margins[1] == 0) panel.margins[1] = legendLeft(series) - 0.025;
+    text += panelCommands(series, panel);
+    text += "unset key\nset xtics font ',10'\n";  // half as wide from here on
+  }
+  return {"sweep",
+          sweep.title.empty() ? sweep.name : sweep.title,
+          "Error rate, false shadow and false light of each method against " + sweep.axis,
+          pageWidth,
+          pageHeight(series),
+          text + "unset multiplot\n"};
+}
+
+}  // namespace gnomon

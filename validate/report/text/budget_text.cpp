@@ -1,0 +1,52 @@
+#include "report/text/budget_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/text/interval_text.h"
+#include "report/text/number_text.h"
+#include "study/run/stages/budget.h"
+
+namespace gnomon {
+
+std::string signedPercent(double share) {
+  if (share == 0) return "0.00";
+  return (share < 0 ? "−" : "+") + percentText(std::abs(share));
+}
+
+std::string budgetNote(const BudgetRecord& budget) {
+  return fmt::format(
+      "Percent of the samples of view {}, {}. A cause’s share is the error before it is undone "
+      "less "
+      "that after, in the order of the list (forward) or from its end (backward), each time from "
+      "the method as published; below zero where undoing it alone makes matters worse. {} It "
+      "is told from {} blocks. ≈ not distinguishable from none: the interval holds 0, "
+      "there is none, or the share is within the truth’s uncertainty of {} %. What is left is "
+      "split into samples that only an occluder beyond the tables’ radius shadows, which takes "
+      "global geometry, and the others.",
+      budget.view, budget.light == "all" ? "mean over all lights" : budget.light, intervalMeaning,
+      budget.blocks, percentText(budget.uncertainty));
+}
+
+std::string orderText(const BudgetRecord& budget) {
+  const double moved = orderDependence(budget);
+  if (!(budget.total.value > 0)) return "No error to attribute.";
+  return fmt::format(
+      "{} % wrong. The two orders give {} % of the samples, {:.0f} % of the error, to different "
+      "causes.",
+      percentText(budget.total.value), percentText(moved), 100 * moved / budget.total.value);
+}
+
+std::vector<std::string> budgetLights(const StudyRecord& record) {
+  std::vector<std::string> lights;
+  for (const BudgetRecord& budget : record.budgets) {
+    if (std::find(lights.begin(), lights.end(), budget.light) == lights.end()) {
+      lights.push_back(budget.light);
+    }
+  }
+  return lights;
+}
+
+}  // namespace gnomon

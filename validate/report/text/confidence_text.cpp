@@ -1,0 +1,144 @@
+#include "report/text/confidence_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "report/text/budget_text.h"
+#include "report/text/interval_text.h"
+#include "report/text/number_text.h"
+#include "report/text/radius_text.h"
+#include "study/judge/distinguish.h"
+
+namespace gnomon {
+namespace {
+
+/// "a", "a and b", "a; b; c and 2 more": labels may hold commas.
+std::string listText(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> parts(
+      names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
+  if (names.size() > most) parts.push_back(fmt::format("{} more", names.size() - most));
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) text += i + 1 == parts.size() ? " and " : "; ";
+    text += parts[i];
+  }
+  return text;
+}
+
+/// What several rows say of one figure: "0.30", or "0.30 to 0.55" where they differ.
+class Range {
+ public:
+  void add(double value) {
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+  }
+  [[nodiscard]] bool isEmpty() const { return low_ > high_; }
+  template <typename Text>
+  [[nodiscard]] std::string text(const Text& textOf) const {
+    const std::string low = textOf(low_);
+    const std::string high = textOf(high_);
+    return low == high ? low : low + " to " + high;
+  }
+
+ private:
+  double low_ = std::numeric_limits<double>::infinity();
+  double high_ = -std::numeric_limits<double>::infinity();
+};
+
+/// Of a view's methods to the best, all lights together: what the marks of its table say.
+std::vector<DifferenceRecord> differencesToBest(const StudyRecord& record, const std::string& view,
+                                                const std::vector<ConfidenceRecord>& ranked) {
+  std::vector<DifferenceRecord> found;
+  for (const ConfidenceRecord& row : ranked) {
+    const auto toBest = differenceOf(record, view, allLights, row.method, ranked.front().method);
+    if (toBest) found.push_back(*toBest);
+  }
+  return found;
+}
+
+/// @param difference  of the worse method, less the best
+std::string betterText(const DifferenceRecord& difference) {
+  // It says what becomes of the best.
+  const std::string radius = radiusNote(swapped(difference));
+  return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.second,
+                     difference.first, percentText(difference.difference),
+                     intervalText(difference.interval), radius.empty() ? "" : ", which " + radius);
+}
+
+}  // namespace
+
+std::vector<std::string> confidenceViews(const StudyRecord& record) {
+  std::vector<std::string> views;
+  for (const ConfidenceRecord& row : record.confidence) {
+    if (std::find(views.begin(), views.end(), row.view) == views.end()) views.push_back(row.view);
+  }
+  return views;
+}
+
+std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::string& view) {
+  std::vector<ConfidenceRecord> ranked;
+  for (const ConfidenceRecord& row : record.confidence) {
+    if (row.view == view && row.light == allLights) ranked.push_back(row);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.rate < b.rate; });
+  return ranked;
+}
+
+std::string verdictText(const StudyRecord& record, const std::string& view) {
+  const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
+  if (ranked.size() < 2) return "";
+  const std::string& best = ranked.front().method;
+  std::string better;
+  std::vector<std::string> alike;
+  for (std::size_t i = 1; i < ranked.size(); ++i) {
+    const auto difference = differenceOf(record, view, allLights, ranked[i].method, best);
+    if (!difference) continue;
+    if (difference->verdict == DifferenceVerdict::notDistinguishable) {
+      alike.push_back(ranked[i].method);
+    } else if (better.empty()) {
+      better = betterText(*difference);
+    }
+  }
+  if (alike.empty()) return better;
+  const std::string same = fmt::format("{} is not distinguishable from {}.", best, listText(alike));
+  return better.empty() ? same : better + " " + same;
+}
+
+std::string differenceMark(const DifferenceRecord& toBest) {
+  const bool isAlike = toBest.verdict == DifferenceVerdict::notDistinguishable;
+  if (radiusNote(toBest).empty()) return isAlike ? " ≈" : "";
+  return (isAlike ? "≈" : " ") + std::string(radiusMark);
+}
+
+std::string confidenceNote(const StudyRecord& record, const std::string& view) {
+  const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
+  if (ranked.empty()) return "";
+  Range blocks;
+  for (const ConfidenceRecord& row : ranked) blocks.add(static_cast<double>(row.blocks));
+  Range uncertainty;
+  std::string radius;
+  for (const DifferenceRecord& toBest : differencesToBest(record, view, ranked)) {
+    uncertainty.add(toBest.uncertainty);
+    if (toBest.radius) {
+      radius = fmt::format(" {} depends on the radius: another verdict at half or at twice of it.",
+                           radiusMark);
+    }
+  }
+  const std::string truth =
+      uncertainty.isEmpty()
+          ? ""
+          : fmt::format(", or it is within the truth’s uncertainty of {} %",
+                        uncertainty.text([](double share) { return percentText(share); }));
+  return fmt::format(
+      "Percent of the samples, mean over the lights. {} It is told from {} blocks of {} × {} "
+      "samples. ≈ not distinguishable from the best: the interval of the difference holds 0, there "
+      "is none{}.{}",
+      intervalMeaning, blocks.text([](double count) { return fmt::format("{}", count); }),
+      ranked.front().blockSide, ranked.front().blockSide, truth, radius);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "study/record/gate_record.h"
+
+namespace gnomon {
+
+/// "pass", "fail", "undefined" or "skipped", the same in every kind of report.
+std::string gateVerdictName(GateVerdict verdict);
+
+/// The limits: "≤ 0.03", "≥ 0.1", "0.9 to 1.1".
+std::string limitText(const GateRecord& gate);
+
+/// What is judged: "onoue-2004, error_rate ≤ 0.03, camera, elevation 24° azimuth 165°", then the
+/// region where it is not that of all samples, and the step of a sweep. Names that a skipped gate
+/// leaves free read "any".
+std::string gateName(const GateRecord& gate);
+
+/// The same without the limit's number, so that it names the gate also after the limit has moved:
+/// "onoue-2004, error_rate max, camera, elevation 24° azimuth 165°".
+std::string gateTitle(const GateRecord& gate);
+
+/// A gate that does not hold: its name, then what came of it.
+std::string gateFaultText(const GateRecord& gate);
+
+/// What came of it: "0.0412, too large by 0.0112", "undefined: no samples", "skipped: …"; with a
+/// reference its committed value.
+std::string gateOutcome(const GateRecord& gate);
+
+}  // namespace gnomon

@@ -1,0 +1,55 @@
+#include "report/text/number_text.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "common/error.h"
+
+namespace gnomon {
+
+double requireFinite(double value, std::string_view what) {
+  if (!std::isfinite(value)) {
+    throw InternalError(fmt::format("{}: {} found, a finite number expected", what, value));
+  }
+  return value;
+}
+
+std::string percentText(std::optional<double> share) {
+  if (!share) return "–";
+  const double percent = 100 * requireFinite(*share, "rate");
+  if (percent > 0 && percent < 0.005) return "<0.01";
+  if (percent < 100 && percent > 99.995) return ">99.99";
+  return fmt::format("{:.2f}", percent);
+}
+
+std::string correlationText(std::optional<double> value) {
+  if (!value) return "–";
+  const double correlation = requireFinite(*value, "correlation");
+  if (correlation < 1 && correlation > 0.9995) return ">0.999";
+  if (correlation > -1 && correlation < -0.9995) return "<−0.999";
+  const std::string digits = fmt::format("{:.3f}", std::abs(correlation));
+  return correlation < 0 && digits != "0.000" ? "−" + digits : digits;
+}
+
+std::string ratioText(std::optional<double> value) {
+  if (!value) return "–";
+  const double ratio = requireFinite(*value, "ratio");
+  return ratio > 0 && ratio < 0.005 ? "<0.01" : fmt::format("{:.2f}", ratio);
+}
+
+std::string exactText(double value) {
+  return fmt::format("{}", requireFinite(value, "value"));
+}
+
+std::string exactText(std::optional<double> value) {
+  return value ? exactText(*value) : "";
+}
+
+std::string groupedText(std::uint64_t value) {
+  std::string digits = fmt::format("{}", value);
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, "\u202f");
+  return digits;
+}
+
+}  // namespace gnomon

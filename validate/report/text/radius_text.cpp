@@ -1,0 +1,51 @@
+#include "report/text/radius_text.h"
+
+#include <fmt/core.h>
+
+#include "report/text/names.h"
+
+namespace gnomon {
+namespace {
+
+std::string_view nameOf(Verdict verdict) {
+  return verdictName(verdict);
+}
+
+std::string_view nameOf(DifferenceVerdict verdict) {
+  return differenceVerdictName(verdict);
+}
+
+template <typename Row>
+std::string noteOf(const Row& row) {
+  if (!row.radius || !row.radius->turns(row.verdict)) return "";
+  return fmt::format("depends on the radius: {} at half of it, {} at twice",
+                     nameOf(row.radius->atHalf), nameOf(row.radius->atTwice));
+}
+
+template <typename Row>
+Json jsonOf(const Row& row) {
+  if (!row.radius) return nullptr;
+  return {{"half", nameOf(row.radius->atHalf)},
+          {"twice", nameOf(row.radius->atTwice)},
+          {"depends", row.radius->turns(row.verdict)}};
+}
+
+}  // namespace
+
+std::string radiusNote(const ClaimRecord& claim) {
+  return noteOf(claim);
+}
+
+std::string radiusNote(const DifferenceRecord& difference) {
+  return noteOf(difference);
+}
+
+Json jsonRadiusCheck(const ClaimRecord& claim) {
+  return jsonOf(claim);
+}
+
+Json jsonRadiusCheck(const DifferenceRecord& difference) {
+  return jsonOf(difference);
+}
+
+}  // namespace gnomon

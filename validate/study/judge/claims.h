@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "study/record/record.h"
+#include "study/record/sweep_record.h"
+#include "study/spec/study_file.h"
+
+namespace gnomon {
+
+/// Judges the claims of one study of a run.
+///
+/// A case is one view under one light in which the claim's metric is defined, over the samples of
+/// the claim's region. "`less` has a smaller metric than `than`" holds in a case where `less` is
+/// better than `than` by verdictOn, and fails there where it is worse. "The metric of `method` lies
+/// `above` and `below`" holds in a case where the value is on the right side of every bound by
+/// verdictOn, and fails where it is on the wrong side of one. Over all cases:
+///   held                 it fails in none, and holds for the mean over all of them together, by
+///   the
+///                        interval of that mean; without intervals: it holds in every case
+///   failed               it fails in at least one case, or for that mean
+///   not distinguishable  anything between
+///   not evaluated        no case has a value
+/// The mean is that over all lights together of each view (differenceOverViews), and has a narrower
+/// interval than a single light: a claim may hold though under some lights it cannot be told. In
+/// how many cases it holds by itself stands beside it.
+///
+/// *With an interval or without.* Only the error rate over all samples has intervals: of the value,
+/// and of the paired difference of two methods. Where such an interval was refused, the case is not
+/// distinguishable. Claims about regions and other metrics are judged by the truth's uncertainty
+/// alone (verdictByTruth), and their detail says so. That uncertainty is the share of samples that
+/// flip at half its resolution; in a region, as if all of them lay in it, so that it is never too
+/// small; of a boundary metric or a length ratio, `metricUncertainty`: by how much the coarser
+/// truth's own differs from that of a perfect mask.
+///
+/// *Gains.* With `gainExceeds` the mean of (than - less) over lights and views is compared with the
+/// same mean in the study of that name (over all values, where it has a sweep), by the sum of both
+/// studies' largest uncertainties and by the interval of the difference of two independent means:
+/// with gains g and intervals l to h, low = g₁ - g₂ - √((g₁ - l₁)² + (h₂ - g₂)²), high likewise
+/// (Zou & Donner 2008). Without that study in the run the claim is not evaluated, and says what to
+/// run. A claim with `gainGrows` is not evaluated in a single study.
+/// @param run  the records of all studies of this run
+/// @param own  which of them the claims belong to
+std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
+                                     std::span<const StudyRecord> run, std::size_t own);
+
+/// Judges the claims of a sweep over all its steps, whose own verdicts are known.
+///
+/// With `gainGrows` the mean of (than - less) over lights and views at the last value is compared
+/// with that at the first, as with `gainExceeds`. Any other claim failed
+/// if it failed at some value, held if it held at every one, and is otherwise not distinguishable,
+/// or not evaluated where no step says more than that; its detail names the values of each verdict.
+std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
+                                          const SweepRecord& sweep);
+
+}  // namespace gnomon

@@ -1,0 +1,114 @@
+#include "study/judge/distinguish.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+DifferenceVerdict opposite(DifferenceVerdict verdict) {
+  switch (verdict) {
+    case DifferenceVerdict::better:
+      return DifferenceVerdict::worse;
+    case DifferenceVerdict::worse:
+      return DifferenceVerdict::better;
+    case DifferenceVerdict::notDistinguishable:
+      break;
+  }
+  return verdict;
+}
+
+/// A study with one light has records for all lights together only.
+bool isOnlyLight(const StudyRecord& record, std::string_view view) {
+  return std::none_of(record.confidence.begin(), record.confidence.end(),
+                      [&](const auto& row) { return row.view == view && row.light != allLights; });
+}
+
+std::string_view rowLight(const StudyRecord& record, std::string_view view,
+                          std::string_view light) {
+  return isOnlyLight(record, view) ? allLights : light;
+}
+
+}  // namespace
+
+DifferenceVerdict verdictOn(double difference, const std::optional<Interval>& interval,
+                            double uncertainty) {
+  if (!interval || interval->holds(0) || !(std::abs(difference) > uncertainty)) {
+    return DifferenceVerdict::notDistinguishable;
+  }
+  return difference < 0 ? DifferenceVerdict::better : DifferenceVerdict::worse;
+}
+
+DifferenceVerdict verdictByTruth(double difference, double uncertainty) {
+  return verdictOn(difference, Interval{difference, difference}, uncertainty);
+}
+
+DifferenceRecord swapped(DifferenceRecord difference) {
+  std::swap(difference.first, difference.second);
+  difference.difference = -difference.difference;
+  if (difference.interval) {
+    difference.interval = Interval{-difference.interval->high, -difference.interval->low};
+  }
+  difference.verdict = opposite(difference.verdict);
+  if (difference.radius) {
+    difference.radius = {opposite(difference.radius->atHalf), opposite(difference.radius->atTwice)};
+  }
+  return difference;
+}
+
+std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, std::string_view view,
+                                             std::string_view light, std::string_view first,
+                                             std::string_view second) {
+  const std::string_view named = rowLight(record, view, light);
+  for (const DifferenceRecord& row : record.differences) {
+    if (row.view != view || row.light != named) continue;
+    if (row.first == first && row.second == second) return row;
+    if (row.first == second && row.second == first) return swapped(row);
+  }
+  return std::nullopt;
+}
+
+std::optional<ConfidenceRecord> findConfidence(const StudyRecord& record, std::string_view view,
+                                               std::string_view light, std::string_view method) {
+  const std::string_view named = rowLight(record, view, light);
+  const auto found =
+      std::find_if(record.confidence.begin(), record.confidence.end(), [&](const auto& row) {
+        return row.view == view && row.light == named && row.method == method;
+      });
+  return found == record.confidence.end() ? std::nullopt : std::optional(*found);
+}
+
+DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all) {
+  const auto count = static_cast<double>(all.size());
+  DifferenceRecord mean = all.front();
+  Interval ends;
+  mean.difference = 0;
+  mean.uncertainty = 0;
+  for (const DifferenceRecord& one : all) {
+    mean.difference += one.difference / count;
+    mean.uncertainty += one.uncertainty / count;
+    if (!one.interval) {
+      mean.interval.reset();
+      mean.reason = one.reason;
+      continue;
+    }
+    ends = {ends.low + one.interval->low / count, ends.high + one.interval->high / count};
+  }
+  if (mean.interval) mean.interval = ends;
+  mean.verdict = verdictOn(mean.difference, mean.interval, mean.uncertainty);
+  return mean;
+}
+
+std::optional<DifferenceRecord> differenceOverViews(const StudyRecord& record,
+                                                    std::string_view first,
+                                                    std::string_view second) {
+  std::vector<DifferenceRecord> views;
+  for (const DifferenceRecord& row : record.differences) {
+    if (row.light != allLights) continue;
+    if (row.first == first && row.second == second) views.push_back(row);
+    if (row.first == second && row.second == first) views.push_back(swapped(row));
+  }
+  return views.empty() ? std::nullopt : std::optional(meanDifference(views));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/confidence_interval.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// A metric averaged over cases, each with the same weight.
+struct Mean {
+  std::optional<double> value;  ///< over the cases that define it; none, if no case does
+  std::size_t cases = 0;        ///< how many those are
+};
+
+/// What one method's drawn answers over all lights and views come to, in the region of all samples.
+/// A case is one view under one light.
+struct RankedMethod {
+  std::string label;
+  std::optional<std::size_t> rank;  ///< 1 is best; none where it answers in fewer cases
+  std::size_t cases = 0;            ///< in which it has an error rate
+  std::size_t allCases = 0;         ///< in which some method of the study has one
+  /// Without a rank: mean error rate of the method of rank 1 over this one's cases.
+  std::optional<double> leaderError;
+  Mean errorRate, falseShadow, falseLight, iou, ber;
+  std::optional<double> uncertainty;  ///< the truth's, mean over the same cases
+  /// 95 % for the mean error rate: the mean of the ends of its views' intervals, all lights
+  /// together. Exact for one view; for several as if they erred together, so never too narrow.
+  /// None where a view has none.
+  std::optional<Interval> interval;
+  Mean testError;  ///< error rate of the shadow test alone
+  /// Labels that it is not distinguishable from, by differenceOverViews.
+  std::vector<std::string> indistinguishable;
+};
+
+/// The methods in the order of rankByError, equal ones in the record's.
+std::vector<RankedMethod> rankMethods(const StudyRecord& record);
+
+}  // namespace gnomon

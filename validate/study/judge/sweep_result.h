@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/record/sweep_record.h"
+#include "study/spec/sweep.h"
+
+namespace gnomon {
+
+/// The sweep of a plan, of which `steps` are the records in the plan's order; its claims judged.
+/// @throws InternalError where the number of records is not that of the values
+SweepRecord makeSweepRecord(const StudyPlan& plan, std::vector<StudyRecord> steps,
+                            const std::string& command);
+
+}  // namespace gnomon

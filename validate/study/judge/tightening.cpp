@@ -1,0 +1,85 @@
+#include "study/judge/tightening.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "study/judge/baseline.h"
+#include "study/judge/thresholds.h"
+
+namespace gnomon {
+namespace {
+
+constexpr double looseShare = 0.25;
+constexpr double looseTolerances = 4;
+
+/// What all rows of one gate leave free.
+struct Room {
+  double below = std::numeric_limits<double>::infinity();  ///< the maximum
+  double above = std::numeric_limits<double>::infinity();  ///< the minimum
+  double tolerance = 0;
+};
+
+double toleranceIn(const StudyRecord& step, const ThresholdRecord& row) {
+  ResultRecord result{row.method, row.light, row.view, row.region, {}};
+  result.answer = row.answer;
+  return toleranceOf(row.metric, spreadOf(step, result, row.metric).value_or(0));
+}
+
+/// Whether a method that the gate speaks of was not measured.
+bool isRefused(const ThresholdSpec& gate, const StudyRecord& step) {
+  return std::any_of(step.refused.begin(), step.refused.end(), [&](const RefusedMethod& method) {
+    return gate.method.empty() || gate.method == method.label;
+  });
+}
+
+/// None, where a row did not pass.
+std::optional<Room> roomOf(const ThresholdSpec& gate, std::span<const StudyRecord> steps) {
+  Room room;
+  for (const StudyRecord& step : steps) {
+    if (isRefused(gate, step)) return std::nullopt;
+    for (const ThresholdRecord& row : judgeThresholds({gate}, step.results)) {
+      if (!row.passed) return std::nullopt;
+      if (gate.maximum) room.below = std::min(room.below, *gate.maximum - *row.value);
+      if (gate.minimum) room.above = std::min(room.above, *row.value - *gate.minimum);
+      room.tolerance = std::max(room.tolerance, toleranceIn(step, row));
+    }
+  }
+  return room;
+}
+
+bool isLoose(double limit, double room, double tolerance) {
+  return std::isfinite(room) && room > looseShare * std::abs(limit) &&
+         room > looseTolerances * tolerance;
+}
+
+NoticeRecord notice(const ThresholdSpec& gate, const char* side, double limit, double value) {
+  return {fmt::format("the limit on {} of {} could be tightened: {} {} allowed, {:.5g} the nearest "
+                      "value",
+                      gate.metric, gate.method.empty() ? "all methods" : gate.method, side, limit,
+                      value),
+          gate.line};
+}
+
+}  // namespace
+
+std::vector<NoticeRecord> looseThresholds(const std::vector<ThresholdSpec>& thresholds,
+                                          std::span<const StudyRecord> steps) {
+  std::vector<NoticeRecord> notices;
+  for (const ThresholdSpec& gate : thresholds) {
+    const std::optional<Room> room = roomOf(gate, steps);
+    if (!room) continue;
+    if (gate.maximum && isLoose(*gate.maximum, room->below, room->tolerance)) {
+      notices.push_back(notice(gate, "at most", *gate.maximum, *gate.maximum - room->below));
+    }
+    if (gate.minimum && isLoose(*gate.minimum, room->above, room->tolerance)) {
+      notices.push_back(notice(gate, "at least", *gate.minimum, *gate.minimum + room->above));
+    }
+  }
+  return notices;
+}
+
+}  // namespace gnomon

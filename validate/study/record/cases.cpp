@@ -1,0 +1,82 @@
+#include "study/record/cases.h"
+
+#include <algorithm>
+
+#include "compare/rates.h"
+
+namespace gnomon {
+namespace {
+
+template <typename T>
+void appendOnce(std::vector<T>& list, const T& item) {
+  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
+
+bool belongsTo(const ResultRecord& result, const Case& which) {
+  return result.view == which.view && result.light == which.light;
+}
+
+}  // namespace
+
+std::vector<Case> casesOf(const StudyRecord& record) {
+  std::vector<Case> cases;
+  for (const ResultRecord& result : record.results) {
+    appendOnce(cases, Case{result.view, result.light});
+  }
+  return cases;
+}
+
+std::vector<std::string> methodsOf(const StudyRecord& record) {
+  std::vector<std::string> withResults;
+  for (const ResultRecord& result : record.results) appendOnce(withResults, result.method);
+  std::vector<std::string> methods;
+  for (const MethodRecord& method : record.methods) {
+    const auto found = std::find(withResults.begin(), withResults.end(), method.label);
+    if (found != withResults.end()) appendOnce(methods, method.label);
+  }
+  for (const std::string& label : withResults) appendOnce(methods, label);
+  return methods;
+}
+
+std::vector<Case> comparedCases(const StudyRecord& record) {
+  std::vector<Case> cases = casesOf(record);
+  const std::vector<std::string> labels = methodsOf(record);
+  std::erase_if(cases, [&](const Case& which) {
+    return std::none_of(labels.begin(), labels.end(), [&](const std::string& label) {
+      return rateOf(record, label, which, Answer::drawn, "error_rate");
+    });
+  });
+  return cases;
+}
+
+std::vector<std::string> regionsOf(const StudyRecord& record, const Case& which) {
+  std::vector<std::string> regions;
+  for (const ResultRecord& result : record.results) {
+    if (belongsTo(result, which)) appendOnce(regions, result.region);
+  }
+  return regions;
+}
+
+const ResultRecord* findResult(const StudyRecord& record, std::string_view method,
+                               const Case& which, std::string_view region, Answer answer) {
+  const auto found = std::find_if(record.results.begin(), record.results.end(), [&](const auto& r) {
+    return r.method == method && r.region == region && r.answer == answer && belongsTo(r, which);
+  });
+  return found == record.results.end() ? nullptr : &*found;
+}
+
+std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
+                             Answer answer, std::string_view metric) {
+  const ResultRecord* row = findResult(record, method, which, wholeRegion, answer);
+  return row == nullptr ? std::nullopt : rate(row->counts, metric).value;
+}
+
+std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which) {
+  for (const UncertaintyRecord& flip : record.truth.flips) {
+    if (flip.view == which.view && flip.light == which.light) return flip.flipRate;
+  }
+  const bool measured = !record.truth.flips.empty() || record.truth.uncertainty > 0;
+  return measured ? std::optional(record.truth.uncertainty) : std::nullopt;
+}
+
+}  // namespace gnomon

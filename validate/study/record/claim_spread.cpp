@@ -1,0 +1,56 @@
+#include "study/record/claim_spread.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+/// @param sorted  one value or more
+double percentile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  const double part = place - static_cast<double>(below);
+  return sorted[below] + part * (sorted[above] - sorted[below]);
+}
+
+std::string quartilesText(const ClaimSpread& spread) {
+  if (!spread.quartiles) return "";
+  const Quartiles& q = *spread.quartiles;
+  std::string text = fmt::format("; {} {:.2f}", spread.quantity, q.median);
+  if (spread.cases < 2) return text;
+  text += fmt::format(" ({:.2f} to {:.2f}", q.least, q.most);
+  if (spread.cases >= 4) text += fmt::format(", quartiles {:.2f} and {:.2f}", q.first, q.third);
+  return text + ")";
+}
+
+/// "holds for all lights together; ", where that was judged.
+std::string togetherText(const ClaimSpread& spread, const char* unit) {
+  if (!spread.together) return "";
+  const char* verdict = *spread.together == Verdict::held     ? "holds"
+                        : *spread.together == Verdict::failed ? "fails"
+                                                              : "not distinguishable";
+  return fmt::format("{} for all {}s together; ", verdict, unit);
+}
+
+}  // namespace
+
+std::optional<Quartiles> quartilesOf(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  return Quartiles{values.front(), percentile(values, 0.25), percentile(values, 0.5),
+                   percentile(values, 0.75), values.back()};
+}
+
+std::string spreadText(const ClaimSpread& spread) {
+  const bool ofLights = spread.views == 1;
+  const char* where = ofLights ? "under" : "in";
+  const char* unit = ofLights ? "light" : "case";
+  return fmt::format("{}holds {} {} of {} {}{}, fails {} {}{}", togetherText(spread, unit), where,
+                     spread.held, spread.cases, unit, spread.cases == 1 ? "" : "s", where,
+                     spread.failed, quartilesText(spread));
+}
+
+}  // namespace gnomon

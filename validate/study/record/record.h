@@ -1,0 +1,237 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cache/cache_counts.h"
+#include "compare/counts.h"
+#include "compare/rates.h"
+#include "compare/shadow_length.h"
+#include "study/record/answer.h"
+#include "study/record/bin_record.h"
+#include "study/record/budget_record.h"
+#include "study/record/case_record.h"
+#include "study/record/claim_spread.h"
+#include "study/record/confidence_record.h"
+#include "study/record/gate.h"
+
+namespace gnomon {
+
+/// What one run of one study found: plain data, written by `report`. Every figure is one that the
+/// run computed.
+
+/// Where the run took place.
+struct EnvironmentRecord {
+  std::string gnomonVersion;
+  std::string commit;  ///< of the sources, or empty outside a checkout
+  std::string cpu;
+  int threads = 0;
+  std::string glRenderer;
+  std::string glVersion;
+  std::string embreeVersion;
+  std::string openSubdivVersion;
+  std::string frameClock;  ///< what measured the frame times: "wall clock", "GL timer queries"
+};
+
+/// How far the truth itself can be trusted.
+struct UncertaintyRecord {
+  std::string view;
+  std::string light;
+  double flipRate = 0;  ///< share of samples that change at half the micro-mesh's resolution
+  /// By how much the median length ratio of that coarser truth's shadows to the truth's differs
+  /// from 1; none where too few could be measured.
+  std::optional<double> lengthError = std::nullopt;
+  /// The boundary metrics of that coarser truth's mask, as if it were a method's.
+  std::vector<Metric> boundaries = {};
+};
+
+/// One level of a refinement to a wanted uncertainty.
+struct RefinementRecord {
+  double stepTexels = 0;  ///< that it was cut by: the `truth.step` that gives it
+  std::uint64_t microTriangles = 0;
+  /// The largest share of samples, over views and lights, that differ from the level before; none
+  /// for the first, and where that has more than half the triangles.
+  std::optional<double> flipRate = std::nullopt;
+};
+
+struct TruthRecord {
+  std::uint64_t microTriangles = 0;
+  double stepTexels = 0;   ///< longest micro-edge along s or t of any face, texels on the map
+  double uncertainty = 0;  ///< the largest flip rate below
+  std::uint64_t bvhBytes = 0;
+  std::uint64_t meshBytes = 0;
+  std::vector<UncertaintyRecord> flips;
+  std::optional<double> wantedUncertainty = std::nullopt;  ///< what the study asks for
+  std::vector<RefinementRecord> refinement = {};           ///< the levels up to it, coarsest first
+  double askedStepTexels = 0;  ///< the `truth.step` that gives this mesh: no micro-edge is longer
+};
+
+/// How far occluders are searched, by tables and by marches: D.
+struct RadiusRecord {
+  double texels = 0;
+  std::string reason = {};  ///< "the study states it", or what the rule found (search_radius.h)
+};
+
+/// A method as this study runs it.
+struct MethodRecord {
+  std::string label;  ///< unique in the study; rows refer to it
+  std::string name;   ///< the method's own name
+  std::string title;
+  std::string citation;
+};
+
+/// A method of the study that was not measured, because the driver draws wrong what it needs.
+struct RefusedMethod {
+  std::string label;
+  std::string reason;  ///< "this OpenGL gets shadow volumes wrong: …"
+};
+
+/// One answer of a method against the truth, for one light, view and region ("all" or a region's
+/// name).
+struct ResultRecord {
+  std::string method;  ///< a MethodRecord's label
+  std::string light;
+  std::string view;
+  std::string region;
+  Counts counts;
+  std::optional<ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
+  std::vector<Metric> boundaries = {};                  ///< likewise; empty for other regions
+  Answer answer = Answer::drawn;
+};
+
+struct CostRecord {
+  std::string method;
+  std::uint64_t polygons = 0;     ///< triangles drawn a frame
+  std::uint64_t tableBytes = 0;   ///< tables, and textures that its passes fill each frame
+  std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
+  std::optional<double> frameMs;  ///< median time of one frame of the first camera view
+  int passes = 1;                 ///< drawing passes a frame
+  /// The day, "2026-11-21", on which an earlier run on this machine measured `frameMs`; empty if
+  /// this run did.
+  std::string keptSince = {};
+};
+
+struct TimingRecord {
+  std::string stage;
+  double seconds = 0;
+};
+
+/// A gate: `!(value <= maximum)` or `!(value >= minimum)` fails, and so does an undefined value.
+struct ThresholdRecord {
+  std::string method, light, view, region, metric;
+  std::optional<double> value;
+  std::optional<double> minimum, maximum;
+  bool passed = false;
+  std::string reason = {};  ///< why there is no value
+  int line = 0;             ///< of the gate in the study's file
+  Answer answer = Answer::drawn;
+};
+
+/// A claim of a paper and whether the run bears it out.
+struct ClaimRecord {
+  std::string text;
+  std::string source;
+  Verdict verdict = Verdict::notEvaluated;
+  std::string detail;  ///< the figures it was judged by
+  /// Over the study's cases; none where the claim compares means (gains), or was not evaluated.
+  std::optional<ClaimSpread> spread = std::nullopt;
+  std::optional<RadiusCheck<Verdict>> radius = std::nullopt;  ///< if it was varied
+};
+
+/// Files that tell the truth at the samples of one mesh, in one view under one light. With a
+/// method's mask they give its rows again: its counts over all samples, over those of a region, and
+/// over those whose path to the light crosses a seam; in an atlas its areas, with the weights added
+/// row by row from the top. Paths are relative to the run's folder.
+struct TruthFilesRecord {
+  std::string mask;
+  std::string regions;  ///< a picture in regions' colours
+  std::string seam;     ///< white where the path crosses a seam, else black; empty where none does
+  std::string weights;  ///< EXR, channel "area": what each sample of an atlas counts; else empty
+};
+
+/// One picture of a panel. Paths are relative to the run's folder.
+struct PictureRecord {
+  enum class Kind { shaded, difference, displaced };
+  Kind kind = Kind::shaded;
+  std::string method;  ///< a label, or "truth"
+  std::string caption;
+  std::string path;
+  std::string mask = {};      ///< of the answer that a shaded picture shows
+  std::string embedded = {};  ///< WebP for a page; empty for a difference, which it shows as it is
+  /// Of a shading: which of its panel's layers it is composed of, and its mask. Then what is
+  /// embedded is small.
+  std::optional<std::size_t> layers = std::nullopt;
+  /// Of a shading: the truth at its own samples.
+  std::optional<TruthFilesRecord> truth = std::nullopt;
+  std::string testMask = {};  ///< of a method's shading: what its shadow test alone says
+};
+
+/// One mesh in one view under one light, with all its samples lit and with all of them shadowed: as
+/// WebP, for a page. A method decides only which samples are lit, so that these two and masks are
+/// all shadings of the mesh, in a fraction of their bytes.
+struct LayersRecord {
+  std::string lit;
+  std::string dark;
+  bool operator==(const LayersRecord&) const = default;
+};
+
+/// The pictures of one view under one light, in the order of Figure 8.
+struct PanelRecord {
+  std::string view;
+  std::string light;
+  int width = 0;
+  int height = 0;
+  std::vector<PictureRecord> pictures;
+  std::vector<LayersRecord> layers = {};
+};
+
+/// The pictures of a row of which a reference does not hold. Paths are relative to the run's
+/// folder.
+struct ReferencePictures {
+  std::string method, view, light;
+  std::string before;  ///< signed difference as committed; empty where none was kept
+  std::string after;   ///< signed difference of this run
+  std::string change;  ///< of the method's mask; empty likewise
+  std::string note;    ///< why there is no picture of before
+};
+
+struct StudyRecord {
+  std::string name;
+  std::string title;
+  std::string source;   ///< the figure or question the study stands for
+  std::string file;     ///< the study file, as given
+  std::string command;  ///< reproduces the run
+  CaseRecord reproduction;
+  EnvironmentRecord environment;
+  RadiusRecord radius = {};
+  TruthRecord truth;
+  std::vector<MethodRecord> methods;   ///< those that were measured
+  std::vector<RefusedMethod> refused;  ///< the others: notices and problems name them
+  std::vector<ResultRecord> results;
+  std::vector<ConfidenceRecord> confidence;   ///< of every method in every view
+  std::vector<DifferenceRecord> differences;  ///< of every two methods in every view
+  std::vector<BinRecord> bins;
+  std::vector<CostRecord> cost;
+  std::vector<TimingRecord> timings;
+  std::vector<ThresholdRecord> thresholds;
+  /// Where a check judged the run by references: their file, the gates, and what kept it from it.
+  std::string baseline;
+  std::vector<GateRecord> references;
+  std::vector<ProblemRecord> problems;
+  std::vector<ReferencePictures> referencePictures;
+  std::vector<ClaimRecord> claims;
+  std::vector<BudgetRecord>
+      budgets;  ///< a ladder for all lights together, then for each of several
+  std::vector<PanelRecord> panels;
+  std::vector<std::string> notices;    ///< to be read before the figures; see study/notices.h
+  std::uint64_t undefinedSamples = 0;  ///< left out: no frame exists there
+  std::optional<CacheCounts> cache;    ///< none where the run used no cache
+
+  /// What thresholds, references and problems say of the run.
+  [[nodiscard]] RunStatus status() const;
+};
+
+}  // namespace gnomon

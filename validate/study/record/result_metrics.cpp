@@ -1,0 +1,89 @@
+#include "study/record/result_metrics.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/error.h"
+#include "compare/boundaries.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::string_view notInRegions = "measured over all samples together only";
+
+bool holds(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// One of a list by name.
+Metric find(const std::vector<Metric>& metrics, std::string_view name) {
+  const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                  [&](const Metric& metric) { return metric.name == name; });
+  if (found == metrics.end()) {
+    throw InternalError(fmt::format("metric \"{}\" found, a known one expected", name));
+  }
+  return *found;
+}
+
+std::vector<Metric> unmeasured(const std::vector<std::string_view>& names) {
+  std::vector<Metric> metrics;
+  metrics.reserve(names.size());
+  for (const std::string_view name : names) metrics.push_back({name, {}, notInRegions});
+  return metrics;
+}
+
+std::vector<Metric> boundariesOf(const ResultRecord& result) {
+  return result.boundaries.empty() ? unmeasured(boundaryMetricNames()) : result.boundaries;
+}
+
+std::vector<Metric> lengthsOf(const ResultRecord& result) {
+  return result.lengths ? lengthMetrics(*result.lengths) : unmeasured(lengthMetricNames());
+}
+
+/// What a mask that equals the truth has.
+double perfect(std::string_view boundaryMetric) {
+  return boundaryMetric == "assd" || boundaryMetric == "hd95" ? 0 : 1;
+}
+
+}  // namespace
+
+std::vector<Metric> metricsOf(const ResultRecord& result) {
+  std::vector<Metric> metrics = rates(result.counts);
+  for (const auto& more : {boundariesOf(result), lengthsOf(result)}) {
+    metrics.insert(metrics.end(), more.begin(), more.end());
+  }
+  return metrics;
+}
+
+Metric metricOf(const ResultRecord& result, std::string_view name) {
+  if (isRate(name)) return rate(result.counts, name);
+  return find(holds(lengthMetricNames(), name) ? lengthsOf(result) : boundariesOf(result), name);
+}
+
+const std::vector<std::string_view>& metricNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list = rateNames();
+    for (const auto* more : {&boundaryMetricNames(), &lengthMetricNames()}) {
+      list.insert(list.end(), more->begin(), more->end());
+    }
+    return list;
+  }();
+  return names;
+}
+
+bool isRate(std::string_view name) {
+  return holds(rateNames(), name);
+}
+
+double metricUncertainty(const UncertaintyRecord& truth, std::string_view name) {
+  if (holds(lengthMetricNames(), name)) return truth.lengthError.value_or(0);
+  const auto& found =
+      truth.boundaries.empty() ? unmeasured(boundaryMetricNames()) : truth.boundaries;
+  const auto value = find(found, name).value;
+  return value ? std::abs(*value - perfect(name)) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "compare/rates.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// All metrics of one result: its rates, the boundaries of its shadows, then their lengths.
+/// @throws InternalError as `rates`
+std::vector<Metric> metricsOf(const ResultRecord& result);
+
+/// One of them by name.
+/// @throws InternalError for a name that `metricNames` does not have
+Metric metricOf(const ResultRecord& result, std::string_view name);
+
+/// The names of all metrics, in their order.
+const std::vector<std::string_view>& metricNames();
+
+/// Whether a metric is one of `rates`. Its uncertainty is the share of samples that flip.
+bool isRate(std::string_view name);
+
+/// By how much the truth itself may be wrong in any other metric: how far the coarser truth's own
+/// figure is from that of a perfect mask, which is `lengthError` for lengths, 0 off for distances
+/// between boundaries, 1 for boundary IoU and surface Dice. Infinite where the coarser truth has no
+/// boundary to compare, so that nothing can be told apart; 0 where its lengths could not be
+/// measured.
+/// @throws InternalError for a rate or an unknown name
+double metricUncertainty(const UncertaintyRecord& truth, std::string_view name);
+
+}  // namespace gnomon

@@ -1,0 +1,146 @@
+#include "study/run/method_trial.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "common/system/memory.h"
+#include "common/system/self_process.h"
+#include "relief/patterns.h"
+#include "study/run/run_study.h"
+#include "study/run/scene/run_keys.h"
+#include "study/spec/method_section.h"
+#include "surface/shapes.h"
+
+namespace gnomon {
+namespace {
+
+ProcessLimits trialLimits() {
+  constexpr double mostBytes = 4e9;
+  constexpr double seconds = 60;
+  return {std::min(mostBytes, static_cast<double>(availableMemoryBytes()) / 2), seconds};
+}
+
+/// Columns on a plane, one light, one camera of 16 × 16 pixels: a fifth of a second.
+StudySpec trialStudy(MethodSpec method, Wrap wrap) {
+  constexpr int texels = 16;
+  constexpr double side = texels;
+  StudySpec study{{},
+                  "trial",
+                  "A method's trial",
+                  "",
+                  makePlane(side, side, 1, 1),
+                  {makeColumns(texels, texels, {8, 2, 1}, 2, wrap)},
+                  {},
+                  1,
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {},
+                  {}};
+  study.bake.settings = {4, 8};
+  study.truth.stepTexels = 0.5;
+  Camera camera;
+  camera.eye = {0, 0, 40};
+  camera.verticalFov = radians(25);
+  camera.width = camera.height = texels;
+  study.views.push_back({"camera", camera});
+  study.lights.push_back({"light", radians(20), radians(30)});
+  method.bake = study.bake;
+  study.methods.push_back(std::move(method));
+  return study;
+}
+
+std::vector<std::string> argumentsOf(const MethodSpec& method, Wrap wrap) {
+  return {trialArgument, method.file.string(),
+          method.filter == TableFilter::hardware ? "hardware" : "exact",
+          wrap == Wrap::clamp ? "clamp" : "repeat"};
+}
+
+/// Every method of others that the study draws, each once.
+std::vector<const MethodSpec*> foreignMethods(const StudySpec& study) {
+  std::vector<const MethodSpec*> methods;
+  const auto add = [&](const std::vector<MethodSpec>& from) {
+    for (const MethodSpec& method : from) {
+      const bool isKnown = std::any_of(methods.begin(), methods.end(), [&](const auto* known) {
+        return known->file == method.file && known->filter == method.filter;
+      });
+      if (!isKnown && !isBuiltIn(method)) methods.push_back(&method);
+    }
+  };
+  add(study.methods);
+  for (const LadderSpec& ladder : study.ladders) {
+    add(ladder.forward);
+    add(ladder.backward);
+  }
+  return methods;
+}
+
+/// Its statuses of its own accord: any other is one that a driver ended it with.
+bool isOfItsOwnAccord(int status) {
+  return status == static_cast<int>(ExitStatus::pass) ||
+         status == static_cast<int>(ExitStatus::badInput) ||
+         status == static_cast<int>(ExitStatus::noGl);
+}
+
+std::string whatHappened(const ProcessOutcome& outcome, const ProcessLimits& limits) {
+  switch (outcome.end) {
+    case ProcessEnd::crashed:
+      return fmt::format("the OpenGL driver crashes on its shader (signal {})", outcome.code);
+    case ProcessEnd::outgrew:
+      return fmt::format("its shader takes more than {} in the OpenGL driver",
+                         formatBytes(limits.bytes));
+    case ProcessEnd::overstayed:
+      return fmt::format("its shader takes the OpenGL driver more than {} s", limits.seconds);
+    case ProcessEnd::exited:
+      break;
+  }
+  return fmt::format("the OpenGL driver gives up on its shader (status {})", outcome.code);
+}
+
+}  // namespace
+
+bool tryMethod(const MethodSpec& method, Wrap wrap) {
+  if (isBuiltIn(method)) return true;
+  const ProcessLimits limits = trialLimits();
+  const ProcessOutcome outcome = runSelf(argumentsOf(method, wrap), limits);
+  if (outcome.end == ProcessEnd::exited && isOfItsOwnAccord(outcome.code)) {
+    return outcome.code == static_cast<int>(ExitStatus::pass);
+  }
+  throw InputError(fmt::format("method \"{}\" ({}): {}", method.label, method.file.string(),
+                               whatHappened(outcome, limits)));
+}
+
+void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache) {
+  const std::vector<const MethodSpec*> methods = foreignMethods(study);
+  if (methods.empty()) return;
+  const RunKeys keys(study, gl, shaderFolder());
+  for (const MethodSpec* method : methods) {
+    const ContentKey key =
+        KeyBuilder("trial").add("method", keys.method(*method, readMethod(method->file))).key();
+    if (cache.find<bool>(key)) continue;
+    if (tryMethod(*method, study.relief.field.wrap())) cache.keep(key, true);
+  }
+}
+
+ExitStatus answerTrial(std::span<const std::string> arguments) {
+  beChildProcess(trialLimits());
+  if (arguments.size() != 3) throw UsageError("a trial: file, filter and wrap expected");
+  MethodSpec method;
+  method.file = arguments[0];
+  method.label = "trial";
+  method.filter = arguments[1] == "hardware" ? TableFilter::hardware : TableFilter::exact;
+  const StudySpec study =
+      trialStudy(std::move(method), arguments[2] == "clamp" ? Wrap::clamp : Wrap::repeat);
+  const GlContext gl;
+  Cache none;
+  (void)measureStudy(study, gl, none);
+  return ExitStatus::pass;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "study/run/stages/run_writer.h"
+
+namespace gnomon {
+
+/// Writes nothing: for a run of which only the figures are wanted.
+class NoFiles final : public RunWriter {
+ public:
+  [[nodiscard]] std::string mask(const Mask&) const override { return {}; }
+  [[nodiscard]] std::string regions(const Truth&) const override { return {}; }
+  [[nodiscard]] std::string weights(int, int, const std::vector<double>&) const override {
+    return {};
+  }
+  [[nodiscard]] std::string picture(int, int, const std::vector<std::uint8_t>&) const override {
+    return {};
+  }
+  [[nodiscard]] std::string difference(const Mask&, const Mask&) const override { return {}; }
+  [[nodiscard]] std::string embedded(int, int, const std::vector<std::uint8_t>&,
+                                     EmbeddedSize) const override {
+    return {};
+  }
+  [[nodiscard]] std::vector<std::uint8_t> displaced(int, int,
+                                                    const std::vector<float>&) const override {
+    return {};
+  }
+  void write(const std::string&, const std::string&) override {}
+};
+
+}  // namespace gnomon

@@ -1,0 +1,103 @@
+#include "study/run/notices.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "surface/closed_surface.h"
+#include "surface/face_texels.h"
+
+namespace gnomon {
+namespace {
+
+/// The largest number of pieces that a base mesh may have.
+constexpr int mostPieces = 1024;
+
+/// The key that makes the truth finer, with a value that about halves its uncertainty or more.
+std::string finerTruth(const StudySpec& study, const TruthRecord& truth) {
+  constexpr double quickFactor = 4;  // on both keys
+  const double factor = study.quick ? quickFactor : 1;
+  const std::string change =
+      study.truthUncertainty
+          ? fmt::format("truth.uncertainty = {:g} (now {:g})", mostUncertainty,
+                        *study.truthUncertainty / factor)
+          : fmt::format("truth.step = {:g} (now {:g})", truth.askedStepTexels / factor / 2,
+                        truth.askedStepTexels / factor);
+  return study.quick ? "Leave out --quick; or set " + change : "Set " + change;
+}
+
+/// Of the samples of all views and lights that have an answer.
+double shadowShare(const BaseCase& base) {
+  std::size_t shadowed = 0;
+  std::size_t lit = 0;
+  for (const ViewCase& view : base.views) {
+    for (const Truth& truth : view.truths) {
+      const auto& samples = truth.mask.samples;
+      shadowed +=
+          static_cast<std::size_t>(std::count(samples.begin(), samples.end(), Shade::shadowed));
+      lit += static_cast<std::size_t>(std::count(samples.begin(), samples.end(), Shade::lit));
+    }
+  }
+  const std::size_t all = shadowed + lit;
+  return all > 0 ? static_cast<double>(shadowed) / static_cast<double>(all) : 0;
+}
+
+}  // namespace
+
+std::optional<std::string> uncertaintyNotice(const StudySpec& study, const TruthRecord& truth) {
+  if (truth.uncertainty <= mostUncertainty) return std::nullopt;
+  return fmt::format(
+      "The truth itself is uncertain by up to {:.2g} % of the samples, more than {:g} %: smaller "
+      "errors and differences mean nothing. {}.",
+      100 * truth.uncertainty, 100 * mostUncertainty, finerTruth(study, truth));
+}
+
+std::optional<std::string> coarsePiecesNotice(const std::string& method, int pieces,
+                                              double longestEdgeTexels) {
+  const double longest = longestEdgeTexels / pieces;
+  if (!(longest > longestPieceTexels)) return std::nullopt;
+  const double enough = std::ceil(longestEdgeTexels - 1e-9);
+  return fmt::format(
+      "{}: the pieces of its displaced mesh, {} a side of each face, are up to {:.2g} texels long: "
+      "too coarse for the map. {}.",
+      method, pieces, longest,
+      enough <= mostPieces
+          ? fmt::format("Set base.subdivisions = {:.0f} for pieces of at most 1 texel", enough)
+          : fmt::format("Use a surface of more faces: at most {} pieces are possible", mostPieces));
+}
+
+std::optional<std::string> insideOutNotice(const LimitSurface& surface, double shadowShare) {
+  constexpr double nearlyAll = 0.99;
+  if (!(shadowShare > nearlyAll) || !isClosed(surface) || enclosedVolume(surface) >= 0) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "The surface is closed and turned inside out, and {:.4g} % of the samples are shadowed: its "
+      "faces run clockwise seen from outside. Reverse the order of every face's corners.",
+      100 * shadowShare);
+}
+
+std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
+                                   std::span<const MethodCase> methods) {
+  std::vector<std::string> notices;
+  const auto add = [&](std::optional<std::string> notice) {
+    if (notice) notices.push_back(std::move(*notice));
+  };
+  add(insideOutNotice(scene.surface, shadowShare(scene.standardBase())));
+  add(uncertaintyNotice(scene.study, truth));
+  std::optional<double> longestEdge;
+  for (const MethodCase& method : methods) {
+    const MeshChoice& mesh = method.base->choice;
+    if (mesh.kind != DrawnMesh::displaced) continue;
+    if (!longestEdge) {
+      // A resampled map is the same relief: its features are as wide as the texels before.
+      const Relief& relief = scene.study.relief;
+      longestEdge = longestEdgeTexels(scene.surface, relief.texelsPerUv()) / relief.resample;
+    }
+    add(coarsePiecesNotice(method.spec->label, mesh.subdivisions, *longestEdge));
+  }
+  return notices;
+}
+
+}  // namespace gnomon

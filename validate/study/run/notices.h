@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "study/record/record.h"
+#include "study/run/scene/method_case.h"
+#include "study/run/scene/run_scene.h"
+
+namespace gnomon {
+
+/// What a reader has to know before the figures of a run, as sentences that say what to do.
+
+/// A truth that is more uncertain than this cannot tell good methods apart: a share of samples.
+constexpr double mostUncertainty = 0.003;
+/// Edges of a displaced mesh longer than this miss the map's own features, texels. Measured on
+/// figure8's shadow volumes, whose 9 pieces a side are 0.9 texels long and err by 1.4 %: at 1.3
+/// texels 2.0 %, at 2 texels 3.3 %, at 4 texels 8.3 %, where no shadow at all errs by 11 %.
+constexpr double longestPieceTexels = 2;
+
+/// That the truth is more uncertain than `mostUncertainty`, and the key that refines it.
+std::optional<std::string> uncertaintyNotice(const StudySpec& study, const TruthRecord& truth);
+
+/// That a mesh of so many pieces a side is too coarse for the map, and how many would do.
+/// @param longestEdgeTexels  of any face
+std::optional<std::string> coarsePiecesNotice(const std::string& method, int pieces,
+                                              double longestEdgeTexels);
+
+/// That a closed surface is turned inside out, if that leaves next to nothing lit.
+/// @param shadowShare  of all samples of the study's own base mesh, in the truth
+std::optional<std::string> insideOutNotice(const LimitSurface& surface, double shadowShare);
+
+/// All that a run has to say, once its truth is there.
+std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
+                                   std::span<const MethodCase> methods);
+
+}  // namespace gnomon

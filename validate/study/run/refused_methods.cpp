@@ -1,0 +1,77 @@
+#include "study/run/refused_methods.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "study/spec/study_reduction.h"
+
+namespace gnomon {
+namespace {
+
+bool speaksOf(const std::string& filter, const std::string& name) {
+  return filter.empty() || filter == name;
+}
+
+/// The gates of one refused method, one for each view and light.
+void addGates(StudyRecord& record, const StudySpec& study, const RefusedMethod& method) {
+  for (const ThresholdSpec& gate : study.thresholds) {
+    if (!speaksOf(gate.method, method.label)) continue;
+    for (const ViewSpec& view : study.views) {
+      for (const LightSpec& light : study.lights) {
+        if (!speaksOf(gate.view, view.name) || !speaksOf(gate.light, light.name)) continue;
+        ThresholdRecord undefined{method.label, light.name,   view.name,    gate.region,
+                                  gate.metric,  std::nullopt, gate.minimum, gate.maximum};
+        undefined.reason = method.reason;
+        undefined.line = gate.line;
+        undefined.answer = gate.answer;
+        record.thresholds.push_back(std::move(undefined));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults) {
+  faults.requireViews(study);
+  MeasurableStudy left;
+  std::vector<std::string> labels;
+  for (const MethodSpec& method : study.methods) {
+    std::string fault = faults.faultOf(method);
+    if (fault.empty()) continue;
+    labels.push_back(method.label);
+    left.refused.push_back({method.label, std::move(fault)});
+  }
+  if (!study.methods.empty() && labels.size() == study.methods.size()) {
+    throw DriverError(fmt::format("nothing is measured: {}", left.refused.front().reason));
+  }
+  const auto isWrong = [&](const MethodSpec& state) { return !faults.faultOf(state).empty(); };
+  for (const LadderSpec& ladder : study.ladders) {
+    const auto state = std::find_if(ladder.forward.begin(), ladder.forward.end(), isWrong);
+    const auto other = std::find_if(ladder.backward.begin(), ladder.backward.end(), isWrong);
+    if (state == ladder.forward.end() && other == ladder.backward.end()) continue;
+    if (std::find(labels.begin(), labels.end(), ladder.method) != labels.end()) continue;
+    const MethodSpec& wrong = state != ladder.forward.end() ? *state : *other;
+    throw DriverError(
+        fmt::format("the ladder of {} is not measured: {}", ladder.method, faults.faultOf(wrong)));
+  }
+  if (!labels.empty()) left.reduced = withoutMethods(study, labels);
+  return left;
+}
+
+void addRefused(StudyRecord& record, const StudySpec& study,
+                const std::vector<RefusedMethod>& refused) {
+  record.refused = refused;
+  std::vector<std::string> texts;
+  for (const RefusedMethod& method : refused) {
+    texts.push_back(fmt::format("{} is not measured: {}", method.label, method.reason));
+    record.problems.push_back({"method", ExitStatus::internal, texts.back()});
+    addGates(record, study, method);
+  }
+  record.notices.insert(record.notices.begin(), texts.begin(), texts.end());
+}
+
+}  // namespace gnomon

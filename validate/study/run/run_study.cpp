@@ -1,0 +1,198 @@
+#include "study/run/run_study.h"
+
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "render/shader_files.h"
+#include "study/judge/thresholds.h"
+#include "study/run/no_files.h"
+#include "study/run/notices.h"
+#include "study/run/refused_methods.h"
+#include "study/run/scene/cached_fields.h"
+#include "study/run/scene/environment.h"
+#include "study/run/scene/method_case.h"
+#include "study/run/scene/method_outcome.h"
+#include "study/run/scene/run_scene.h"
+#include "study/run/scene/truth_stage.h"
+#include "study/run/stages/cost_stage.h"
+#include "study/run/stages/ladder_stage.h"
+#include "study/run/stages/panel_pictures.h"
+#include "study/run/stages/refine_stage.h"
+#include "study/run/stages/spread_stage.h"
+
+namespace gnomon {
+namespace {
+
+/// What a run leaves beside its figures.
+enum class Beside { nothing, picturesAndCosts };
+
+/// The order of a run's stages, and what passes from one to the next.
+class StudyRun {
+ public:
+  StudyRun(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
+           const StageProgress& progress)
+      : study_(study),
+        costs_(frameClockOf(gl.driver().renderer)),
+        clock_(progress),
+        scene_(study, clock_, gl, kept),
+        before_(scene_.cache.counts()),
+        surface_(scene_),
+        writer_(writer),
+        pictures_(scene_, writer) {
+    record_ = startRecord(study, gl);
+  }
+
+  StudyRecord run(Beside beside) {
+    isWhole_ = beside == Beside::picturesAndCosts;
+    prepareMethods();
+    LadderStage ladders(scene_, surface_.onDemand(), writer_);
+    traceTruth(ladders);
+    record_.notices = noticesOf(scene_, record_.truth, methods_);
+    compareMethods(ladders);
+    record_.budgets = ladders.attribute(record_.truth);
+    if (isWhole_) measureCosts();
+    record_.thresholds = judgeThresholds(study_.thresholds, record_.results);
+    record_.timings = clock_.timings();
+    if (scene_.cache.isOn()) record_.cache = scene_.cache.counts() - before_;
+    return std::move(record_);
+  }
+
+ private:
+  void measureCosts() {
+    for (MethodCase& method : methods_) record_.cost.push_back(costs_.measure(scene_, method));
+  }
+
+  void prepareMethods() {
+    // The study's own base is shown and traced even where every method draws another.
+    scene_.standardBase();
+    for (const MethodSpec& spec : study_.methods) {
+      MethodCase prepared = prepareMethod(scene_, spec, surface_.onDemand());
+      requireView(prepared, study_);
+      record_.methods.push_back(
+          {spec.label, prepared.method.name, prepared.method.title, prepared.method.citation});
+      methods_.push_back(std::move(prepared));
+    }
+  }
+
+  void traceTruth(LadderStage& ladders) {
+    record_.truth = surface_.record();
+    for (const std::span<MethodCase> methods : {std::span(methods_), ladders.states()}) {
+      shootTables(scene_, methods);
+    }
+    record_.undefinedSamples = traceTruths(scene_, surface_.onDemand());
+    if (isWhole_) pictures_.drawDisplaced(surface_.onDemand());
+    surface_.onDemand().release();  // the fine mesh goes before the coarse one comes
+    traceUncertainty(scene_, record_.truth);
+  }
+
+  /// Masks live for one view and light: that is all that a panel needs.
+  void compareMethods(LadderStage& ladders) {
+    for (std::size_t v = 0; v < study_.views.size(); ++v) {
+      SpreadStage spread(scene_, methods_, v);
+      for (std::size_t l = 0; l < study_.lights.size(); ++l) {
+        std::vector<std::optional<MethodAnswers>> found(methods_.size());
+        const std::vector<PanelAnswer> answers = answersIn(v, l, found);
+        compareMethods(answers, v, l, spread);
+        if (v == ladders.view()) {
+          for (const PanelAnswer& answer : answers) (void)answer.answers();
+          ladders.measure(l, found);
+        }
+        if (isWhole_) record_.panels.push_back(pictures_.draw(v, l, answers));
+      }
+      spread.report(record_);
+    }
+  }
+
+  /// @param found  one a method: where they are kept once they are drawn
+  std::vector<PanelAnswer> answersIn(std::size_t view, std::size_t light,
+                                     std::vector<std::optional<MethodAnswers>>& found) {
+    std::vector<PanelAnswer> answers;
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      MethodCase& method = methods_[m];
+      if (!gnomon::answersIn(method, study_.views[view])) continue;
+      answers.push_back({m, &method, [&, view, light, both = &found[m]]() -> const MethodAnswers& {
+                           if (!*both) *both = draw(method, view, light);
+                           return **both;
+                         }});
+    }
+    return answers;
+  }
+
+  void compareMethods(std::span<const PanelAnswer> answers, std::size_t view, std::size_t light,
+                      SpreadStage& spread) {
+    OutcomeStage outcomes(scene_, view, light, spread.cellSide());
+    for (const PanelAnswer& answer : answers) {
+      KeyBuilder key("outcome");
+      key.add("answer", answerKey(scene_, *answer.method, view, light));
+      key.add("cells", spread.cellSide());
+      const MethodOutcome outcome = scene_.cache.remember(
+          key.key(), [&] { return outcomes.compare(*answer.method->base, answer.answers); });
+      spread.add(answer.place, outcome);
+      addResults(*answer.method, view, light, outcome);
+    }
+  }
+
+  MethodAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {
+    return clock_.measure("methods",
+                          [&](const Progress&) { return answersOf(scene_, method, view, light); });
+  }
+
+  void addResults(const MethodCase& method, std::size_t view, std::size_t light,
+                  const MethodOutcome& outcome) {
+    for (const Answer answer : allAnswers) {
+      const AnswerOutcome& found = answer == Answer::drawn ? outcome.drawn : outcome.test;
+      const std::size_t all = record_.results.size();
+      for (std::size_t r = 0; r < found.regions.size(); ++r) {
+        ResultRecord result;
+        result.method = method.spec->label;
+        result.light = study_.lights[light].name;
+        result.view = study_.views[view].name;
+        result.region = outcomeRegions()[r];
+        result.answer = answer;
+        result.counts = found.regions[r];
+        record_.results.push_back(std::move(result));
+      }
+      record_.results[all].lengths = found.lengths;
+      record_.results[all].boundaries = found.boundaries;
+    }
+  }
+
+  const StudySpec& study_;
+  CostStage costs_;
+  StageClock clock_;
+  RunScene scene_;
+  CacheCounts before_;
+  TruthSurface surface_;
+  RunWriter& writer_;
+  PanelPictures pictures_;
+  std::vector<MethodCase> methods_;
+  StudyRecord record_;
+  bool isWhole_ = true;
+};
+
+/// Measures what the driver draws right.
+StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter& writer,
+                          Cache& kept, const StageProgress& progress, Beside beside) {
+  DriverFaults faults(shaderFolder(), kept);
+  const MeasurableStudy left = measurable(study, faults);
+  StudyRecord record =
+      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, progress).run(beside);
+  addRefused(record, study, left.refused);
+  return record;
+}
+
+}  // namespace
+
+StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
+                     const StageProgress& progress) {
+  return runMeasurable(study, gl, writer, kept, progress, Beside::picturesAndCosts);
+}
+
+StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
+                         const StageProgress& progress) {
+  NoFiles writer;
+  return runMeasurable(study, gl, writer, kept, progress, Beside::nothing);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "render/gl_context.h"
+#include "study/record/record.h"
+#include "study/run/scene/run_scene.h"
+#include "study/run/scene/stage_clock.h"
+#include "study/run/stages/run_writer.h"
+#include "study/spec/study_file.h"
+
+namespace gnomon {
+
+/// Measures a study: builds surface and relief, bakes tables, traces the truth at full and half
+/// resolution, renders every method at the truth's samples, compares. Masks and pictures go to
+/// `writer`, figures into the record. Claims are left to `judgeClaims`, since some need other
+/// studies of the same run.
+/// @param gl    current on this thread
+/// @param kept  what earlier runs left: what is found there is not computed again
+StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
+                     const StageProgress& progress = {});
+
+/// The same without pictures, masks and frame times: the figures alone.
+StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
+                         const StageProgress& progress = {});
+
+}  // namespace gnomon

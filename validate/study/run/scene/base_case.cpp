@@ -1,0 +1,131 @@
+#include "study/run/scene/base_case.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "common/error.h"
+#include "common/system/memory.h"
+#include "render/passes.h"
+#include "study/run/scene/cached_fields.h"
+#include "study/run/scene/view_layout.h"
+
+namespace gnomon {
+namespace {
+
+/// Refuses a view whose samples, truths and masks cannot be held.
+void requireRoom(const StudySpec& study, int width, int height, const std::string& name) {
+  const double samples = static_cast<double>(width) * height;
+  const std::string what = fmt::format("view \"{}\": {} × {} samples", name, width, height);
+  // OpenGL drivers count the bytes of a picture in 32 bits; the largest has 8 a sample.
+  constexpr double mostSamples = 1 << 27;
+  if (samples > mostSamples) {
+    throw InputError(fmt::format("{} found, at most {} expected", what, mostSamples));
+  }
+  constexpr double bytesWhileRendering = 64;
+  constexpr double bytesOfWeightsAndPlaces =
+      sizeof(double) + sizeof(SurfaceSample) + sizeof(std::uint8_t);
+  // A truth, the coarser one that it is held against, and whether the path crosses a seam.
+  constexpr double bytesOfTruth = 2 * (sizeof(Shade) + sizeof(Region)) + 1;
+  requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
+                           bytesOfTruth * static_cast<double>(study.lights.size()) +
+                           sizeof(Shade) * static_cast<double>(study.methods.size())),
+                what);
+}
+
+bool isEmpty(const SampleGrid& grid) {
+  return std::all_of(grid.samples.begin(), grid.samples.end(),
+                     [](const SurfaceSample& sample) { return sample.face < 0; });
+}
+
+/// What is kept of a view.
+struct ChosenSamples {
+  RenderView view;
+  SampleGrid samples;
+  SampleLayout layout;
+  std::vector<double> weights;
+};
+
+template <typename Stream, SameAs<ChosenSamples> T>
+void fields(Stream& stream, T& chosen) {
+  stream(chosen.view, chosen.samples, chosen.layout, chosen.weights);
+}
+
+ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
+                            const RenderView& view, SampleGrid samples, const ViewSpec& spec) {
+  if (isEmpty(samples)) {
+    throw InputError(
+        fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
+  }
+  ChosenSamples chosen;
+  chosen.view = view;
+  chosen.layout = makeSampleLayout(surface, study.relief.texelsPerUv(), view, samples);
+  if (const auto* atlas = std::get_if<AtlasSpec>(&spec.kind)) {
+    chosen.weights = sampleAreas(surface, samples, atlas->samplesPerSide);
+  }
+  chosen.samples = std::move(samples);
+  return chosen;
+}
+
+/// Draws the mesh to see its samples.
+ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
+                            const DrawnBase& drawn, const std::filesystem::path& shaders,
+                            const ViewSpec& spec) {
+  const auto* atlas = std::get_if<AtlasSpec>(&spec.kind);
+  const RenderView view = atlas != nullptr ? atlasView(surface, atlas->samplesPerSide)
+                                           : cameraView(std::get<Camera>(spec.kind), drawn.mesh);
+  return chooseSamples(study, surface, view, SamplesPass(shaders).render(view, drawn.gpu), spec);
+}
+
+void requireRoom(const StudySpec& study, const LimitSurface& surface, const ViewSpec& spec) {
+  if (const auto* camera = std::get_if<Camera>(&spec.kind)) {
+    return requireRoom(study, camera->width, camera->height, spec.name);
+  }
+  const RenderView atlas = atlasView(surface, std::get<AtlasSpec>(spec.kind).samplesPerSide);
+  requireRoom(study, atlas.width, atlas.height, spec.name);
+}
+
+DrawnBase undisplaced(const StudySpec& study, const LimitSurface& surface,
+                      const MeshChoice& choice) {
+  BaseMesh mesh =
+      makeBaseMesh(surface, study.relief.texelsPerUv(), choice.subdivisions, choice.curvature);
+  GpuMesh gpu(mesh);
+  const RenderView texture = textureView(mesh);
+  return {std::move(mesh), std::move(gpu), std::nullopt, texture};
+}
+
+DrawnBase displaced(const StudySpec& study, const LimitSurface& surface, const MeshChoice& choice) {
+  DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, choice.subdivisions);
+  GpuMesh gpu(displaced.mesh);
+  GpuVolumes volumes(displaced);
+  const RenderView texture = textureView(displaced.mesh);
+  return {std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture};
+}
+
+}  // namespace
+
+BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
+                      const std::filesystem::path& shaders, Cache& cache, const RunKeys& keys) {
+  BaseCase base{choice,
+                OnDemand<DrawnBase>([&study, &surface, choice] {
+                  return choice.kind == DrawnMesh::displaced ? displaced(study, surface, choice)
+                                                             : undisplaced(study, surface, choice);
+                }),
+                {}};
+  for (std::size_t v = 0; v < study.views.size(); ++v) {
+    const ViewSpec& spec = study.views[v];
+    requireRoom(study, surface, spec);
+    ChosenSamples chosen = cache.remember(keys.samples(choice, v), [&] {
+      return chooseSamples(study, surface, base.drawn.get(), shaders, spec);
+    });
+    base.views.push_back({chosen.view,
+                          std::move(chosen.samples),
+                          std::move(chosen.layout),
+                          std::move(chosen.weights),
+                          {}});
+  }
+  return base;
+}
+
+}  // namespace gnomon

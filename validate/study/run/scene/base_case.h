@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "cache/cache.h"
+#include "common/on_demand.h"
+#include "compare/sample_layout.h"
+#include "render/gpu_scene.h"
+#include "render/method.h"
+#include "render/view.h"
+#include "study/run/scene/mesh_choice.h"
+#include "study/run/scene/run_keys.h"
+#include "study/spec/study_file.h"
+#include "surface/base_mesh.h"
+#include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+
+/// The samples that one view of one base mesh chooses.
+struct ViewCase {
+  RenderView view;
+  SampleGrid samples;
+  SampleLayout layout;          ///< how they lie beside each other
+  std::vector<double> weights;  ///< world area of each sample in an atlas; empty for a camera
+  std::vector<Truth> truths;    ///< one a light, filled by the run
+};
+
+/// A mesh as it is drawn.
+struct DrawnBase {
+  BaseMesh mesh;
+  GpuMesh gpu;
+  std::optional<GpuVolumes> volumes;  ///< of a displaced mesh
+  RenderView texture;                 ///< the texture's own plane
+};
+
+/// A mesh and the study's views of it. Methods that draw another mesh than the study's base show
+/// other samples in a camera view, so each has views and truths of its own: the truth is asked at
+/// the (face, s, t) of the very pixels that the method draws. In an atlas all show the same
+/// samples.
+struct BaseCase {
+  MeshChoice choice;
+  OnDemand<DrawnBase> drawn;    ///< made only where something has to be drawn
+  std::vector<ViewCase> views;  ///< as the study lists them
+};
+
+/// Chooses the samples of every view by drawing the mesh, or takes what the cache has of them.
+/// @param study    outlives the case, as does `surface`
+/// @throws InputError for a view that is larger than OpenGL allows or shows no surface; MemoryError
+///   for one whose samples, truths and masks cannot be held
+BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
+                      const std::filesystem::path& shaders, Cache& cache, const RunKeys& keys);
+
+}  // namespace gnomon

@@ -1,0 +1,83 @@
+#include "study/run/scene/environment.h"
+
+#include <fmt/core.h>
+
+#include <fstream>
+
+#include "common/error.h"
+#include "common/parallel.h"
+#include "render/frame_timer.h"
+#include "surface/limit_surface.h"
+#include "truth/micro_scene.h"
+
+namespace gnomon {
+
+std::string processorName() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string line;
+  while (std::getline(file, line)) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+namespace {
+
+const char* boundText(RadiusBound bound) {
+  switch (bound) {
+    case RadiusBound::stated:
+      return "the study states it";
+    case RadiusBound::leaves:
+      return "the longest way on which a ray to the light meets the relief";
+    case RadiusBound::border:
+      return "a ray to the light does not leave the relief before the border, which is so far";
+    case RadiusBound::quarterTurn:
+      return "a ray to the light does not leave the relief before the surface has turned by 90°";
+    case RadiusBound::size:
+      return "a ray to the light does not leave the relief, and the surface is as large";
+    case RadiusBound::tile:
+      return "a ray to the light does not leave the relief, and the map that repeats is as large";
+    case RadiusBound::unlit:
+      return "no light reaches the surface";
+  }
+  throw InternalError("search radius: not one of its seven bounds");
+}
+
+std::string radiusReason(const StudySpec& study) {
+  const std::string text = boundText(study.radius.bound);
+  const bool isOfLight =
+      study.radius.bound != RadiusBound::stated && study.radius.bound != RadiusBound::unlit;
+  return isOfLight ? fmt::format("{} ({})", text, study.lights.at(study.radius.light).name) : text;
+}
+
+}  // namespace
+
+EnvironmentRecord describeEnvironment(const GlContext& gl) {
+  EnvironmentRecord environment;
+  environment.gnomonVersion = GNOMON_VERSION;
+  environment.commit = GNOMON_COMMIT;
+  environment.cpu = processorName();
+  environment.threads = static_cast<int>(threadCount());
+  environment.glRenderer = gl.driver().renderer;
+  environment.glVersion = gl.driver().version;
+  environment.embreeVersion = MicroScene::embreeVersion();
+  environment.openSubdivVersion = openSubdivVersion();
+  environment.frameClock = frameClockName(frameClockOf(environment.glRenderer));
+  return environment;
+}
+
+StudyRecord startRecord(const StudySpec& study, const GlContext& gl) {
+  StudyRecord record;
+  record.environment = describeEnvironment(gl);
+  record.name = study.name;
+  record.title = study.title;
+  record.source = study.source;
+  record.file = study.file.string();
+  record.radius = {study.radius.texels, radiusReason(study)};
+  return record;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,166 @@
+#include "study/run/scene/method_case.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "common/error.h"
+#include "render/passes.h"
+#include "study/run/scene/cached_fields.h"
+#include "truth/surface_horizons.h"
+
+namespace gnomon {
+namespace {
+
+GpuTables reliefTables(RunScene& scene, const Method& method, const BakeSpec& bake) {
+  GpuTables tables;
+  tables.searchRadius = bake.settings.radiusTexels;
+  if (method.tables.horizon || method.tables.distance) {
+    const TablePair& pair = scene.tables.tables(bake, scene.clock);
+    tables.horizon = &pair.horizon;
+    tables.distance = &pair.distance;
+  }
+  if (method.tables.angles) tables.angles = &scene.tables.angles(bake, scene.clock);
+  if (method.tables.ellipse) tables.ellipse = &scene.tables.ellipses(bake, scene.clock);
+  return tables;
+}
+
+void compile(RunScene& scene, MethodCase& method) {
+  const MethodSpec& spec = *method.spec;
+  const DrawnBase& base = scene.clock.measure(
+      "samples", [&](const Progress&) -> const DrawnBase& { return method.base->drawn.get(); });
+  if (method.method.passes.texture || method.method.tables.surfaceAngles) {
+    requireTextureView(base.texture);
+  }
+  MethodPass pass(scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
+                  spec.parameters);
+  method.compiled.emplace(
+      CompiledMethod{std::move(pass), reliefTables(scene, method.method, spec.bake)});
+}
+
+bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
+  for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
+    for (std::size_t l = 0;
+         answersIn(method, scene.study.views[v]) && l < scene.study.lights.size(); ++l) {
+      const ContentKey key = scene.keys.mask(method.key, method.base->choice, v, l);
+      if (!scene.cache.holds(key)) return false;
+    }
+  }
+  return true;
+}
+
+AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
+  const RenderView& plane = method.base->drawn.get().texture;
+  const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->drawn.get().gpu);
+  const TracedSurface& traced = method.surface->get();
+  AngleTable table = scene.clock.measure("surface horizons", [&](const Progress& progress) {
+    return shootHorizons(scene.surface, scene.study.relief, traced.mesh, traced.scene, texels,
+                         method.spec->bake.settings.azimuths, method.spec->bake.angleLimit,
+                         progress);
+  });
+  table.originX = plane.texelWindow.x;
+  table.originY = plane.texelWindow.y;
+  return table;
+}
+
+/// A shader has to answer wherever the mesh is: one that leaves out pixels would not be scored on
+/// them.
+void requireAnswers(const MethodCase& method, const ViewSpec& view, const Mask& truth,
+                    const Mask& answer) {
+  std::size_t left = 0;
+  std::size_t samples = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth.samples[i] == Shade::none) continue;
+    ++samples;
+    if (answer.samples[i] == Shade::none) ++left;
+  }
+  if (left == 0) return;
+  throw InputError(
+      fmt::format("method \"{}\" ({}): its shader leaves out {} of {} samples of view "
+                  "\"{}\", an answer for each expected",
+                  method.spec->label, method.spec->file.string(), left, samples, view.name));
+}
+
+}  // namespace
+
+MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface) {
+  Method method = readMethod(spec.file);
+  const ContentKey key = scene.keys.method(spec, method);
+  BaseCase& base = scene.base(meshOf(spec, method));
+  MethodCase prepared{&spec, std::move(method), &base, key, &surface};
+  if (!hasAllMasks(scene, prepared)) compile(scene, prepared);
+  return prepared;
+}
+
+const CompiledMethod& compiled(RunScene& scene, MethodCase& method) {
+  if (!method.compiled) compile(scene, method);
+  shootTables(scene, {&method, 1});
+  return *method.compiled;
+}
+
+void requireView(const MethodCase& method, const StudySpec& study) {
+  const bool isSeen = std::any_of(study.views.begin(), study.views.end(),
+                                  [&](const ViewSpec& view) { return answersIn(method, view); });
+  if (isSeen) return;
+  throw InputError(
+      fmt::format("method \"{}\" counts shadow volumes at a camera's pixels: a [[view]] of type "
+                  "camera expected",
+                  method.spec->label));
+}
+
+void shootTables(RunScene& scene, std::span<MethodCase> methods) {
+  for (MethodCase& method : methods) {
+    const bool isNeeded = method.compiled && method.method.tables.surfaceAngles;
+    if (!isNeeded || method.compiled->tables.angles != nullptr) continue;
+    method.compiled->tables.angles = &scene.tables.surfaceAngles(
+        method.spec->bake, method.base->choice, [&] { return shootAngles(scene, method); });
+  }
+}
+
+bool answersIn(const MethodCase& method, const ViewSpec& view) {
+  return !method.method.passes.shadowVolumes || std::holds_alternative<Camera>(view.kind);
+}
+
+MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
+  const ViewCase& seen = method.base->views[view];
+  const ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
+  MethodAnswers answers = scene.cache.remember(key, [&] {
+    const CompiledMethod& ready = compiled(scene, method);
+    MethodAnswers rendered =
+        ready.pass.render(seen.view, scene.drawing(*method.base, light), ready.tables);
+    method.compiled->hasDrawn = true;
+    return rendered;
+  });
+  const Mask& truth = seen.truths[light].mask;
+  requireAnswers(method, scene.study.views[view], truth, answers.drawn);
+  for (Mask* mask : {&answers.drawn, &answers.test}) {
+    for (std::size_t i = 0; i < mask->size(); ++i) {
+      if (truth.samples[i] == Shade::none) mask->samples[i] = Shade::none;
+    }
+  }
+  return answers;
+}
+
+ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
+                     std::size_t light) {
+  const MeshChoice& mesh = method.base->choice;
+  return KeyBuilder("answer")
+      .add("mask", scene.keys.mask(method.key, mesh, view, light))
+      .add("truth", scene.keys.truth(mesh, view, light))
+      .key();
+}
+
+std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
+  const MethodTables& declared = method.method.tables;
+  const CompiledMethod& ready = compiled(scene, method);
+  const GpuTables& tables = ready.tables;
+  std::uint64_t bytes = 0;
+  if (declared.horizon) bytes += tables.horizon->byteCount();
+  if (declared.distance) bytes += tables.distance->byteCount();
+  if (declared.ellipse) bytes += tables.ellipse->byteCount();
+  if (tables.angles != nullptr) bytes += tables.angles->byteCount();
+  return bytes + ready.pass.passBytes(scene.drawing(*method.base, 0), tables);
+}
+
+}  // namespace gnomon

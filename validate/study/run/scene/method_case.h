@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "common/mask.h"
+#include "render/method.h"
+#include "render/method_pass.h"
+#include "study/run/scene/run_scene.h"
+#include "study/run/scene/truth_stage.h"
+
+namespace gnomon {
+
+/// A method's shader and its tables.
+struct CompiledMethod {
+  MethodPass pass;
+  GpuTables tables;
+  bool hasDrawn = false;  ///< a mask: a frame needs no other to warm up
+};
+
+/// A method of a study with the mesh that it draws. Its shader is compiled and its tables are baked
+/// when it is to be drawn, which is never where the cache has all its answers.
+struct MethodCase {
+  const MethodSpec* spec;
+  Method method;
+  BaseCase* base;
+  ContentKey key;            ///< as `RunKeys::method`
+  SurfaceOnDemand* surface;  ///< for tables that are shot on it
+  std::optional<CompiledMethod> compiled = {};
+};
+
+/// Reads a method; compiles it unless the cache has all its masks, so that a mistake in it shows
+/// before anything else is computed.
+/// @param spec     outlives the case
+/// @param surface  likewise
+/// @throws InputError for a method that cannot be used in this study: its file, its parameters, or
+///   a texture plane that the surface does not have
+MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface);
+
+/// The method compiled, with all its tables.
+/// @throws InputError as prepareMethod
+const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
+
+/// A method that only a camera can see needs one.
+/// @throws InputError where the study has no camera view
+void requireView(const MethodCase& method, const StudySpec& study);
+
+/// The compiled ones among the methods get their tables that are shot on the displaced surface,
+/// while that is there.
+void shootTables(RunScene& scene, std::span<MethodCase> methods);
+
+/// Whether the method can answer in a view: one that counts shadow volumes does in a camera's.
+bool answersIn(const MethodCase& method, const ViewSpec& view);
+
+/// A method's answers in one view under one light, without the samples for which no frame exists:
+/// the truth must have been traced.
+MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
+
+/// The key of all that follows from those answers and the truth.
+ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
+                     std::size_t light);
+
+/// Bytes of the tables that the method declares, and of the textures that its passes fill.
+std::uint64_t tableBytes(RunScene& scene, MethodCase& method);
+
+}  // namespace gnomon

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "cache/content_key.h"
+#include "render/gl_context.h"
+#include "render/method.h"
+#include "study/run/scene/mesh_choice.h"
+#include "study/spec/study_file.h"
+
+namespace gnomon {
+
+/// Everything of this program and machine that a result may depend on beside its inputs: the
+/// executable's own bytes (so any change of its sources), the versions of OpenSubdiv and Embree,
+/// and the processor. A cache adds it to every key. Shaders are files, and enter where they are
+/// used; so does the GL renderer.
+ContentKey programKey();
+
+/// Every file that methods and passes are made of beside a method's own.
+/// @param shaders  the folder that holds `common/`
+ContentKey shadersKey(const std::filesystem::path& shaders);
+
+/// The control mesh of a surface.
+ContentKey cageKey(const Cage& cage);
+
+/// A height map as it lies on a surface.
+ContentKey reliefKey(const Relief& relief);
+
+/// The horizon tables of a height field.
+ContentKey bakeKey(const HeightField& field, const BakeSettings& settings);
+
+/// The keys of all that a run of one study computes. A key holds what its result depends on, and
+/// nothing else: titles, names, thresholds and the other methods of a study are in none. What a
+/// result depends on by way of another result enters by that one's key.
+class RunKeys {
+ public:
+  /// @param study     outlives the keys
+  /// @param gl        its renderer and version enter
+  /// @param shaders   the folder: every file of `common/` enters
+  RunKeys(const StudySpec& study, const GlContext& gl, const std::filesystem::path& shaders);
+
+  /// A view's samples on a mesh, with their layout and weights.
+  [[nodiscard]] ContentKey samples(const MeshChoice& mesh, std::size_t view) const;
+  /// The displaced micro-mesh that the truth is traced on; where its step is searched, all that the
+  /// search looks at.
+  [[nodiscard]] ContentKey surface() const;
+  /// The truth of a view on a mesh under one light, traced on the study's micro-mesh.
+  [[nodiscard]] ContentKey truth(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
+  /// The bins of a view's samples on every axis, under one light.
+  [[nodiscard]] ContentKey bins(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
+  /// What a view shows of a mesh under one light where all of it is lit, and all shadowed.
+  [[nodiscard]] ContentKey layers(const MeshChoice& mesh, std::size_t view,
+                                  std::size_t light) const;
+  /// The displaced surface by its own rays, in a camera view.
+  [[nodiscard]] ContentKey displacedPicture(std::size_t view, std::size_t light) const;
+  /// Ellipses fitted to the horizons of a bake.
+  [[nodiscard]] ContentKey ellipses(const BakeSpec& bake, double texelsPerHeight) const;
+  /// Horizon angles shot on the study's micro-mesh, at the texels that a mesh shows.
+  [[nodiscard]] ContentKey surfaceAngles(const MeshChoice& mesh, const BakeSpec& bake) const;
+  /// A method with all that its answers depend on: shaders, parameters, filter, tables and mesh.
+  [[nodiscard]] ContentKey method(const MethodSpec& spec, const Method& method) const;
+  /// What its shader answers at every sample of a view under one light.
+  [[nodiscard]] ContentKey mask(const ContentKey& method, const MeshChoice& mesh, std::size_t view,
+                                std::size_t light) const;
+
+ private:
+  [[nodiscard]] ContentKey mesh(const MeshChoice& choice) const;
+  [[nodiscard]] ContentKey light(std::size_t index) const;
+
+  const StudySpec& study_;
+  ContentKey shaders_;
+  ContentKey place_;  ///< renderer, limit surface and relief
+};
+
+/// The mesh that a method draws in a study.
+MeshChoice meshOf(const MethodSpec& spec, const Method& method);
+
+}  // namespace gnomon

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "cache/cache.h"
+#include "render/gpu_scene.h"
+#include "render/method_pass.h"
+#include "study/run/scene/base_case.h"
+#include "study/run/scene/light_field.h"
+#include "study/run/scene/run_keys.h"
+#include "study/run/scene/stage_clock.h"
+#include "study/run/scene/table_set.h"
+#include "study/spec/study_file.h"
+#include "surface/limit_surface.h"
+
+namespace gnomon {
+
+/// What all methods of a run share: the limit surface, the relief with its tables, and the meshes
+/// that are drawn with their samples and truths. Every part is made once, when it is first asked
+/// for; references stay valid while the scene lives.
+struct RunScene {
+  /// @param clock  of the stages "surface", "samples", "bake" and "tables"; outlives the scene
+  /// @param kept   what earlier runs left; outlives the scene
+  RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept);
+
+  const StudySpec& study;
+  StageClock& clock;
+  Cache& cache;
+  std::filesystem::path shaders;
+  RunKeys keys;
+  LimitSurface surface;
+  double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
+  GpuHeights heights;
+  TableSet tables;
+  std::map<MeshChoice, BaseCase> bases;
+
+  /// A mesh with its views, built if it is not there yet.
+  BaseCase& base(MeshChoice choice);
+  /// The study's own base mesh: the one that is shown and whose truth is tested.
+  BaseCase& standardBase();
+  [[nodiscard]] MeshChoice standardMesh() const;
+
+  /// What a pass needs to draw a base mesh under one of the study's lights.
+  [[nodiscard]] Drawing drawing(const BaseCase& on, std::size_t light) const;
+  /// The steps along which shadows are measured in one view under one light.
+  [[nodiscard]] LightField lightField(const BaseCase& on, std::size_t view,
+                                      std::size_t light) const;
+};
+
+}  // namespace gnomon

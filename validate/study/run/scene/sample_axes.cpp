@@ -1,0 +1,102 @@
+#include "study/run/scene/sample_axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/parallel.h"
+#include "compare/bins.h"
+#include "surface/curvature.h"
+#include "surface/limit_face.h"
+
+namespace gnomon {
+namespace {
+
+double roundedToAMillionth(double value) {
+  return std::round(value * 1e6) / 1e6;
+}
+
+}  // namespace
+
+AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
+                      const Vec3& light) {
+  const double sine = std::clamp(glm::dot(frame.normal, light), -1.0, 1.0);
+  const Vec3 tangential = light - sine * frame.normal;
+  const double cosine = glm::length(tangential);
+  const Vec3 turn = normalTurn(point, light);
+  return {frame,
+          std::atan2(sine, cosine),
+          cosine > 1e-12 ? glm::dot(tangential, turn) / cosine : 0,
+          glm::length(turn),
+          worldPerHeight(relief.space, frame) * relief.field.at(frame.texel),
+          std::sqrt(glm::length(glm::cross(frame.px, frame.py)))};
+}
+
+double curvatureHeight(const AxisSample& sample) {
+  return sample.curvature * sample.height;
+}
+
+double lightElevation(const AxisSample& sample) {
+  return sample.elevation * 180 / pi;
+}
+
+double terminatorDistance(const AxisSample& sample) {
+  if (sample.elevation == 0) return 0;
+  return sample.elevation / sample.turn / sample.texel;
+}
+
+double uvStretch(const AxisSample& sample) {
+  const Vec3& px = sample.frame.px;
+  const Vec3& py = sample.frame.py;
+  const double xx = glm::dot(px, px);
+  const double yy = glm::dot(py, py);
+  const double larger = (xx + yy + std::hypot(xx - yy, 2 * glm::dot(px, py))) / 2;
+  return larger / (sample.texel * sample.texel);
+}
+
+const std::vector<SampleAxis>& sampleAxes() {
+  static const std::vector<SampleAxis> axes = {
+      {"curvature_height",
+       "curvature × height",
+       "",
+       {-0.2, -0.1, -0.05, -0.02, -0.005, 0.005, 0.02, 0.05, 0.1, 0.2},
+       curvatureHeight},
+      {"elevation",
+       "light over the tangent plane",
+       "degrees",
+       {-10, 0, 5, 10, 15, 20, 30, 40, 50, 60, 75},
+       lightElevation},
+      {"terminator",
+       "distance to the terminator",
+       "texels",
+       {-32, -8, 0, 8, 16, 32, 64, 128, 256},
+       terminatorDistance},
+      {"uv_stretch", "stretch of the texture", "", {1.1, 1.25, 1.5, 2, 3, 5}, uvStretch},
+  };
+  return axes;
+}
+
+SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples,
+                      const Vec3& light) {
+  const std::vector<SampleAxis>& axes = sampleAxes();
+  for (const SampleAxis& axis : axes) requireEdges(axis.edges);
+  const std::vector<LimitFace> faces = limitFaces(surface, samples.samples.size());
+  SampleBins bins(axes.size(), std::vector<std::uint8_t>(samples.samples.size(), noBin));
+  parallelFor(
+      0, samples.samples.size(),
+      [&](std::size_t i) {
+        const SurfaceSample& sample = samples.samples[i];
+        if (sample.face < 0) return;
+        const LimitPoint point =
+            faces[static_cast<std::size_t>(sample.face)].evaluate(sample.s, sample.t);
+        const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+        if (!frame.defined) return;
+        const AxisSample seen = axisSample(point, frame, relief, light);
+        for (std::size_t a = 0; a < axes.size(); ++a) {
+          bins[a][i] = binOf(roundedToAMillionth(axes[a].value(seen)), axes[a].edges);
+        }
+      },
+      1024);
+  return bins;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "study/record/record.h"
+#include "study/run/scene/run_scene.h"
+#include "truth/micro_mesh.h"
+#include "truth/micro_scene.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+
+/// The displaced surface, ready to be traced.
+struct TracedSurface {
+  /// @param meshStage, sceneStage  of the run's clock
+  /// @throws MemoryError for a mesh that cannot fit
+  TracedSurface(RunScene& run, const MicroMeshSettings& settings, std::string_view meshStage,
+                std::string_view sceneStage);
+
+  MicroMesh mesh;
+  MicroScene scene;  ///< shares the mesh's vertices
+};
+
+/// Truths of the standard base's samples, [view][light].
+using ViewTruths = std::vector<std::vector<Truth>>;
+
+/// Traces the standard base's samples under every light.
+/// @param stage  of the run's clock
+ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double liftShare,
+                             std::string_view stage);
+
+/// A displaced surface that is built when it is first asked for: a run whose truth is in the cache
+/// never does.
+class SurfaceOnDemand {
+ public:
+  using Maker = std::function<std::unique_ptr<const TracedSurface>()>;
+
+  explicit SurfaceOnDemand(Maker make);
+
+  const TracedSurface& get();
+  /// Gives its memory back, until it is asked for again.
+  void release() { surface_.reset(); }
+
+ private:
+  Maker make_;
+  std::unique_ptr<const TracedSurface> surface_;
+};
+
+/// The sizes that a run reports of the surface that its truth is traced on.
+TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface);
+
+/// Traces every view of every mesh of the scene under every light, where the cache does not have
+/// it. The lights of a view are traced together.
+/// @returns the number of samples for which no frame exists
+/// @throws InputError for a view in which no sample has a frame
+std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
+
+/// Traces the standard base's samples once more at half the resolution and half the lift: what
+/// flips is the truth's own error.
+/// @param truth  the step that it was cut by is doubled; gets the flip rates and the uncertainty
+/// @throws InputError where the coarser mesh has more than half the triangles: too alike to tell
+void traceUncertainty(RunScene& scene, TruthRecord& truth);
+
+}  // namespace gnomon

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/mask.h"
+#include "compare/block_errors.h"
+#include "compare/confidence_interval.h"
+#include "compare/counts.h"
+#include "study/record/budget_record.h"
+#include "study/spec/study_file.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+
+/// The errors of one state of a ladder, in the cells of a tiling: under one light, or summed over
+/// several in the same view.
+struct StateErrors {
+  BlockErrors wrong;
+  BlockErrors distant;  ///< wrong in the region `distant`
+  Counts counts;
+
+  StateErrors& operator+=(const StateErrors& other);
+};
+
+/// @throws InputError as blockErrors
+StateErrors stateErrors(const Mask& mask, const Truth& truth, const std::vector<double>& weights,
+                        const Tiling& tiling);
+
+/// What a budget is made of, beside the errors of its states.
+struct BudgetCase {
+  std::string view;
+  std::string light;
+  double uncertainty = 0;  ///< of the truth
+  Tiling tiling;           ///< of the view
+};
+
+/// Attributes an error to its causes: the share of a cause is the error rate before it is undone
+/// less that after, and what is left at the end is split by the region `distant`. By construction
+/// the shares of either order and the rest add up to the error rate of the first state. Intervals
+/// are those of `differenceConfidence`: a step's two states are compared block by block.
+/// @param forward, backward  errors of the ladder's states
+/// @throws InternalError where their number is not that of the causes and one more, and as
+///   differenceConfidence
+BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
+                            const std::vector<StateErrors>& forward,
+                            const std::vector<StateErrors>& backward);
+
+/// How much of the error is another cause's in the other order: ½ Σ |forward - backward|.
+double orderDependence(const BudgetRecord& budget);
+
+}  // namespace gnomon

@@ -1,0 +1,92 @@
+#include "study/run/stages/cost_stage.h"
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <string>
+
+#include "common/parallel.h"
+#include "study/run/scene/cached_fields.h"
+
+namespace gnomon {
+namespace {
+
+/// What is kept of a method's cost.
+struct KeptCost {
+  std::uint64_t polygons = 0, tableBytes = 0, heightBytes = 0;
+  std::optional<double> frameMs;
+  std::string day;  ///< of the measurement
+};
+
+template <typename Stream, SameAs<KeptCost> T>
+void fields(Stream& stream, T& cost) {
+  stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.day);
+}
+
+std::string today() {
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
+}
+
+std::string hostName() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+std::optional<std::size_t> firstCamera(const StudySpec& study) {
+  const auto camera = std::find_if(study.views.begin(), study.views.end(), [](const ViewSpec& v) {
+    return std::holds_alternative<Camera>(v.kind);
+  });
+  if (camera == study.views.end()) return std::nullopt;
+  return static_cast<std::size_t>(camera - study.views.begin());
+}
+
+ContentKey costKey(const RunScene& scene, const MethodCase& method,
+                   std::optional<std::size_t> view) {
+  KeyBuilder key("cost");
+  key.add("method", method.key).add("host", hostName());
+  key.add("threads", threadCount());
+  if (view) key.add("mask", scene.keys.mask(method.key, method.base->choice, *view, 0));
+  return key.key();
+}
+
+}  // namespace
+
+CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
+  constexpr int frames = 25;
+  const std::optional<std::size_t> view = firstCamera(scene.study);
+  const ContentKey key = costKey(scene, method, view);
+  std::optional<KeptCost> cost = scene.cache.find<KeptCost>(key);
+  const bool isKept = cost.has_value();
+  if (!cost) {
+    cost.emplace();
+    cost->polygons = method.base->drawn.get().gpu.triangleCount();
+    cost->tableBytes = tableBytes(scene, method);
+    if (method.method.tables.height) cost->heightBytes = scene.heights.byteCount();
+    cost->day = today();
+    if (view) {
+      const CompiledMethod& ready = compiled(scene, method);
+      const FirstFrame first = ready.hasDrawn ? FirstFrame::isWarm : FirstFrame::warmsUp;
+      cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
+        return ready.pass.frameMilliseconds(method.base->views[*view].view,
+                                            scene.drawing(*method.base, 0), ready.tables, frames,
+                                            first, clock_);
+      });
+    }
+    scene.cache.keep(key, *cost);
+  }
+  CostRecord record;
+  record.method = method.spec->label;
+  record.polygons = cost->polygons;
+  record.tableBytes = cost->tableBytes;
+  record.heightBytes = cost->heightBytes;
+  record.frameMs = cost->frameMs;
+  record.passes = method.method.passes.count();
+  if (isKept && cost->frameMs) record.keptSince = cost->day;
+  return record;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/frame_timer.h"
+#include "study/record/record.h"
+#include "study/run/scene/method_case.h"
+#include "study/run/scene/run_scene.h"
+
+namespace gnomon {
+
+/// What a method costs: on the first camera view under the first light; without a camera view there
+/// is no frame time.
+///
+/// A frame time that an earlier run measured is kept, since nothing that it depends on has changed:
+/// not the method, not the study, not the program, the renderer, the machine or its threads. The
+/// record then says since when. To measure it again, run without the cache.
+class CostStage {
+ public:
+  explicit CostStage(FrameClock clock) : clock_(clock) {}
+
+  CostRecord measure(RunScene& scene, MethodCase& method) const;
+
+ private:
+  FrameClock clock_;
+};
+
+}  // namespace gnomon

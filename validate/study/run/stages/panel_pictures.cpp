@@ -1,0 +1,350 @@
+#include "study/run/stages/panel_pictures.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/on_demand.h"
+#include "common/parallel.h"
+#include "study/run/scene/cached_fields.h"
+#include "study/spec/file_names.h"
+#include "truth/displaced_picture.h"
+
+namespace gnomon {
+namespace {
+
+template <typename Entries, typename NameOf>
+std::vector<std::string> namesOf(const Entries& entries, const NameOf& nameOf) {
+  std::vector<std::string> names;
+  names.reserve(entries.size());
+  for (const auto& entry : entries) names.push_back(nameOf(entry));
+  return names;
+}
+
+/// A picture as a file and as a page embeds it.
+struct PictureBytes {
+  std::string file;
+  std::string embedded;
+};
+
+template <typename Stream, SameAs<PictureBytes> T>
+void fields(Stream& stream, T& bytes) {
+  stream(bytes.file, bytes.embedded);
+}
+
+/// What tells the truth at the samples of a mesh, as files.
+struct TruthBytes {
+  std::string mask, regions, seam;
+};
+
+template <typename Stream, SameAs<TruthBytes> T>
+void fields(Stream& stream, T& bytes) {
+  stream(bytes.mask, bytes.regions, bytes.seam);
+}
+
+/// Where a sample's path to the light crosses a seam: lit.
+Mask seamMask(const Truth& truth) {
+  Mask mask = truth.mask;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask.samples[i] == Shade::none) continue;
+    mask.samples[i] = truth.crossesSeam[i] != 0 ? Shade::lit : Shade::shadowed;
+  }
+  return mask;
+}
+
+/// How file names call the truth at a mesh's samples.
+std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_t view,
+                      std::size_t light) {
+  const Truth& own = base.views[view].truths[light];
+  const Truth& other = standard.views[view].truths[light];
+  const bool isSame = own.mask.samples == other.mask.samples && own.regions == other.regions &&
+                      own.crossesSeam == other.crossesSeam;
+  if (isSame) return "truth";
+  const char* kind = base.choice.kind == DrawnMesh::displaced ? "displaced" : "base";
+  return fmt::format("truth_{}-{}", kind, base.choice.subdivisions);
+}
+
+}  // namespace
+
+/// An answer of a panel with the keys of its pictures. Its mask is asked for only where one of them
+/// has to be made.
+struct PanelPictures::Answer {
+  ContentKey key;
+  const Mesh& mesh;
+  const Mask* truth;  ///< what the mask is held against; null for the truth itself
+  std::function<const Mask&()> mask;
+  std::function<const Mask&()> test =
+      {};  ///< the mask of the shadow test alone; none for the truth
+};
+
+/// A mesh in a panel. It is drawn only where a picture of it has to be made.
+struct PanelPictures::Mesh {
+  /// With all its samples lit, and with all of them shadowed: RGB.
+  struct Colours {
+    std::vector<std::uint8_t> lit;
+    std::vector<std::uint8_t> dark;
+
+    template <typename Stream, SameAs<Colours> T>
+    friend void fields(Stream& stream, T& both) {
+      stream(both.lit, both.dark);
+    }
+  };
+
+  std::size_t layers;  ///< place among the panel's
+  OnDemand<Colours> colours;
+
+  /// A mask's shading: the dark colours where it is shadowed.
+  [[nodiscard]] std::vector<std::uint8_t> shading(const Mask& mask) const {
+    const Colours& both = colours.get();
+    std::vector<std::uint8_t> rgb = both.lit;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      if (mask.samples[i] == Shade::shadowed) std::copy_n(&both.dark[3 * i], 3, &rgb[3 * i]);
+    }
+    return rgb;
+  }
+};
+
+PanelPictures::PanelPictures(RunScene& scene, RunWriter& writer)
+    : scene_(scene),
+      writer_(writer),
+      viewFiles_(
+          fileNames(namesOf(scene.study.views, [](const ViewSpec& view) { return view.name; }))),
+      lightFiles_(fileNames(
+          namesOf(scene.study.lights, [](const LightSpec& light) { return light.name; }))),
+      methodFiles_(fileNames(
+          namesOf(scene.study.methods, [](const MethodSpec& method) { return method.label; }),
+          {"truth", "displaced"})) {}
+
+std::string PanelPictures::path(const char* folder, std::size_t view, std::size_t light,
+                                const std::string& name) const {
+  return fmt::format("{}/{}_{}_{}.png", folder, viewFiles_[view], lightFiles_[light], name);
+}
+
+void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
+  for (std::size_t v = 0; v < scene_.study.views.size(); ++v) {
+    const auto* camera = std::get_if<Camera>(&scene_.study.views[v].kind);
+    if (camera == nullptr) continue;
+    for (std::size_t l = 0; l < scene_.study.lights.size(); ++l) {
+      PictureBytes bytes = scene_.cache.remember(scene_.keys.displacedPicture(v, l), [&] {
+        const TracedSurface& traced = surface.get();
+        const auto light = scene_.clock.measure("displaced picture", [&](const Progress& progress) {
+          return displacedPicture(traced.mesh, traced.scene, *camera,
+                                  scene_.study.lights[l].direction(), progress);
+        });
+        return scene_.clock.measure("writing", [&](const Progress&) {
+          const auto rgb = writer_.displaced(camera->width, camera->height, light);
+          PictureBytes made;
+          parallelFor(0, 2, [&](std::size_t i) {
+            if (i == 0) {
+              made.embedded =
+                  writer_.embedded(camera->width, camera->height, rgb, EmbeddedSize::full);
+            } else {
+              made.file = writer_.picture(camera->width, camera->height, rgb);
+            }
+          });
+          return made;
+        });
+      });
+      scene_.clock.measure("writing", [&](const Progress&) {
+        writer_.write(path("images", v, l, "displaced"), bytes.file);
+      });
+      displaced_[{v, l}] = std::move(bytes.embedded);
+    }
+  }
+}
+
+std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t light,
+                                               const BaseCase& base, Shade everywhere) {
+  return scene_.clock.measure("pictures", [&](const Progress&) {
+    const DrawnMesh kind = base.choice.kind;
+    const ShadePass& pass =
+        shades_.try_emplace(kind, scene_.shaders, scene_.study.relief.field.wrap(), kind)
+            .first->second;
+    const RenderView& seen = base.views[view].view;
+    const auto pixels =
+        static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
+    return pass.render(seen, scene_.drawing(base, light),
+                       {seen.width, seen.height, std::vector<Shade>(pixels, everywhere)});
+  });
+}
+
+PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light,
+                                             const BaseCase& base, PanelRecord& panel) {
+  const ContentKey key = scene_.keys.layers(base.choice, view, light);
+  Mesh mesh{0, OnDemand<Mesh::Colours>([this, key, view, light, &base] {
+              return scene_.cache.remember(KeyBuilder("colours").add("layers", key).key(), [&] {
+                return Mesh::Colours{shade(view, light, base, Shade::lit),
+                                     shade(view, light, base, Shade::shadowed)};
+              });
+            })};
+  const LayersRecord layers = scene_.cache.remember(key, [&] {
+    const Mesh::Colours& colours = mesh.colours.get();
+    return scene_.clock.measure("writing", [&](const Progress&) {
+      LayersRecord made;
+      parallelFor(0, 2, [&](std::size_t i) {
+        const bool isLit = i == 0;
+        (isLit ? made.lit : made.dark) = writer_.embedded(
+            panel.width, panel.height, isLit ? colours.lit : colours.dark, EmbeddedSize::full);
+      });
+      return made;
+    });
+  });
+  // Two meshes that differ in nothing that one sees share theirs.
+  const auto place = std::find(panel.layers.begin(), panel.layers.end(), layers);
+  mesh.layers = static_cast<std::size_t>(place - panel.layers.begin());
+  if (place == panel.layers.end()) panel.layers.push_back(layers);
+  return mesh;
+}
+
+std::string PanelPictures::writeAnswer(std::size_t view, std::size_t light, const std::string& name,
+                                       const Answer& answer) {
+  struct Picture {
+    const char* kind;
+    std::string path;  ///< empty: none of a file
+    std::function<std::string()> make;
+    ContentKey key = {};
+    std::optional<std::string> bytes = {};
+  };
+  const Mask* mask = nullptr;
+  std::vector<std::uint8_t> rgb;
+  // The longest first.
+  std::vector<Picture> pictures = {
+      {"embedded", "",
+       [&] { return writer_.embedded(mask->width, mask->height, rgb, EmbeddedSize::small); }},
+      {"shaded", path("images", view, light, name),
+       [&] { return writer_.picture(mask->width, mask->height, rgb); }},
+      {"mask", path("masks", view, light, name), [&] { return writer_.mask(*mask); }}};
+  if (answer.truth != nullptr) {
+    pictures.push_back({"difference", path("images", view, light, name + "_difference"),
+                        [&] { return writer_.difference(*mask, *answer.truth); }});
+    pictures.push_back({"test mask", path("masks/test", view, light, name),
+                        [&] { return writer_.mask(answer.test()); }});
+  }
+  std::vector<Picture*> missing;
+  for (Picture& picture : pictures) {
+    picture.key = KeyBuilder(picture.kind).add("answer", answer.key).key();
+    picture.bytes = scene_.cache.find<std::string>(picture.key);
+    if (!picture.bytes) missing.push_back(&picture);
+  }
+  if (!missing.empty()) {
+    mask = &answer.mask();
+    rgb = answer.mesh.shading(*mask);
+  }
+  scene_.clock.measure("writing", [&](const Progress&) {
+    parallelFor(0, missing.size(), [&](std::size_t i) {
+      missing[i]->bytes = missing[i]->make();
+      scene_.cache.keep(missing[i]->key, *missing[i]->bytes);
+    });
+    for (const Picture& picture : pictures) {
+      if (!picture.path.empty()) writer_.write(picture.path, *picture.bytes);
+    }
+  });
+  return std::move(*pictures.front().bytes);
+}
+
+TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
+                                           const BaseCase& base) {
+  const BaseCase& standard = scene_.standardBase();
+  const Truth& truth = base.views[view].truths[light];
+  const bool crosses =
+      std::find(truth.crossesSeam.begin(), truth.crossesSeam.end(), 1) != truth.crossesSeam.end();
+  const std::string name = truthName(base, standard, view, light);
+  const ContentKey key =
+      KeyBuilder("truth files").add("truth", scene_.keys.truth(base.choice, view, light)).key();
+  const TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
+                               crosses ? path("regions", view, light, name + "_seam") : "",
+                               writeWeights(view)};
+  const TruthBytes bytes = scene_.cache.remember(key, [&] {
+    return scene_.clock.measure("writing", [&](const Progress&) {
+      TruthBytes made;
+      parallelFor(0, 3, [&](std::size_t i) {
+        if (i == 0) made.mask = writer_.mask(truth.mask);
+        if (i == 1) made.regions = writer_.regions(truth);
+        if (i == 2 && crosses) made.seam = writer_.mask(seamMask(truth));
+      });
+      return made;
+    });
+  });
+  scene_.clock.measure("writing", [&](const Progress&) {
+    if (name != "truth") writer_.write(paths.mask, bytes.mask);
+    writer_.write(paths.regions, bytes.regions);
+    if (crosses) writer_.write(paths.seam, bytes.seam);
+  });
+  return paths;
+}
+
+std::string PanelPictures::writeWeights(std::size_t view) {
+  const BaseCase& standard = scene_.standardBase();
+  const ViewCase& atlas = standard.views[view];
+  if (atlas.weights.empty()) return "";
+  std::string file = fmt::format("regions/{}_weights.exr", viewFiles_[view]);
+  if (!viewsWithWeights_.insert(view).second) return file;
+  const ContentKey key =
+      KeyBuilder("weights").add("samples", scene_.keys.samples(standard.choice, view)).key();
+  const std::string bytes = scene_.cache.remember(key, [&] {
+    return scene_.clock.measure("writing", [&](const Progress&) {
+      return writer_.weights(atlas.samples.width, atlas.samples.height, atlas.weights);
+    });
+  });
+  writer_.write(file, bytes);
+  return file;
+}
+
+PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
+                                std::span<const PanelAnswer> answers) {
+  using Kind = PictureRecord::Kind;
+  const StudySpec& study = scene_.study;
+  const BaseCase& standard = scene_.standardBase();
+  PanelRecord panel;
+  panel.view = study.views[view].name;
+  panel.light = study.lights[light].name;
+  panel.width = standard.views[view].view.width;
+  panel.height = standard.views[view].view.height;
+  std::map<const BaseCase*, Mesh> meshes;
+  const auto meshFor = [&](const BaseCase& base) -> const Mesh& {
+    const auto found = meshes.find(&base);
+    if (found != meshes.end()) return found->second;
+    return meshes.emplace(&base, panelMesh(view, light, base, panel)).first->second;
+  };
+  std::map<const BaseCase*, TruthFilesRecord> truths;
+  const auto truthAt = [&](const BaseCase& base) {
+    const auto found = truths.find(&base);
+    if (found != truths.end()) return found->second;
+    return truths.emplace(&base, writeTruth(view, light, base)).first->second;
+  };
+  for (const PanelAnswer& answer : answers) {
+    const std::string& label = study.methods[answer.place].label;
+    const std::string& name = methodFiles_[answer.place];
+    const BaseCase& base = *answer.method->base;
+    const Mesh& mesh = meshFor(base);
+    std::string embedded = writeAnswer(
+        view, light, name,
+        {answerKey(scene_, *answer.method, view, light), mesh, &base.views[view].truths[light].mask,
+         [&]() -> const Mask& { return answer.answers().drawn; },
+         [&]() -> const Mask& { return answer.answers().test; }});
+    panel.pictures.push_back({Kind::shaded, label, label, path("images", view, light, name),
+                              path("masks", view, light, name), std::move(embedded), mesh.layers,
+                              truthAt(base), path("masks/test", view, light, name)});
+  }
+  if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
+    panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
+                              path("images", view, light, "displaced"), "", displaced->second});
+  }
+  const Mesh& mesh = meshFor(standard);
+  std::string embedded =
+      writeAnswer(view, light, "truth",
+                  {scene_.keys.truth(standard.choice, view, light), mesh, nullptr,
+                   [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
+  panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
+                            path("masks", view, light, "truth"), std::move(embedded), mesh.layers,
+                            truthAt(standard)});
+  for (const PanelAnswer& answer : answers) {
+    const std::string& label = study.methods[answer.place].label;
+    panel.pictures.push_back(
+        {Kind::difference, label, label,
+         path("images", view, light, methodFiles_[answer.place] + "_difference")});
+  }
+  return panel;
+}
+
+}  // namespace gnomon

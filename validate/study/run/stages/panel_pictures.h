@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/passes.h"
+#include "study/record/record.h"
+#include "study/run/scene/base_case.h"
+#include "study/run/scene/method_case.h"
+#include "study/run/scene/run_scene.h"
+#include "study/run/scene/truth_stage.h"
+#include "study/run/stages/run_writer.h"
+
+namespace gnomon {
+
+/// One method's answers, to be shown in a panel.
+struct PanelAnswer {
+  std::size_t place;  ///< of the method in the study
+  MethodCase* method;
+  /// Both, drawn when they are first asked for.
+  std::function<const MethodAnswers&()> answers;
+};
+
+/// Makes the pictures of a study's panels, or takes them from the cache, and hands them to the
+/// writer. A mesh is drawn twice for each view and light, with all its samples lit and with all of
+/// them shadowed: its shadings are composed of the two. Files are named
+/// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
+/// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone. The
+/// truth's regions are `regions/VIEW_LIGHT_truth.png`; where a method draws a mesh at whose samples
+/// the truth is another than at the standard base's, it is `truth_displaced-9`, after the mesh's
+/// pieces a side. What the samples of an atlas count is `regions/VIEW_weights.exr`.
+class PanelPictures {
+ public:
+  PanelPictures(RunScene& scene, RunWriter& writer);
+
+  /// The displaced surface by its own rays, for every camera view and light.
+  void drawDisplaced(SurfaceOnDemand& surface);
+
+  /// One view under one light: the shading and mask of every method that answers, those of the
+  /// truth, and the signed differences.
+  PanelRecord draw(std::size_t view, std::size_t light, std::span<const PanelAnswer> answers);
+
+ private:
+  struct Answer;
+  struct Mesh;
+
+  /// `images/VIEW_LIGHT_NAME.png`, or in another folder.
+  [[nodiscard]] std::string path(const char* folder, std::size_t view, std::size_t light,
+                                 const std::string& name) const;
+  /// Writes an answer's shading and mask, and but for the truth its difference.
+  /// @return the shading as a page embeds it
+  std::string writeAnswer(std::size_t view, std::size_t light, const std::string& name,
+                          const Answer& answer);
+  /// Writes the truth at a mesh's samples. The mask of the standard base's truth is not among it:
+  /// that is written with its shading.
+  TruthFilesRecord writeTruth(std::size_t view, std::size_t light, const BaseCase& base);
+  /// Writes what the samples of an atlas count, once: under all lights and on all meshes they are
+  /// the same.
+  /// @return the file; empty for a camera
+  std::string writeWeights(std::size_t view);
+  /// Draws one view of a mesh under one light.
+  std::vector<std::uint8_t> shade(std::size_t view, std::size_t light, const BaseCase& base,
+                                  Shade everywhere);
+  /// A mesh whose layers are among a panel's: those of another that looks alike, or added.
+  Mesh panelMesh(std::size_t view, std::size_t light, const BaseCase& base, PanelRecord& panel);
+
+  RunScene& scene_;
+  RunWriter& writer_;
+  std::map<DrawnMesh, ShadePass> shades_;
+  std::set<std::size_t> viewsWithWeights_;  ///< whose file is written
+  std::vector<std::string> viewFiles_;
+  std::vector<std::string> lightFiles_;
+  std::vector<std::string> methodFiles_;
+  /// As a page embeds the displaced surface, by view and light.
+  std::map<std::pair<std::size_t, std::size_t>, std::string> displaced_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,52 @@
+#include "study/run/truth_study.h"
+
+#include "horizon/stored_bake.h"
+#include "study/run/driver_faults.h"
+#include "study/run/notices.h"
+#include "study/run/scene/environment.h"
+#include "study/run/stages/refine_stage.h"
+#include "study/spec/file_names.h"
+
+namespace gnomon {
+
+StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
+                       const std::function<void(const TracedSurface&)>& whileTraced) {
+  DriverFaults(scene.shaders, scene.cache).requireViews(scene.study);
+  StudyRecord record = startRecord(scene.study, gl);
+  scene.standardBase();
+  {
+    TruthSurface surface(scene);
+    record.truth = surface.record();
+    record.undefinedSamples = traceTruths(scene, surface.onDemand());
+    if (whileTraced) whileTraced(surface.onDemand().get());
+  }  // the fine mesh goes before the coarse one comes
+  traceUncertainty(scene, record.truth);
+  record.notices = noticesOf(scene, record.truth, {});
+  record.timings = scene.clock.timings();
+  return record;
+}
+
+StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progress& progress) {
+  const HeightField& field = study.relief.field;
+  const BakeSettings& settings = study.bake.settings;
+  if (!keepsHorizons(field, settings)) {
+    return bakeStoredHorizons(field, settings, study.bake.bits, progress);
+  }
+  const HorizonTables tables = keptHorizons(cache, field, settings, progress);
+  return {tables.width,
+          tables.height,
+          tables.azimuths,
+          tables.radiusTexels,
+          tables.wrap,
+          storeTable(tables.horizon, study.bake.bits),
+          storeTable(tables.distance, study.bake.bits)};
+}
+
+CaseNames caseNames(const StudySpec& study) {
+  std::vector<std::string> views, lights;
+  for (const ViewSpec& view : study.views) views.push_back(view.name);
+  for (const LightSpec& light : study.lights) lights.push_back(light.name);
+  return {fileNames(views), fileNames(lights)};
+}
+
+}  // namespace gnomon

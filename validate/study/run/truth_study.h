@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "horizon/table_file.h"
+#include "render/gl_context.h"
+#include "study/record/record.h"
+#include "study/run/scene/run_scene.h"
+#include "study/run/scene/truth_stage.h"
+
+namespace gnomon {
+
+/// The parts of a study that need no method: its truth, its tables, and the names of their files.
+
+/// A record that names the study, with the truth of the study's own base mesh: traced, with its
+/// uncertainty. The truths themselves are in the scene's standard base.
+/// @param gl           current on this thread
+/// @param whileTraced  called once the truths are there, while the surface is
+/// @throws as the run's stages
+StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
+                       const std::function<void(const TracedSurface&)>& whileTraced = {});
+
+/// The study's horizon and distance table as they are stored.
+StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progress& progress = {});
+
+/// Parts of file names for a study's views and lights, as a run's pictures have them.
+struct CaseNames {
+  std::vector<std::string> views, lights;
+};
+CaseNames caseNames(const StudySpec& study);
+
+}  // namespace gnomon

@@ -1,0 +1,43 @@
+#include "study/spec/file_names.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace gnomon {
+namespace {
+
+/// The longest part: file systems allow 255 bytes for a name of three.
+constexpr std::size_t longest = 60;
+
+std::string plainName(const std::string& name) {
+  std::string plain;
+  for (const char c : name) {
+    const bool keep = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
+    if (keep || (!plain.empty() && plain.back() != '-')) plain += keep ? c : '-';
+  }
+  plain.resize(std::min(plain.size(), longest));
+  while (!plain.empty() && plain.back() == '-') plain.pop_back();
+  return plain.empty() ? "unnamed" : plain;
+}
+
+}  // namespace
+
+bool isNameCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
+}
+
+std::vector<std::string> fileNames(const std::vector<std::string>& names,
+                                   std::set<std::string> taken) {
+  std::vector<std::string> result;
+  for (const std::string& name : names) {
+    const std::string plain = plainName(name);
+    std::string distinct = plain;
+    for (int k = 2; !taken.insert(distinct).second; ++k) distinct = fmt::format("{}-{}", plain, k);
+    result.push_back(distinct);
+  }
+  return result;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,94 @@
+#include "study/spec/ladder_section.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+const MethodSpec& methodOf(const TomlReader& section, const StudySpec& study) {
+  const std::string label = section.text("method");
+  const auto found = std::find_if(study.methods.begin(), study.methods.end(),
+                                  [&](const MethodSpec& method) { return method.label == label; });
+  if (found != study.methods.end()) return *found;
+  std::vector<std::string> labels;
+  for (const MethodSpec& method : study.methods) labels.push_back(method.label);
+  section.fail("method",
+               fmt::format("\"{}\" found, one of {} expected", label, fmt::join(labels, ", ")));
+}
+
+CauseSpec readCause(const TomlReader& rung, const std::vector<CauseSpec>& before) {
+  rung.allow({"cause", "change", "set"});
+  CauseSpec cause{rung.text("cause"), rung.text("change", "")};
+  const bool twice = std::any_of(before.begin(), before.end(),
+                                 [&](const CauseSpec& other) { return other.name == cause.name; });
+  if (twice)
+    rung.fail("cause", fmt::format("\"{}\" found twice, distinct causes expected", cause.name));
+  return cause;
+}
+
+/// The state after a rung.
+MethodSpec climb(const TomlReader& rung, const MethodSpec& from, const MethodDefaults& defaults) {
+  const TomlReader set = rung.table("set");
+  set.allow({"name", "file", "filter", "bake", "base", "parameters"});
+  MethodSpec to = changedMethod(set, from, defaults);
+  set.finish();
+  if (isSameMethod(from, to)) rung.fail("set", "changes nothing, keys with other values expected");
+  return to;
+}
+
+LadderSpec readLadder(const TomlReader& section, const StudySpec& study,
+                      const MethodDefaults& defaults) {
+  section.allow({"method", "name", "file", "filter", "bake", "base", "parameters", "rung"});
+  LadderSpec ladder;
+  const MethodSpec& method = methodOf(section, study);
+  ladder.method = method.label;
+  ladder.written = section.written();
+  const MethodSpec start = changedMethod(section, method, defaults);
+  ladder.forward.push_back(start);
+  ladder.backward.push_back(start);
+  const std::vector<TomlReader> rungs = section.tables("rung");
+  for (const TomlReader& rung : rungs) {
+    ladder.causes.push_back(readCause(rung, ladder.causes));
+    ladder.forward.push_back(climb(rung, ladder.forward.back(), defaults));
+    rung.finish();
+  }
+  for (auto rung = rungs.rbegin(); rung != rungs.rend(); ++rung) {
+    ladder.backward.push_back(climb(*rung, ladder.backward.back(), defaults));
+  }
+  section.finish();
+  if (!isSameMethod(ladder.forward.back(), ladder.backward.back())) {
+    section.fail(
+        "rung",
+        "rungs change the same keys, so that forward and backward end differently; keys of "
+        "one rung each expected");
+  }
+  return ladder;
+}
+
+}  // namespace
+
+std::vector<LadderSpec> readLadders(const TomlReader& root, const StudySpec& study,
+                                    const MethodDefaults& defaults) {
+  std::vector<LadderSpec> ladders;
+  for (const TomlReader& section : root.optionalTables("ladder")) {
+    LadderSpec ladder = readLadder(section, study, defaults);
+    for (const LadderSpec& other : ladders) {
+      if (other.method != ladder.method) continue;
+      section.fail("method", fmt::format("\"{}\" has another ladder", ladder.method));
+    }
+    const bool atlas = std::any_of(
+        study.views.begin(), study.views.end(),
+        [](const ViewSpec& view) { return std::holds_alternative<AtlasSpec>(view.kind); });
+    if (!atlas) {
+      section.fail("method",
+                   "no [[view]] of type atlas found, where its error could be attributed");
+    }
+    ladders.push_back(std::move(ladder));
+  }
+  return ladders;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,107 @@
+#include "study/spec/study_paths.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "common/error.h"
+#include "study/spec/toml_text.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view encodedMark = "file:";
+
+bool canHold(const std::string& text) {
+  try {
+    (void)tomlText(toml::table{{"text", text}});
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+bool isUnreserved(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("-._~/").find(c) != std::string_view::npos;
+}
+
+std::string encoded(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    text +=
+        isUnreserved(c) ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return text;
+}
+
+/// The byte of two hexadecimal digits, or none.
+std::optional<char> byteOf(std::string_view digits) {
+  unsigned value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, failure] = std::from_chars(digits.data(), end, value, 16);
+  if (digits.size() != 2 || failure != std::errc() || stop != end) return std::nullopt;
+  return static_cast<char>(static_cast<unsigned char>(value));
+}
+
+/// The tables of a list, or of none.
+template <typename Work>
+void forEachTable(toml::node* list, const Work& work) {
+  if (list == nullptr || !list->is_array()) return;
+  for (toml::node& entry : *list->as_array()) {
+    if (toml::table* table = entry.as_table()) work(*table);
+  }
+}
+
+}  // namespace
+
+std::string pathText(const fs::path& path) {
+  const std::string text = path.string();
+  if (!text.starts_with(encodedMark) && canHold(text)) return text;
+  return std::string(encodedMark) + encoded(text);
+}
+
+fs::path pathOf(const std::string& text) {
+  if (!text.starts_with(encodedMark)) return text;
+  std::string bytes;
+  for (std::size_t i = encodedMark.size(); i < text.size(); ++i) {
+    const auto byte =
+        text[i] == '%' ? byteOf(std::string_view(text).substr(i + 1, 2)) : std::nullopt;
+    bytes += byte.value_or(text[i]);
+    if (byte) i += 2;
+  }
+  return bytes;
+}
+
+std::string stemText(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return canHold(stem) ? stem : encoded(stem);
+}
+
+std::string pathFrom(const fs::path& file, const fs::path& folder) {
+  return pathText(fs::proximate(fs::absolute(file), fs::absolute(folder)));
+}
+
+void movePath(toml::table& table, const char* key, const fs::path& from, const fs::path& to) {
+  const auto path = table[key].value<std::string>();
+  if (!path || pathOf(*path).is_absolute()) return;
+  table.insert_or_assign(key, pathFrom(from / pathOf(*path), to));
+}
+
+void movePaths(toml::table& study, const fs::path& from, const fs::path& to) {
+  if (toml::table* relief = study["relief"].as_table()) movePath(*relief, "image", from, to);
+  if (toml::table* surface = study["surface"].as_table()) movePath(*surface, "mesh", from, to);
+  const auto moveShader = [&](toml::table& table) { movePath(table, "file", from, to); };
+  forEachTable(study.get("method"), moveShader);
+  forEachTable(study.get("ladder"), [&](toml::table& ladder) {
+    moveShader(ladder);
+    forEachTable(ladder.get("rung"), [&](toml::table& rung) {
+      if (toml::table* set = rung["set"].as_table()) moveShader(*set);
+    });
+  });
+}
+
+}  // namespace gnomon

@@ -1,0 +1,16 @@
+#include "study/spec/study_text.h"
+
+#include "common/files/input_file.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+
+StudyText readStudyText(const fs::path& file) {
+  return {file, readFileOrStream(file)};
+}
+
+fs::path studyFolder(const fs::path& file) {
+  return isGivenStream(file) ? fs::path() : file.parent_path();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/spec/study_file.h"
+
+namespace gnomon {
+
+/// `[sweep]` of a study file: the study is run once for each value of one key.
+struct SweepSpec {
+  std::string key;             ///< any key of the file that an override may set
+  std::vector<double> values;  ///< at least two, distinct
+  std::string axis;            ///< the key itself, unless the file says better
+};
+
+/// What a study file asks for: one study, or one for each value of its sweep.
+struct StudyPlan {
+  std::string name;  ///< of the file's study
+  std::string title, source;
+  std::optional<SweepSpec> sweep;
+  /// One, without a sweep. A step of a sweep is the file with `key=value` as its last override; it
+  /// is named `NAME/VALUE`, the value's shortest text, so that its folder lies in the sweep's.
+  std::vector<StudySpec> steps;
+};
+
+/// Reads and checks a study file with all its steps.
+/// @throws InputError as readStudy; for a sweep without a second value or with repeated ones, of a
+///   key that the file cannot have, that names the study, or that `options` overrides as well; and
+///   for a value that the key cannot take: all name file, line and key of `[sweep]`
+StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {});
+
+}  // namespace gnomon

@@ -1,0 +1,94 @@
+#include "study/spec/threshold_limits.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compare/metric_range.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+namespace {
+
+/// A side of the full form, or a little more.
+int fullSide(int side, bool quick) {
+  return quick ? 4 * side + 3 : side;
+}
+
+/// The distances in an atlas are texels of the map.
+PictureExtent extentOf(const ViewSpec& view, const StudySpec& study) {
+  if (const auto* camera = std::get_if<Camera>(&view.kind)) {
+    const double width = fullSide(camera->width, study.quick);
+    const double height = fullSide(camera->height, study.quick);
+    return {std::hypot(width, height), width * height};
+  }
+  const double side = fullSide(std::get<AtlasSpec>(view.kind).samplesPerSide, study.quick);
+  return {glm::length(study.relief.texelsPerUv()),
+          static_cast<double>(study.cage.faceCount()) * side * side};
+}
+
+PictureExtent largestExtent(const StudySpec& study, const std::string& view) {
+  PictureExtent largest;
+  for (const ViewSpec& candidate : study.views) {
+    if (!view.empty() && candidate.name != view) continue;
+    const PictureExtent extent = extentOf(candidate, study);
+    largest.diagonal = std::max(largest.diagonal, extent.diagonal);
+    largest.samples = std::max(largest.samples, extent.samples);
+  }
+  return largest;
+}
+
+/// Whether a metric has the same value in a region whatever a method answers: the truth lights all
+/// of its samples, or shadows all.
+bool isSettledIn(std::string_view region, std::string_view metric) {
+  const auto holds = [&](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), metric) != names.end();
+  };
+  if (region == regionName(Region::lit)) return holds({"false_light", "iou", "f1", "prevalence"});
+  constexpr std::array dark = {Region::attached, Region::cast, Region::distant};
+  const bool isDark = std::any_of(dark.begin(), dark.end(),
+                                  [&](Region name) { return region == regionName(name); });
+  return isDark && holds({"false_shadow", "prevalence"});
+}
+
+std::optional<double> readLimit(const TomlReader& section, const char* key,
+                                const MetricRange& range) {
+  const toml::node* node = section.written().get(key);
+  if (node == nullptr || !node->is_string()) return section.optionalNumber(key, anyNumber);
+  const std::string text = section.text(key);
+  const auto limit = text.ends_with('%') ? limitOfText(text, range) : std::nullopt;
+  if (!limit) {
+    section.fail(key,
+                 fmt::format("\"{}\" found, {} expected", text,
+                             range.isShare ? "a number, or a percentage as \"5 %\"" : "a number"));
+  }
+  return limit;
+}
+
+}  // namespace
+
+void readLimits(const TomlReader& section, const StudySpec& study, ThresholdSpec& threshold) {
+  const MetricRange range = metricRange(threshold.metric, largestExtent(study, threshold.view));
+  threshold.minimum = readLimit(section, "min", range);
+  threshold.maximum = readLimit(section, "max", range);
+  if (!threshold.minimum && !threshold.maximum) section.fail("max", "`max` or `min` expected");
+  if (isSettledIn(threshold.region, threshold.metric)) {
+    section.fail("region",
+                 fmt::format("\"{}\" found, but there the region alone decides {}, whatever a "
+                             "method answers",
+                             threshold.region, threshold.metric));
+  }
+  const auto require = [&](const char* key, std::optional<double> limit) {
+    if (!limit) return;
+    section.blame(key, [&] { requireInRange(*limit, threshold.metric, range); });
+  };
+  require("max", threshold.maximum);
+  require("min", threshold.minimum);
+  section.blame(threshold.maximum ? "max" : "min", [&] {
+    requireMissable(threshold.minimum, threshold.maximum, threshold.metric, range);
+  });
+}
+
+}  // namespace gnomon

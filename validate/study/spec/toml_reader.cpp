@@ -1,0 +1,382 @@
+#include "study/spec/toml_reader.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "common/text/one_line.h"
+#include "common/text/toml_nesting.h"
+#include "common/text/utf8.h"
+#include "study/spec/nearest_name.h"
+
+namespace gnomon {
+namespace {
+
+std::string describe(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>())
+    return fmt::format("the string \"{}\"", *text);
+  if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
+  if (const auto whole = node.value_exact<std::int64_t>()) return fmt::format("{}", *whole);
+  if (const auto number = node.value_exact<double>()) return fmt::format("{}", *number);
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return fmt::format("a list of {}", node.as_array()->size());
+  return "a date or time";
+}
+
+std::string expectedNumber(Range range) {
+  const bool bounded = std::isfinite(range.most);
+  if (std::isfinite(range.least) && bounded) {
+    return fmt::format("a number {} {} and at most {}", range.openBelow ? "above" : "of at least",
+                       range.least, range.most);
+  }
+  if (std::isfinite(range.least)) {
+    return fmt::format("a number {} {}", range.openBelow ? "above" : "of at least", range.least);
+  }
+  return bounded ? fmt::format("a number of at most {}", range.most) : "a finite number";
+}
+
+}  // namespace
+
+TomlReader::TomlReader(const toml::table& table, std::string file, std::string path)
+    : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
+
+bool TomlReader::has(std::string_view key) const {
+  return table_->contains(key);
+}
+
+const toml::node* TomlReader::find(std::string_view key) const {
+  read_.emplace(key);
+  const toml::node* node = table_->get(key);
+  if (node != nullptr && !node->is_table() && !node->is_array_of_tables()) {
+    node->visit([&](const auto& value) { given_.insert_or_assign(key, value); });
+  }
+  return node;
+}
+
+template <typename Value>
+bool TomlReader::hasOr(std::string_view key, const Value& fallback) const {
+  if (find(key) != nullptr) return true;
+  given_.insert_or_assign(key, fallback);
+  return false;
+}
+
+std::string TomlReader::place(const toml::node& node, std::string_view key) const {
+  const auto line = node.source().begin.line;
+  const std::string name = path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+  return line > 0 ? fmt::format("{}:{}: {}", file_, line, name)
+                  : fmt::format("{}: {}", file_, name);
+}
+
+const toml::node& TomlReader::require(std::string_view key, std::string_view expected) const {
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    throw InputError(fmt::format("{}: missing, {} expected", place(*table_, key), expected));
+  }
+  return *node;
+}
+
+void TomlReader::mismatch(const toml::node& node, std::string_view key,
+                          const std::string& expected) const {
+  throw InputError(
+      fmt::format("{}: {} found, {} expected", place(node, key), describe(node), expected));
+}
+
+void TomlReader::fail(std::string_view key, const std::string& what) const {
+  const toml::node* node = table_->get(key);
+  throw InputError(fmt::format("{}: {}", place(node != nullptr ? *node : *table_, key), what));
+}
+
+void TomlReader::requireOneOf(std::string_view a, std::string_view b) const {
+  if (has(a) && has(b)) fail(b, fmt::format("`{}` found beside it, one of the two expected", a));
+  if (!has(a) && !has(b)) fail(a, fmt::format("missing, either `{}` or `{}` expected", a, b));
+}
+
+void TomlReader::refuseKey(const toml::node& node, std::string_view key,
+                           const Names& expected) const {
+  const auto nearest = nearestName(key, expected);
+  throw InputError(fmt::format("{}: unknown key, expected {}{}", place(node, key),
+                               fmt::join(expected, ", "),
+                               nearest ? fmt::format(". Did you mean `{}`?", *nearest) : ""));
+}
+
+void TomlReader::allow(std::initializer_list<std::string_view> keys) const {
+  const Names names(keys.begin(), keys.end());
+  for (const auto& [key, node] : *table_) {
+    if (!names.contains(key.str())) refuseKey(node, key.str(), names);
+  }
+}
+
+void TomlReader::finish() const {
+  for (const auto& [key, node] : *table_) {
+    if (!read_.contains(key.str())) refuseKey(node, key.str(), read_);
+  }
+}
+
+TomlReader TomlReader::table(std::string_view key) const {
+  const toml::node& node = require(key, fmt::format("a table [{}]", key));
+  if (!node.is_table()) mismatch(node, key, "a table");
+  return {*node.as_table(), file_,
+          path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key)};
+}
+
+std::optional<TomlReader> TomlReader::optionalTable(std::string_view key) const {
+  if (find(key) == nullptr) return std::nullopt;
+  return table(key);
+}
+
+std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
+  const std::string expected = fmt::format("at least one [[{}]]", key);
+  const toml::node& node = require(key, expected);
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty()) mismatch(node, key, expected);
+  std::vector<TomlReader> result;
+  for (const toml::node& entry : *array) {
+    if (!entry.is_table()) mismatch(entry, key, expected);
+    const std::string name = fmt::format("{}.{}", key, result.size());
+    result.emplace_back(*entry.as_table(), file_, path_.empty() ? name : path_ + "." + name);
+  }
+  return result;
+}
+
+std::vector<TomlReader> TomlReader::optionalTables(std::string_view key) const {
+  if (find(key) == nullptr) return {};
+  return tables(key);
+}
+
+std::string TomlReader::text(std::string_view key) const {
+  const toml::node& node = require(key, "a string");
+  const auto value = node.value_exact<std::string>();
+  if (!value || value->empty()) mismatch(node, key, "a string that is not empty");
+  return *value;
+}
+
+std::string TomlReader::text(std::string_view key, std::string_view fallback) const {
+  return hasOr(key, std::string(fallback)) ? text(key) : std::string(fallback);
+}
+
+std::size_t TomlReader::choice(std::string_view key,
+                               std::initializer_list<std::string_view> choices) const {
+  const std::string expected = fmt::format("one of {}", fmt::join(choices, ", "));
+  const toml::node& node = require(key, expected);
+  const auto value = node.value_exact<std::string>();
+  std::size_t index = 0;
+  for (const std::string_view name : choices) {
+    if (value && *value == name) return index;
+    ++index;
+  }
+  mismatch(node, key, expected);
+}
+
+std::size_t TomlReader::choice(std::string_view key,
+                               std::initializer_list<std::string_view> choices,
+                               std::size_t fallback) const {
+  return hasOr(key, std::string(choices.begin()[fallback])) ? choice(key, choices) : fallback;
+}
+
+bool TomlReader::flag(std::string_view key, bool fallback) const {
+  if (!hasOr(key, fallback)) return fallback;
+  const toml::node& node = require(key, "true or false");
+  const auto value = node.value_exact<bool>();
+  if (!value) mismatch(node, key, "true or false");
+  return *value;
+}
+
+double TomlReader::checked(const toml::node& node, std::string_view key, Range range) const {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  const bool inside = value && std::isfinite(*value) && *value >= range.least &&
+                      *value <= range.most && !(range.openBelow && *value == range.least);
+  if (!inside) mismatch(node, key, expectedNumber(range));
+  return *value;
+}
+
+double TomlReader::number(std::string_view key, Range range) const {
+  return checked(require(key, expectedNumber(range)), key, range);
+}
+
+double TomlReader::number(std::string_view key, Range range, double fallback) const {
+  return hasOr(key, fallback) ? number(key, range) : fallback;
+}
+
+std::optional<double> TomlReader::optionalNumber(std::string_view key, Range range) const {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  return checked(*node, key, range);
+}
+
+int TomlReader::integer(std::string_view key, int least, int most) const {
+  const std::string expected = fmt::format("a whole number from {} to {}", least, most);
+  const toml::node& node = require(key, expected);
+  const auto value = node.value_exact<std::int64_t>();
+  if (!value || *value < least || *value > most) mismatch(node, key, expected);
+  return static_cast<int>(*value);
+}
+
+int TomlReader::integer(std::string_view key, int least, int most, int fallback) const {
+  return hasOr(key, fallback) ? integer(key, least, most) : fallback;
+}
+
+std::vector<double> TomlReader::list(const toml::node& node, std::string_view key, Range range,
+                                     std::size_t length) const {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->size() != length) {
+    mismatch(node, key, fmt::format("a list of {} numbers", length));
+  }
+  std::vector<double> values;
+  for (const toml::node& entry : *array) values.push_back(checked(entry, key, range));
+  return values;
+}
+
+std::vector<double> TomlReader::numbers(std::string_view key, Range range) const {
+  const toml::node& node = require(key, "a number or a list of numbers");
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return {checked(node, key, range)};
+  if (array->empty()) mismatch(node, key, "a number or a list of at least one");
+  return list(node, key, range, array->size());
+}
+
+std::vector<double> TomlReader::numbers(std::string_view key, Range range, double fallback) const {
+  return hasOr(key, fallback) ? numbers(key, range) : std::vector<double>{fallback};
+}
+
+Vec2 TomlReader::vec2(std::string_view key, Range range) const {
+  const auto values = list(require(key, "a list of 2 numbers"), key, range, 2);
+  return {values[0], values[1]};
+}
+
+Vec2 TomlReader::vec2(std::string_view key, Range range, Vec2 fallback) const {
+  return hasOr(key, toml::array{fallback.x, fallback.y}) ? vec2(key, range) : fallback;
+}
+
+Vec3 TomlReader::vec3(std::string_view key) const {
+  const auto values = list(require(key, "a list of 3 numbers"), key, anyNumber, 3);
+  return {values[0], values[1], values[2]};
+}
+
+Vec3 TomlReader::vec3(std::string_view key, Vec3 fallback) const {
+  return hasOr(key, toml::array{fallback.x, fallback.y, fallback.z}) ? vec3(key) : fallback;
+}
+
+std::vector<Vec3> TomlReader::points(std::string_view key) const {
+  const toml::node& node = require(key, "a list of points");
+  const toml::array* array = node.as_array();
+  if (array == nullptr) mismatch(node, key, "a list of points");
+  std::vector<Vec3> points;
+  for (const toml::node& entry : *array) {
+    const auto values = list(entry, key, anyNumber, 3);
+    points.emplace_back(values[0], values[1], values[2]);
+  }
+  return points;
+}
+
+std::vector<std::pair<std::string, double>> TomlReader::allNumbers() const {
+  std::vector<std::pair<std::string, double>> values;
+  for (const auto& [key, node] : *table_) {
+    values.emplace_back(std::string(key.str()), number(key.str(), anyNumber));
+  }
+  return values;
+}
+
+namespace {
+
+std::vector<std::string> splitPath(std::string_view path) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (begin <= path.size()) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    parts.emplace_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// The value as TOML reads it, or else the text itself as a string.
+toml::table parsedValue(const std::string& text) {
+  try {
+    toml::table table = toml::parse("value = " + text);
+    if (table.size() == 1) return table;
+  } catch (const toml::parse_error&) {
+    // Not TOML: text.
+  }
+  return toml::table{{"value", text}};
+}
+
+/// What a part of a path leads to; null where there is no such thing.
+toml::node* child(toml::node& node, const std::string& part) {
+  if (toml::table* table = node.as_table()) {
+    // A table that is not there yet is made: an override may add a whole section.
+    if (!table->contains(part)) table->insert(part, toml::table{});
+    return table->get(part);
+  }
+  toml::array* array = node.as_array();
+  std::size_t index = 0;
+  const auto [end, failure] = std::from_chars(part.data(), part.data() + part.size(), index);
+  if (array == nullptr || failure != std::errc() || end != part.data() + part.size())
+    return nullptr;
+  return array->get(index);
+}
+
+void applyOverride(toml::table& root, const std::string& text) {
+  if (!isUtf8(text)) throw UsageError(fmt::format("--set {}: UTF-8 expected", text));
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw UsageError(fmt::format("--set {}: KEY=VALUE expected, as relief.height=4", text));
+  }
+  std::vector<std::string> parts = splitPath(std::string_view(text).substr(0, equals));
+  if (parts.size() > mostTomlNesting || tooDeepTomlLine(text)) {
+    throw UsageError(
+        fmt::format("--set {}…: nested too deep, at most {} brackets or parts of a key expected",
+                    text.substr(0, 40), mostTomlNesting));
+  }
+  const toml::table value = parsedValue(text.substr(equals + 1));
+  const std::string last = parts.back();
+  parts.pop_back();
+  toml::node* node = &root;
+  std::string path;
+  for (const std::string& part : parts) {
+    const toml::array* list = node->as_array();
+    toml::node* next = child(*node, part);
+    if (next == nullptr) {
+      const std::string entries =
+          list != nullptr ? fmt::format(", {} has {} counted from 0", path, list->size()) : "";
+      path += path.empty() ? part : "." + part;
+      throw UsageError(fmt::format("--set {}: there is no `{}`{}", text, path, entries));
+    }
+    path += path.empty() ? part : "." + part;
+    node = next;
+  }
+  toml::table* table = node->as_table();
+  if (table == nullptr || last.empty()) {
+    throw UsageError(fmt::format("--set {}: `{}` is no key of a table", text, last));
+  }
+  value.get("value")->visit([&](const auto& concrete) { table->insert_or_assign(last, concrete); });
+}
+
+}  // namespace
+
+void applyOverrides(toml::table& table, const std::vector<std::string>& overrides) {
+  for (const std::string& change : overrides) applyOverride(table, change);
+}
+
+toml::table parseToml(const std::filesystem::path& path,
+                      const std::vector<std::string>& overrides) {
+  return parseTomlText(readFile(path), path.string(), overrides);
+}
+
+toml::table parseTomlText(const std::string& text, const std::string& file,
+                          const std::vector<std::string>& overrides) {
+  requireShallowToml(file, text);
+  try {
+    toml::table table = toml::parse(text, file);
+    applyOverrides(table, overrides);
+    return table;
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}:{}: {}", file, error.source().begin.line,
+                                 error.source().begin.column, oneLine(error.description())));
+  }
+}
+
+}  // namespace gnomon

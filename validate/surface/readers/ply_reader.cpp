@@ -1,0 +1,248 @@
+#include "surface/readers/ply_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "common/system/memory.h"
+#include "surface/readers/ply_body.h"
+#include "surface/readers/ply_header.h"
+#include "surface/readers/polygon_mesh.h"
+
+namespace gnomon {
+namespace {
+
+using Place = std::optional<std::size_t>;
+
+/// Where the coordinates stand among the properties of a vertex.
+struct VertexLayout {
+  std::array<std::size_t, 3> position{};
+  std::optional<std::array<std::size_t, 2>> uv;
+};
+
+/// Where corners and their texture coordinates stand among the properties of a face.
+struct FaceLayout {
+  std::size_t vertices = 0;
+  Place uvs;
+};
+
+VertexLayout findVertexLayout(const PlyElement& element, const std::string& source) {
+  VertexLayout layout;
+  constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    const Place found = element.find(axes.at(axis), false);
+    if (!found) {
+      throw InputError(fmt::format("{}: element 'vertex' has no property '{}', expected x, y and z",
+                                   source, axes.at(axis)));
+    }
+    layout.position.at(axis) = *found;
+  }
+  using Names = std::pair<std::string_view, std::string_view>;
+  for (const auto& [u, v] : {Names("u", "v"), Names("s", "t"), Names("texture_u", "texture_v")}) {
+    const Place atU = element.find(u, false);
+    const Place atV = element.find(v, false);
+    if (atU && atV && !layout.uv) layout.uv = {*atU, *atV};
+  }
+  return layout;
+}
+
+FaceLayout findFaceLayout(const PlyElement& element, const std::string& source) {
+  Place vertices = element.find("vertex_indices", true);
+  if (!vertices) vertices = element.find("vertex_index", true);
+  if (!vertices) {
+    throw InputError(
+        fmt::format("{}: element 'face' has no list 'vertex_indices' or 'vertex_index'", source));
+  }
+  return {*vertices, element.find("texcoord", true)};
+}
+
+double requireFinite(const PlyBody& body, double value, const PlyProperty& property) {
+  if (std::isfinite(value)) return value;
+  body.fail(fmt::format("'{}' is {}, expected a finite number", property.name, value));
+}
+
+/// Reads the rows of one file, element by element, in the file's order.
+class MeshReader {
+ public:
+  MeshReader(const std::string& source, std::string_view bytes, const PlyHeader& header)
+      : header_(header), body_(source, bytes, header) {
+    names_.source = source;
+  }
+
+  PolygonMesh read();
+  [[nodiscard]] const PartNames& names() const { return names_; }
+
+ private:
+  template <typename Take>
+  void readRows(const PlyElement& element, const Take& take);
+  void readVertices(const PlyElement& element);
+  void readFaces(const PlyElement& element);
+  void takeVertices(const std::vector<double>& indices);
+  void takeUvs(const std::vector<double>& uvs, std::size_t corners, const PlyProperty& property);
+  void useVertexUvs();
+  void joinVertices();
+
+  const PlyHeader& header_;
+  PlyBody body_;
+  PartNames names_;
+  PolygonMesh mesh_;
+  std::vector<Vec2> vertexUvs_;
+  bool facesHaveUvs_ = false;
+};
+
+PolygonMesh MeshReader::read() {
+  const auto has = [this](std::string_view name) {
+    return std::any_of(header_.elements.begin(), header_.elements.end(),
+                       [name](const PlyElement& element) { return element.name == name; });
+  };
+  for (const std::string_view name : {"vertex", "face"}) {
+    if (!has(name)) throw InputError(fmt::format("{}: no element '{}'", names_.source, name));
+  }
+  for (const PlyElement& element : header_.elements) {
+    if (element.name == "vertex") {
+      readVertices(element);
+    } else if (element.name == "face") {
+      readFaces(element);
+    } else {
+      readRows(element, [](std::size_t, const std::vector<double>&) {});
+    }
+  }
+  body_.end();
+  if (!facesHaveUvs_) {
+    mesh_.faceUvs.assign(mesh_.faceVertices.size(), noUv);
+    if (!vertexUvs_.empty()) useVertexUvs();
+  }
+  return std::move(mesh_);
+}
+
+/// @param take  called with every property's place and values
+template <typename Take>
+void MeshReader::readRows(const PlyElement& element, const Take& take) {
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    body_.beginRow(element, row);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      take(i, body_.read(element.properties[i]));
+    }
+    body_.endRow();
+  }
+}
+
+void MeshReader::readVertices(const PlyElement& element) {
+  const VertexLayout layout = findVertexLayout(element, names_.source);
+  std::vector<double> row(element.properties.size());
+  readRows(element, [&](std::size_t i, const std::vector<double>& values) {
+    const PlyProperty& property = element.properties[i];
+    const auto isOne = [i](const auto& places) {
+      return std::find(places.begin(), places.end(), i) != places.end();
+    };
+    if (isOne(layout.position) || (layout.uv && isOne(*layout.uv))) {
+      row[i] = requireFinite(body_, values.front(), property);
+    }
+    if (i + 1 < row.size()) return;
+    const auto& [x, y, z] = layout.position;
+    mesh_.positions.emplace_back(row[x], row[y], row[z]);
+    if (layout.uv) vertexUvs_.emplace_back(row[(*layout.uv)[0]], row[(*layout.uv)[1]]);
+  });
+}
+
+void MeshReader::readFaces(const PlyElement& element) {
+  const FaceLayout layout = findFaceLayout(element, names_.source);
+  facesHaveUvs_ = layout.uvs.has_value();
+  std::vector<double> uvs;
+  readRows(element, [&](std::size_t i, const std::vector<double>& values) {
+    if (i == layout.vertices) takeVertices(values);
+    if (i == layout.uvs) uvs = values;
+    if (i + 1 < element.properties.size() || !layout.uvs) return;
+    takeUvs(uvs, static_cast<std::size_t>(mesh_.faceSizes.back()), element.properties[*layout.uvs]);
+  });
+}
+
+void MeshReader::takeVertices(const std::vector<double>& indices) {
+  mesh_.faceSizes.push_back(static_cast<int>(indices.size()));
+  if (body_.line() > 0) names_.faceLines.push_back(body_.line());
+  for (const double index : indices) {
+    // `connect` knows how many vertices there are; here only what an index cannot be.
+    if (!(index >= 0 && index <= std::numeric_limits<int>::max() && index == std::floor(index))) {
+      body_.fail(fmt::format("vertex index {}, expected a whole number from 0", index));
+    }
+    mesh_.faceVertices.push_back(static_cast<int>(index));
+  }
+}
+
+void MeshReader::takeUvs(const std::vector<double>& uvs, std::size_t corners,
+                         const PlyProperty& property) {
+  if (uvs.empty()) {
+    mesh_.faceUvs.insert(mesh_.faceUvs.end(), corners, noUv);
+    return;
+  }
+  if (uvs.size() != 2 * corners) {
+    body_.fail(fmt::format("'{}' has {} values, expected u and v of {} corners, or none",
+                           property.name, uvs.size(), corners));
+  }
+  for (std::size_t i = 0; i < uvs.size(); i += 2) {
+    mesh_.faceUvs.push_back(static_cast<int>(mesh_.uvs.size()));
+    mesh_.uvs.emplace_back(requireFinite(body_, uvs[i], property),
+                           requireFinite(body_, uvs[i + 1], property));
+  }
+}
+
+void MeshReader::useVertexUvs() {
+  mesh_.uvs = std::move(vertexUvs_);
+  mesh_.faceUvs = mesh_.faceVertices;
+  joinVertices();
+}
+
+/// Faces refer to the first of all vertices in the same place. The others stay, in no face, so that
+/// numbers remain the file's.
+void MeshReader::joinVertices() {
+  const auto& positions = mesh_.positions;
+  const auto place = [&positions](int vertex) {
+    const Vec3& p = positions[static_cast<std::size_t>(vertex)];
+    return std::tie(p.x, p.y, p.z);
+  };
+  std::vector<int> order(positions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&place](int a, int b) {
+    return std::tuple_cat(place(a), std::tie(a)) < std::tuple_cat(place(b), std::tie(b));
+  });
+  std::vector<int> first(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(order[i]);
+    const bool same = i > 0 && place(order[i - 1]) == place(order[i]);
+    first[vertex] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+  }
+  for (int& vertex : mesh_.faceVertices) {
+    // One that there is none of is for `connect` to refuse.
+    if (static_cast<std::size_t>(vertex) < first.size()) {
+      vertex = first[static_cast<std::size_t>(vertex)];
+    }
+  }
+}
+
+}  // namespace
+
+Cage readPly(const std::filesystem::path& path, SubdivisionScheme scheme) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  // A face of a binary file may take no more than ten bytes, with its corners' vertices and texture
+  // coordinates as many again; here some hundred a corner, and OpenSubdiv's two levels.
+  constexpr double bytesPerByte = 60;
+  if (!error) requireMemory(bytesPerByte * static_cast<double>(size), path.string());
+  const std::string bytes = readFile(path);
+  const std::string source = path.string();
+  const PlyHeader header = readPlyHeader(source, bytes);
+  MeshReader reader(source, bytes, header);
+  PolygonMesh mesh = reader.read();
+  return toCage(std::move(mesh), reader.names(), scheme);
+}
+
+}  // namespace gnomon
