@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
+#include "render/shared_names.h"
 #include "render/target.h"
 
 namespace gnomon {
@@ -101,6 +102,19 @@ std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& met
   return pieces;
 }
 
+/// @throws InputError naming the declaration that is missing, where the compiler misses a name that
+///   one would provide
+gl::Program makeMethodProgram(const fs::path& shaders, const Method& method, const char* stage,
+                              const std::vector<std::string>& defines) {
+  try {
+    return makeSurfaceProgram(shaders, methodPieces(shaders, method, stage), defines);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    throw InputError(message +
+                     missingDeclaration(sharedNames(shaders), message, method.source, defines));
+  }
+}
+
 /// A texture pass keeps its values in the bits of the angles that it reads; without any, in floats.
 TableBits resolvedBits(const GpuTables& tables) {
   return tables.angles != nullptr ? tables.angles->bits() : TableBits::thirtyTwo;
@@ -124,10 +138,8 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap,
       passes_(method.passes),
       values_(parameterValues(method, values)) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
-  answer_ = makeSurfaceProgram(shaders, methodPieces(shaders, method, "mask.frag"), defines);
-  if (passes_.texture) {
-    resolve_ = makeSurfaceProgram(shaders, methodPieces(shaders, method, "resolve.frag"), defines);
-  }
+  answer_ = makeMethodProgram(shaders, method, "mask.frag", defines);
+  if (passes_.texture) resolve_ = makeMethodProgram(shaders, method, "resolve.frag", defines);
   if (passes_.lightDepth) lightDepth_.emplace(shaders);
   if (passes_.shadowVolumes) volumes_.emplace(shaders);
   for (const auto& [name, value] : values_) {

@@ -205,9 +205,9 @@ std::string pictureFault(const fs::path& shaders) {
 
 // ---- two faces side by side
 
-constexpr int side = 8;  ///< samples, and texels, of a face's side
-constexpr int columns = 2 * side;
-constexpr int azimuths = 4;
+constexpr int faceSide = 8;  ///< samples, and texels, of a face's side
+constexpr int columns = 2 * faceSide;
+constexpr int tileAzimuths = 4;
 const Vec3 tileLight = glm::normalize(Vec3(0.6, 0.25, 0.2));
 
 /// Samples lie a quarter of a texel beyond texel centres: of the four texels that are mixed, that
@@ -219,7 +219,7 @@ BaseMesh tileMesh() {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Vec2& st : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
       BaseVertex vertex{};
-      vertex.position = Vec3(static_cast<double>(side) * (st + Vec2(face, 0)), 0);
+      vertex.position = Vec3(static_cast<double>(faceSide) * (st + Vec2(face, 0)), 0);
       vertex.normal = {0, 0, 1};
       vertex.px = vertex.v1 = {1, 0, 0};
       vertex.py = vertex.v2 = {0, 1, 0};
@@ -239,7 +239,7 @@ BaseMesh tileMesh() {
 RenderView tileView() {
   RenderView view;
   view.width = columns;
-  view.height = side;
+  view.height = faceSide;
   view.atlasTiles = {2, 1};
   return view;
 }
@@ -247,7 +247,7 @@ RenderView tileView() {
 /// Random zeros and ones, [layer][y][x].
 std::vector<float> randomBits(int layers, unsigned seed) {
   std::mt19937 random(seed);
-  std::vector<float> bits(static_cast<std::size_t>(layers * columns * side));
+  std::vector<float> bits(static_cast<std::size_t>(layers * columns * faceSide));
   for (float& bit : bits) bit = static_cast<float>(random() >> 16 & 1U);
   return bits;
 }
@@ -255,16 +255,16 @@ std::vector<float> randomBits(int layers, unsigned seed) {
 /// What is known at texel (x, y) of the maps.
 struct Tiles {
   std::vector<float> heights = randomBits(1, 1);
-  std::vector<float> horizon = randomBits(azimuths, 2);
-  std::vector<float> distance = randomBits(azimuths, 3);
+  std::vector<float> horizon = randomBits(tileAzimuths, 2);
+  std::vector<float> distance = randomBits(tileAzimuths, 3);
   std::vector<float> ellipse = randomBits(5, 4);
-  std::vector<float> angles = randomBits(2 * azimuths, 5);
+  std::vector<float> angles = randomBits(2 * tileAzimuths, 5);
 
   [[nodiscard]] static bool bit(const std::vector<float>& bits, int layer, int x, int y) {
-    return bits.at(static_cast<std::size_t>((layer * side + y) * columns + x)) > 0.5F;
+    return bits.at(static_cast<std::size_t>((layer * faceSide + y) * columns + x)) > 0.5F;
   }
   [[nodiscard]] double height(int x, int y) const {
-    return bit(heights, 0, x % columns, y % side) ? 1 : 0;
+    return bit(heights, 0, x % columns, y % faceSide) ? 1 : 0;
   }
   /// N' · L, without its length, a quarter of a texel beyond the texel's centre.
   [[nodiscard]] double cosine(int x, int y) const {
@@ -343,7 +343,7 @@ std::string probeText(const Probe& probe) {
       "{}"
       "  return (hash & 1u) != 0u;\n"
       "}}\n",
-      columns, side, azimuths, probe.hash);
+      columns, faceSide, tileAzimuths, probe.hash);
 }
 
 /// The maps on the GPU, in one number of bits.
@@ -353,9 +353,9 @@ class GpuTiles {
       : mesh_(tileMesh()),
         gpu_(mesh_),
         texture_(textureView(mesh_)),
-        heights_(HeightField(columns, side, tiles.heights, Wrap::repeat)),
-        horizon_(table(tiles.horizon, azimuths, bits)),
-        distance_(table(tiles.distance, azimuths, bits)),
+        heights_(HeightField(columns, faceSide, tiles.heights, Wrap::repeat)),
+        horizon_(table(tiles.horizon, tileAzimuths, bits)),
+        distance_(table(tiles.distance, tileAzimuths, bits)),
         ellipse_(table(tiles.ellipse, 5, bits)),
         angles_(angleTable(tiles.angles), bits) {}
 
@@ -368,10 +368,10 @@ class GpuTiles {
 
  private:
   static GpuTable table(const std::vector<float>& values, int layers, TableBits bits) {
-    return {storeTable(values, bits), columns, side, layers, Wrap::repeat};
+    return {storeTable(values, bits), columns, faceSide, layers, Wrap::repeat};
   }
   static AngleTable angleTable(const std::vector<float>& shares) {
-    AngleTable table{columns, side, 2 * azimuths, pi / 2, shares};
+    AngleTable table{columns, faceSide, 2 * tileAzimuths, pi / 2, shares};
     for (float& angle : table.angles) angle *= static_cast<float>(table.limit);
     return table;
   }
@@ -388,9 +388,9 @@ class GpuTiles {
 template <typename Dark>
 void compareTiles(Tally& tally, const MethodAnswers& answers, const Tiles& tiles,
                   const Dark& dark) {
-  for (int row = 0; row < side; ++row) {
+  for (int row = 0; row < faceSide; ++row) {
     for (int x = 0; x < columns; ++x) {
-      const int y = side - 1 - row;
+      const int y = faceSide - 1 - row;
       const auto i = static_cast<std::size_t>(row * columns + x);
       const auto shade = [](bool isDark) { return isDark ? Shade::shadowed : Shade::lit; };
       const double cosine = tiles.cosine(x, y);
@@ -406,12 +406,12 @@ std::string atlasFault(const fs::path& shaders) {
   const SampleGrid grid = SamplesPass(shaders).render(tileView(), GpuMesh(mesh));
   constexpr double nearEnough = 1e-6;
   Tally tally;
-  for (int row = 0; row < side; ++row) {
+  for (int row = 0; row < faceSide; ++row) {
     for (int x = 0; x < columns; ++x) {
       const SurfaceSample& found = grid.samples.at(static_cast<std::size_t>(row * columns + x));
-      tally.add(found.face == x / side &&
-                std::abs(found.s - (x % side + 0.5) / side) < nearEnough &&
-                std::abs(found.t - (side - 1 - row + 0.5) / side) < nearEnough);
+      tally.add(found.face == x / faceSide &&
+                std::abs(found.s - (x % faceSide + 0.5) / faceSide) < nearEnough &&
+                std::abs(found.t - (faceSide - 1 - row + 0.5) / faceSide) < nearEnough);
     }
   }
   return tally.fault();
@@ -428,7 +428,7 @@ std::string tileFault(const fs::path& shaders, const Probe& probed, const Method
   Tally tally;
   for (const TableBits bits : allBits) {
     compareTiles(tally, GpuTiles(tiles, bits).answers(pass), tiles, [&](int x, int y) {
-      return (probed.expected(tiles, x, y, (x + y) % azimuths) & 1U) != 0;
+      return (probed.expected(tiles, x, y, (x + y) % tileAzimuths) & 1U) != 0;
     });
   }
   return tally.fault();

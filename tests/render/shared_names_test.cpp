@@ -1,0 +1,111 @@
+#include "render/shared_names.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "common/error.h"
+#include "render/gl_context.h"
+#include "render/method_pass.h"
+#include "support/temporary_folder.h"
+
+// A method that uses a function, a uniform or a structure without the declaration that provides it
+// is told which declaration is missing.
+
+namespace gnomon {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class SharedNames : public TemporaryFolder {
+ protected:
+  /// What the compiler says of a method with this declaration and body.
+  [[nodiscard]] std::string refusal(const std::string& declaration, const std::string& body) const {
+    std::ofstream(file("mine.glsl"))
+        << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n"
+        << declaration << "\n*/\nbool isShadowed(Pixel pixel, LocalLight light) {\n  " << body
+        << "\n}\n";
+    const GlContext gl;
+    try {
+      const MethodPass pass(shaderFolder(), readMethod(file("mine.glsl")), Wrap::repeat,
+                            TableFilter::exact, {});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(SharedNames, AnUndeclaredFunctionNamesItsTable) {
+  const std::string message = refusal("", "return heightAt(pixel.texel) > 1.0;");
+  EXPECT_THAT(message, HasSubstr("mine.glsl:7: "));
+  EXPECT_THAT(message, EndsWith(R"(; heightAt needs tables = ["height"])"));
+  EXPECT_THAT(message, Not(HasSubstr("\n")));
+}
+
+TEST_F(SharedNames, EveryKindOfDeclarationIsNamed) {
+  const auto ending = [this](const std::string& body) {
+    return refusal("", "return " + body + ";");
+  };
+  EXPECT_THAT(ending("horizonAt(pixel.texel, 0.0) > 0.0"),
+              EndsWith(R"(horizonAt needs tables = ["horizon"])"));
+  EXPECT_THAT(ending("distanceAt(pixel.texel, 0.0) > 0.0"),
+              EndsWith(R"(distanceAt needs tables = ["distance"])"));
+  EXPECT_THAT(ending("ellipseAt(pixel.texel).centre.x > 0.0"),
+              EndsWith(R"(ellipseAt needs tables = ["ellipse"])"));
+  EXPECT_THAT(ending("angleOfCosine(0.5) > 0.0"),
+              EndsWith(R"(angleOfCosine needs tables = ["angles"] or ["surface-angles"])"));
+  EXPECT_THAT(ending("resolvedAt(pixel.texel) > 0.0"),
+              EndsWith(R"(resolvedAt needs passes = ["texture"])"));
+  EXPECT_THAT(ending("lightDepthOf(ivec2(0)) > 0.0"),
+              EndsWith(R"(lightDepthOf needs passes = ["light-depth"])"));
+  EXPECT_THAT(ending("shadowCount() > 0u"),
+              EndsWith(R"(shadowCount needs passes = ["shadow-volumes"])"));
+  EXPECT_THAT(ending("facetNormal(pixel).x > 0.0"),
+              EndsWith(R"(facetNormal needs mesh = "displaced")"));
+}
+
+TEST_F(SharedNames, SoDoesAUniformAndAStructure) {
+  EXPECT_THAT(refusal("", "return searchRadius > 1.0;"),
+              EndsWith(R"(searchRadius needs tables = ["height"])"));
+  EXPECT_THAT(refusal("", "Path path = makePath(pixel, light); return path.limit > 1.0;"),
+              EndsWith(R"(Path needs tables = ["height"])"));
+  EXPECT_THAT(refusal("", "return tableEntry(mine, vec2(1.0), ivec2(0), 0) > 0.0;"),
+              HasSubstr("mine"));
+}
+
+TEST_F(SharedNames, OtherFaultsGetNoHint) {
+  const std::string declared = R"(tables = ["height"])";
+  EXPECT_EQ(refusal(declared, "return heightAt(pixel.texel) > 1.0;"), "");
+  EXPECT_THAT(refusal(declared, "return heightAt(1) > 1.0;"),
+              AllOf(HasSubstr("heightAt"), Not(HasSubstr("needs"))));
+  EXPECT_THAT(refusal("", "return unheardOf(pixel.texel) > 1.0;"),
+              AllOf(HasSubstr("unheardOf"), Not(HasSubstr("needs"))));
+  EXPECT_THAT(refusal(declared, "return isTurnedAway(pixel);"), Not(HasSubstr("needs")));
+}
+
+TEST_F(SharedNames, EveryDefineHasItsDeclaration) {
+  const auto names = sharedNames(shaderFolder());
+  ASSERT_GT(names.size(), 60U);
+  for (const SharedName& shared : names) {
+    for (const std::string& define : shared.defines) {
+      EXPECT_NE(declarationFor(define), "") << shared.file << ": " << shared.name;
+    }
+  }
+  const auto isThere = [&](const char* name) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const SharedName& shared) { return shared.name == name; });
+  };
+  for (const char* name : {"pi", "texel", "vertexLight", "lightDirection", "Pixel", "Crossings",
+                           "bareHorizon", "wrapTexel", "angleOrigin", "facetNormal"}) {
+    EXPECT_TRUE(isThere(name)) << name;
+  }
+  EXPECT_FALSE(isThere("shadingNormal")) << "it follows the method";
+}
+
+}  // namespace
+}  // namespace gnomon
