@@ -128,5 +128,19 @@ TEST(IsOfTruthAlone, HoldsForWhatNoCandidateChanges) {
   EXPECT_TRUE(isOfTruthAlone("shadow_runs"));
 }
 
+TEST(IsSettled, HoldsWhereTheTruthIsAllLitOrAllShadowed) {
+  const auto settled = [](bool (*isSettled)(std::string_view)) {
+    std::vector<std::string_view> names;
+    for (const std::string_view name : maskMetricNames()) {
+      if (isSettled(name)) names.push_back(name);
+    }
+    return names;
+  };
+  using ::testing::ElementsAre;
+  EXPECT_THAT(settled(isSettledByLight), ElementsAre("false_light", "iou", "f1", "prevalence"));
+  EXPECT_THAT(settled(isSettledByShadow), ElementsAre("false_shadow", "prevalence"));
+  EXPECT_FALSE(isSettledByLight("shadow_length_ratio"));
+}
+
 }  // namespace
 }  // namespace gnomon

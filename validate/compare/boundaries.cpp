@@ -247,6 +247,10 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
   return metrics;
 }
 
+bool isBoundaryDistance(std::string_view name) {
+  return name == "assd" || name == "hd95";
+}
+
 const std::vector<std::string_view>& boundaryMetricNames() {
   static const std::vector<std::string_view> names = {
       "assd",           "hd95",           "boundary_iou_1", "boundary_iou_2",

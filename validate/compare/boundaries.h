@@ -58,6 +58,9 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
 /// The names above, in order.
 const std::vector<std::string_view>& boundaryMetricNames();
 
+/// Whether one of them is a distance, which is 0 for equal masks; the others are shares, then 1.
+bool isBoundaryDistance(std::string_view name);
+
 /// All reasons why one of them has no value.
 const std::vector<std::string_view>& boundaryReasons();
 

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "common/error.h"
+#include "compare/boundaries.h"
 #include "compare/shadow_length.h"
 
 namespace gnomon {
@@ -14,6 +15,16 @@ namespace {
 bool isLength(std::string_view metric) {
   const auto& names = lengthMetricNames();
   return std::find(names.begin(), names.end(), metric) != names.end();
+}
+
+/// Whether a rate has one and the same value for several comparisons.
+bool isSameForAll(std::string_view metric, std::initializer_list<Counts> all) {
+  const auto& names = rateNames();
+  if (std::find(names.begin(), names.end(), metric) == names.end()) return false;
+  const auto first = rate(*all.begin(), metric).value;
+  return first && std::all_of(all.begin(), all.end(), [&](const Counts& counts) {
+           return rate(counts, metric).value == first;
+         });
 }
 
 std::string_view withoutEndingSpaces(std::string_view text) {
@@ -45,17 +56,28 @@ std::string hint(std::string_view metric, const MetricRange& range) {
 }  // namespace
 
 MetricRange metricRange(std::string_view metric, const PictureExtent& picture) {
-  if (metric == "mcc") return {-1, 1, false};
-  if (metric == "assd" || metric == "hd95") return {0, picture.diagonal, false};
+  if (isBoundaryDistance(metric)) return {0, picture.diagonal, false};
   if (metric == "shadow_runs") return {0, picture.samples, false};
   if (isLength(metric)) {
     return {0, picture.diagonal / static_cast<double>(leastRunSamples), false};
   }
-  return {0, 1, true};
+  const double least = leastRate(metric);
+  return {least, 1, least == 0};
 }
 
 bool isOfTruthAlone(std::string_view metric) {
-  return metric == "prevalence" || metric == "shadow_runs";
+  // The same truth, half of it shadowed, and candidates that are equal to it, differ by halves, and
+  // differ everywhere.
+  return metric == "shadow_runs" ||
+         isSameForAll(metric, {{2, 0, 0, 2, 4}, {1, 1, 1, 1, 4}, {0, 2, 2, 0, 4}});
+}
+
+bool isSettledByLight(std::string_view metric) {
+  return isSameForAll(metric, {{0, 1, 0, 3, 4}, {0, 2, 0, 2, 4}, {0, 3, 0, 1, 4}});
+}
+
+bool isSettledByShadow(std::string_view metric) {
+  return isSameForAll(metric, {{1, 0, 3, 0, 4}, {2, 0, 2, 0, 4}, {3, 0, 1, 0, 4}});
 }
 
 std::optional<double> limitOfText(std::string_view text, const MetricRange& range) {

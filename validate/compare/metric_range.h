@@ -22,8 +22,8 @@ struct MetricRange {
 };
 
 /// The range of a metric, by its name:
-///   mcc                   -1 to 1
-///   assd, hd95            0 to the picture's diagonal
+///   rates                 `leastRate` to 1
+///   boundary distances    0 to the picture's diagonal
 ///   shadow_length_ratio   0 to that over the shortest shadow measured, `leastRunSamples`; so for
 ///                         its quartiles
 ///   shadow_runs           0 to the picture's samples
@@ -33,6 +33,11 @@ MetricRange metricRange(std::string_view metric, const PictureExtent& picture);
 /// Whether a metric is the truth's alone, whatever a candidate does: prevalence, shadow_runs. A
 /// gate on it judges the scene, and no method.
 bool isOfTruthAlone(std::string_view metric);
+
+/// Whether a metric has one value, whatever a candidate does, where the truth lights all samples;
+/// where it shadows all.
+bool isSettledByLight(std::string_view metric);
+bool isSettledByShadow(std::string_view metric);
 
 /// Reads a limit: a number, or of a share also a percentage, "5 %" for 0.05. Both are the double
 /// nearest to the decimal number that is written.

@@ -109,6 +109,7 @@ Metric mcc(const Counts& c) {
 struct NamedRate {
   std::string_view name;
   Metric (*compute)(const Counts&);
+  double least = 0;
 };
 
 constexpr std::array<NamedRate, 10> allRates = {{{"error_rate", errorRate},
@@ -119,7 +120,7 @@ constexpr std::array<NamedRate, 10> allRates = {{{"error_rate", errorRate},
                                                  {"ber", ber},
                                                  {"iou", iou},
                                                  {"f1", f1},
-                                                 {"mcc", mcc},
+                                                 {"mcc", mcc, -1},
                                                  {"prevalence", prevalence}}};
 
 void requireSound(const Counts& c) {
@@ -154,6 +155,12 @@ Metric rate(const Counts& counts, std::string_view name) {
     if (rate.name == name) return evaluate(rate, counts);
   }
   throw InternalError(fmt::format("metric: \"{}\" is not one that rates() has", name));
+}
+
+double leastRate(std::string_view name) {
+  const auto* found = std::find_if(allRates.begin(), allRates.end(),
+                                   [&](const NamedRate& rate) { return rate.name == name; });
+  return found == allRates.end() ? 0 : found->least;
 }
 
 const std::vector<std::string_view>& rateNames() {

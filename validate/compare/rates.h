@@ -36,6 +36,10 @@ std::vector<Metric> rates(const Counts& counts);
 /// @throws InternalError for a name that `rates` does not have
 Metric rate(const Counts& counts, std::string_view name);
 
+/// The least value that a metric can have, by its name: -1 for mcc, 0 for all others, of other
+/// lists too. The largest of a rate is 1.
+double leastRate(std::string_view name);
+
 /// The names above, in order.
 const std::vector<std::string_view>& rateNames();
 

@@ -102,7 +102,7 @@ std::string caseRow(const StudyRecord& record, const ResultRecord& row, const Ca
                   indistinguishableText(indistinguishableIn(record, row.method, which)));
   for (const std::string_view name : caseMetrics) {
     const Metric metric = rate(row.counts, name);
-    cells += name == "mcc" ? correlationCell(metric) : metricCell(metric);
+    cells += leastRate(name) < 0 ? correlationCell(metric) : metricCell(metric);
     if (name == "error_rate") {
       cells += numberCell(rateText(rateOf(record, row.method, which, Answer::test, name)));
     }

@@ -45,7 +45,7 @@ std::vector<Metric> lengthsOf(const ResultRecord& result) {
 
 /// What a mask that equals the truth has.
 double perfect(std::string_view boundaryMetric) {
-  return boundaryMetric == "assd" || boundaryMetric == "hd95" ? 0 : 1;
+  return isBoundaryDistance(boundaryMetric) ? 0 : 1;
 }
 
 }  // namespace

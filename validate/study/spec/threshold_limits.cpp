@@ -43,14 +43,11 @@ PictureExtent largestExtent(const StudySpec& study, const std::string& view) {
 /// Whether a metric has the same value in a region whatever a method answers: the truth lights all
 /// of its samples, or shadows all.
 bool isSettledIn(std::string_view region, std::string_view metric) {
-  const auto holds = [&](std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), metric) != names.end();
-  };
-  if (region == regionName(Region::lit)) return holds({"false_light", "iou", "f1", "prevalence"});
+  if (region == regionName(Region::lit)) return isSettledByLight(metric);
   constexpr std::array dark = {Region::attached, Region::cast, Region::distant};
   const bool isDark = std::any_of(dark.begin(), dark.end(),
                                   [&](Region name) { return region == regionName(name); });
-  return isDark && holds({"false_shadow", "prevalence"});
+  return isDark && isSettledByShadow(metric);
 }
 
 std::optional<double> readLimit(const TomlReader& section, const char* key,
