@@ -1,15 +1,27 @@
 # Imported targets for libraries that a plain find_package cannot serve. Also installed, since
 # a program that uses Gnomon needs the same ones.
 
-# OpenSubdiv's package configuration names static libraries that Debian does not ship.
-if(NOT TARGET gnomon::OpenSubdiv)
-  find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/version.h REQUIRED)
-  find_library(OPENSUBDIV_CPU_LIBRARY osdCPU REQUIRED)
-  add_library(gnomon::OpenSubdiv UNKNOWN IMPORTED)
-  set_target_properties(gnomon::OpenSubdiv PROPERTIES
-    IMPORTED_LOCATION ${OPENSUBDIV_CPU_LIBRARY}
-    INTERFACE_INCLUDE_DIRECTORIES ${OPENSUBDIV_INCLUDE_DIR})
-endif()
+# gnomon_import(NAME HEADER LIBRARY): the library as gnomon::NAME, found by a header of its own.
+function(gnomon_import name header library)
+  if(TARGET gnomon::${name})
+    return()
+  endif()
+  find_path(${name}_INCLUDE_DIR ${header} REQUIRED)
+  find_library(${name}_LIBRARY ${library} REQUIRED)
+  add_library(gnomon::${name} UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(gnomon::${name} PROPERTIES
+    IMPORTED_LOCATION ${${name}_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${${name}_INCLUDE_DIR})
+endfunction()
+
+# OpenSubdiv's package configuration names static libraries that Debian does not ship; the others
+# have a file for pkg-config only, or none.
+gnomon_import(OpenSubdiv opensubdiv/version.h osdCPU)
+gnomon_import(Epoxy epoxy/egl.h epoxy)
+gnomon_import(xxhash xxhash.h xxhash)
+gnomon_import(WebP webp/encode.h webp)
+gnomon_import(spng spng.h spng)
+gnomon_import(utf8proc utf8proc.h utf8proc)
 
 # Embree 4 (newer systems) or 3 (Debian 12): the CMake target is called embree in both.
 if(NOT TARGET embree)
@@ -17,34 +29,4 @@ if(NOT TARGET embree)
   if(NOT embree_FOUND)
     find_package(embree 3 REQUIRED)
   endif()
-endif()
-
-# libepoxy ships a pkg-config file only.
-if(NOT TARGET gnomon::Epoxy)
-  find_path(EPOXY_INCLUDE_DIR epoxy/egl.h REQUIRED)
-  find_library(EPOXY_LIBRARY epoxy REQUIRED)
-  add_library(gnomon::Epoxy UNKNOWN IMPORTED)
-  set_target_properties(gnomon::Epoxy PROPERTIES
-    IMPORTED_LOCATION ${EPOXY_LIBRARY}
-    INTERFACE_INCLUDE_DIRECTORIES ${EPOXY_INCLUDE_DIR})
-endif()
-
-# xxHash ships a pkg-config file only.
-if(NOT TARGET gnomon::xxhash)
-  find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
-  find_library(XXHASH_LIBRARY xxhash REQUIRED)
-  add_library(gnomon::xxhash UNKNOWN IMPORTED)
-  set_target_properties(gnomon::xxhash PROPERTIES
-    IMPORTED_LOCATION ${XXHASH_LIBRARY}
-    INTERFACE_INCLUDE_DIRECTORIES ${XXHASH_INCLUDE_DIR})
-endif()
-
-# Debian's libwebp-dev has no file for CMake.
-if(NOT TARGET gnomon::WebP)
-  find_path(WEBP_INCLUDE_DIR webp/encode.h REQUIRED)
-  find_library(WEBP_LIBRARY webp REQUIRED)
-  add_library(gnomon::WebP UNKNOWN IMPORTED)
-  set_target_properties(gnomon::WebP PROPERTIES
-    IMPORTED_LOCATION ${WEBP_LIBRARY}
-    INTERFACE_INCLUDE_DIRECTORIES ${WEBP_INCLUDE_DIR})
 endif()

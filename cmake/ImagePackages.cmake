@@ -1,4 +1,4 @@
-# Imported targets for the libraries that only the module of image_files links, and tests that read
+# Imported targets for the libraries that only the module of image links, and tests that read
 # its pictures back: what is installed does not need their headers.
 
 # OpenImageIO's headers need Imath's.

@@ -25,13 +25,13 @@ class ExportFiles : public TemporaryFolder {};
 
 TEST_F(ExportFiles, ChannelsComeBackByTheirNames) {
   const std::vector<float> values = {1, -2.5F, 1e-30F, 3e30F, 0.1F, 7};
-  writeExr(file("c.exr"), {3, 1, {"point.X", "face"}, values}, {{"about", "a test"}});
+  writeExr(file("c.exr"), ChannelImage{3, 1, {"point.X", "face"}, values}, {{"about", "a test"}});
   EXPECT_THAT(readGreyPicture(file("c.exr"), "point.X").values, ElementsAre(1, 1e-30F, 0.1F));
   EXPECT_THAT(readGreyPicture(file("c.exr"), "face").values, ElementsAre(-2.5F, 3e30F, 7));
   const auto image = OIIO::ImageInput::open(file("c.exr").string());
   EXPECT_EQ(image->spec().get_string_attribute("about"), "a test");
-  EXPECT_THROW(writeExr(file("d.exr"), {4, 2, {"Y"}, values}), InternalError);
-  EXPECT_THROW(writeExr(file("d.exr"), {3, 3, {"Y"}, values}), InternalError);
+  EXPECT_THROW(writeExr(file("d.exr"), ChannelImage{4, 2, {"Y"}, values}), InternalError);
+  EXPECT_THROW(writeExr(file("d.exr"), ChannelImage{3, 3, {"Y"}, values}), InternalError);
   EXPECT_FALSE(std::filesystem::exists(file("d.exr")));
 }
 
@@ -77,7 +77,7 @@ TEST_F(ExportFiles, WhatCannotBeWrittenIsAnError) {
   writeTextAtomically(file("taken"), "a file");
   EXPECT_THROW(writePly(file("taken") / "m.ply", {}, ""), InputError);
   EXPECT_THROW(writeObj(file("taken") / "m.obj", {}, Vec2(1), ""), InputError);
-  EXPECT_THROW(writeExr(file("taken") / "m.exr", {1, 1, {"Y"}, {0}}), InputError);
+  EXPECT_THROW(writeExr(file("taken") / "m.exr", ChannelImage{1, 1, {"Y"}, {0}}), InputError);
   EXPECT_THAT(readFile(file("taken")), EndsWith("a file"));
 }
 

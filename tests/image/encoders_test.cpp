@@ -4,10 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "image/image_error.h"
-#include "image/formats/png_encoder.h"
-#include "image/formats/webp_encoder.h"
+#include "image/images.h"
+#include "image/web_picture.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon {
@@ -28,7 +28,7 @@ class Encoders : public TemporaryFolder {
     return values;
   }
   void expectReadBack(int width, int height, const std::vector<std::uint8_t>& rgb) {
-    writeTextAtomically(file("p.png"), pngBytes(width, height, rgb.data()));
+    writeTextAtomically(file("p.png"), pngOf(Image{width, height, rgb}));
     EXPECT_EQ(readByAnother("p.png", width, height), rgb) << width << " x " << height;
   }
 };
@@ -51,8 +51,9 @@ TEST_F(Encoders, APngOfFewColoursIsSmall) {
   std::vector<std::uint8_t> rgb(3 * 512 * 512, 255);
   for (std::size_t i = 0; i < rgb.size() / 2; ++i) rgb[i] = 40;
   expectReadBack(512, 512, rgb);
-  EXPECT_LT(pngBytes(512, 512, rgb.data()).size(), rgb.size() / 200);
-  EXPECT_EQ(pngBytes(512, 512, rgb.data()), pngBytes(512, 512, rgb.data()));
+  const Image image{512, 512, rgb};
+  EXPECT_LT(pngOf(image).size(), rgb.size() / 200);
+  EXPECT_EQ(pngOf(image), pngOf(image));
 }
 
 TEST_F(Encoders, AWebPIsShrunkToMeansOfAreas) {
@@ -67,7 +68,7 @@ TEST_F(Encoders, AWebPIsShrunkToMeansOfAreas) {
       rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(value));
     }
   }
-  writeTextAtomically(file("p.webp"), webPBytes(2 * side, side, rgb.data(), 100, side));
+  writeTextAtomically(file("p.webp"), webPicture({2 * side, side, rgb}, 100, side));
   const std::vector<std::uint8_t> back = readByAnother("p.webp", side, side / 2);
   double squares = 0;
   for (int y = 0; y < side / 2; ++y) {
@@ -81,13 +82,15 @@ TEST_F(Encoders, AWebPIsShrunkToMeansOfAreas) {
 }
 
 TEST_F(Encoders, RefuseWhatTheirFormatsCannotHold) {
-  const std::uint8_t value = 0;
-  EXPECT_THROW((void)pngBytes(0, 4, &value), ImageError);
-  EXPECT_THROW((void)pngBytes(2'000'000, 1, &value), ImageError);
-  const std::vector<std::uint8_t> tooWide(3 * 20000);
-  EXPECT_THROW((void)webPBytes(20000, 1, tooWide.data(), 90), ImageError);
-  EXPECT_EQ(webPBytes(4, 2, tooWide.data(), 90).substr(8, 4), "WEBP");
-  EXPECT_EQ(webPBytes(4000, 1, tooWide.data(), 90, 10).substr(8, 4), "WEBP");
+  const auto black = [](int width, int height) {
+    return Image{width, height,
+                 std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height))};
+  };
+  EXPECT_THROW((void)pngOf(black(0, 4)), InternalError);
+  EXPECT_THROW((void)pngOf(black(2'000'000, 1)), InternalError);
+  EXPECT_THROW((void)webPicture(black(20000, 1), 90), InternalError);
+  EXPECT_EQ(webPicture(black(4, 2), 90).substr(8, 4), "WEBP");
+  EXPECT_EQ(webPicture(black(4000, 1), 90, 10).substr(8, 4), "WEBP");
 }
 
 }  // namespace

@@ -13,10 +13,8 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/files/atomic_file.h"
 #include "common/text/one_line.h"
-#include "image/image_error.h"
-#include "image/formats/image_library.h"
+#include "image/channel_image.h"
 #include "image/image_file.h"
 
 namespace gnomon {
@@ -155,17 +153,6 @@ void gatherRows(const StoredHorizons& tables, int top, int rows, std::vector<std
   }
 }
 
-void writePixels(ImageWriter& image, const StoredHorizons& tables) {
-  const NumberType type = bufferType(tables.horizon.bits);
-  std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * 2 *
-                                    static_cast<std::size_t>(tables.azimuths) * rowsAtOnce);
-  for (int top = 0; top < tables.height; top += rowsAtOnce) {
-    const int rows = std::min(rowsAtOnce, tables.height - top);
-    gatherRows(tables, top, rows, buffer);
-    image.writeRows(top, top + rows, type, buffer.data());
-  }
-}
-
 /// An attribute of exactly this type.
 template <typename Value>
 Value readAttribute(const fs::path& path, const ImageFacts& facts, const std::string& name) {
@@ -301,15 +288,13 @@ bool isExrName(const fs::path& path) {
 void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
   checkConsistent(path, tables);
   if (!isExrName(path)) refuse(path, "a name that ends in .exr expected");
-  writeAtomically(path, [&](const fs::path& temporary) {
-    try {
-      const auto image = imageLibrary().createExr(temporary, describe(tables));
-      writePixels(*image, tables);
-      image->close();
-    } catch (const ImageError& error) {
-      refuse(path, std::string("cannot be written: ") + error.what());
-    }
-  });
+  std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * 2 *
+                                    static_cast<std::size_t>(tables.azimuths) * rowsAtOnce);
+  const auto rows = [&](int top, int count) {
+    gatherRows(tables, top, count, buffer);
+    return buffer.data();
+  };
+  writeExr(path, describe(tables), {bufferType(tables.horizon.bits), rowsAtOnce, rows});
 }
 
 StoredHorizons readHorizons(const fs::path& path) {

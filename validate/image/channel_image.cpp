@@ -2,19 +2,19 @@
 
 #include <fmt/core.h>
 
-#include <memory>
-#include <utility>
-
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "image/image_error.h"
-#include "image/formats/image_library.h"
 
 namespace gnomon {
 namespace {
 
+ExrDescription describe(const ChannelImage& image, const ImageAttributes& attributes) {
+  return {image.width, image.height, image.channels, NumberType::float32, attributes};
+}
+
+/// All rows at once.
 /// @param name  of the picture, for a message
-void requireFilled(const ChannelImage& image, const std::string& name) {
+ImageRows rowsOf(const ChannelImage& image, const std::string& name) {
   const auto pixels =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.values.empty() || image.values.size() != pixels * image.channels.size()) {
@@ -22,33 +22,31 @@ void requireFilled(const ChannelImage& image, const std::string& name) {
                                     name, image.width, image.height, image.channels.size(),
                                     image.values.size()));
   }
-}
-
-ExrDescription describe(const ChannelImage& image, ImageAttributes attributes) {
-  return {image.width, image.height, image.channels, NumberType::float32, std::move(attributes)};
+  return {NumberType::float32, image.height, [&](int, int) { return image.values.data(); }};
 }
 
 }  // namespace
 
-void writeExr(const std::filesystem::path& path, const ChannelImage& image,
-              const std::vector<std::pair<std::string, std::string>>& attributes) {
-  requireFilled(image, path.string());
-  const ExrDescription exr = describe(image, ImageAttributes(attributes.begin(), attributes.end()));
+void writeExr(const std::filesystem::path& path, const ExrDescription& description,
+              const ImageRows& rows) {
   writeAtomically(path, [&](const std::filesystem::path& temporary) {
     try {
-      const std::unique_ptr<ImageWriter> out = imageLibrary().createExr(temporary, exr);
-      out->writeRows(0, image.height, NumberType::float32, image.values.data());
-      out->close();
+      imageModule().writeExr(temporary, description, rows);
     } catch (const ImageError& error) {
       throw InputError(fmt::format("{}: cannot be written: {}", path.string(), error.what()));
     }
   });
 }
 
+void writeExr(const std::filesystem::path& path, const ChannelImage& image,
+              const ImageAttributes& attributes) {
+  const ImageRows rows = rowsOf(image, path.string());
+  writeExr(path, describe(image, attributes), rows);
+}
+
 std::string exrBytes(const ChannelImage& image) {
-  requireFilled(image, "an EXR");
   try {
-    return imageLibrary().exrBytes(describe(image, {}), image.values);
+    return imageModule().writeExr({}, describe(image, {}), rowsOf(image, "an EXR"));
   } catch (const ImageError& error) {
     throw InternalError(fmt::format("an EXR cannot be encoded: {}", error.what()));
   }

@@ -2,8 +2,9 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "image/image_module.h"
 
 namespace gnomon {
 
@@ -15,12 +16,16 @@ struct ChannelImage {
   std::vector<float> values;          ///< those of a pixel beside each other, rows from the top
 };
 
-/// Writes an EXR of floats, whole or not at all. Same image, same bytes.
+/// Writes an EXR, whole or not at all. Same numbers, same bytes.
+/// @throws InputError when the file cannot be written
+void writeExr(const std::filesystem::path& path, const ExrDescription& description,
+              const ImageRows& rows);
+
+/// Likewise, of floats.
 /// @param attributes  names and texts for the file's header
-/// @throws InputError when the file cannot be written, InternalError for values that do not fill
-///   the picture
+/// @throws InternalError also, for values that do not fill the picture
 void writeExr(const std::filesystem::path& path, const ChannelImage& image,
-              const std::vector<std::pair<std::string, std::string>>& attributes = {});
+              const ImageAttributes& attributes = {});
 
 /// The bytes of that file.
 /// @throws InternalError likewise, and where the image cannot be encoded

@@ -14,10 +14,10 @@
 #include "common/text/one_line.h"
 #include "image/formats/bmp_header.h"
 #include "image/formats/exr_header.h"
-#include "image/formats/image_library.h"
 #include "image/formats/jpeg_header.h"
 #include "image/formats/packing.h"
 #include "image/formats/png_reader.h"
+#include "image/image_module.h"
 
 namespace gnomon {
 namespace {
@@ -63,11 +63,11 @@ ImageFile::ImageFile(fs::path path) : path_(std::move(path)) {
     requireRoom({frame.width, frame.height, static_cast<double>(frame.components)}, "",
                 2.0 * frame.components);
   }
-  const ImageLibrary* library = format_ == ImageFormat::png ? nullptr : &imageLibrary();
+  const ImageModule* module = format_ == ImageFormat::png ? nullptr : &imageModule();
   try {
     if (format_ == ImageFormat::exr) requireSoundExrHeader(path_);
     if (format_ == ImageFormat::bmp) requireSoundBmpHeader(path_);
-    reader_ = library == nullptr ? openPng(path_) : library->open(path_, format_);
+    reader_ = module == nullptr ? openPng(path_) : module->open(path_, format_);
   } catch (...) {
     refuse(fmt::format("not an image that can be read: a damaged {}: {}", nameOf(format_),
                        currentMessage()));

@@ -4,29 +4,15 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "image/image_error.h"
-#include "image/formats/png_encoder.h"
 
 namespace gnomon {
 namespace {
 
-/// Whether `count` values fill width × height pixels of `channels` values each.
-bool fills(std::size_t count, int width, int height, std::size_t channels) {
-  return width >= 0 && height >= 0 &&
-         count == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels;
-}
-
 void requireWhole(const Mask& mask) {
-  if (!fills(mask.size(), mask.width, mask.height, 1)) {
+  if (mask.width < 0 || mask.height < 0 ||
+      mask.size() != static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height)) {
     throw InternalError(fmt::format("mask: {} x {} expected, {} samples found", mask.width,
                                     mask.height, mask.size()));
-  }
-}
-
-void requireWhole(const Image& image) {
-  if (!fills(image.rgb.size(), image.width, image.height, 3)) {
-    throw InternalError(fmt::format("image: {} x {} pixels of 3 values expected, {} values found",
-                                    image.width, image.height, image.rgb.size()));
   }
 }
 
@@ -81,16 +67,6 @@ Image differenceImage(const Mask& candidate, const Mask& truth) {
     append(image, differenceColour(candidate.samples[i], truth.samples[i]));
   }
   return image;
-}
-
-std::string pngOf(const Image& image) {
-  requireWhole(image);
-  if (image.rgb.empty()) throw InternalError("PNG: an image without pixels");
-  try {
-    return pngBytes(image.width, image.height, image.rgb.data());
-  } catch (const ImageError& error) {
-    throw InternalError(fmt::format("PNG: {}", error.what()));
-  }
 }
 
 void writePng(const std::filesystem::path& path, const Image& image) {

@@ -38,14 +38,14 @@ Image maskImage(const Mask& mask);
 /// @throws InputError if the sizes differ or only one of the two has a sample somewhere
 Image differenceImage(const Mask& candidate, const Mask& truth);
 
-/// An image as the bytes of a PNG. Same image, same bytes.
-/// @throws InternalError for an image without pixels or one whose values do not fill its width ×
-///   height
+/// An image as the bytes of a PNG. Same image, same bytes. By libpng itself: a run that only writes
+/// pictures need not load OpenImageIO.
+/// @throws InternalError for an image without pixels or over 10⁶ of them a side, and for one whose
+///   values do not fill its width × height
 std::string pngOf(const Image& image);
 
-/// Writes a PNG, whole or not at all. Same image, same bytes.
-/// @throws InputError when the file cannot be written, InternalError for an image without pixels or
-///   one whose values do not fill its width × height
+/// Writes that PNG, whole or not at all.
+/// @throws InputError when the file cannot be written, InternalError as pngOf
 void writePng(const std::filesystem::path& path, const Image& image);
 
 }  // namespace gnomon

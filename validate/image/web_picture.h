@@ -20,9 +20,12 @@ constexpr int smallSide = 600;
 /// Bytes as the address of a picture: "data:TYPE;base64,…".
 std::string dataAddress(std::string_view type, const std::string& bytes);
 
-/// A picture as the bytes of a WebP, with losses. Same image, same bytes.
+/// A picture as the bytes of a WebP, with losses. Same image, same bytes. With little effort: the
+/// usual one takes 1.4 to 1.9 times as long for shadings 6 % shorter, the utmost yet more for 1 to
+/// 3 % of that.
 /// @param quality      0 to 100
-/// @param longestSide  pixels: a longer picture is shrunk to it
+/// @param longestSide  pixels, at least 1: a longer picture is shrunk to it, each of its new pixels
+///   the mean over its area
 /// @throws InternalError for a picture without pixels, or with more of them on a side than WebP
 ///   takes (16,383)
 std::string webPicture(const Image& image, int quality,

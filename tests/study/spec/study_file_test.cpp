@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "image/formats/image_library.h"
+#include "image/channel_image.h"
 #include "study/spec/study_file_fixture.h"
 
 namespace gnomon {
@@ -88,11 +88,7 @@ TEST_F(StudyFile, EveryShapeAndPatternCanBeAskedFor) {
 }
 
 TEST_F(StudyFile, ReadsAHeightImageBesideIt) {
-  const std::array<float, 2> heights = {0.25F, 1.0F};
-  const auto image =
-      imageLibrary().createExr(file("map.exr"), {2, 1, {"Y"}, NumberType::float32, {}});
-  image->writeRows(0, 1, NumberType::float32, heights.data());
-  image->close();
+  writeExr(file("map.exr"), ChannelImage{2, 1, {"Y"}, {0.25F, 1.0F}});
   const StudySpec study = readWith({R"(relief={image="map.exr", height=8, height_space="world"})"});
   EXPECT_EQ(study.relief.field.width(), 2);
   EXPECT_EQ(study.relief.field.texel(0, 0), 2);

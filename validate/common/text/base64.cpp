@@ -1,24 +1,16 @@
 #include "common/text/base64.h"
 
-#include <cstddef>
-#include <cstdint>
+#include <openssl/evp.h>
 
 namespace gnomon {
 
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto byteAt = [&](std::size_t i) {
-    return i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : std::uint32_t{0};
-  };
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::uint32_t three = byteAt(i) << 16U | byteAt(i + 1) << 8U | byteAt(i + 2);
-    for (const unsigned shift : {18U, 12U, 6U, 0U}) text += digits[three >> shift & 63U];
-  }
-  const std::size_t padding = (3 - bytes.size() % 3) % 3;
-  return text.replace(text.size() - padding, padding, padding, '=');
+  std::string text((bytes.size() + 2) / 3 * 4, '\0');
+  const auto* in = reinterpret_cast<const unsigned char*>(bytes.data());
+  // It ends its text with a zero, which a string has room for.
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), in,
+                  static_cast<int>(bytes.size()));
+  return text;
 }
 
 }  // namespace gnomon

@@ -1,32 +1,16 @@
 #include "common/text/utf8.h"
 
+#include <utf8proc.h>
+
 namespace gnomon {
-namespace {
-
-/// How many bytes a character takes by its first one, 0 for one that cannot begin any.
-std::size_t lengthOf(unsigned char first) {
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first < 0xE0) return 2;
-  if (first >= 0xE0 && first < 0xF0) return 3;
-  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
-}
-
-}  // namespace
 
 Utf8Character firstCharacter(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t length = lengthOf(byte(0));
-  if (length == 0 || length > text.size()) return {};
-  if (length == 1) return {byte(0), 1, true};
-  std::uint32_t code = byte(0) & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return {};
-    code = (code << 6U) | (byte(i) & 0x3FU);
-  }
-  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool valid =
-      code >= least[length] && code <= 0x10FFFF && !(code >= 0xD800 && code < 0xE000);
-  return valid ? Utf8Character{code, length, true} : Utf8Character{};
+  utf8proc_int32_t code = 0;
+  const utf8proc_ssize_t bytes =
+      utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                       static_cast<utf8proc_ssize_t>(text.size()), &code);
+  if (bytes < 1) return {};
+  return {static_cast<std::uint32_t>(code), static_cast<std::size_t>(bytes), true};
 }
 
 bool isUtf8(std::string_view text) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <fstream>
 
-#include "image/image_error.h"
+#include "image/image_reader.h"
 
 namespace gnomon {
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "image/image_error.h"
+#include "image/image_reader.h"
 
 namespace gnomon {
 namespace {

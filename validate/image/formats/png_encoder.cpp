@@ -1,14 +1,14 @@
-#include "image/formats/png_encoder.h"
-
 #include <png.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstddef>
 #include <new>
 #include <utility>
 
-#include "image/image_error.h"
+#include "common/error.h"
+#include "image/images.h"
 
 namespace gnomon {
 namespace {
@@ -67,20 +67,24 @@ void choosePacking(png_structp png) {
 
 }  // namespace
 
-std::string pngBytes(int width, int height, const std::uint8_t* rgb) {
+std::string pngOf(const Image& image) {
+  const auto [width, height] = std::pair(image.width, image.height);
   const std::string what =
-      "a PNG of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  if (width < 1 || height < 1) throw ImageError(what + " cannot be written");
+      "PNG of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  const std::size_t rowBytes = channels * static_cast<std::size_t>(std::max(width, 0));
+  if (width < 1 || height < 1 || image.rgb.size() != rowBytes * static_cast<std::size_t>(height)) {
+    throw InternalError(what + ": " + std::to_string(image.rgb.size()) + " values found");
+  }
   Writer writer;
   // libpng comes back here where it fails. Nothing below has a destructor that would be left out.
-  if (setjmp(png_jmpbuf(writer.png)) != 0) throw ImageError(what + ": " + writer.message);
+  if (setjmp(png_jmpbuf(writer.png)) != 0) throw InternalError(what + ": " + writer.message);
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width),
                static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   choosePacking(writer.png);
   png_write_info(writer.png, writer.info);
   for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
-    png_write_row(writer.png, rgb + y * channels * static_cast<std::size_t>(width));
+    png_write_row(writer.png, image.rgb.data() + y * rowBytes);
   }
   png_write_end(writer.png, writer.info);
   return std::move(writer.bytes);

@@ -1,23 +1,16 @@
 #include "image/formats/png_reader.h"
 
-#include <png.h>
+#include <spng.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cerrno>
-#include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <limits>
 #include <new>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "common/raw_vector.h"
 #include "image/formats/exif_orientation.h"
-#include "image/image_error.h"
 
 namespace gnomon {
 namespace {
@@ -25,205 +18,158 @@ namespace {
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using File = std::unique_ptr<std::FILE, CloseFile>;
+struct FreeContext {
+  void operator()(spng_ctx* context) const { spng_ctx_free(context); }
+};
 
-File openFile(const std::filesystem::path& path) {
-  File file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw ImageError(std::string("cannot be opened: ") + std::strerror(errno));
-  return file;
+void check(int status) {
+  if (status != SPNG_OK) throw ImageError(spng_strerror(status));
 }
 
-/// libpng's structures for one file. It comes back by longjmp where it fails: no function below
-/// that calls it has a variable with a destructor.
-class Decoder {
- public:
-  explicit Decoder(const std::filesystem::path& path) : file_(openFile(path)) {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, warn);
-    if (png_) info_ = png_create_info_struct(png_);
-    if (!info_) {
-      png_destroy_read_struct(&png_, nullptr, nullptr);
-      throw std::bad_alloc();
-    }
-    if (!readHeader()) {
-      png_destroy_read_struct(&png_, &info_, nullptr);
-      throw ImageError(message_.data());
-    }
-  }
-  ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
+/// A PNG's pixels as they are asked of libspng: palettes and fewer than 8 bits are unfolded, a
+/// transparent colour is alpha.
+struct Layout {
+  int channels = 1;
+  int bits = 8;
+  int format = SPNG_FMT_PNG;
 
-  [[nodiscard]] int width() const { return static_cast<int>(png_get_image_width(png_, info_)); }
-  [[nodiscard]] int height() const { return static_cast<int>(png_get_image_height(png_, info_)); }
-  [[nodiscard]] int channels() const { return png_get_channels(png_, info_); }
-  [[nodiscard]] int bits() const { return png_get_bit_depth(png_, info_); }
-  [[nodiscard]] std::size_t rowBytes() const { return png_get_rowbytes(png_, info_); }
-  [[nodiscard]] bool isInterlaced() const {
-    return png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
+  [[nodiscard]] std::size_t pixelBytes() const {
+    return static_cast<std::size_t>(channels * bits / 8);
   }
-  [[nodiscard]] int orientation() const {
-#ifdef PNG_eXIf_SUPPORTED
-    png_uint_32 size = 0;
-    png_bytep exif = nullptr;
-    if (png_get_eXIf_1(png_, info_, &size, &exif) != 0) return exifOrientation({exif, size});
-#endif
-    return 1;
-  }
-
-  /// @throws ImageError
-  void readRow(png_bytep row) {
-    if (!tryReadRow(row)) throw ImageError(message_.data());
-  }
-  void readAll(png_bytepp rows) {
-    if (!tryReadAll(rows)) throw ImageError(message_.data());
-  }
-  /// What follows the pixels: a file that ends before its end is damaged.
-  void readEnd() {
-    if (!tryReadEnd()) throw ImageError(message_.data());
-  }
-
- private:
-  bool readHeader() {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_init_io(png_, file_.get());
-    png_read_info(png_, info_);
-    png_set_expand(png_);
-    if constexpr (std::endian::native == std::endian::little) png_set_swap(png_);
-    png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
-    return true;
-  }
-  bool tryReadRow(png_bytep row) {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_row(png_, row, nullptr);
-    return true;
-  }
-  bool tryReadAll(png_bytepp rows) {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_image(png_, rows);
-    return true;
-  }
-  bool tryReadEnd() {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_end(png_, nullptr);
-    return true;
-  }
-
-  /// Copies the message, which may lie on the stack that is left.
-  [[noreturn]] static void fail(png_structp png, png_const_charp message) {
-    auto& kept = static_cast<Decoder*>(png_get_error_ptr(png))->message_;
-    std::snprintf(kept.data(), kept.size(), "%s", message);
-    png_longjmp(png, 1);
-  }
-  static void warn(png_structp, png_const_charp) {}
-
-  File file_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
-  std::array<char, 256> message_{};
 };
+
+Layout layoutOf(const spng_ihdr& header, bool hasTransparentColour) {
+  const int type = header.color_type;
+  const bool isGrey = type == SPNG_COLOR_TYPE_GRAYSCALE || type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA;
+  const bool hasAlpha = hasTransparentColour || type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
+                        type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+  Layout layout;
+  layout.channels = (isGrey ? 1 : 3) + (hasAlpha ? 1 : 0);
+  layout.bits = header.bit_depth == 16 ? 16 : 8;
+  const bool isPlain =
+      header.bit_depth >= 8 && type != SPNG_COLOR_TYPE_INDEXED && !hasTransparentColour;
+  if (isPlain) return layout;
+  if (layout.bits == 16) {
+    layout.format = isGrey ? SPNG_FMT_GA16 : SPNG_FMT_RGBA16;
+  } else if (isGrey) {
+    layout.format = hasAlpha ? SPNG_FMT_GA8 : SPNG_FMT_G8;
+  } else {
+    layout.format = hasAlpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
+  }
+  return layout;
+}
 
 /// Shares of the largest value, as OpenImageIO converts them: times the reciprocal in floats.
 template <typename Number>
-void toShares(const std::uint8_t* row, std::size_t pixels, std::size_t count, std::size_t first,
-              std::size_t end, float* out) {
+float* toShares(const std::uint8_t* pixel, std::size_t first, std::size_t end, float* out) {
   constexpr float scale = 1.0F / static_cast<float>(std::numeric_limits<Number>::max());
-  for (std::size_t x = 0; x < pixels; ++x) {
-    for (std::size_t c = first; c < end; ++c) {
-      Number value = 0;
-      std::memcpy(&value, row + (x * count + c) * sizeof value, sizeof value);
-      *out++ = static_cast<float>(value) * scale;
-    }
+  for (std::size_t c = first; c < end; ++c) {
+    Number value = 0;
+    std::memcpy(&value, pixel + c * sizeof value, sizeof value);
+    *out++ = static_cast<float>(value) * scale;
   }
-}
-
-std::vector<std::string> channelNames(int count) {
-  if (count <= 2)
-    return count == 1 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"Y", "A"};
-  std::vector<std::string> names = {"R", "G", "B"};
-  if (count == 4) names.emplace_back("A");
-  return names;
+  return out;
 }
 
 class PngReader : public ImageReader {
  public:
-  explicit PngReader(std::filesystem::path path)
-      : path_(std::move(path)), decoder_(std::in_place, path_), facts_(factsOf(*decoder_)) {}
+  explicit PngReader(std::filesystem::path path) : path_(std::move(path)) {
+    open();
+    spng_trns transparent{};
+    layout_ = layoutOf(header_, spng_get_trns(context_.get(), &transparent) == SPNG_OK);
+    setFacts();
+  }
 
   [[nodiscard]] ImageFacts facts() const override { return facts_; }
 
   bool goTo(int part) override {
     if (part != 0) return false;
-    if (row_ > 0) {
-      decoder_.emplace(path_);
-      row_ = 0;
-    }
+    if (row_ > 0) open();
     return true;
   }
 
   void readRows(int rows, int first, int end, NumberType type, void* values) override {
-    const auto count = static_cast<std::size_t>(facts_.channelCount());
-    const auto width = static_cast<std::size_t>(facts_.data.width);
+    if (type != NumberType::float32) throw ImageError("its numbers are shares of 8 or 16 bits");
     const auto from = static_cast<std::size_t>(first);
     const auto to = static_cast<std::size_t>(end);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(rows); ++i) {
-      const std::uint8_t* row = nextRow();
-      const std::size_t out = i * width * (to - from);
-      if (type == NumberType::float32 && decoder_->bits() == 16) {
-        toShares<std::uint16_t>(row, width, count, from, to, static_cast<float*>(values) + out);
-      } else if (type == NumberType::float32) {
-        toShares<std::uint8_t>(row, width, count, from, to, static_cast<float*>(values) + out);
-      } else if (type == NumberType::uint8 && decoder_->bits() == 8) {
-        auto* bytes = static_cast<std::uint8_t*>(values) + out;
-        for (std::size_t x = 0; x < width; ++x) {
-          bytes = std::copy(row + x * count + from, row + x * count + to, bytes);
-        }
-      } else {
-        throw ImageError("its numbers are shares of 8 or 16 bits");
+    auto* out = static_cast<float*>(values);
+    for (int i = 0; i < rows; ++i) {
+      const std::uint8_t* pixel = nextRow();
+      for (std::uint32_t x = 0; x < header_.width; ++x, pixel += layout_.pixelBytes()) {
+        out = layout_.bits == 16 ? toShares<std::uint16_t>(pixel, from, to, out)
+                                 : toShares<std::uint8_t>(pixel, from, to, out);
       }
     }
   }
 
  private:
-  static ImageFacts factsOf(const Decoder& decoder) {
-    ImageFacts facts;
-    facts.data = facts.display = {0, 0, decoder.width(), decoder.height()};
-    facts.channels = channelNames(decoder.channels());
-    facts.numbers = decoder.bits() == 16 ? "uint16" : "uint8";
-    facts.channelNumbers.assign(facts.channels.size(), facts.numbers);
-    facts.alpha = facts.channel("A");
-    facts.hasPlainAlpha = facts.alpha >= 0;
-    facts.orientation = decoder.orientation();
-    facts.pixelCount =
-        static_cast<std::uint64_t>(decoder.width()) * static_cast<std::uint64_t>(decoder.height());
-    facts.bytesAPixel = facts.channels.size() * (decoder.bits() == 16 ? 2 : 1);
-    return facts;
+  /// Begins anew, up to the pixels. Nothing of them is decoded yet: the header may state any size.
+  void open() {
+    file_.reset(std::fopen(path_.c_str(), "rb"));
+    if (!file_) throw ImageError(std::string("cannot be opened: ") + std::strerror(errno));
+    context_.reset(spng_ctx_new(0));
+    if (!context_) throw std::bad_alloc();
+    row_ = 0;
+    constexpr std::size_t longestChunk = 8'000'000;  // of texts and profiles, unpacked
+    check(spng_set_chunk_limits(context_.get(), longestChunk, 2 * longestChunk));
+    check(spng_set_png_file(context_.get(), file_.get()));
+    check(spng_get_ihdr(context_.get(), &header_));
+  }
+
+  void setFacts() {
+    constexpr const char* names[] = {"R", "G", "B"};
+    const bool isGrey = layout_.channels < 3;
+    if (isGrey) facts_.channels = {"Y"};
+    if (!isGrey) facts_.channels.assign(std::begin(names), std::end(names));
+    if (layout_.channels % 2 == 0) facts_.channels.emplace_back("A");
+    facts_.data =
+        facts_.display = {0, 0, static_cast<int>(header_.width), static_cast<int>(header_.height)};
+    facts_.numbers = layout_.bits == 16 ? "uint16" : "uint8";
+    facts_.channelNumbers.assign(facts_.channels.size(), facts_.numbers);
+    facts_.alpha = facts_.channel("A");
+    facts_.hasPlainAlpha = facts_.alpha >= 0;
+    facts_.bytesAPixel = layout_.pixelBytes();
+    spng_exif exif{};
+    if (spng_get_exif(context_.get(), &exif) != SPNG_OK) return;
+    facts_.orientation =
+        exifOrientation({reinterpret_cast<const std::uint8_t*>(exif.data), exif.length});
   }
 
   const std::uint8_t* nextRow() {
-    const std::size_t size = decoder_->rowBytes();
-    const bool whole = decoder_->isInterlaced();  // only the last of seven passes has whole rows
-    if (row_ == 0) {
-      bytes_ =
-          RawVector<std::uint8_t>(size * static_cast<std::size_t>(whole ? facts_.data.height : 1));
-      if (whole) readInterlaced(size);
+    const std::size_t size = header_.width * layout_.pixelBytes();
+    const bool whole = header_.interlace_method != SPNG_INTERLACE_NONE;
+    if (row_ == 0) start(size * (whole ? header_.height : 1), whole);
+    const bool isLast = ++row_ == header_.height;
+    if (!whole) {
+      const int status = spng_decode_row(context_.get(), bytes_.data(), size);
+      check(isLast && status == SPNG_EOI ? SPNG_OK : status);
     }
-    std::uint8_t* row = bytes_.data() + (whole ? size * static_cast<std::size_t>(row_) : 0);
-    if (!whole) decoder_->readRow(row);
-    if (++row_ == facts_.data.height) decoder_->readEnd();
-    return row;
+    if (isLast) readEnd();
+    return bytes_.data() + (whole ? size * (row_ - 1) : 0);
   }
 
-  void readInterlaced(std::size_t size) {
-    std::vector<png_bytep> rows(static_cast<std::size_t>(facts_.data.height));
-    for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = bytes_.data() + y * size;
-    decoder_->readAll(rows.data());
+  /// What follows the pixels: a file that ends before its end is damaged. libspng 0.7 answers OK
+  /// where the last chunk's checksum is missing.
+  void readEnd() {
+    check(spng_decode_chunks(context_.get()));
+    check(std::feof(file_.get()) == 0 ? SPNG_OK : SPNG_IO_EOF);
+  }
+
+  /// @param whole  the picture is interlaced: only the last of seven passes has whole rows
+  void start(std::size_t size, bool whole) {
+    bytes_ = RawVector<std::uint8_t>(size);
+    check(spng_decode_image(context_.get(), whole ? bytes_.data() : nullptr, whole ? size : 0,
+                            layout_.format,
+                            SPNG_DECODE_TRNS | (whole ? 0 : SPNG_DECODE_PROGRESSIVE)));
   }
 
   std::filesystem::path path_;
-  std::optional<Decoder> decoder_;
+  std::unique_ptr<std::FILE, CloseFile> file_;
+  std::unique_ptr<spng_ctx, FreeContext> context_;
+  spng_ihdr header_{};
+  Layout layout_;
   ImageFacts facts_;
-  int row_ = 0;  ///< the next one
+  std::uint32_t row_ = 0;  ///< the next one
   RawVector<std::uint8_t> bytes_;
 };
 

@@ -1,64 +1,35 @@
 #include "report/text/text_width.h"
 
-#include <locale.h>
-#include <wchar.h>
+#include <utf8proc.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "common/error.h"
 #include "common/text/utf8.h"
 
 namespace gnomon {
 namespace {
-
-/// Lets this thread read UTF-8 whatever the user's locale is, and only as long as it lives.
-class Utf8Scope {
- public:
-  Utf8Scope() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
-    if (utf8_ == nullptr) throw InternalError("locale: the system has no C.UTF-8");
-    previous_ = uselocale(utf8_);
-  }
-  ~Utf8Scope() {
-    uselocale(previous_);
-    freelocale(utf8_);
-  }
-  Utf8Scope(const Utf8Scope&) = delete;
-  Utf8Scope& operator=(const Utf8Scope&) = delete;
-
- private:
-  locale_t utf8_;
-  locale_t previous_{};
-};
 
 struct Glyph {
   std::string_view bytes;
   std::size_t width = 1;
 };
 
-/// The first character of `text` (not empty), and how many bytes of it were read.
-std::pair<Glyph, std::size_t> firstGlyph(std::string_view text) {
-  wchar_t character = 0;
-  mbstate_t state{};
-  const std::size_t length = mbrtowc(&character, text.data(), text.size(), &state);
-  const bool invalid =
-      length == static_cast<std::size_t>(-1) || length == static_cast<std::size_t>(-2);
-  if (invalid) return {{"\uFFFD", 1}, 1};
-  const auto code = static_cast<std::uint32_t>(character);
-  if (turnsDirection(code)) return {{"\uFFFD", 1}, length};
-  const int cells = wcwidth(character);
-  if (length == 0 || cells < 0 || isControl(code))
-    return {{"?", 1}, std::max<std::size_t>(length, 1)};
-  return {{text.substr(0, length), static_cast<std::size_t>(cells)}, length};
+/// A character as a terminal may be given it.
+Glyph glyphOf(const Utf8Character& character, std::string_view bytes) {
+  if (!character.valid || turnsDirection(character.code)) return {"\uFFFD", 1};
+  const auto code = static_cast<utf8proc_int32_t>(character.code);
+  const bool isAssigned = utf8proc_category(code) != UTF8PROC_CATEGORY_CN;
+  if (!isAssigned || isControl(character.code)) return {"?", 1};
+  return {bytes, static_cast<std::size_t>(utf8proc_charwidth(code))};
 }
 
 std::vector<Glyph> glyphsOf(std::string_view text) {
-  const Utf8Scope scope;
   std::vector<Glyph> glyphs;
   while (!text.empty()) {
-    const auto [glyph, length] = firstGlyph(text);
-    glyphs.push_back(glyph);
-    text.remove_prefix(length);
+    const Utf8Character character = firstCharacter(text);
+    glyphs.push_back(glyphOf(character, text.substr(0, character.bytes)));
+    text.remove_prefix(character.bytes);
   }
   return glyphs;
 }

@@ -1,17 +1,20 @@
-#include "image/openimageio/file_reader.h"
+// All that knows OpenImageIO: the module that image/image_module.h loads.
 
+#include "image/image_module.h"
+
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
-#include <vector>
-
-#include "image/image_error.h"
-#include "image/openimageio/type_desc.h"
 
 namespace gnomon {
 namespace {
+
+OIIO::TypeDesc typeDesc(NumberType type) {
+  return OIIO::TypeDesc(nameOf(type));
+}
 
 ImageAttributes attributesOf(const OIIO::ImageSpec& spec) {
   ImageAttributes attributes;
@@ -39,7 +42,6 @@ ImageFacts factsOf(const OIIO::ImageSpec& spec) {
   facts.z = spec.z_channel;
   facts.hasPlainAlpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
   facts.orientation = spec.get_int_attribute("Orientation", 1);
-  facts.pixelCount = spec.image_pixels();
   facts.bytesAPixel = spec.pixel_bytes(true);
   facts.attributes = attributesOf(spec);
   return facts;
@@ -131,16 +133,10 @@ const char* readerOf(ImageFormat format) {
   throw ImageError("no reader");
 }
 
-/// Has EXRs read by OpenEXR's core library. The older reader takes a chunk that unpacks to less
-/// than its rows, and fills up the rest with what its memory held.
-void chooseExrReader() {
+std::unique_ptr<ImageReader> openFile(const std::filesystem::path& path, ImageFormat format) {
+  // EXRs by OpenEXR's core library. The older reader takes a chunk that unpacks to less than its
+  // rows, and fills up the rest with what its memory held.
   OIIO::attribute("openexr:core", 1);
-}
-
-}  // namespace
-
-std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path, ImageFormat format) {
-  chooseExrReader();
   // What was written unmultiplied stays so: the library would round the product to a file's bits.
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
@@ -157,4 +153,42 @@ std::unique_ptr<ImageReader> openImageFile(const std::filesystem::path& path, Im
   return std::make_unique<FileReader>(std::move(file), isTiff);
 }
 
+OIIO::ImageSpec specOf(const ExrDescription& description) {
+  OIIO::ImageSpec spec(description.width, description.height,
+                       static_cast<int>(description.channels.size()),
+                       typeDesc(description.numbers));
+  spec.channelnames = description.channels;
+  spec.alpha_channel = spec.z_channel = -1;
+  spec.attribute("compression", "zip");
+  // The writer would put in the time: the same numbers are the same bytes.
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
+  for (const auto& [name, value] : description.attributes) {
+    std::visit([&, &key = name](const auto& held) { spec.attribute(key, held); }, value);
+  }
+  return spec;
+}
+
+std::string writeExrFile(const std::filesystem::path& path, const ExrDescription& description,
+                         const ImageRows& rows) {
+  auto file = OIIO::ImageOutput::create("openexr");
+  if (!file) throw ImageError("no writer for EXR: " + OIIO::geterror());
+  OIIO::Filesystem::IOVecOutput memory;
+  const auto check = [&](bool isDone) {
+    if (!isDone) throw ImageError(file->geterror());
+  };
+  if (path.empty()) check(file->set_ioproxy(&memory));
+  check(file->open(path.empty() ? "memory.exr" : path.string(), specOf(description)));
+  for (int top = 0; top < description.height; top += rows.most) {
+    const int bottom = std::min(top + rows.most, description.height);
+    check(file->write_scanlines(top, bottom, 0, typeDesc(rows.type), rows.at(top, bottom - top)));
+  }
+  check(file->close());
+  return {memory.buffer().begin(), memory.buffer().end()};
+}
+
+}  // namespace
 }  // namespace gnomon
+
+/// Named by gnomon::imageModuleSymbol.
+extern "C" const gnomon::ImageModule gnomonImageModule;
+const gnomon::ImageModule gnomonImageModule = {gnomon::openFile, gnomon::writeExrFile};

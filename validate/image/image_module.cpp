@@ -1,4 +1,4 @@
-#include "image/formats/image_library.h"
+#include "image/image_module.h"
 
 #include <dlfcn.h>
 #include <fmt/core.h>
@@ -8,7 +8,6 @@
 
 #include "common/error.h"
 #include "common/text/one_line.h"
-#include "image/openimageio/module.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -24,30 +23,30 @@ std::vector<std::string> places() {
   return {GNOMON_IMAGE_MODULE, GNOMON_BUILT_IMAGE_MODULE};
 }
 
-const ImageLibrary& load() {
-  void* module = nullptr;
+const ImageModule& load() {
+  void* library = nullptr;
   std::string reason;
   for (const std::string& place : places()) {
-    // Never closed: the library keeps threads, whose code must not go.
-    module = dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL);
-    if (module != nullptr) break;
+    // Never closed: OpenImageIO keeps threads, whose code must not go.
+    library = dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (library != nullptr) break;
     reason = dlerror();
   }
-  void* const symbol = module == nullptr ? nullptr : dlsym(module, imageModuleSymbol);
-  if (module != nullptr && symbol == nullptr) reason = dlerror();
-  if (symbol == nullptr) {
+  const void* const module = library == nullptr ? nullptr : dlsym(library, imageModuleSymbol);
+  if (library != nullptr && module == nullptr) reason = dlerror();
+  if (module == nullptr) {
     throw InternalError(fmt::format(
         "no image can be read or written: the module for OpenImageIO cannot be loaded: {}",
         oneLine(reason)));
   }
-  return *reinterpret_cast<ImageModuleFunction>(symbol)();
+  return *static_cast<const ImageModule*>(module);
 }
 
 }  // namespace
 
-const ImageLibrary& imageLibrary() {
-  static const ImageLibrary& library = load();
-  return library;
+const ImageModule& imageModule() {
+  static const ImageModule& module = load();
+  return module;
 }
 
 }  // namespace gnomon

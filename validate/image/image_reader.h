@@ -1,14 +1,32 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <map>
+#include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "image/formats/image_attributes.h"
-#include "image/formats/number_type.h"
-
 namespace gnomon {
+
+/// An image that a library cannot read or write, in its words. These do not name the file and may
+/// be of several lines or of none: who asked for the image says the rest.
+class ImageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// How the numbers of an image lie in a file or in memory.
+enum class NumberType { uint8, uint32, half, float32 };
+
+/// Its name in ImageFacts.
+constexpr const char* nameOf(NumberType type) {
+  constexpr const char* names[] = {"uint8", "uint", "half", "float"};
+  return names[static_cast<int>(type)];
+}
+
+/// What a file's header says beside the pixels, by name.
+using ImageAttributes = std::map<std::string, std::variant<int, float, std::string>>;
 
 /// A rectangle of pixels.
 struct ImageWindow {
@@ -32,9 +50,8 @@ struct ImageFacts {
   int z = -1;                               ///< index of a channel; none
   bool hasPlainAlpha = false;               ///< colours do not come multiplied by it
   int orientation = 1;                      ///< as Exif counts them, 1 upright
-  std::uint64_t pixelCount = 0;
-  std::size_t bytesAPixel = 0;  ///< in the file, unpacked
-  ImageAttributes attributes;   ///< integers, floats and texts
+  std::size_t bytesAPixel = 0;              ///< in the file, unpacked
+  ImageAttributes attributes;               ///< integers, floats and texts
 
   [[nodiscard]] int channelCount() const { return static_cast<int>(channels.size()); }
   /// The index of a channel, -1 where there is none of this name.
