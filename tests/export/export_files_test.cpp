@@ -11,7 +11,7 @@
 #include "export/mesh_files.h"
 #include "image/channel_image.h"
 #include "image/grey_picture.h"
-#include "report/page/region_image.h"
+#include "report/pictures/region_image.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon {

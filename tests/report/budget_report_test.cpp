@@ -57,13 +57,6 @@ StudyRecord recordWithBudgets() {
   return made;
 }
 
-TEST(BudgetText, SignsShares) {
-  EXPECT_EQ(signedPercent(0.0123), "+1.23");
-  EXPECT_EQ(signedPercent(-0.0123), "−1.23");
-  EXPECT_EQ(signedPercent(0), "0.00");
-  EXPECT_EQ(signedPercent(-1e-6), "−<0.01");
-}
-
 TEST(BudgetText, SaysHowMuchTheOrderMoves) {
   // ½ (0.5 + 0 + 0.5) of 5 %.
   EXPECT_THAT(orderText(budgetOf("close", "all")), HasSubstr("0.50 % of the samples, 10 % of the"));

@@ -12,7 +12,6 @@
 #include "report/page/report_html.h"
 #include "report/sample_record.h"
 #include "report/tables/bin_files.h"
-#include "report/tables/confidence_files.h"
 #include "report/tables/terminal_table.h"
 #include "report/text/confidence_text.h"
 #include "report/text/interval_text.h"

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "common/error.h"
+#include "report/json/sweep_json.h"
 #include "report/page/sweep_html.h"
 #include "report/plots/sweep_cost_plots.h"
 #include "report/plots/sweep_plot.h"

@@ -6,7 +6,7 @@
 
 #include "image/images.h"
 #include "report/json/json_values.h"
-#include "report/page/region_image.h"
+#include "report/pictures/region_image.h"
 
 namespace gnomon {
 namespace {

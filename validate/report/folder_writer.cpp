@@ -3,8 +3,8 @@
 #include "image/channel_image.h"
 #include "image/images.h"
 #include "image/web_picture.h"
-#include "report/page/displaced_image.h"
-#include "report/page/region_image.h"
+#include "report/pictures/displaced_image.h"
+#include "report/pictures/region_image.h"
 
 namespace gnomon {
 

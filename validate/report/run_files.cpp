@@ -12,6 +12,7 @@
 
 #include "common/parallel.h"
 #include "report/json/summary_json.h"
+#include "report/json/sweep_json.h"
 #include "report/page/report_html.h"
 #include "report/page/sweep_html.h"
 #include "report/plots/frontier.h"

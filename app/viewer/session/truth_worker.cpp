@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "model/field_lines.h"
-#include "report/page/displaced_image.h"
+#include "report/pictures/displaced_image.h"
 #include "truth/displaced_picture.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_horizons.h"

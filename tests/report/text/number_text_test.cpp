@@ -33,6 +33,13 @@ TEST(NumberText, OnlyAllReadsAsAll) {
   EXPECT_EQ(correlationText(-1e-9), "0.000");
 }
 
+TEST(NumberText, SignsShares) {
+  EXPECT_EQ(signedPercent(0.0123), "+1.23");
+  EXPECT_EQ(signedPercent(-0.0123), "−1.23");
+  EXPECT_EQ(signedPercent(0), "0.00");
+  EXPECT_EQ(signedPercent(-1e-6), "−<0.01");
+}
+
 TEST(NumberText, RatiosHaveTwoDecimals) {
   EXPECT_EQ(ratioText(1.0), "1.00");
   EXPECT_EQ(ratioText(12.346), "12.35");

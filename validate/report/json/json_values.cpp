@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 
 #include "common/text/utf8.h"
-#include "report/page/region_image.h"
+#include "report/pictures/region_image.h"
 #include "report/text/gate_text.h"
 #include "report/text/names.h"
 #include "report/text/number_text.h"
-#include "report/text/radius_text.h"
 
 namespace gnomon {
 namespace {
@@ -65,6 +64,14 @@ Json spreadJson(const ClaimSpread& spread) {
           {"median", quartile(&Quartiles::median)},
           {"quartile_3", quartile(&Quartiles::third)},
           {"most", quartile(&Quartiles::most)}};
+}
+
+template <typename Row, typename NameOf>
+Json radiusJson(const Row& row, const NameOf& nameOf) {
+  if (!row.radius) return nullptr;
+  return {{"half", nameOf(row.radius->atHalf)},
+          {"twice", nameOf(row.radius->atTwice)},
+          {"depends", row.radius->turns(row.verdict)}};
 }
 
 }  // namespace
@@ -148,6 +155,14 @@ Json jsonClaim(const ClaimRecord& claim) {
           {"detail", claim.detail},
           {"spread", claim.spread ? spreadJson(*claim.spread) : Json(nullptr)},
           {"radius", jsonRadiusCheck(claim)}};
+}
+
+Json jsonRadiusCheck(const ClaimRecord& claim) {
+  return radiusJson(claim, verdictName);
+}
+
+Json jsonRadiusCheck(const DifferenceRecord& difference) {
+  return radiusJson(difference, differenceVerdictName);
 }
 
 Json jsonMeans(const MethodMeans& means) {

@@ -52,6 +52,10 @@ Json jsonTruth(const TruthRecord& truth);
 /// or "value"), and its least, quartile_1, median, quartile_3, most (null where no case has it);
 /// and `radius` (jsonRadiusCheck).
 Json jsonClaim(const ClaimRecord& claim);
+/// A verdict at other search radii. half, twice: the verdicts there; depends: whether one of them
+/// is another. Null where the radius was not varied.
+Json jsonRadiusCheck(const ClaimRecord& claim);
+Json jsonRadiusCheck(const DifferenceRecord& difference);
 /// method, error_rate, false_shadow, false_light, uncertainty, cases, all_cases.
 Json jsonMeans(const MethodMeans& means);
 /// The status of a run by its name.

@@ -1,9 +1,8 @@
 #include "report/json/summary_json.h"
 
+#include "report/json/budget_json.h"
+#include "report/json/confidence_json.h"
 #include "report/json/json_values.h"
-#include "report/tables/bin_files.h"
-#include "report/tables/budget_files.h"
-#include "report/tables/confidence_files.h"
 #include "report/tables/cost.h"
 #include "report/text/names.h"
 #include "study/record/result_metrics.h"
@@ -31,6 +30,25 @@ Json resultJson(const ResultRecord& result) {
                {"fn", jsonNumber(counts.falseNegative, "results.fn")},
                {"tn", jsonNumber(counts.trueNegative, "results.tn")}};
   addMetrics(json, metricsOf(result));
+  return json;
+}
+
+/// A bin without an end has null there. Its rates are over its own samples.
+Json binJson(const BinRecord& bin) {
+  Json json = {{"method", bin.method},
+               {"view", bin.view},
+               {"light", bin.light},
+               {"axis", bin.axis},
+               {"low", jsonNumber(bin.low, "bins.low")},
+               {"high", jsonNumber(bin.high, "bins.high")},
+               {"samples", bin.counts.samples},
+               {"tp", jsonNumber(bin.counts.truePositive, "bins.tp")},
+               {"fp", jsonNumber(bin.counts.falsePositive, "bins.fp")},
+               {"fn", jsonNumber(bin.counts.falseNegative, "bins.fn")},
+               {"tn", jsonNumber(bin.counts.trueNegative, "bins.tn")}};
+  for (const char* name : {"error_rate", "false_shadow", "false_light"}) {
+    json[name] = jsonNumber(rate(bin.counts, name).value, name);
+  }
   return json;
 }
 
@@ -108,7 +126,7 @@ std::string summaryJson(const StudyRecord& record) {
       {"results", jsonList(record.results, resultJson)},
       {"confidence", jsonList(record.confidence, jsonConfidence)},
       {"differences", jsonList(record.differences, jsonDifference)},
-      {"bins", jsonList(record.bins, jsonBin)},
+      {"bins", jsonList(record.bins, binJson)},
       {"cost",
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},

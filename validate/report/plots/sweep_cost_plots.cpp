@@ -62,7 +62,7 @@ bool isTimed(const Line& line) {
                      [](const Point& point) { return point.frameMs && *point.frameMs > 0; });
 }
 
-bool hasChoice(const Line& line) {
+bool tradesMemory(const Line& line) {
   std::set<double> memories;
   for (const Point& point : line.points) {
     if (point.megabytes && point.errorRate) memories.insert(*point.megabytes);
@@ -115,7 +115,7 @@ PlotSheet framePlot(std::vector<Line> lines, const std::string& axis) {
 }
 
 PlotSheet memoryPlot(std::vector<Line> lines) {
-  std::erase_if(lines, [](const Line& line) { return !hasChoice(line); });
+  std::erase_if(lines, [](const Line& line) { return !tradesMemory(line); });
   PlotSheet sheet =
       sheetOf(lines,
               "set logscale xy\nset format x '%g'\nset xlabel 'tables and height map, MB'\n"
@@ -140,7 +140,7 @@ std::vector<PlotSheet> sweepCostPlots(const SweepRecord& sweep) {
   if (std::any_of(lines.begin(), lines.end(), isTimed)) {
     sheets.push_back(framePlot(lines, sweep.axis));
   }
-  if (std::any_of(lines.begin(), lines.end(), hasChoice)) sheets.push_back(memoryPlot(lines));
+  if (std::any_of(lines.begin(), lines.end(), tradesMemory)) sheets.push_back(memoryPlot(lines));
   return sheets;
 }
 

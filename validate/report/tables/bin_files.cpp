@@ -15,24 +15,6 @@ constexpr std::array<std::string_view, 3> binRates = {"error_rate", "false_shado
 
 }  // namespace
 
-Json jsonBin(const BinRecord& bin) {
-  Json json = {{"method", bin.method},
-               {"view", bin.view},
-               {"light", bin.light},
-               {"axis", bin.axis},
-               {"low", jsonNumber(bin.low, "bins.low")},
-               {"high", jsonNumber(bin.high, "bins.high")},
-               {"samples", bin.counts.samples},
-               {"tp", jsonNumber(bin.counts.truePositive, "bins.tp")},
-               {"fp", jsonNumber(bin.counts.falsePositive, "bins.fp")},
-               {"fn", jsonNumber(bin.counts.falseNegative, "bins.fn")},
-               {"tn", jsonNumber(bin.counts.trueNegative, "bins.tn")}};
-  for (const std::string_view name : binRates) {
-    json[std::string(name)] = jsonNumber(rate(bin.counts, name).value, name);
-  }
-  return json;
-}
-
 std::string binsCsv(const StudyRecord& record) {
   std::string csv = csvLine({"study", "method", "view", "light", "axis", "low", "high", "samples",
                              "tp", "fp", "fn", "tn", "error_rate", "false_shadow", "false_light"});

@@ -1,20 +1,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "study/record/sweep_record.h"
 
 namespace gnomon {
 
-/// The value of "schema". A reader may rely on the keys below as long as it does not change.
-constexpr std::string_view sweepSchema = "gnomon-sweep/2";
-
-/// A sweep as JSON: docs/summary.md documents every key.
-/// @throws InternalError naming the key for a number that is not finite
-std::string sweepJson(const SweepRecord& sweep);
-
-/// The same results as a tidy table, without the times of frames, which no two runs share: one row
+/// The results of a sweep as a tidy table, without the times of frames, which no two runs share: one row
 /// a value × method; an unknown figure is an empty cell.
 std::string sweepCsv(const SweepRecord& sweep);
 

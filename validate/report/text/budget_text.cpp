@@ -3,18 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "study/run/stages/budget.h"
 
 namespace gnomon {
-
-std::string signedPercent(double share) {
-  if (share == 0) return "0.00";
-  return (share < 0 ? "−" : "+") + percentText(std::abs(share));
-}
 
 std::string budgetNote(const BudgetRecord& budget) {
   return fmt::format(

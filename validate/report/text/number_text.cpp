@@ -23,6 +23,11 @@ std::string percentText(std::optional<double> share) {
   return fmt::format("{:.2f}", percent);
 }
 
+std::string signedPercent(double share) {
+  if (share == 0) return "0.00";
+  return (share < 0 ? "−" : "+") + percentText(std::abs(share));
+}
+
 std::string correlationText(std::optional<double> value) {
   if (!value) return "–";
   const double correlation = requireFinite(*value, "correlation");

@@ -16,6 +16,10 @@ double requireFinite(double value, std::string_view what);
 /// ">99.99" where a value would round to an end of the scale: 0.00 always means none, 100.00 all.
 std::string percentText(std::optional<double> share);
 
+/// A share in percent with its sign and two decimals, "+1.20", "−0.03"; "0.00" for none at all, and
+/// "+<0.01" or "−<0.01" for what would round to it.
+std::string signedPercent(double share);
+
 /// A correlation with three decimals, treated likewise: 1.000 always means that nothing differs.
 std::string correlationText(std::optional<double> value);
 

@@ -22,14 +22,6 @@ std::string noteOf(const Row& row) {
                      nameOf(row.radius->atHalf), nameOf(row.radius->atTwice));
 }
 
-template <typename Row>
-Json jsonOf(const Row& row) {
-  if (!row.radius) return nullptr;
-  return {{"half", nameOf(row.radius->atHalf)},
-          {"twice", nameOf(row.radius->atTwice)},
-          {"depends", row.radius->turns(row.verdict)}};
-}
-
 }  // namespace
 
 std::string radiusNote(const ClaimRecord& claim) {
@@ -38,14 +30,6 @@ std::string radiusNote(const ClaimRecord& claim) {
 
 std::string radiusNote(const DifferenceRecord& difference) {
   return noteOf(difference);
-}
-
-Json jsonRadiusCheck(const ClaimRecord& claim) {
-  return jsonOf(claim);
-}
-
-Json jsonRadiusCheck(const DifferenceRecord& difference) {
-  return jsonOf(difference);
 }
 
 }  // namespace gnomon

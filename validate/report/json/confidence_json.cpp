@@ -1,8 +1,7 @@
-#include "report/tables/confidence_files.h"
+#include "report/json/confidence_json.h"
 
 #include "report/text/interval_text.h"
 #include "report/text/names.h"
-#include "report/text/radius_text.h"
 
 namespace gnomon {
 

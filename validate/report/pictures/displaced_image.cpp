@@ -1,4 +1,4 @@
-#include "report/page/displaced_image.h"
+#include "report/pictures/displaced_image.h"
 
 #include <array>
 #include <cmath>

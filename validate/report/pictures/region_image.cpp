@@ -1,4 +1,4 @@
-#include "report/page/region_image.h"
+#include "report/pictures/region_image.h"
 
 #include "common/error.h"
 
