@@ -97,6 +97,25 @@ TEST(Manual, ListsEveryRegion) {
   }
 }
 
+/// Every component, as it stands in the build, and every folder of the program.
+TEST(Manual, NamesEveryFolderOfTheCode) {
+  std::string text;
+  for (const std::string& line : manualPage("code.md").lines) text += line + "\n";
+  std::size_t folders = 0;
+  for (const char* place : {"validate", "validate/study", "validate/report"}) {
+    for (const auto& entry : fs::directory_iterator(projectFolder() / place)) {
+      if (!entry.is_directory()) continue;
+      const std::string name = entry.path().filename().string() + "/";
+      const auto isNamed = [&](const char* before) {
+        return text.find(before + name) != std::string::npos;
+      };
+      EXPECT_TRUE(isNamed("/") || isNamed("`")) << place << ": " << name;
+      ++folders;
+    }
+  }
+  EXPECT_GT(folders, 20U);
+}
+
 // ---- examples
 
 class Example : public TemporaryFolder {
