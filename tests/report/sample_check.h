@@ -3,24 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "study/record/gate_record.h"
+#include "study/record/check_record.h"
 
 namespace gnomon::test {
 
-inline GateRecord sampleGate(GateVerdict verdict, std::optional<double> value, double maximum,
-                             const std::string& method = "a") {
-  GateRecord gate;
+inline Judgement sampleJudgement(GateVerdict verdict, std::optional<double> value, double maximum,
+                                 const std::string& method = "a", const std::string& reason = {}) {
+  Gate gate{method, "elevation 30° azimuth 20°", "camera", "all", "error_rate", {}, maximum};
+  gate.origin = Threshold{12};
   gate.step = "sample";
-  gate.method = method;
-  gate.light = "elevation 30° azimuth 20°";
-  gate.view = "camera";
-  gate.region = "all";
-  gate.metric = "error_rate";
-  gate.value = value;
-  gate.maximum = maximum;
-  gate.verdict = verdict;
-  gate.line = 12;
-  return gate;
+  return {gate, verdict, value, reason};
 }
 
 /// One gate of each verdict, a reference that fails, a problem and a notice. The text holds what
@@ -32,16 +24,13 @@ inline CheckRecord sampleCheck() {
   check.command = "gnomon check scenes/sample.toml --method 'a, \"b\" & <c>'";
   check.seconds = 1.5;
   check.baseline = "reference/sample.json";
-  check.gates = {sampleGate(GateVerdict::passed, 0.02, 0.03),
-                 sampleGate(GateVerdict::failed, 0.0512, 0.03, "a, \"b\" & <c>"),
-                 sampleGate(GateVerdict::undefined, {}, 0.04),
-                 sampleGate(GateVerdict::skipped, {}, 0.05)};
-  check.gates.at(2).reason = "no samples";
-  check.gates.at(3).reason = "its method is left out";
-  check.gates.push_back(sampleGate(GateVerdict::failed, 0.09, 0.08));
-  check.gates.back().kind = GateKind::reference;
-  check.gates.back().expected = 0.07;
-  check.gates.back().line = 0;
+  check.judgements = {
+      sampleJudgement(GateVerdict::passed, 0.02, 0.03),
+      sampleJudgement(GateVerdict::failed, 0.0512, 0.03, "a, \"b\" & <c>"),
+      sampleJudgement(GateVerdict::undefined, {}, 0.04, "a", "no samples"),
+      sampleJudgement(GateVerdict::skipped, {}, 0.05, "a", "its method is left out"),
+      sampleJudgement(GateVerdict::failed, 0.09, 0.08)};
+  check.judgements.back().gate.origin = Reference{0.07, 0.005, 0.01};
   check.problems = {{"baseline", ExitStatus::badInput, "scenes/sample.toml:7: 100 %\nwrong"}};
   check.notices = {{"the limit on x could be tightened", 30}};
   return check;
@@ -54,7 +43,7 @@ inline CheckRecord passedCheck() {
   check.file = "scenes/good.toml";
   check.command = "gnomon check scenes/good.toml";
   check.seconds = 0.25;
-  check.gates = {sampleGate(GateVerdict::passed, 0.02, 0.03)};
+  check.judgements = {sampleJudgement(GateVerdict::passed, 0.02, 0.03)};
   return check;
 }
 

@@ -7,6 +7,7 @@
 #include "compare/boundaries.h"
 #include "compare/rates.h"
 #include "study/judge/distinguish.h"
+#include "study/judge/gates.h"
 #include "study/record/cases.h"
 #include "study/record/record.h"
 
@@ -85,10 +86,10 @@ inline StudyRecord sampleRecord(int lights = 2) {
   }
   record.cost = {{"best", 960, 524'288, 16'384, 1.25}, {"close", 960, 1'048'576, 0, std::nullopt}};
   record.timings = {{"truth", 1.5}, {"render", 0.25}};
-  record.thresholds = {
-      {"best", "elevation 15°", "camera", "all", "error_rate", 0.01, std::nullopt, 0.02, true},
-      {"close", "elevation 15°", "camera", "distant", "iou", std::nullopt, 0.5, std::nullopt, false,
-       "no samples"}};
+  record.judgements = {judge({"best", "elevation 15°", "camera", "all", "error_rate", {}, 0.02},
+                             {"error_rate", 0.01, {}}),
+                       judge({"close", "elevation 15°", "camera", "distant", "iou", 0.5, {}},
+                             {"iou", {}, "no samples"})};
   record.claims = {{"As long as in <i>the</i> displaced mesh", "the paper's section 4",
                     Verdict::held, "ratio 0.99"},
                    {"Closer than the flat one", "", Verdict::failed, "1.2 % against 1.0 %"},

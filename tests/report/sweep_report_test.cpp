@@ -70,8 +70,9 @@ SweepRecord costlySweep() {
   return sweep;
 }
 
-ThresholdRecord failedGate() {
-  return {"flat", "noon", "camera", "all", "error_rate", 0.08, std::nullopt, 0.05, false};
+Judgement judgedAtMost(double maximum) {
+  return judge({"flat", "noon", "camera", "all", "error_rate", {}, maximum},
+               {"error_rate", 0.08, {}});
 }
 
 // ---- figures
@@ -101,7 +102,7 @@ TEST(SweepMeans, AreNoneWhereAStepHasNone) {
 
 TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
   SweepRecord sweep = sampleSweep();
-  sweep.steps[1].thresholds = {failedGate()};
+  sweep.steps[1].judgements = {judgedAtMost(0.05)};
   const std::vector<StudyMeans> studies = {studyMeans(sweep), studyMeans(step({{"flat", 10}}, 0))};
   EXPECT_EQ(studies[0].status, RunStatus::fail);
   const auto ranked = rankOverStudies(studies);
@@ -151,7 +152,7 @@ TEST(SweepCsv, HasARowAMethodAndValue) {
 
 TEST(SweepJson, HoldsTheSweep) {
   SweepRecord sweep = sampleSweep();
-  sweep.steps[2].thresholds = {failedGate()};
+  sweep.steps[2].judgements = {judgedAtMost(0.05)};
   const auto json = nlohmann::json::parse(sweepJson(sweep));
   EXPECT_EQ(json["schema"], "gnomon-sweep/2");
   EXPECT_EQ(json["status"], "fail");
@@ -320,10 +321,8 @@ TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
 
 TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   SweepRecord sweep = sampleSweep();
-  sweep.steps[0].thresholds = {failedGate()};
-  sweep.steps[0].thresholds[0].maximum = 0.1;
-  sweep.steps[0].thresholds[0].passed = true;
-  sweep.steps[2].thresholds = {failedGate()};
+  sweep.steps[0].judgements = {judgedAtMost(0.1)};
+  sweep.steps[2].judgements = {judgedAtMost(0.05)};
   PlotSheet cost;
   cost.title = "Time & money";
   const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}, {cost, "<svg />"}};
@@ -345,7 +344,7 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
 
 TEST(SweepTable, HasAColumnAValue) {
   SweepRecord sweep = sampleSweep();
-  sweep.steps[2].thresholds = {failedGate()};
+  sweep.steps[2].judgements = {judgedAtMost(0.05)};
   const std::string text = sweepTable(sweep, false);
   EXPECT_THAT(text, HasSubstr("               0.5     0.25        1\n"
                               "  flat        2.00     4.00     8.00\n"

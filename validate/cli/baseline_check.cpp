@@ -32,21 +32,15 @@ void requireSameRun(const Baseline& baseline, const BaselineRun& run) {
 
 /// A value of a step that is not run could never be judged.
 void requireSteps(const Baseline& baseline, const std::vector<std::string>& steps) {
-  for (const BaselineEntry& entry : baseline.entries) {
-    if (std::find(steps.begin(), steps.end(), entry.step) != steps.end()) continue;
-    throw InputError(fmt::format("values.study: \"{}\" found, the study has {}", entry.step,
+  for (const Gate& gate : baseline.gates) {
+    if (std::find(steps.begin(), steps.end(), gate.step) != steps.end()) continue;
+    throw InputError(fmt::format("values.study: \"{}\" found, the study has {}", gate.step,
                                  fmt::join(steps, ", ")));
   }
 }
 
-/// What it holds of one step.
-Baseline partOf(Baseline baseline, const std::string& step) {
-  std::erase_if(baseline.entries, [&](const BaselineEntry& entry) { return entry.step != step; });
-  return baseline;
-}
-
 bool saysTheSame(const Baseline& a, const Baseline& b) {
-  return a.study == b.study && a.quick == b.quick && a.entries == b.entries;
+  return a.study == b.study && a.quick == b.quick && a.gates == b.gates;
 }
 
 }  // namespace
@@ -79,7 +73,8 @@ Baseline readReferences(const fs::path& file, const BaselineRun& run,
 void judgeReferences(const fs::path& file, const Baseline& baseline,
                      const std::vector<std::string>& leftOut, StudyRecord& record) {
   try {
-    record.references = judgeBaseline(partOf(baseline, record.name), {&record, 1}, leftOut);
+    const std::vector<Judgement> references = judgeBaseline(baseline, record, leftOut);
+    record.judgements.insert(record.judgements.end(), references.begin(), references.end());
   } catch (const InputError& error) {
     record.problems.push_back(
         {"baseline", error.status(), fmt::format("{}: {}", file.string(), error.what())});
@@ -93,13 +88,13 @@ std::optional<Baseline> readFormerReferences(const fs::path& file) {
 bool updateBaseline(const fs::path& file, const BaselineRun& run,
                     const std::optional<Baseline>& former, std::span<const StudyRecord> steps,
                     CheckRecord& check) {
-  Baseline baseline{run.study, run.quick, steps.front().environment, {}, referenceValues(steps)};
+  Baseline baseline{run.study, run.quick, steps.front().environment, {}, referenceGates(steps)};
   if (check.status() != ExitStatus::pass) {
     check.notices.push_back(
         {fmt::format("{} left as it is: the check has not passed", file.string())});
     return false;
   }
-  if (baseline.entries.empty()) {
+  if (baseline.gates.empty()) {
     throw InputError(
         fmt::format("{}: no value is defined that could be a reference", file.string()));
   }
@@ -112,7 +107,7 @@ bool updateBaseline(const fs::path& file, const BaselineRun& run,
       {run.reason, baseline.environment.gnomonVersion, baseline.environment.commit});
   writeTextAtomically(file, baselineJson(baseline));
   check.notices.push_back(
-      {fmt::format("{} written: {} references", file.string(), baseline.entries.size())});
+      {fmt::format("{} written: {} references", file.string(), baseline.gates.size())});
   return true;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/judge/baseline.h"
-#include "study/record/gate_record.h"
+#include "study/record/check_record.h"
 
 namespace gnomon {
 

@@ -22,9 +22,7 @@
 #include "report/ci/terminal_check.h"
 #include "report/plots/gnuplot.h"
 #include "report/reference_pictures.h"
-#include "study/judge/thresholds.h"
 #include "study/judge/tightening.h"
-#include "study/record/gate_record.h"
 #include "study/spec/sweep.h"
 
 namespace gnomon {
@@ -88,10 +86,11 @@ std::string commandFor(const CheckRequest& request, const std::string& file,
 std::vector<std::string> faultyMethods(const CheckRecord& check) {
   std::vector<std::string> methods;
   if (!check.problems.empty()) return methods;
-  for (const GateRecord& gate : check.gates) {
-    if (gate.verdict != GateVerdict::failed && gate.verdict != GateVerdict::undefined) continue;
-    if (std::find(methods.begin(), methods.end(), gate.method) == methods.end()) {
-      methods.push_back(gate.method);
+  for (const Judgement& judgement : check.judgements) {
+    const std::string& method = judgement.gate.method;
+    if (!judgement.isFault()) continue;
+    if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
+      methods.push_back(method);
     }
   }
   return methods;
@@ -107,7 +106,7 @@ void requireGates(const StudyPlan& plan, const CheckRequest& request) {
   if (request.baseline) return;
   const bool judgesMethods =
       std::any_of(study.thresholds.begin(), study.thresholds.end(),
-                  [](const ThresholdSpec& gate) { return !isOfTruthAlone(gate.metric); });
+                  [](const Gate& gate) { return !isOfTruthAlone(gate.metric); });
   if (judgesMethods) return;
   if (!study.thresholds.empty()) {
     throw InputError(fmt::format(
@@ -148,8 +147,9 @@ Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::s
     StudyPlan plan = readStudyPlan(file, request.run.options);
     study.check.name = plan.name;
     for (const StudySpec& step : plan.steps) {
-      for (const LeftOutThreshold& gate : step.leftOut) {
-        study.check.gates.push_back(gateOf(gate, step.name));
+      for (Judgement skipped : step.leftOut) {
+        skipped.gate.step = step.name;
+        study.check.judgements.push_back(std::move(skipped));
       }
     }
     requireNewName(names, file, plan.name);
@@ -270,21 +270,23 @@ bool isProblem(const StudyRecord& step, const std::string& notice) {
                      [&](const ProblemRecord& problem) { return problem.message == notice; });
 }
 
-/// Takes over what the runs were judged by.
+bool isOfThreshold(const Judgement& judgement) {
+  return std::holds_alternative<Threshold>(judgement.gate.origin);
+}
+
+/// Takes over what the runs were judged by: thresholds first, those that were left out after the
+/// others, then references.
 void collect(Study& study, const CheckRequest& request, const Records& records) {
   CheckRecord& check = study.check;
   const std::span<const StudyRecord> steps = recordsOf(study, records);
-  std::vector<GateRecord> gates;
-  std::vector<GateRecord> references;
+  std::vector<Judgement> judgements;
   for (const StudyRecord& step : steps) {
     for (const TimingRecord& timing : step.timings) check.seconds += timing.seconds;
-    for (GateRecord& gate : gatesOf(step)) {
-      (gate.kind == GateKind::threshold ? gates : references).push_back(std::move(gate));
-    }
+    judgements.insert(judgements.end(), step.judgements.begin(), step.judgements.end());
     addProblems(check, step.problems);
   }
-  check.gates.insert(check.gates.begin(), gates.begin(), gates.end());
-  check.gates.insert(check.gates.end(), references.begin(), references.end());
+  check.judgements.insert(check.judgements.begin(), judgements.begin(), judgements.end());
+  std::stable_partition(check.judgements.begin(), check.judgements.end(), isOfThreshold);
   const StudySpec& first = study.plan->steps.front();
   // The quick form's values scatter: they say nothing of how tight a limit could be.
   if (!first.quick) check.notices = looseThresholds(first.thresholds, steps);
@@ -296,7 +298,7 @@ void collect(Study& study, const CheckRequest& request, const Records& records) 
     }
   }
   if (request.updateBaseline || !study.baseline) return;
-  const std::vector<NoticeRecord> notices = betterThan(*study.baseline, references);
+  const std::vector<NoticeRecord> notices = betterThan(withOrigin<Reference>(check.judgements));
   check.notices.insert(check.notices.end(), notices.begin(), notices.end());
 }
 

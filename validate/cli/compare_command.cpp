@@ -15,6 +15,7 @@
 #include "image/images.h"
 #include "image/mask_picture.h"
 #include "report/json/mask_comparison.h"
+#include "study/judge/gates.h"
 
 namespace gnomon {
 namespace {
@@ -30,26 +31,24 @@ Examples:
   gnomon compare mine.png truth.png --binarise 0.5 --roi roi.png --max error_rate=0.02 --min iou=0.9
   gnomon compare layers.exr truth.png --channel shadow.R --invert --json - )";
 
-/// A gate as the command line has it.
-struct AskedGate {
-  const char* option;
-  std::string text;
-  MaskGate gate;
-};
+/// The option that a gate comes from, as typed.
+const std::string& optionOf(const Gate& gate) {
+  return std::get<CompareOption>(gate.origin).text;
+}
 
 /// @throws UsageError for a limit that no picture of that size could miss, or none could meet
-void requireLimit(const AskedGate& asked, const PictureExtent& picture) {
-  const MaskGate& gate = asked.gate;
+void requireLimit(const Gate& gate, const PictureExtent& picture) {
   const MetricRange range = metricRange(gate.metric, picture);
   try {
     requireInRange(*(gate.maximum ? gate.maximum : gate.minimum), gate.metric, range);
     requireMissable(gate.minimum, gate.maximum, gate.metric, range);
   } catch (const InputError& error) {
-    throw UsageError(fmt::format("{} {}: {}", asked.option, asked.text, error.what()));
+    throw UsageError(fmt::format("{}: {}", optionOf(gate), error.what()));
   }
 }
 
-AskedGate gateOf(const char* option, const std::string& text, bool isMaximum) {
+/// @param option  "--max" or "--min"
+Gate gateOf(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string metric = text.substr(0, equals);
   const auto& names = maskMetricNames();
@@ -66,38 +65,40 @@ AskedGate gateOf(const char* option, const std::string& text, bool isMaximum) {
     throw UsageError(
         fmt::format("{} {}: a number expected after =, or of a share a percentage", option, text));
   }
-  AskedGate asked{option, text, {metric, std::nullopt, std::nullopt}};
-  (isMaximum ? asked.gate.maximum : asked.gate.minimum) = value;
-  requireLimit(asked, {any, any});
-  return asked;
+  Gate gate;
+  gate.metric = metric;
+  (option == "--max" ? gate.maximum : gate.minimum) = value;
+  gate.origin = CompareOption{option + " " + text};
+  requireLimit(gate, {any, any});
+  return gate;
 }
 
-std::vector<AskedGate> gatesOf(const CompareRequest& request) {
-  std::vector<AskedGate> gates;
-  for (const std::string& text : request.maxima) gates.push_back(gateOf("--max", text, true));
-  for (const std::string& text : request.minima) gates.push_back(gateOf("--min", text, false));
+std::vector<Gate> gatesOf(const CompareRequest& request) {
+  std::vector<Gate> gates;
+  for (const std::string& text : request.maxima) gates.push_back(gateOf("--max", text));
+  for (const std::string& text : request.minima) gates.push_back(gateOf("--min", text));
   const bool judgesNothing =
-      !gates.empty() && std::all_of(gates.begin(), gates.end(), [](const AskedGate& asked) {
-        return isOfTruthAlone(asked.gate.metric);
-      });
+      !gates.empty() && std::all_of(gates.begin(), gates.end(),
+                                    [](const Gate& gate) { return isOfTruthAlone(gate.metric); });
   if (judgesNothing) {
-    throw UsageError(fmt::format("{} {}: {} is the truth's alone, a gate on the candidate expected",
-                                 gates.front().option, gates.front().text,
-                                 gates.front().gate.metric));
+    throw UsageError(fmt::format("{}: {} is the truth's alone, a gate on the candidate expected",
+                                 optionOf(gates.front()), gates.front().metric));
   }
   return gates;
 }
 
-/// The gates' limits, now that the picture's size is known.
-std::vector<MaskGate> gatesFor(const std::vector<AskedGate>& asked, const Mask& truth) {
+/// @throws UsageError for a limit that no picture of the truth's size could miss, or none could
+///   meet
+std::vector<Judgement> judged(const std::vector<Gate>& gates, const Mask& truth,
+                              const std::vector<Metric>& metrics) {
   const PictureExtent picture{std::hypot(truth.width, truth.height),
                               static_cast<double>(truth.size())};
-  std::vector<MaskGate> gates;
-  for (const AskedGate& one : asked) {
-    requireLimit(one, picture);
-    gates.push_back(one.gate);
+  std::vector<Judgement> judgements;
+  for (const Gate& gate : gates) {
+    requireLimit(gate, picture);
+    judgements.push_back(judge(gate, metricNamed(metrics, gate.metric)));
   }
-  return gates;
+  return judgements;
 }
 
 MaskFileRecord recordOf(const std::filesystem::path& file, const MaskPicture& picture) {
@@ -173,7 +174,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
 }
 
 ExitStatus compareMasks(const CompareRequest& request) {
-  const std::vector<AskedGate> gates = gatesOf(request);
+  const std::vector<Gate> gates = gatesOf(request);
   if (request.threshold && !(*request.threshold > 0 && *request.threshold < 1)) {
     throw UsageError(
         fmt::format("--binarise {}: a value between 0 and 1 expected", *request.threshold));
@@ -200,7 +201,7 @@ ExitStatus compareMasks(const CompareRequest& request) {
   comparison.outsideRoi = masks.outsideRoi;
   comparison.counts = countSamples(masks.candidate, masks.truth);
   comparison.metrics = maskMetrics(masks.candidate, masks.truth);
-  comparison.gates = judged(gatesFor(gates, truth.mask), comparison.metrics);
+  comparison.judgements = judged(gates, truth.mask, comparison.metrics);
   write(request, comparison, masks);
   return comparison.passed() ? ExitStatus::pass : ExitStatus::thresholdFailed;
 }

@@ -163,6 +163,15 @@ double leastRate(std::string_view name) {
   return found == allRates.end() ? 0 : found->least;
 }
 
+const Metric& metricNamed(std::span<const Metric> metrics, std::string_view name) {
+  const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                  [&](const Metric& metric) { return metric.name == name; });
+  if (found == metrics.end()) {
+    throw InternalError(fmt::format("metric \"{}\" found, a measured one expected", name));
+  }
+  return *found;
+}
+
 const std::vector<std::string_view>& rateNames() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list;

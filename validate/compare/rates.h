@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,10 @@ Metric rate(const Counts& counts, std::string_view name);
 /// The least value that a metric can have, by its name: -1 for mcc, 0 for all others, of other
 /// lists too. The largest of a rate is 1.
 double leastRate(std::string_view name);
+
+/// The metric of a name.
+/// @throws InternalError where it is not among them
+const Metric& metricNamed(std::span<const Metric> metrics, std::string_view name);
 
 /// The names above, in order.
 const std::vector<std::string_view>& rateNames();

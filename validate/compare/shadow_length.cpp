@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "common/parallel.h"
+#include "common/quantile.h"
 #include "common/vec.h"
 #include "compare/mask_checks.h"
 
@@ -227,14 +228,6 @@ class RunFinder {
   const LightField& field_;
   std::span<const std::uint8_t> selected_;
 };
-
-/// Interpolated between the neighbours in order; exact where they are equal.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 void requireField(const LightField& field, const Mask& truth) {
   if (field.width != truth.width || field.height != truth.height ||

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "common/quantile.h"
 #include "render/gl_context.h"
 #include "render/gl_handles.h"
 
@@ -52,7 +53,7 @@ bool isMedianKnown(const std::vector<double>& sorted) {
   constexpr double width = 0.02;
   if (sorted.size() < fewest) return false;
   const std::size_t rank = rankAroundMedian(sorted.size());
-  return sorted[sorted.size() - rank] - sorted[rank - 1] <= width * sorted[sorted.size() / 2];
+  return sorted[sorted.size() - rank] - sorted[rank - 1] <= width * quantile(sorted, 0.5);
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ double medianMilliseconds(const std::function<double()>& frame, int frames, Firs
     total += elapsed;
     if (total > enoughMilliseconds || isMedianKnown(sorted)) break;
   }
-  return sorted[sorted.size() / 2];
+  return quantile(sorted, 0.5);
 }
 
 double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FirstFrame first,

@@ -93,8 +93,9 @@ void keepReferencePictures(const StudyRecord& record, const fs::path& folder,
 std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, RunFolder& folder,
                                                      const fs::path& kept) {
   std::vector<ReferencePictures> rows;
-  for (const GateRecord& gate : record.references) {
-    if (gate.verdict == GateVerdict::passed || gate.verdict == GateVerdict::skipped) continue;
+  for (const Judgement& judgement : withOrigin<Reference>(record.judgements)) {
+    const Gate& gate = judgement.gate;
+    if (!judgement.isFault()) continue;
     const bool isThere = std::any_of(rows.begin(), rows.end(), [&](const ReferencePictures& row) {
       return row.method == gate.method && row.view == gate.view && row.light == gate.light;
     });

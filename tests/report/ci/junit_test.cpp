@@ -113,7 +113,7 @@ TEST(JunitXml, ACasesNameOutlivesItsLimit) {
   };
   const std::string before = nameOf();
   EXPECT_EQ(before, "a, error_rate max, camera, elevation 30° azimuth 20°");
-  check.gates.front().maximum = 0.5;
+  check.judgements.front().gate.maximum = 0.5;
   EXPECT_EQ(nameOf(), before);
 }
 

@@ -50,7 +50,8 @@ TEST(CheckTable, HasNoCommandForWhatPassed) {
 
 TEST(CheckTable, FitsATerminalWhateverTheNames) {
   CheckRecord check = sampleCheck();
-  for (GateRecord& gate : check.gates) {
+  for (Judgement& judgement : check.judgements) {
+    Gate& gate = judgement.gate;
     gate.method = std::string(60, 'm');
     gate.light = std::string(90, 'l');
     gate.metric = "shadow_length_ratio";
@@ -69,7 +70,7 @@ TEST(CheckTable, FitsATerminalWhateverTheNames) {
 
 TEST(CheckTable, FitsATerminalWhateverTheLimit) {
   CheckRecord check = sampleCheck();
-  check.gates.at(0).maximum = 1e308;
+  check.judgements.at(0).gate.maximum = 1e308;
   const std::vector<std::string> lines = test::linesOf(checkTable(check, false));
   EXPECT_THAT(lines.at(2), HasSubstr("≤ 1e+308  +1.000e+308  pass"));
   EXPECT_LE(displayWidth(lines.at(2)), 100U);

@@ -13,14 +13,20 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
+Gate sampleGate(const std::string& metric, const Reference& reference) {
+  Gate row{"a, b", "elevation 30°", "camera", "", metric, {}, {}};
+  row.step = "sample/1";
+  return referenceGate(row, reference);
+}
+
 Baseline sampleBaseline() {
   return {
       "sample",
       false,
       {"0.1.0", "0123abc", "a cpu", 8, "a \"renderer\"", "4.5", "3.13.5", "3.5.0", "wall clock"},
       {{"first \"values\"\nof all", "0.0.9", "000"}, {"a better bake", "0.1.0", "0123abc"}},
-      {{"sample/1", "a, b", "elevation 30°", "camera", "error_rate", 0.1, 0.0125, 0.025},
-       {"sample/1", "a, b", "elevation 30°", "camera", "prevalence", 1.0 / 3, 0, 0.001}}};
+      {sampleGate("error_rate", {0.1, 0.0125, 0.025}),
+       sampleGate("prevalence", {1.0 / 3, 0, 0.001})}};
 }
 
 class BaselineFile : public TemporaryFolder {
@@ -51,9 +57,7 @@ TEST_F(BaselineFile, IsReadBackAsItWas) {
   EXPECT_EQ(baseline.environment.glRenderer, "a \"renderer\"");
   ASSERT_EQ(baseline.history.size(), 2U);
   EXPECT_EQ(baseline.history.at(0).text, "first \"values\"\nof all");
-  ASSERT_EQ(baseline.entries.size(), 2U);
-  EXPECT_EQ(baseline.entries.at(0).light, "elevation 30°");
-  EXPECT_EQ(baseline.entries.at(1).value, 1.0 / 3) << "to the last bit";
+  EXPECT_EQ(baseline.gates, sampleBaseline().gates) << "to the last bit";
   Baseline quick = sampleBaseline();
   quick.quick = true;
   EXPECT_TRUE(read(baselineJson(quick)).quick);
@@ -115,10 +119,9 @@ TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
             "sample.json: values.0.value: 3.5 found, 0 to 1 expected");
   EXPECT_THAT(failureWith("/values/1/value", -0.1), HasSubstr("-0.1 found, 0 to 1 expected"));
   Baseline lengths = sampleBaseline();
-  lengths.entries.at(0).metric = "shadow_length_ratio";
-  lengths.entries.at(0).value = 1.5;
-  EXPECT_EQ(read(baselineJson(lengths)).entries.at(0).value, 1.5);
-  lengths.entries.at(0).value = -1;
+  lengths.gates.at(0) = sampleGate("shadow_length_ratio", {1.5, 0.0125, 0.025});
+  EXPECT_EQ(referenceOf(read(baselineJson(lengths)).gates.at(0)).committed, 1.5);
+  lengths.gates.at(0) = sampleGate("shadow_length_ratio", {-1, 0.0125, 0.025});
   EXPECT_THAT(failure(baselineJson(lengths)), HasSubstr("-1 found, at least 0 expected"));
   EXPECT_THAT(failureWith("/values/0/spread", -1), HasSubstr("values.0.spread: -1 found"));
   EXPECT_EQ(failureWith("/values/0/tolerance", 0.0125),
@@ -134,7 +137,8 @@ TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
 
 TEST(BaselineJson, RefusesWhatIsNoNumber) {
   Baseline baseline = sampleBaseline();
-  baseline.entries.at(0).value = std::numeric_limits<double>::quiet_NaN();
+  baseline.gates.at(0) =
+      sampleGate("error_rate", {std::numeric_limits<double>::quiet_NaN(), 0, 0.001});
   EXPECT_THROW((void)baselineJson(baseline), InternalError);
 }
 

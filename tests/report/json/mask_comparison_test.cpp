@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "report/text/text_width.h"
+#include "study/judge/gates.h"
 #include "support/error_messages.h"
 
 namespace gnomon {
@@ -28,31 +29,31 @@ MaskComparison sampleComparison() {
   return comparison;
 }
 
-MaskGate atMost(const char* metric, double maximum) {
-  return {metric, std::nullopt, maximum};
+/// With the gates error_rate ≤ 0.1, which fails, and iou ≤ 1, which is undefined.
+MaskComparison judgedComparison() {
+  MaskComparison comparison = sampleComparison();
+  for (const Metric& metric : comparison.metrics) {
+    Gate gate;
+    gate.metric = metric.name;
+    gate.maximum = metric.name == "iou" ? 1 : 0.1;
+    gate.origin = CompareOption{"--max"};
+    comparison.judgements.push_back(judge(gate, metric));
+  }
+  return comparison;
 }
 
-TEST(MaskComparison, GatesHoldAtTheLimitAndFailBeyondAndWhereUndefined) {
-  MaskComparison comparison = sampleComparison();
-  comparison.gates = judged({atMost("error_rate", 1.0 / 3)}, comparison.metrics);
+TEST(MaskComparison, PassesOnlyWhereEveryGateDoes) {
+  MaskComparison comparison = judgedComparison();
+  EXPECT_FALSE(comparison.passed());
+  comparison.judgements.pop_back();
+  comparison.judgements[0].gate.maximum = 0.34;
+  comparison.judgements[0] = judge(comparison.judgements[0].gate, comparison.metrics[0]);
   EXPECT_TRUE(comparison.passed());
-  comparison.gates = judged({{"error_rate", 1.0 / 3, std::nullopt}}, comparison.metrics);
-  EXPECT_TRUE(comparison.passed());
-  comparison.gates = judged({atMost("error_rate", 0.33)}, comparison.metrics);
-  EXPECT_FALSE(comparison.passed());
-  comparison.gates = judged({{"error_rate", 0.34, std::nullopt}}, comparison.metrics);
-  EXPECT_FALSE(comparison.passed());
-  comparison.gates = judged({atMost("error_rate", 1), atMost("iou", 1)}, comparison.metrics);
-  EXPECT_TRUE(comparison.gates[0].passed);
-  EXPECT_FALSE(comparison.gates[1].passed);
-  EXPECT_FALSE(comparison.passed());
-  EXPECT_THROW(judged({atMost("f1", 1)}, comparison.metrics), InternalError);
+  EXPECT_TRUE(sampleComparison().passed()) << "without a gate";
 }
 
 TEST(MaskComparison, JsonHoldsWhatWasFound) {
-  MaskComparison comparison = sampleComparison();
-  comparison.gates = judged({atMost("error_rate", 0.1), atMost("iou", 1)}, comparison.metrics);
-  const auto json = nlohmann::json::parse(maskComparisonJson(comparison));
+  const auto json = nlohmann::json::parse(maskComparisonJson(judgedComparison()));
   EXPECT_EQ(json.at("schema"), "gnomon-comparison/1");
   EXPECT_EQ(json.at("status"), "fail");
   EXPECT_EQ(
@@ -73,9 +74,8 @@ TEST(MaskComparison, JsonHoldsWhatWasFound) {
 }
 
 TEST(MaskComparison, TableFitsTheTerminalAndSaysWhy) {
-  MaskComparison comparison = sampleComparison();
+  MaskComparison comparison = judgedComparison();
   comparison.candidate.file = std::string(150, 'm') + ".exr";
-  comparison.gates = judged({atMost("error_rate", 0.1), atMost("iou", 1)}, comparison.metrics);
   const std::string table = maskComparisonTable(comparison, false);
   EXPECT_THAT(table, AllOf(HasSubstr("2 × 2 pixels: 3 compared, 1 without a sample"),
                            HasSubstr("3 by the threshold"), HasSubstr("0.333333"),

@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "report/sample_record.h"
+#include "study/judge/baseline.h"
 #include "study/record/result_metrics.h"
 
 namespace gnomon {
@@ -188,21 +189,13 @@ TEST(SummaryJson, SettingsAreTheStudysOwnAndInputsHaveTheirHashes) {
 
 TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
   StudyRecord record = sampleRecord();
-  record.thresholds.pop_back();
+  record.judgements.pop_back();
   EXPECT_EQ(written(record)["status"], "pass");
   EXPECT_TRUE(written(record)["baseline"].is_null());
   record.baseline = "reference/sample.json";
-  GateRecord gate;
-  gate.kind = GateKind::reference;
-  gate.method = "best";
-  gate.view = "camera";
-  gate.light = "elevation 15°";
-  gate.metric = "error_rate";
-  gate.expected = 0.004;
-  gate.value = 0.01;
-  gate.maximum = 0.006;
-  gate.verdict = verdictOf(gate);
-  record.references = {gate};
+  const Gate gate = referenceGate({"best", "elevation 15°", "camera", "all", "error_rate", {}, {}},
+                                  {0.004, 0.001, 0.002});
+  record.judgements.push_back(judge(gate, {"error_rate", 0.01, {}}));
   const ordered_json json = written(record);
   EXPECT_EQ(json["status"], "fail");
   EXPECT_EQ(json["baseline"], "reference/sample.json");
@@ -211,12 +204,12 @@ TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
                   "maximum", "verdict", "reason"}));
   EXPECT_EQ(json["references"][0]["verdict"], "fail");
   EXPECT_EQ(json["references"][0]["committed"], 0.004);
-  record.references.clear();
+  record.judgements.pop_back();
   record.problems = {{"baseline", ExitStatus::badInput, "reference/sample.json: missing"}};
   EXPECT_EQ(written(record)["status"], "fail");
   EXPECT_EQ(keysOf(written(record)["problems"][0]), (Keys{"part", "message"}));
   record.problems.clear();
-  record.thresholds.clear();
+  record.judgements.clear();
   EXPECT_EQ(written(record)["status"], "not judged");
 }
 
@@ -254,9 +247,9 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
 TEST(SummaryJson, StatusFollowsTheThresholds) {
   StudyRecord record = sampleRecord();
   EXPECT_EQ(written(record)["status"], "fail");
-  record.thresholds.pop_back();
+  record.judgements.pop_back();
   EXPECT_EQ(written(record)["status"], "pass");
-  record.thresholds.clear();
+  record.judgements.clear();
   EXPECT_EQ(written(record)["status"], "not judged");
 }
 
@@ -302,10 +295,10 @@ TEST(SummaryJson, RefusesNumbersThatAreNotFinite) {
     record.cost[0].frameMs = bad;
     EXPECT_THROW(summaryJson(record), InternalError);
     record = sampleRecord();
-    record.thresholds[0].value = bad;
+    record.judgements[0].value = bad;
     EXPECT_THROW(summaryJson(record), InternalError);
     record = sampleRecord();
-    record.thresholds[0].maximum = bad;
+    record.judgements[0].gate.maximum = bad;
     EXPECT_THROW(summaryJson(record), InternalError);
   }
 }

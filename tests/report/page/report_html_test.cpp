@@ -205,8 +205,10 @@ TEST_F(ReportHtml, EscapesAllText) {
   }
   for (CostRecord& c : record.cost) spoil(c.method);
   for (TimingRecord& t : record.timings) spoil(t.stage);
-  for (ThresholdRecord& t : record.thresholds) {
-    spoil(t.method), spoil(t.light), spoil(t.view), spoil(t.region), spoil(t.metric);
+  for (Judgement& judgement : record.judgements) {
+    Gate& gate = judgement.gate;
+    spoil(gate.method), spoil(gate.light), spoil(gate.view), spoil(gate.region);
+    spoil(gate.metric);
   }
   for (ClaimRecord& c : record.claims) spoil(c.text), spoil(c.source), spoil(c.detail);
   for (UncertaintyRecord& f : record.truth.flips) spoil(f.view), spoil(f.light);

@@ -101,7 +101,7 @@ TEST(TerminalTable, FitsWhateverTheLabels) {
       result.view = label;
     }
     record.claims[0].text = record.claims[0].detail = label + std::string(150, 'x');
-    record.thresholds[1].method = label;
+    record.judgements[1].gate.method = label;
     expectFits(resultTable(record, false));
   }
 }

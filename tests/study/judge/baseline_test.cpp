@@ -33,15 +33,16 @@ StudyRecord record(std::vector<ResultRecord> results, const std::string& name = 
 }
 
 Baseline baselineOf(const std::vector<StudyRecord>& steps) {
-  return {"study", false, {}, {{"first", "1", ""}}, referenceValues(steps)};
+  return {"study", false, {}, {{"first", "1", ""}}, referenceGates(steps)};
 }
 
-const GateRecord& gateOn(const std::vector<GateRecord>& gates, const std::string& metric,
-                         const std::string& method = "a") {
-  const auto found = std::find_if(gates.begin(), gates.end(), [&](const GateRecord& gate) {
-    return gate.metric == metric && gate.method == method;
-  });
-  if (found == gates.end()) throw std::runtime_error("no gate on " + metric);
+const Judgement& judgementOn(const std::vector<Judgement>& judgements, const std::string& metric,
+                             const std::string& method = "a") {
+  const auto found =
+      std::find_if(judgements.begin(), judgements.end(), [&](const Judgement& judgement) {
+        return judgement.gate.metric == metric && judgement.gate.method == method;
+      });
+  if (found == judgements.end()) throw std::runtime_error("no gate on " + metric);
   return *found;
 }
 
@@ -49,8 +50,7 @@ const GateRecord& gateOn(const std::vector<GateRecord>& gates, const std::string
 GateVerdict verdict(const std::string& metric, const ResultRecord& committed,
                     const ResultRecord& now) {
   const Baseline baseline = baselineOf({record({committed})});
-  const std::vector<StudyRecord> run = {record({now})};
-  return gateOn(judgeBaseline(baseline, run, {}), metric).verdict;
+  return judgementOn(judgeBaseline(baseline, record({now}), {}), metric).verdict;
 }
 
 TEST(Baseline, ToleranceIsWiderThanTheSpreadWhateverThatIs) {
@@ -68,36 +68,39 @@ TEST(Baseline, HoldsEveryMetricOfTheWholeRegionWithItsSpread) {
   std::vector<ResultRecord> results = {row("a", 20, 30)};
   results.push_back(results.front());
   results.back().region = "cast";
-  const std::vector<BaselineEntry> entries =
-      referenceValues(std::vector<StudyRecord>{record(results)});
-  ASSERT_EQ(entries.size(), baselineMetrics(Answer::drawn).size());
-  for (const BaselineEntry& entry : entries) {
-    EXPECT_EQ(entry.step, "study");
-    EXPECT_EQ(entry.spread, entry.metric == "shadow_length_ratio" ? 0.03 : 0.004);
-    EXPECT_EQ(entry.tolerance, toleranceOf(entry.metric, entry.spread));
+  const std::vector<Gate> gates = baselineOf({record(results)}).gates;
+  ASSERT_EQ(gates.size(), baselineMetrics(Answer::drawn).size());
+  for (const Gate& gate : gates) {
+    const auto [committed, spread, tolerance] = referenceOf(gate);
+    EXPECT_EQ(gate.step, "study");
+    EXPECT_EQ(gate.region, "all");
+    EXPECT_EQ(spread, gate.metric == "shadow_length_ratio" ? 0.03 : 0.004);
+    EXPECT_EQ(tolerance, toleranceOf(gate.metric, spread));
   }
-  EXPECT_EQ(entries.at(0).metric, "error_rate");
-  EXPECT_DOUBLE_EQ(entries.at(0).value, 0.05);
+  EXPECT_EQ(gates.at(0).metric, "error_rate");
+  EXPECT_DOUBLE_EQ(referenceOf(gates.at(0)).committed, 0.05);
 }
 
 TEST(Baseline, LeavesOutWhatIsUndefinedOrHasNoSpread) {
   StudyRecord study = record({row("a", 20, 30), row("b", 1, 1)});
   study.results.at(1).counts = Counts{};
   study.truth.flips.at(0).lengthError.reset();
-  const std::vector<BaselineEntry> entries = referenceValues(std::vector<StudyRecord>{study});
-  ASSERT_EQ(entries.size(), 4U);
-  for (const BaselineEntry& entry : entries) {
-    EXPECT_EQ(entry.method, "a");
-    EXPECT_NE(entry.metric, "shadow_length_ratio");
+  const std::vector<Gate> gates = baselineOf({study}).gates;
+  ASSERT_EQ(gates.size(), 4U);
+  for (const Gate& gate : gates) {
+    EXPECT_EQ(gate.method, "a");
+    EXPECT_NE(gate.metric, "shadow_length_ratio");
   }
 }
 
 TEST(Baseline, TheSameRunPasses) {
-  const std::vector<StudyRecord> run = {record({row("a", 20, 30), row("b", 5, 5)})};
-  const std::vector<GateRecord> gates = judgeBaseline(baselineOf(run), run, {});
-  EXPECT_EQ(gates.size(), 10U);
-  for (const GateRecord& gate : gates) EXPECT_EQ(gate.verdict, GateVerdict::passed) << gate.metric;
-  EXPECT_TRUE(betterThan(baselineOf(run), gates).empty());
+  const StudyRecord run = record({row("a", 20, 30), row("b", 5, 5)});
+  const std::vector<Judgement> judgements = judgeBaseline(baselineOf({run}), run, {});
+  EXPECT_EQ(judgements.size(), 10U);
+  for (const Judgement& judgement : judgements) {
+    EXPECT_EQ(judgement.verdict, GateVerdict::passed) << judgement.gate.metric;
+  }
+  EXPECT_TRUE(betterThan(judgements).empty());
 }
 
 TEST(Baseline, ARateMayRiseByTheToleranceAndNoMore) {
@@ -144,7 +147,7 @@ TEST(Baseline, AValueThatIsNoMoreIsNoPass) {
 
 TEST(Baseline, AMissingReferenceIsRefused) {
   const Baseline baseline = baselineOf({record({row("a", 20, 30)})});
-  const std::vector<StudyRecord> run = {record({row("a", 20, 30), row("b", 1, 1)})};
+  const StudyRecord run = record({row("a", 20, 30), row("b", 1, 1)});
   EXPECT_EQ(messageOf<InputError>([&] { (void)judgeBaseline(baseline, run, {}); }),
             "no reference for error_rate of b, drawn, dusk, camera, study and 4 more");
 }
@@ -153,22 +156,22 @@ TEST(Baseline, AReferenceOfWhatTheRunLacksIsRefused) {
   const Baseline baseline = baselineOf({record({row("a", 20, 30), row("b", 1, 1)})});
   for (ResultRecord other : {row("c", 1, 1), row("b", 1, 1)}) {
     if (other.method == "b") other.light = "dawn";
-    const std::vector<StudyRecord> run = {record({row("a", 20, 30), other})};
+    const StudyRecord run = record({row("a", 20, 30), other});
     EXPECT_EQ(messageOf<InputError>([&] { (void)judgeBaseline(baseline, run, {}); }),
               "the run has no row for error_rate of b, drawn, dusk, camera, study and 4 more");
   }
-  const std::vector<StudyRecord> renamed = {record({row("a", 20, 30)}, "other")};
+  const StudyRecord renamed = record({row("a", 20, 30)}, "other");
   EXPECT_THAT(messageOf<InputError>([&] { (void)judgeBaseline(baseline, renamed, {}); }),
-              HasSubstr("no row for"));
+              HasSubstr("no reference for"));
 }
 
 TEST(Baseline, SkipsMethodsThatAreLeftOut) {
   const Baseline baseline = baselineOf({record({row("a", 20, 30), row("b", 1, 1)})});
-  const std::vector<StudyRecord> run = {record({row("a", 20, 30)})};
-  const std::vector<GateRecord> gates = judgeBaseline(baseline, run, {"b"});
-  EXPECT_EQ(gates.size(), 10U);
-  EXPECT_EQ(gateOn(gates, "error_rate", "a").verdict, GateVerdict::passed);
-  EXPECT_EQ(gateOn(gates, "error_rate", "b").verdict, GateVerdict::skipped);
+  const std::vector<Judgement> judgements =
+      judgeBaseline(baseline, record({row("a", 20, 30)}), {"b"});
+  EXPECT_EQ(judgements.size(), 10U);
+  EXPECT_EQ(judgementOn(judgements, "error_rate", "a").verdict, GateVerdict::passed);
+  EXPECT_EQ(judgementOn(judgements, "error_rate", "b").verdict, GateVerdict::skipped);
 }
 
 TEST(Baseline, TellsTheStepsOfASweepApart) {
@@ -176,18 +179,19 @@ TEST(Baseline, TellsTheStepsOfASweepApart) {
                                               record({row("a", 50, 50)}, "s/2")};
   std::vector<StudyRecord> run = committed;
   std::swap(run.at(0).results, run.at(1).results);
-  const std::vector<GateRecord> gates = judgeBaseline(baselineOf(committed), run, {});
-  EXPECT_EQ(gates.at(0).step, "s/1");
-  EXPECT_EQ(gates.at(0).verdict, GateVerdict::failed);
-  EXPECT_EQ(gates.at(5).step, "s/2");
-  EXPECT_EQ(gates.at(5).verdict, GateVerdict::passed);
+  const auto first = judgeBaseline(baselineOf(committed), run.at(0), {});
+  ASSERT_EQ(first.size(), 5U);
+  EXPECT_EQ(first.at(0).gate.step, "s/1");
+  EXPECT_EQ(first.at(0).verdict, GateVerdict::failed);
+  const auto second = judgeBaseline(baselineOf(committed), run.at(1), {});
+  EXPECT_EQ(second.at(0).gate.step, "s/2");
+  EXPECT_EQ(second.at(0).verdict, GateVerdict::passed);
 }
 
 TEST(Baseline, SaysWhereItCouldBeTightened) {
   const Baseline baseline = baselineOf({record({row("a", 20, 30, 1.3)})});
   const auto noticesFor = [&](const ResultRecord& now) {
-    const std::vector<StudyRecord> run = {record({now})};
-    return betterThan(baseline, judgeBaseline(baseline, run, {}));
+    return betterThan(judgeBaseline(baseline, record({now}), {}));
   };
   EXPECT_TRUE(noticesFor(row("a", 16, 27, 1.25)).empty()) << "better by less than the tolerance";
   const std::vector<NoticeRecord> notices = noticesFor(row("a", 2, 30, 1.0));

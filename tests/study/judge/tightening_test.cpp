@@ -20,9 +20,8 @@ StudyRecord record() {
 std::vector<NoticeRecord> noticesFor(std::optional<double> minimum, std::optional<double> maximum,
                                      const std::string& region = "all") {
   const std::vector<StudyRecord> steps = {record()};
-  ThresholdSpec gate{"a", "", "", region, "error_rate", minimum, maximum};
-  gate.line = 9;
-  return looseThresholds({gate}, steps);
+  const Gate gate{"a", "", "", region, "error_rate", minimum, maximum, Threshold{9}};
+  return looseThresholds({&gate, 1}, steps);
 }
 
 TEST(Tightening, TellsOfALimitFarFromItsNearestValue) {
@@ -42,8 +41,8 @@ TEST(Tightening, NearMeansAQuarterOfTheLimit) {
 TEST(Tightening, NearAlsoMeansFourTolerances) {
   std::vector<StudyRecord> steps = {record()};
   steps.front().truth.uncertainty = 0.01;
-  const ThresholdSpec gate{"a", "", "", "all", "error_rate", {}, 0.09};
-  EXPECT_TRUE(looseThresholds({gate}, steps).empty());
+  const Gate gate{"a", "", "", "all", "error_rate", {}, 0.09};
+  EXPECT_TRUE(looseThresholds({&gate, 1}, steps).empty());
 }
 
 TEST(Tightening, OfAMinimumLooksUpward) {
@@ -60,10 +59,10 @@ TEST(Tightening, LeavesGatesThatDoNotHoldAlone) {
 
 TEST(Tightening, LooksAtAllStepsOfASweep) {
   std::vector<StudyRecord> steps = {record(), record()};
-  const ThresholdSpec gate{"a", "", "", "all", "error_rate", {}, 0.1};
-  EXPECT_EQ(looseThresholds({gate}, steps).size(), 1U);
+  const Gate gate{"a", "", "", "all", "error_rate", {}, 0.1};
+  EXPECT_EQ(looseThresholds({&gate, 1}, steps).size(), 1U);
   steps.back().results.at(0).counts = {270, 60, 35, 635, 1000};
-  EXPECT_TRUE(looseThresholds({gate}, steps).empty());
+  EXPECT_TRUE(looseThresholds({&gate, 1}, steps).empty());
 }
 
 }  // namespace

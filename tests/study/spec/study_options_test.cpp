@@ -86,8 +86,8 @@ class StudyOptionsTest : public TemporaryFolder {
 TEST_F(StudyOptionsTest, GatesKnowTheirLines) {
   const StudySpec study = read({});
   ASSERT_EQ(study.thresholds.size(), 2U);
-  EXPECT_EQ(study.thresholds.at(0).line, 42);
-  EXPECT_EQ(study.thresholds.at(1).line, 46);
+  EXPECT_EQ(std::get<Threshold>(study.thresholds.at(0).origin).line, 42);
+  EXPECT_EQ(std::get<Threshold>(study.thresholds.at(1).origin).line, 46);
   EXPECT_TRUE(study.leftOut.empty());
 }
 
@@ -99,6 +99,7 @@ TEST_F(StudyOptionsTest, QuickLeavesOutGatesOfTheFullForm) {
   EXPECT_EQ(study.thresholds.at(0).method, "ours");
   ASSERT_EQ(study.leftOut.size(), 1U);
   EXPECT_EQ(study.leftOut.at(0).gate.method, "max-forsyth");
+  EXPECT_EQ(study.leftOut.at(0).verdict, GateVerdict::skipped);
   EXPECT_THAT(study.leftOut.at(0).reason, HasSubstr("full form only"));
 }
 

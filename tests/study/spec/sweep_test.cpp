@@ -1,4 +1,5 @@
 #include "study/spec/sweep.h"
+#include "study/judge/gates.h"
 #include "study/judge/sweep_result.h"
 
 #include <gmock/gmock.h>
@@ -194,7 +195,10 @@ TEST_F(Sweep, RecordHoldsThePlanAndItsSteps) {
   const StudyPlan plan = read(std::string(sweptStudy) + sweep);
   std::vector<StudyRecord> steps(3);
   for (StudyRecord& step : steps) step.claims = {{"Ours is better", "us", Verdict::held, ""}};
-  steps[1].thresholds = {{"ours", "l", "v", "all", "error_rate", 0.2, {}, 0.1, false}};
+  const auto atMost = [](double limit) {
+    return judge({"ours", "l", "v", "all", "error_rate", {}, limit}, {"error_rate", 0.2, {}});
+  };
+  steps[1].judgements = {atMost(0.1)};
   const SweepRecord record = makeSweepRecord(plan, steps, "gnomon run bumps.toml");
   EXPECT_EQ(record.name, "bumps");
   EXPECT_EQ(record.key, "relief.height");
@@ -202,9 +206,9 @@ TEST_F(Sweep, RecordHoldsThePlanAndItsSteps) {
   EXPECT_EQ(record.claims.at(0).verdict, Verdict::held);
   EXPECT_EQ(record.copy, "bumps.toml");
   EXPECT_EQ(record.status(), RunStatus::fail) << "one gate failed in one step";
-  steps[1].thresholds[0].maximum = 0.3;
+  steps[1].judgements = {atMost(0.3)};
   EXPECT_EQ(makeSweepRecord(plan, steps, "").status(), RunStatus::pass);
-  steps[1].thresholds.clear();
+  steps[1].judgements.clear();
   EXPECT_EQ(makeSweepRecord(plan, steps, "").status(), RunStatus::notJudged);
   steps.pop_back();
   EXPECT_THROW(makeSweepRecord(plan, steps, ""), InternalError);

@@ -7,18 +7,18 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <mutex>
 #include <utility>
 #include <vector>
 
+#include "common/counted_progress.h"
 #include "common/error.h"
 #include "common/parallel.h"
 #include "common/system/memory.h"
 #include "horizon/kernel/azimuth_plan.h"
 #include "horizon/kernel/box_maxima.h"
 #include "horizon/kernel/padded_map.h"
-#include "horizon/reference/ray_crossings.h"
 #include "horizon/kernel/tile_kernel.h"
+#include "horizon/reference/ray_crossings.h"
 
 namespace gnomon {
 namespace {
@@ -108,23 +108,6 @@ struct Workplace {
   HorizonTile baked;
 };
 
-/// Counts what is done and reports it, one call at a time.
-class Counter {
- public:
-  Counter(const Progress& progress, std::size_t total) : progress_(progress), total_(total) {}
-  void add() {
-    if (!progress_) return;
-    const std::lock_guard lock(mutex_);
-    progress_(static_cast<double>(++done_) / static_cast<double>(total_));
-  }
-
- private:
-  const Progress& progress_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
-
 }  // namespace
 
 void checkBake(const HeightField& field, const BakeSettings& settings, double tableBytes) {
@@ -152,7 +135,7 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
   for (const AzimuthPlan& plan : plans) {
     strips.emplace_back(field.width(), field.height(), plan.direction);
   }
-  Counter counter(progress, strips.front().count() * strips.front().tiles() * plans.size());
+  CountedProgress counted(progress, strips.front().count() * strips.front().tiles() * plans.size());
   tbb::enumerable_thread_specific<Workplace> workplaces;
   for (const auto& [boxes, members] : classesOf(plans)) {
     const BoxMaxima groups = boxMaxima(map, boxes.first, 0);
@@ -168,7 +151,7 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
         bakeTile(bake, baked.tile, notes, TexelTile::width, baked.horizon.data(),
                  baked.distance.data());
         sink(baked);
-        counter.add();
+        counted.advance();
       }
     });
   }

@@ -39,13 +39,12 @@ int lineOf(std::string_view message, const std::string& file) {
   return whole ? line : 0;
 }
 
-std::string gateAnnotation(const CheckRecord& check, const GateRecord& gate) {
-  const bool threshold = gate.kind == GateKind::threshold;
-  const char* what = threshold ? "threshold" : "reference";
-  const char* outcome = gate.verdict == GateVerdict::failed ? "failed" : "undefined";
-  const std::string message = fmt::format("{}\n{}", gateFaultText(gate), check.command);
-  return command("error", threshold ? check.file : check.baseline, gate.line,
-                 fmt::format("{}: {} {}", check.name, what, outcome), message);
+std::string gateAnnotation(const CheckRecord& check, const Judgement& judgement) {
+  const auto [file, line] = gatePlace(check, judgement.gate);
+  const char* outcome = judgement.verdict == GateVerdict::failed ? "failed" : "undefined";
+  return command("error", file, line,
+                 fmt::format("{}: {} {}", check.name, gateOriginName(judgement.gate), outcome),
+                 fmt::format("{}\n{}", gateFaultText(judgement), check.command));
 }
 
 }  // namespace
@@ -58,10 +57,8 @@ std::string githubAnnotations(std::span<const CheckRecord> checks) {
                       fmt::format("{}: not judged", check.name),
                       fmt::format("{}\n{}", problem.message, check.command));
     }
-    for (const GateRecord& gate : check.gates) {
-      const bool holds =
-          gate.verdict == GateVerdict::passed || gate.verdict == GateVerdict::skipped;
-      if (!holds) text += gateAnnotation(check, gate);
+    for (const Judgement& judgement : check.judgements) {
+      if (judgement.isFault()) text += gateAnnotation(check, judgement);
     }
   }
   for (const CheckRecord& check : checks) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "study/record/gate_record.h"
+#include "study/record/check_record.h"
 
 namespace gnomon {
 

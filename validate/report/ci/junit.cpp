@@ -54,17 +54,18 @@ void addFault(pugi::xml_node testCase, const char* kind, const std::string& type
   fault.append_child(pugi::node_pcdata).set_value(xmlText(text).c_str());
 }
 
-std::string placeOf(const CheckRecord& check, const GateRecord& gate) {
-  if (gate.kind == GateKind::reference) return check.baseline;
-  return gate.line > 0 ? fmt::format("{}:{}", check.file, gate.line) : check.file;
+std::string placeOf(const CheckRecord& check, const Gate& gate) {
+  const auto [file, line] = gatePlace(check, gate);
+  return line > 0 ? fmt::format("{}:{}", file, line) : file;
 }
 
-Tally addGate(pugi::xml_node suite, const CheckRecord& check, const GateRecord& gate) {
-  const char* kind = gate.kind == GateKind::threshold ? "threshold" : "reference";
+Tally addGate(pugi::xml_node suite, const CheckRecord& check, const Judgement& judgement) {
+  const Gate& gate = judgement.gate;
+  const std::string kind = gateOriginName(gate);
   pugi::xml_node node = addCase(suite, fmt::format("{}.{}", check.name, kind), gateTitle(gate));
   Tally counts{1, 0, 0, 0};
-  const std::string message = fmt::format("{}: {}", placeOf(check, gate), gateFaultText(gate));
-  switch (gate.verdict) {
+  const std::string message = fmt::format("{}: {}", placeOf(check, gate), gateFaultText(judgement));
+  switch (judgement.verdict) {
     case GateVerdict::passed:
       break;
     case GateVerdict::failed:
@@ -76,7 +77,7 @@ Tally addGate(pugi::xml_node suite, const CheckRecord& check, const GateRecord& 
       counts.errors = 1;
       break;
     case GateVerdict::skipped:
-      set(node.append_child("skipped"), "message", gate.reason);
+      set(node.append_child("skipped"), "message", judgement.reason);
       counts.skipped = 1;
       break;
   }
@@ -111,7 +112,7 @@ Tally addSuite(pugi::xml_node root, const CheckRecord& check) {
              problem.message, check);
     counts += {1, 0, 1, 0};
   }
-  for (const GateRecord& gate : check.gates) counts += addGate(suite, check, gate);
+  for (const Judgement& judgement : check.judgements) counts += addGate(suite, check, judgement);
   describe(suite, check.name, counts, check.seconds);
   set(suite, "file", check.file);
   return counts;

@@ -27,7 +27,7 @@ std::string anyOr(const std::string& name) {
   return name.empty() ? "any" : name;
 }
 
-std::string placeText(const GateRecord& gate) {
+std::string placeText(const Gate& gate) {
   std::string text = fmt::format("{}, {}", anyOr(gate.view), anyOr(gate.light));
   if (gate.region != wholeRegion) text += ", " + gate.region;
   if (gate.answer != Answer::drawn) text += fmt::format(", {}", answerName(gate.answer));
@@ -40,15 +40,16 @@ std::string marginText(double margin) {
   return std::abs(margin) < 1e4 ? fmt::format("{:+.4f}", margin) : fmt::format("{:+.3e}", margin);
 }
 
-Cells cellsOf(const GateRecord& gate) {
-  const auto margin = gate.margin();
+Cells cellsOf(const Judgement& judgement) {
+  const Gate& gate = judgement.gate;
+  const auto margin = judgement.margin();
   return {anyOr(gate.method),
           gate.metric,
           placeText(gate),
-          gate.value ? fmt::format("{:.4f}", *gate.value) : "–",
+          judgement.value ? fmt::format("{:.4f}", *judgement.value) : "–",
           limitText(gate),
           margin ? marginText(*margin) : "–",
-          gateVerdictName(gate.verdict)};
+          gateVerdictName(judgement.verdict)};
 }
 
 /// Each column as wide as its widest cell; the method's, then the place's cut to what is left.
@@ -82,49 +83,36 @@ const char* verdictColour(GateVerdict verdict) {
   return verdict == GateVerdict::skipped ? "33" : "31";
 }
 
-std::vector<const GateRecord*> gatesOf(const CheckRecord& check, GateKind kind) {
-  std::vector<const GateRecord*> gates;
-  for (const GateRecord& gate : check.gates) {
-    if (gate.kind == kind) gates.push_back(&gate);
-  }
-  return gates;
+std::size_t countOf(std::span<const Judgement> judgements, GateVerdict verdict) {
+  return static_cast<std::size_t>(
+      std::count_if(judgements.begin(), judgements.end(),
+                    [&](const Judgement& judgement) { return judgement.verdict == verdict; }));
 }
 
-bool isFault(const GateRecord& gate) {
-  return gate.verdict == GateVerdict::failed || gate.verdict == GateVerdict::undefined;
-}
-
-std::size_t countOf(const std::vector<const GateRecord*>& gates, GateVerdict verdict) {
-  return static_cast<std::size_t>(std::count_if(
-      gates.begin(), gates.end(), [&](const GateRecord* g) { return g->verdict == verdict; }));
-}
-
-void appendTable(TerminalPage& page, const std::vector<const GateRecord*>& gates) {
-  if (gates.empty()) return;
+void appendTable(TerminalPage& page, const std::vector<Judgement>& judgements) {
+  if (judgements.empty()) return;
   std::vector<Cells> rows = {
       {"method", "metric", "view, light", "value", "limit", "margin", "verdict"}};
-  for (const GateRecord* gate : gates) rows.push_back(cellsOf(*gate));
+  for (const Judgement& judgement : judgements) rows.push_back(cellsOf(judgement));
   const CheckWidths widths = widthsOf(rows);
   page.line(rowText(rows.front(), widths) + rows.front()[CheckColumn::verdict]);
-  for (std::size_t i = 0; i < gates.size(); ++i) {
+  for (std::size_t i = 0; i < judgements.size(); ++i) {
     const Cells& cells = rows[i + 1];
     page.line(rowText(cells, widths) +
-              page.styled(cells[CheckColumn::verdict], verdictColour(gates[i]->verdict)));
+              page.styled(cells[CheckColumn::verdict], verdictColour(judgements[i].verdict)));
   }
 }
 
 void appendReferences(TerminalPage& page, const CheckRecord& check) {
-  const std::vector<const GateRecord*> gates = gatesOf(check, GateKind::reference);
-  if (gates.empty()) return;
-  const std::size_t skipped = countOf(gates, GateVerdict::skipped);
+  std::vector<Judgement> references = withOrigin<Reference>(check.judgements);
+  if (references.empty()) return;
+  const std::size_t skipped = countOf(references, GateVerdict::skipped);
   page.paragraph(fmt::format("{}: {} of {} references hold{}", check.baseline,
-                             countOf(gates, GateVerdict::passed), gates.size(),
+                             countOf(references, GateVerdict::passed), references.size(),
                              skipped > 0 ? fmt::format(", {} skipped", skipped) : ""),
                  terminalIndent);
-  std::vector<const GateRecord*> faults;
-  std::copy_if(gates.begin(), gates.end(), std::back_inserter(faults),
-               [](const GateRecord* gate) { return isFault(*gate); });
-  appendTable(page, faults);
+  std::erase_if(references, [](const Judgement& judgement) { return !judgement.isFault(); });
+  appendTable(page, references);
 }
 
 /// Each fault in full, since a table cuts names.
@@ -134,10 +122,10 @@ void appendFaults(TerminalPage& page, const CheckRecord& check) {
     page.paragraph(text, 2 * terminalIndent);
   };
   for (const ProblemRecord& problem : check.problems) fault("error", problem.message);
-  for (const GateRecord& gate : check.gates) {
-    if (!isFault(gate)) continue;
-    const bool failed = gate.verdict == GateVerdict::failed;
-    fault(failed ? "failed" : "undefined", gateFaultText(gate));
+  for (const Judgement& judgement : check.judgements) {
+    if (!judgement.isFault()) continue;
+    const bool failed = judgement.verdict == GateVerdict::failed;
+    fault(failed ? "failed" : "undefined", gateFaultText(judgement));
   }
 }
 
@@ -154,7 +142,7 @@ void appendNotices(TerminalPage& page, const CheckRecord& check) {
 std::string checkTable(const CheckRecord& check, bool colours) {
   TerminalPage page(colours);
   page.heading(fmt::format("{} ({})", check.name, check.file));
-  appendTable(page, gatesOf(check, GateKind::threshold));
+  appendTable(page, withOrigin<Threshold>(check.judgements));
   appendReferences(page, check);
   appendFaults(page, check);
   appendNotices(page, check);
@@ -166,11 +154,11 @@ std::string checkTable(const CheckRecord& check, bool colours) {
 }
 
 std::string checkSummary(std::span<const CheckRecord> checks, ExitStatus status, bool colours) {
-  std::vector<const GateRecord*> gates;
+  std::vector<Judgement> gates;
   std::size_t problems = 0;
   std::string bad;
   for (const CheckRecord& check : checks) {
-    for (const GateRecord& gate : check.gates) gates.push_back(&gate);
+    gates.insert(gates.end(), check.judgements.begin(), check.judgements.end());
     problems += check.problems.size();
     if (check.status() != ExitStatus::pass) bad += (bad.empty() ? "" : ", ") + check.name;
   }

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "study/record/gate_record.h"
+#include "study/record/check_record.h"
 
 namespace gnomon {
 

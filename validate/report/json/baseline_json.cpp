@@ -30,16 +30,17 @@ Json reasonJson(const BaselineReason& reason) {
       {"reason", reason.text}, {"gnomon_version", reason.gnomonVersion}, {"commit", reason.commit}};
 }
 
-Json entryJson(const BaselineEntry& entry) {
-  return {{"study", entry.step},
-          {"method", entry.method},
-          {"view", entry.view},
-          {"light", entry.light},
-          {"answer", answerName(entry.answer)},
-          {"metric", entry.metric},
-          {"value", jsonNumber(entry.value, "values.value")},
-          {"spread", jsonNumber(entry.spread, "values.spread")},
-          {"tolerance", jsonNumber(entry.tolerance, "values.tolerance")}};
+Json valueJson(const Gate& gate) {
+  const Reference& reference = referenceOf(gate);
+  return {{"study", gate.step},
+          {"method", gate.method},
+          {"view", gate.view},
+          {"light", gate.light},
+          {"answer", answerName(gate.answer)},
+          {"metric", gate.metric},
+          {"value", jsonNumber(reference.committed, "values.value")},
+          {"spread", jsonNumber(reference.spread, "values.spread")},
+          {"tolerance", jsonNumber(reference.tolerance, "values.tolerance")}};
 }
 
 template <typename Entries, typename ToJson>
@@ -121,44 +122,55 @@ EnvironmentRecord readEnvironment(const Reader& reader) {
   return environment;
 }
 
-BaselineEntry readEntry(const Reader& reader) {
-  BaselineEntry entry{reader.text("study"),    reader.text("method"),     reader.text("light"),
-                      reader.text("view"),     reader.text("metric"),     reader.number("value"),
-                      reader.number("spread"), reader.number("tolerance")};
+/// @throws InputError for numbers that the metric cannot have, or a tolerance that is too large
+void requireSense(const Reader& reader, const std::string& metric, const Reference& reference) {
+  const auto [value, spread, tolerance] = reference;
+  const bool isShare = !isLengthMetric(metric);
+  if (!(value >= 0) || (isShare && value > 1)) {
+    reader.fail("value",
+                fmt::format("{} found, {} expected", value, isShare ? "0 to 1" : "at least 0"));
+  }
+  if (!(spread >= 0)) {
+    reader.fail("spread", fmt::format("{} found, at least 0 expected", spread));
+  }
+  if (!(tolerance > spread)) {
+    reader.fail("tolerance",
+                fmt::format("{} found, more than the spread {} expected", tolerance, spread));
+  }
+  // One more digit than a file that was rounded by hand.
+  const double most = toleranceOf(metric, spread) * (1 + 1e-6);
+  if (!(tolerance <= most)) {
+    reader.fail("tolerance",
+                fmt::format("{} found, at most {:.6g} expected: twice the spread, or {:.6g}",
+                            tolerance, most, toleranceOf(metric, 0)));
+  }
+}
+
+Gate readGate(const Reader& reader) {
+  Gate row;
+  row.step = reader.text("study");
+  row.method = reader.text("method");
+  row.light = reader.text("light");
+  row.view = reader.text("view");
+  row.metric = reader.text("metric");
+  const Reference reference{reader.number("value"), reader.number("spread"),
+                            reader.number("tolerance")};
   const std::string answer = reader.text("answer");
   if (!answerOfName(answer)) {
     reader.fail("answer", fmt::format("\"{}\" found, drawn or test expected", answer));
   }
-  entry.answer = *answerOfName(answer);
-  const auto known = baselineMetrics(entry.answer);
-  if (std::find(known.begin(), known.end(), entry.metric) == known.end()) {
-    reader.fail("metric",
-                fmt::format("\"{}\" found, a metric of baselines expected", entry.metric));
+  row.answer = *answerOfName(answer);
+  const auto known = baselineMetrics(row.answer);
+  if (std::find(known.begin(), known.end(), row.metric) == known.end()) {
+    reader.fail("metric", fmt::format("\"{}\" found, a metric of baselines expected", row.metric));
   }
-  const bool isShare = !isLengthMetric(entry.metric);
-  if (!(entry.value >= 0) || (isShare && entry.value > 1)) {
-    reader.fail("value", fmt::format("{} found, {} expected", entry.value,
-                                     isShare ? "0 to 1" : "at least 0"));
-  }
-  if (!(entry.spread >= 0)) {
-    reader.fail("spread", fmt::format("{} found, at least 0 expected", entry.spread));
-  }
-  if (!(entry.tolerance > entry.spread)) {
-    reader.fail("tolerance", fmt::format("{} found, more than the spread {} expected",
-                                         entry.tolerance, entry.spread));
-  }
-  // One more digit than a file that was rounded by hand.
-  const double most = toleranceOf(entry.metric, entry.spread) * (1 + 1e-6);
-  if (!(entry.tolerance <= most)) {
-    reader.fail("tolerance",
-                fmt::format("{} found, at most {:.6g} expected: twice the spread, or {:.6g}",
-                            entry.tolerance, most, toleranceOf(entry.metric, 0)));
-  }
-  if (!canFail(entry)) {
+  requireSense(reader, row.metric, reference);
+  Gate gate = referenceGate(std::move(row), reference);
+  if (!canFail(gate)) {
     reader.fail("tolerance", fmt::format("{} found, but with it no value of {} could be too bad",
-                                         entry.tolerance, entry.metric));
+                                         reference.tolerance, gate.metric));
   }
-  return entry;
+  return gate;
 }
 
 }  // namespace
@@ -173,7 +185,7 @@ std::string baselineJson(const Baseline& baseline) {
     text += fmt::format("\n  {}: {},", compact(key), compact(value));
   }
   text += fmt::format("\n  \"history\": {},", lines(baseline.history, reasonJson));
-  return text + fmt::format("\n  \"values\": {}\n}}\n", lines(baseline.entries, entryJson));
+  return text + fmt::format("\n  \"values\": {}\n}}\n", lines(baseline.gates, valueJson));
 }
 
 Baseline readBaseline(const fs::path& path) {
@@ -195,14 +207,12 @@ Baseline readBaseline(const fs::path& path) {
     baseline.history.push_back(
         {entry.text("reason"), entry.text("gnomon_version"), entry.text("commit")});
   }
-  std::set<std::string> seen;
-  for (const Reader& entry : root.list("values")) {
-    baseline.entries.push_back(readEntry(entry));
-    BaselineEntry bare = baseline.entries.back();
-    bare.value = bare.spread = bare.tolerance = 0;
-    if (!seen.insert(compact(entryJson(bare))).second) {
-      entry.fail("metric", "a second value of the same row and metric found, one expected");
-    }
+  const std::vector<Reader> values = root.list("values");
+  for (const Reader& value : values) baseline.gates.push_back(readGate(value));
+  std::set<decltype(valueKey(Gate()))> seen;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (seen.insert(valueKey(baseline.gates[i])).second) continue;
+    values[i].fail("metric", "a second value of the same row and metric found, one expected");
   }
   return baseline;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "common/overloaded.h"
 #include "common/text/utf8.h"
 #include "report/pictures/region_image.h"
 #include "report/text/gate_text.h"
@@ -179,18 +180,45 @@ Json jsonStatus(RunStatus status) {
   return runStatusName(status);
 }
 
-Json jsonReference(const GateRecord& gate) {
-  return {{"method", gate.method},
-          {"light", gate.light},
-          {"view", gate.view},
-          {"answer", answerName(gate.answer)},
-          {"metric", gate.metric},
-          {"committed", jsonNumber(gate.expected, "references.committed")},
-          {"value", jsonNumber(gate.value, "references.value")},
-          {"minimum", jsonNumber(gate.minimum, "references.minimum")},
-          {"maximum", jsonNumber(gate.maximum, "references.maximum")},
-          {"verdict", gateVerdictName(gate.verdict)},
-          {"reason", jsonReason(gate.reason)}};
+Json jsonJudgement(const Judgement& judgement) {
+  const Gate& gate = judgement.gate;
+  const bool passed = judgement.verdict == GateVerdict::passed;
+  Json json = Json::object();
+  const auto addRow = [&] {
+    json["method"] = gate.method;
+    json["light"] = gate.light;
+    json["view"] = gate.view;
+    json["answer"] = answerName(gate.answer);
+  };
+  const auto addValue = [&](const std::string& list) {
+    json["value"] = jsonNumber(judgement.value, list + ".value");
+    json["minimum"] = jsonNumber(gate.minimum, list + ".minimum");
+    json["maximum"] = jsonNumber(gate.maximum, list + ".maximum");
+  };
+  std::visit(Overloaded{[&](const Threshold&) {
+                          addRow();
+                          json["region"] = gate.region;
+                          json["metric"] = gate.metric;
+                          addValue("thresholds");
+                          json["passed"] = passed;
+                          json["reason"] = jsonReason(judgement.reason);
+                        },
+                        [&](const Reference& reference) {
+                          addRow();
+                          json["metric"] = gate.metric;
+                          json["committed"] =
+                              jsonNumber(reference.committed, "references.committed");
+                          addValue("references");
+                          json["verdict"] = gateVerdictName(judgement.verdict);
+                          json["reason"] = jsonReason(judgement.reason);
+                        },
+                        [&](const CompareOption&) {
+                          json["metric"] = gate.metric;
+                          addValue("gates");
+                          json["passed"] = passed;
+                        }},
+             gate.origin);
+  return json;
 }
 
 Json jsonProblem(const ProblemRecord& problem) {

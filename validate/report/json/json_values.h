@@ -60,9 +60,11 @@ Json jsonRadiusCheck(const DifferenceRecord& difference);
 Json jsonMeans(const MethodMeans& means);
 /// The status of a run by its name.
 Json jsonStatus(RunStatus status);
-/// A gate that is a reference: method, light, view, metric, committed, value, minimum, maximum,
-/// verdict, reason.
-Json jsonReference(const GateRecord& gate);
+/// What became of a gate, with the keys of its origin. Of a threshold: method, light, view, answer,
+/// region, metric, value, minimum, maximum, passed, reason. Of a reference: method, light, view,
+/// answer, metric, committed, value, minimum, maximum, verdict, reason. Of an option of `compare`:
+/// metric, value, minimum, maximum, passed.
+Json jsonJudgement(const Judgement& judgement);
 /// part, message.
 Json jsonProblem(const ProblemRecord& problem);
 

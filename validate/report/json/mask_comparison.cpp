@@ -25,14 +25,6 @@ Json fileJson(const MaskFileRecord& file) {
           {"binarised", file.binarised}};
 }
 
-Json gateJson(const MaskGate& gate) {
-  return {{"metric", gate.metric},
-          {"value", jsonNumber(gate.value, "gates.value")},
-          {"minimum", jsonNumber(gate.minimum, "gates.minimum")},
-          {"maximum", jsonNumber(gate.maximum, "gates.maximum")},
-          {"passed", gate.passed}};
-}
-
 std::string fileLine(const char* what, const MaskFileRecord& file) {
   std::string text = fmt::format("{}: {} lit, {} shadowed", what, groupedText(file.lit),
                                  groupedText(file.shadowed));
@@ -79,24 +71,28 @@ void appendMetrics(TerminalPage& page, const std::vector<Metric>& metrics) {
   }
 }
 
-std::string failureText(const MaskGate& gate) {
-  std::string text = fmt::format("{} is {}", gate.metric,
-                                 gate.value ? exactText(*gate.value) : "undefined: " + gate.reason);
+std::string failureText(const Judgement& judgement) {
+  const Gate& gate = judgement.gate;
+  std::string text =
+      fmt::format("{} is {}", gate.metric,
+                  judgement.value ? exactText(*judgement.value) : "undefined: " + judgement.reason);
   if (gate.maximum) text += fmt::format(", at most {} allowed", exactText(*gate.maximum));
   if (gate.minimum) text += fmt::format(", at least {} required", exactText(*gate.minimum));
   return text;
 }
 
-void appendGates(TerminalPage& page, const std::vector<MaskGate>& gates) {
-  if (gates.empty()) return;
-  const auto met =
-      std::count_if(gates.begin(), gates.end(), [](const auto& g) { return g.passed; });
+void appendGates(TerminalPage& page, const std::vector<Judgement>& judgements) {
+  if (judgements.empty()) return;
+  const auto faults = std::count_if(judgements.begin(), judgements.end(),
+                                    [](const Judgement& judgement) { return judgement.isFault(); });
   page.blank();
-  page.heading(fmt::format("Gates: {} of {} met", met, gates.size()));
-  for (const MaskGate& gate : gates) {
-    if (gate.passed) continue;
+  page.heading(fmt::format("Gates: {} of {} met",
+                           judgements.size() - static_cast<std::size_t>(faults),
+                           judgements.size()));
+  for (const Judgement& judgement : judgements) {
+    if (!judgement.isFault()) continue;
     page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
-    page.paragraph(failureText(gate), 2 * terminalIndent);
+    page.paragraph(failureText(judgement), 2 * terminalIndent);
   }
 }
 
@@ -110,23 +106,8 @@ MaskFileRecord::MaskFileRecord(std::string name, const Mask& mask, std::size_t s
       binarised(soft) {}
 
 bool MaskComparison::passed() const {
-  return std::all_of(gates.begin(), gates.end(), [](const MaskGate& gate) { return gate.passed; });
-}
-
-std::vector<MaskGate> judged(std::vector<MaskGate> gates, const std::vector<Metric>& metrics) {
-  for (MaskGate& gate : gates) {
-    const auto found = std::find_if(metrics.begin(), metrics.end(), [&](const Metric& metric) {
-      return metric.name == gate.metric;
-    });
-    if (found == metrics.end()) {
-      throw InternalError(fmt::format("a gate on {}, which was not measured", gate.metric));
-    }
-    gate.value = found->value;
-    gate.reason = found->reason;
-    gate.passed = gate.value && (!gate.maximum || *gate.value <= *gate.maximum) &&
-                  (!gate.minimum || *gate.value >= *gate.minimum);
-  }
-  return gates;
+  return std::none_of(judgements.begin(), judgements.end(),
+                      [](const Judgement& judgement) { return judgement.isFault(); });
 }
 
 std::string maskComparisonJson(const MaskComparison& c) {
@@ -146,7 +127,7 @@ std::string maskComparisonJson(const MaskComparison& c) {
                {"fn", jsonNumber(c.counts.falseNegative, "fn")},
                {"tn", jsonNumber(c.counts.trueNegative, "tn")}};
   addMetrics(json, c.metrics);
-  json["gates"] = jsonList(c.gates, gateJson);
+  json["gates"] = jsonList(c.judgements, jsonJudgement);
   return jsonText(json);
 }
 
@@ -159,7 +140,7 @@ std::string maskComparisonTable(const MaskComparison& c, bool colours) {
   page.paragraph(countsLine(c.counts));
   page.blank();
   appendMetrics(page, c.metrics);
-  appendGates(page, c.gates);
+  appendGates(page, c.judgements);
   return page.text();
 }
 

@@ -8,6 +8,7 @@
 #include "common/mask.h"
 #include "compare/counts.h"
 #include "compare/rates.h"
+#include "study/record/gate.h"
 
 namespace gnomon {
 
@@ -18,16 +19,6 @@ struct MaskFileRecord {
   std::size_t binarised = 0;  ///< only a threshold could decide these
 
   MaskFileRecord(std::string name, const Mask& mask, std::size_t soft);
-};
-
-/// A gate on one metric: `!(value <= maximum)` or `!(value >= minimum)` fails, and so does an
-/// undefined value.
-struct MaskGate {
-  std::string metric;
-  std::optional<double> minimum, maximum;
-  std::optional<double> value = std::nullopt;  ///< what was found
-  std::string reason = {};                     ///< why nothing was
-  bool passed = false;
 };
 
 /// What the comparison of two pictures of masks found: plain data.
@@ -41,15 +32,11 @@ struct MaskComparison {
   std::size_t outsideRoi = 0;     ///< pixels left out: outside the region of interest
   Counts counts = {};
   std::vector<Metric> metrics = {};
-  std::vector<MaskGate> gates = {};
+  std::vector<Judgement> judgements = {};  ///< of the command's options
 
   /// True unless a gate failed.
   [[nodiscard]] bool passed() const;
 };
-
-/// The gates with what was found.
-/// @throws InternalError for a metric that is not among those found
-std::vector<MaskGate> judged(std::vector<MaskGate> gates, const std::vector<Metric>& metrics);
 
 /// For programs: schema "gnomon-comparison/1". The confusion matrix and the metrics have the names
 /// that a run's summary gives them; a metric without a value is null, its reason in `undefined`.

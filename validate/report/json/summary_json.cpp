@@ -72,20 +72,6 @@ Json timingJson(const TimingRecord& timing) {
   return {{"stage", timing.stage}, {"seconds", jsonNumber(timing.seconds, "timings.seconds")}};
 }
 
-Json thresholdJson(const ThresholdRecord& threshold) {
-  return {{"method", threshold.method},
-          {"light", threshold.light},
-          {"view", threshold.view},
-          {"answer", answerName(threshold.answer)},
-          {"region", threshold.region},
-          {"metric", threshold.metric},
-          {"value", jsonNumber(threshold.value, "thresholds.value")},
-          {"minimum", jsonNumber(threshold.minimum, "thresholds.minimum")},
-          {"maximum", jsonNumber(threshold.maximum, "thresholds.maximum")},
-          {"passed", threshold.passed},
-          {"reason", jsonReason(threshold.reason)}};
-}
-
 Json truthFilesJson(const std::optional<TruthFilesRecord>& truth) {
   if (!truth) return nullptr;
   return {{"mask", truth->mask},
@@ -130,9 +116,9 @@ std::string summaryJson(const StudyRecord& record) {
       {"cost",
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},
-      {"thresholds", jsonList(record.thresholds, thresholdJson)},
+      {"thresholds", jsonList(withOrigin<Threshold>(record.judgements), jsonJudgement)},
       {"baseline", record.baseline.empty() ? Json(nullptr) : Json(record.baseline)},
-      {"references", jsonList(record.references, jsonReference)},
+      {"references", jsonList(withOrigin<Reference>(record.judgements), jsonJudgement)},
       {"problems", jsonList(record.problems, jsonProblem)},
       {"claims", jsonList(record.claims, jsonClaim)},
       {"budget", jsonList(record.budgets, jsonBudget)},

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "common/files/atomic_file.h"
@@ -13,32 +14,41 @@
 #include "report/text/html_text.h"
 #include "report/text/names.h"
 #include "report/text/number_text.h"
+#include "study/judge/baseline.h"
 
 namespace gnomon {
 namespace {
 
-bool holds(const GateRecord& gate) {
-  return gate.verdict == GateVerdict::passed || gate.verdict == GateVerdict::skipped;
-}
-
-std::string referenceRow(const GateRecord& gate) {
+std::string referenceRow(const Judgement& judgement) {
+  const Gate& gate = judgement.gate;
+  const double committed = referenceOf(gate).committed;
   const std::string change =
-      gate.value && gate.expected ? fmt::format("{:+.3g}", *gate.value - *gate.expected) : "–";
+      judgement.value ? fmt::format("{:+.3g}", *judgement.value - committed) : "–";
   return fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}{}</tr>\n",
-                     holds(gate) ? "held" : "failed", gateVerdictName(gate.verdict),
+                     judgement.isFault() ? "failed" : "held", gateVerdictName(judgement.verdict),
                      textCell(gate.method), textCell(gate.view), textCell(gate.light),
-                     textCell(gate.metric), gateValueCell(gate.expected, ""),
-                     gateValueCell(gate.value, gate.reason), numberCell(change),
+                     textCell(gate.metric), gateValueCell(committed, ""),
+                     gateValueCell(judgement.value, judgement.reason), numberCell(change),
                      numberCell(escapeHtml(limitText(gate))));
 }
 
-std::string referenceTable(const std::vector<GateRecord>& gates) {
+std::string referenceTable(const std::vector<Judgement>& references) {
   std::string body;
-  for (const GateRecord& gate : gates) body += referenceRow(gate);
+  for (const Judgement& judgement : references) body += referenceRow(judgement);
   return htmlTable(
       "references",
       headCells({"", "Method", "View", "Light", "Metric"}, {"Committed", "Now", "Change", "Limit"}),
       body);
+}
+
+/// "3 of 4 thresholds met", or nothing without any.
+std::string passedText(const std::vector<Judgement>& judgements, const char* noun,
+                       const char* verb) {
+  if (judgements.empty()) return "";
+  const auto passed = std::count_if(judgements.begin(), judgements.end(), [](const auto& one) {
+    return one.verdict == GateVerdict::passed;
+  });
+  return fmt::format("{} of {} {}", passed, plural(judgements.size(), noun), verb);
 }
 
 std::string pictureHtml(const std::string& path, const std::string& title,
@@ -69,11 +79,13 @@ std::string referenceSection(const StudyRecord& record, const std::filesystem::p
     html += fmt::format("<p><span class=\"tag failed\">error</span> {}</p>\n",
                         escapeHtml(problem.message));
   }
-  if (!record.references.empty()) {
-    std::vector<GateRecord> faults = record.references;
-    std::vector<GateRecord> others = record.references;
-    std::erase_if(faults, holds);
-    std::erase_if(others, [](const GateRecord& gate) { return !holds(gate); });
+  const std::vector<Judgement> references = withOrigin<Reference>(record.judgements);
+  if (!references.empty()) {
+    const auto isFault = [](const Judgement& judgement) { return judgement.isFault(); };
+    std::vector<Judgement> faults;
+    std::vector<Judgement> others;
+    std::partition_copy(references.begin(), references.end(), std::back_inserter(faults),
+                        std::back_inserter(others), isFault);
     html += fmt::format(
         "<p class=\"note\">Committed values in <code>{}</code>, which may not have "
         "become worse by more than their tolerance.</p>\n",
@@ -85,39 +97,30 @@ std::string referenceSection(const StudyRecord& record, const std::filesystem::p
     if (!others.empty()) {
       html +=
           fmt::format("<details><summary>{} of {} hold</summary>\n{}</details>\n", others.size(),
-                      plural(record.references.size(), "reference"), referenceTable(others));
+                      plural(references.size(), "reference"), referenceTable(others));
     }
   }
   return htmlSection("references", "References", html);
 }
 
-std::string statusHtml(RunStatus status, const std::vector<GateRecord>& gates, std::size_t problems,
-                       const std::string& more) {
+std::string statusHtml(RunStatus status, std::span<const Judgement> judgements,
+                       std::size_t problems, const std::string& more) {
   const std::string name(runStatusName(status));
-  if (gates.empty() && problems == 0) {
+  if (judgements.empty() && problems == 0) {
     return "<span class=\"tag open\">" + name + "</span> no thresholds set";
   }
+  const std::vector<Judgement> references = withOrigin<Reference>(judgements);
   std::string text;
-  for (const GateKind kind : {GateKind::threshold, GateKind::reference}) {
-    const auto ofKind = [&](const GateRecord& gate) { return gate.kind == kind; };
-    const auto all = static_cast<std::size_t>(std::count_if(gates.begin(), gates.end(), ofKind));
-    const auto met = std::count_if(gates.begin(), gates.end(), [&](const GateRecord& gate) {
-      return ofKind(gate) && gate.verdict == GateVerdict::passed;
-    });
-    if (all == 0) continue;
-    const bool isThreshold = kind == GateKind::threshold;
-    text += fmt::format("{}{} of {} {}", text.empty() ? "" : ", ", met,
-                        plural(all, isThreshold ? "threshold" : "reference"),
-                        isThreshold ? "met"
-                        : all == 1  ? "holds"
-                                    : "hold");
+  for (const std::string& part :
+       {passedText(withOrigin<Threshold>(judgements), "threshold", "met"),
+        passedText(references, "reference", references.size() == 1 ? "holds" : "hold"),
+        problems > 0 ? plural(problems, "error") : "", more}) {
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }
-  if (problems > 0) text += (text.empty() ? "" : ", ") + plural(problems, "error");
   const char* tag = status == RunStatus::pass   ? "held"
                     : status == RunStatus::fail ? "failed"
                                                 : "open";
-  return fmt::format("<span class=\"tag {}\">{}</span> {}{}", tag, name, text,
-                     more.empty() ? "" : ", " + more);
+  return fmt::format("<span class=\"tag {}\">{}</span> {}", tag, name, text);
 }
 
 }  // namespace gnomon

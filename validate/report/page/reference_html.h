@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "study/record/record.h"
@@ -15,7 +16,7 @@ std::string referenceSection(const StudyRecord& record, const std::filesystem::p
 
 /// "3 of 4 thresholds met, 118 of 120 references hold, 1 error" with the tag of the status.
 /// @param more  "over all values", say; may be empty
-std::string statusHtml(RunStatus status, const std::vector<GateRecord>& gates, std::size_t problems,
-                       const std::string& more = "");
+std::string statusHtml(RunStatus status, std::span<const Judgement> judgements,
+                       std::size_t problems, const std::string& more = "");
 
 }  // namespace gnomon

@@ -23,7 +23,6 @@
 #include "study/judge/distinguish.h"
 #include "study/judge/ranking.h"
 #include "study/record/cases.h"
-#include "study/record/gate_record.h"
 
 namespace gnomon {
 namespace {
@@ -76,7 +75,7 @@ std::string header(const StudyRecord& record, const std::vector<RankedMethod>& r
       "<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n"
       "{}</header>\n",
       headingOf(record), escapeHtml(record.source),
-      statusHtml(record.status(), gatesOf(record), record.problems.size()), leadHtml(ranked),
+      statusHtml(record.status(), record.judgements, record.problems.size()), leadHtml(ranked),
       comparedHtml(record) + htmlNotices(record.notices));
 }
 
@@ -97,8 +96,9 @@ std::string rankingSection(const std::vector<RankedMethod>& ranked) {
 }
 
 std::string thresholdSection(const StudyRecord& record) {
-  if (record.thresholds.empty()) return "";
-  return htmlSection("thresholds", "Thresholds", thresholdTable(record.thresholds));
+  const std::vector<Judgement> thresholds = withOrigin<Threshold>(record.judgements);
+  if (thresholds.empty()) return "";
+  return htmlSection("thresholds", "Thresholds", thresholdTable(thresholds));
 }
 
 std::vector<Case> casesWithPictures(const StudyRecord& record) {

@@ -12,21 +12,19 @@
 #include "report/tables/html_tables.h"
 #include "report/text/html_text.h"
 #include "study/judge/study_ranking.h"
-#include "study/record/gate_record.h"
 #include "study/spec/sweep.h"
 
 namespace gnomon {
 namespace {
 
 std::string verdictHtml(const SweepRecord& sweep) {
-  std::vector<GateRecord> gates;
+  std::vector<Judgement> judgements;
   std::size_t problems = 0;
   for (const StudyRecord& step : sweep.steps) {
-    const std::vector<GateRecord> own = gatesOf(step);
-    gates.insert(gates.end(), own.begin(), own.end());
+    judgements.insert(judgements.end(), step.judgements.begin(), step.judgements.end());
     problems += step.problems.size();
   }
-  return statusHtml(sweep.status(), gates, problems, "over all values");
+  return statusHtml(sweep.status(), judgements, problems, "over all values");
 }
 
 std::string header(const SweepRecord& sweep) {
@@ -66,7 +64,7 @@ std::string referenceSection(const SweepRecord& sweep) {
   std::string content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     const StudyRecord& step = sweep.steps[i];
-    std::vector<GateRecord> references = step.references;
+    const std::vector<Judgement> references = withOrigin<Reference>(step.judgements);
     if (runStatus(references, step.problems) != RunStatus::fail) continue;
     const std::string value = escapeHtml(sweepValueText(sweep.values.at(i)));
     content += fmt::format("<p>{}</p>\n<p><a href=\"{}/report.html#references\">{} = {}</a></p>\n",
@@ -80,8 +78,8 @@ std::string referenceSection(const SweepRecord& sweep) {
 std::string failedSection(const SweepRecord& sweep) {
   std::string content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    std::vector<ThresholdRecord> failed = sweep.steps[i].thresholds;
-    std::erase_if(failed, [](const ThresholdRecord& threshold) { return threshold.passed; });
+    std::vector<Judgement> failed = withOrigin<Threshold>(sweep.steps[i].judgements);
+    std::erase_if(failed, [](const Judgement& judgement) { return !judgement.isFault(); });
     if (failed.empty()) continue;
     content += fmt::format("<h3>{} = {}</h3>\n", escapeHtml(sweep.key),
                            escapeHtml(sweepValueText(sweep.values.at(i)))) +

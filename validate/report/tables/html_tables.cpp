@@ -18,7 +18,6 @@
 #include "report/text/ranking_text.h"
 #include "report/text/refinement_text.h"
 #include "study/judge/distinguish.h"
-#include "study/record/gate_record.h"
 #include "study/record/result_metrics.h"
 
 namespace gnomon {
@@ -190,15 +189,15 @@ std::string regionTable(const StudyRecord& record, const Case& which) {
   return htmlTable("regions", head, body);
 }
 
-std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds) {
+std::string thresholdTable(std::span<const Judgement> thresholds) {
   std::string body;
-  for (const ThresholdRecord& threshold : thresholds) {
-    const GateRecord gate = gateOf(threshold, "");
+  for (const Judgement& judgement : thresholds) {
+    const Gate& gate = judgement.gate;
     body += fmt::format("<tr><td><span class=\"tag {}\">{}</span></td>{}{}{}{}{}{}{}</tr>\n",
-                        gate.verdict == GateVerdict::passed ? "held" : "failed",
-                        gateVerdictName(gate.verdict), textCell(gate.method), textCell(gate.view),
-                        textCell(gate.light), textCell(gate.region), textCell(gate.metric),
-                        gateValueCell(gate.value, gate.reason),
+                        judgement.isFault() ? "failed" : "held", gateVerdictName(judgement.verdict),
+                        textCell(gate.method), textCell(gate.view), textCell(gate.light),
+                        textCell(gate.region), textCell(gate.metric),
+                        gateValueCell(judgement.value, judgement.reason),
                         numberCell(escapeHtml(limitText(gate))));
   }
   return htmlTable(

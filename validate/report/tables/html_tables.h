@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ std::string caseTable(const StudyRecord& record, const Case& which);
 /// "all".
 std::string regionTable(const StudyRecord& record, const Case& which);
 
-std::string thresholdTable(const std::vector<ThresholdRecord>& thresholds);
+std::string thresholdTable(std::span<const Judgement> thresholds);
 /// Memory, triangles, passes and frame time of each method, and that time's ratio to max-forsyth's.
 std::string costTable(const StudyRecord& record);
 std::string flipTable(const std::vector<UncertaintyRecord>& flips);

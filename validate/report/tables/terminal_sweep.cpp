@@ -9,7 +9,6 @@
 #include "report/text/terminal_page.h"
 #include "report/text/text_width.h"
 #include "study/judge/study_ranking.h"
-#include "study/record/gate_record.h"
 #include "study/spec/sweep.h"
 
 namespace gnomon {
@@ -83,11 +82,12 @@ void appendFailures(TerminalPage& page, const SweepRecord& sweep) {
   std::size_t gates = 0;
   std::vector<std::string> failures;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    for (const ThresholdRecord& threshold : sweep.steps[i].thresholds) {
+    for (Judgement& judgement : withOrigin<Threshold>(sweep.steps[i].judgements)) {
       ++gates;
-      if (threshold.passed) continue;
+      if (!judgement.isFault()) continue;
+      judgement.gate.step = sweep.name;  // whose value is told already
       failures.push_back(fmt::format("{} = {}: {}", sweep.key, sweepValueText(sweep.values.at(i)),
-                                     gateFaultText(gateOf(threshold, sweep.name))));
+                                     gateFaultText(judgement)));
     }
   }
   if (gates == 0) return;

@@ -17,7 +17,6 @@
 #include "report/text/text_width.h"
 #include "study/judge/distinguish.h"
 #include "study/record/cases.h"
-#include "study/record/gate_record.h"
 #include "study/record/result_metrics.h"
 
 namespace gnomon {
@@ -194,17 +193,15 @@ void appendResults(TerminalPage& page, const StudyRecord& record) {
 }
 
 void appendThresholds(TerminalPage& page, const StudyRecord& record) {
-  if (record.thresholds.empty()) return;
-  const auto failed = std::count_if(record.thresholds.begin(), record.thresholds.end(),
-                                    [](const auto& threshold) { return !threshold.passed; });
+  std::vector<Judgement> thresholds = withOrigin<Threshold>(record.judgements);
+  if (thresholds.empty()) return;
+  const std::size_t all = thresholds.size();
+  std::erase_if(thresholds, [](const Judgement& judgement) { return !judgement.isFault(); });
   page.blank();
-  page.heading(fmt::format("Thresholds: {} of {} met",
-                           record.thresholds.size() - static_cast<std::size_t>(failed),
-                           record.thresholds.size()));
-  for (const ThresholdRecord& threshold : record.thresholds) {
-    if (threshold.passed) continue;
+  page.heading(fmt::format("Thresholds: {} of {} met", all - thresholds.size(), all));
+  for (const Judgement& judgement : thresholds) {
     page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
-    page.paragraph(gateFaultText(gateOf(threshold, record.name)), 2 * terminalIndent);
+    page.paragraph(gateFaultText(judgement), 2 * terminalIndent);
   }
 }
 

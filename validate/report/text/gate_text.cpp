@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "report/text/number_text.h"
+#include "common/overloaded.h"
 #include "study/record/cases.h"
 
 namespace gnomon {
@@ -19,7 +19,7 @@ std::string valueText(double value) {
   return fmt::format("{:.6g}", value);
 }
 
-std::string nameWith(const GateRecord& gate, const std::string& limit) {
+std::string nameWith(const Gate& gate, const std::string& limit) {
   std::string name = fmt::format("{}, {} {}, {}, {}", anyOr(gate.method, "method"), gate.metric,
                                  limit, anyOr(gate.view, "view"), anyOr(gate.light, "light"));
   if (gate.region != wholeRegion) name += ", region " + gate.region;
@@ -44,7 +44,23 @@ std::string gateVerdictName(GateVerdict verdict) {
   throw InternalError("gate: a verdict that has no name");
 }
 
-std::string limitText(const GateRecord& gate) {
+std::string gateOriginName(const Gate& gate) {
+  return std::visit(Overloaded{[](const Threshold&) { return "threshold"; },
+                               [](const Reference&) { return "reference"; },
+                               [](const CompareOption&) { return "option"; }},
+                    gate.origin);
+}
+
+GatePlace gatePlace(const CheckRecord& check, const Gate& gate) {
+  return std::visit(Overloaded{[&](const Threshold& threshold) {
+                                 return GatePlace{check.file, threshold.line};
+                               },
+                               [&](const Reference&) { return GatePlace{check.baseline}; },
+                               [](const CompareOption&) { return GatePlace{}; }},
+                    gate.origin);
+}
+
+std::string limitText(const Gate& gate) {
   if (gate.minimum && gate.maximum) {
     return fmt::format("{} to {}", valueText(*gate.minimum), valueText(*gate.maximum));
   }
@@ -53,28 +69,33 @@ std::string limitText(const GateRecord& gate) {
   return "no limit";
 }
 
-std::string gateName(const GateRecord& gate) {
+std::string gateName(const Gate& gate) {
   return nameWith(gate, limitText(gate));
 }
 
-std::string gateTitle(const GateRecord& gate) {
+std::string gateTitle(const Gate& gate) {
   return nameWith(gate, gate.minimum && gate.maximum ? "range" : gate.maximum ? "max" : "min");
 }
 
-std::string gateFaultText(const GateRecord& gate) {
-  return fmt::format("{}: {}", gateName(gate), gateOutcome(gate));
+std::string gateFaultText(const Judgement& judgement) {
+  return fmt::format("{}: {}", gateName(judgement.gate), gateOutcome(judgement));
 }
 
-std::string gateOutcome(const GateRecord& gate) {
-  if (gate.verdict == GateVerdict::skipped) return "skipped: " + gate.reason;
-  if (gate.verdict == GateVerdict::undefined || !gate.value) return "undefined: " + gate.reason;
-  std::string text = valueText(*gate.value);
-  const std::optional<double> margin = gate.margin();
-  if (gate.verdict == GateVerdict::failed && margin) {
-    const bool large = gate.maximum && *gate.value > *gate.maximum;
+std::string gateOutcome(const Judgement& judgement) {
+  const Gate& gate = judgement.gate;
+  if (!judgement.value) {
+    const bool skipped = judgement.verdict == GateVerdict::skipped;
+    return (skipped ? "skipped: " : "undefined: ") + judgement.reason;
+  }
+  std::string text = valueText(*judgement.value);
+  const std::optional<double> margin = judgement.margin();
+  if (judgement.verdict == GateVerdict::failed && margin) {
+    const bool large = gate.maximum && *judgement.value > *gate.maximum;
     text += fmt::format(", too {} by {:.3g}", large ? "large" : "small", std::abs(*margin));
   }
-  if (gate.expected) text += fmt::format(", {} committed", valueText(*gate.expected));
+  if (const auto* reference = std::get_if<Reference>(&gate.origin)) {
+    text += fmt::format(", {} committed", valueText(reference->committed));
+  }
   return text;
 }
 

@@ -2,30 +2,40 @@
 
 #include <string>
 
-#include "study/record/gate_record.h"
+#include "study/record/check_record.h"
 
 namespace gnomon {
 
 /// "pass", "fail", "undefined" or "skipped", the same in every kind of report.
 std::string gateVerdictName(GateVerdict verdict);
 
+/// "threshold", "reference" or "option", by the gate's origin.
+std::string gateOriginName(const Gate& gate);
+
+/// Where a gate is written.
+struct GatePlace {
+  std::string file;  ///< the study's, or that of its references
+  int line = 0;      ///< 0 where none is known
+};
+GatePlace gatePlace(const CheckRecord& check, const Gate& gate);
+
 /// The limits: "≤ 0.03", "≥ 0.1", "0.9 to 1.1".
-std::string limitText(const GateRecord& gate);
+std::string limitText(const Gate& gate);
 
 /// What is judged: "onoue-2004, error_rate ≤ 0.03, camera, elevation 24° azimuth 165°", then the
 /// region where it is not that of all samples, and the step of a sweep. Names that a skipped gate
 /// leaves free read "any".
-std::string gateName(const GateRecord& gate);
+std::string gateName(const Gate& gate);
 
 /// The same without the limit's number, so that it names the gate also after the limit has moved:
 /// "onoue-2004, error_rate max, camera, elevation 24° azimuth 165°".
-std::string gateTitle(const GateRecord& gate);
+std::string gateTitle(const Gate& gate);
 
 /// A gate that does not hold: its name, then what came of it.
-std::string gateFaultText(const GateRecord& gate);
+std::string gateFaultText(const Judgement& judgement);
 
 /// What came of it: "0.0412, too large by 0.0112", "undefined: no samples", "skipped: …"; with a
 /// reference its committed value.
-std::string gateOutcome(const GateRecord& gate);
+std::string gateOutcome(const Judgement& judgement);
 
 }  // namespace gnomon

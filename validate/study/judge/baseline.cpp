@@ -5,103 +5,47 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <set>
+#include <utility>
 
 #include "common/error.h"
 #include "compare/metric_range.h"
 #include "compare/shadow_length.h"
+#include "study/judge/gates.h"
 #include "study/record/result_metrics.h"
 
 namespace gnomon {
 namespace {
 
-constexpr std::string_view allRegion = "all";
 constexpr double leastRateTolerance = 0.001;
 constexpr double leastLengthTolerance = 0.02;
 
 constexpr std::array<std::string_view, 5> metrics = {"error_rate", "false_shadow", "false_light",
                                                      "shadow_length_ratio", "prevalence"};
 
-/// What one value is of.
-using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, Answer>;
-
-Key keyOf(const BaselineEntry& entry) {
-  return {entry.step, entry.method, entry.light, entry.view, entry.metric, entry.answer};
-}
-
-std::string textOf(const BaselineEntry& entry) {
-  return fmt::format("{} of {}, {}, {}, {}, {}", entry.metric, entry.method,
-                     answerName(entry.answer), entry.light, entry.view, entry.step);
-}
-
-GateRecord gateFor(const BaselineEntry& entry) {
-  GateRecord gate{GateKind::reference,
-                  entry.step,
-                  entry.method,
-                  entry.light,
-                  entry.view,
-                  std::string(allRegion),
-                  entry.metric,
-                  {},
-                  {},
-                  {},
-                  {},
-                  {}};
-  gate.expected = entry.value;
-  gate.answer = entry.answer;
-  if (entry.metric == "prevalence") {
-    gate.minimum = entry.value - entry.tolerance;
-    gate.maximum = entry.value + entry.tolerance;
-  } else if (isLengthMetric(entry.metric)) {
-    const double distance = std::abs(entry.value - 1) + entry.tolerance;
-    gate.minimum = 1 - distance;
-    gate.maximum = 1 + distance;
-  } else {
-    gate.maximum = entry.value + entry.tolerance;
-  }
-  return gate;
-}
-
-/// The row that an entry speaks of.
-const ResultRecord* rowOf(std::span<const StudyRecord> steps, const BaselineEntry& entry) {
-  for (const StudyRecord& step : steps) {
-    if (step.name != entry.step) continue;
-    for (const ResultRecord& row : step.results) {
-      if (row.method == entry.method && row.light == entry.light && row.view == entry.view &&
-          row.region == allRegion && row.answer == entry.answer) {
-        return &row;
-      }
-    }
-  }
-  return nullptr;
-}
-
-/// Why the method of an entry was not measured; null where it was.
-const RefusedMethod* refusedIn(std::span<const StudyRecord> steps, const BaselineEntry& entry) {
-  for (const StudyRecord& step : steps) {
-    if (step.name != entry.step) continue;
-    for (const RefusedMethod& method : step.refused) {
-      if (method.label == entry.method) return &method;
-    }
-  }
-  return nullptr;
-}
-
-[[noreturn]] void mismatch(const std::string& what, const std::vector<BaselineEntry>& entries) {
+[[noreturn]] void mismatch(const char* what, const std::vector<Gate>& gates) {
+  const Gate& first = gates.front();
   throw InputError(fmt::format(
-      "{} for {}{}", what, textOf(entries.front()),
-      entries.size() == 1 ? std::string() : fmt::format(" and {} more", entries.size() - 1)));
+      "{} for {} of {}, {}, {}, {}, {}{}", what, first.metric, first.method,
+      answerName(first.answer), first.light, first.view, first.step,
+      gates.size() == 1 ? std::string() : fmt::format(" and {} more", gates.size() - 1)));
 }
 
-void requireReferences(const Baseline& baseline, std::span<const StudyRecord> steps) {
-  std::map<Key, bool> known;
-  for (const BaselineEntry& entry : baseline.entries) known[keyOf(entry)] = true;
-  std::vector<BaselineEntry> missing;
-  for (const BaselineEntry& value : referenceValues(steps)) {
-    if (!known.contains(keyOf(value))) missing.push_back(value);
-  }
+/// @throws InputError where the run has a value without a reference
+void requireReferences(std::span<const Gate> references, const StudyRecord& record) {
+  std::set<decltype(valueKey(Gate()))> known;
+  for (const Gate& reference : references) known.insert(valueKey(reference));
+  std::vector<Gate> missing = referenceGates({&record, 1});
+  std::erase_if(missing, [&](const Gate& value) { return known.contains(valueKey(value)); });
   if (!missing.empty()) mismatch("no reference", missing);
+}
+
+/// Why a method was not measured; nullptr where it was.
+const RefusedMethod* refusedIn(const StudyRecord& record, const std::string& label) {
+  const auto found =
+      std::find_if(record.refused.begin(), record.refused.end(),
+                   [&](const RefusedMethod& method) { return method.label == label; });
+  return found == record.refused.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -117,14 +61,11 @@ bool isLengthMetric(std::string_view metric) {
   return std::find(names.begin(), names.end(), metric) != names.end();
 }
 
-std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& result,
+std::optional<double> spreadOf(const StudyRecord& record, const Case& which,
                                std::string_view metric) {
-  const auto& flips = record.truth.flips;
-  const auto found = std::find_if(flips.begin(), flips.end(), [&](const UncertaintyRecord& flip) {
-    return flip.view == result.view && flip.light == result.light;
-  });
-  if (isRate(metric)) return found == flips.end() ? record.truth.uncertainty : found->flipRate;
-  if (found == flips.end()) return std::nullopt;
+  const UncertaintyRecord* found = findUncertainty(record, which);
+  if (isRate(metric)) return found == nullptr ? record.truth.uncertainty : found->flipRate;
+  if (found == nullptr) return std::nullopt;
   if (isLengthMetric(metric)) return found->lengthError;
   const double spread = metricUncertainty(*found, metric);
   return std::isfinite(spread) ? std::optional(spread) : std::nullopt;
@@ -134,83 +75,93 @@ double toleranceOf(std::string_view metric, double spread) {
   return std::max(2 * spread, isLengthMetric(metric) ? leastLengthTolerance : leastRateTolerance);
 }
 
-bool canFail(const BaselineEntry& entry) {
-  // Lengths are over the truth's own: off by 1 is as good as no shadow at all.
-  if (isLengthMetric(entry.metric)) return entry.tolerance < 1;
-  const GateRecord gate = gateFor(entry);
-  const MetricRange range = metricRange(entry.metric, {});
-  return (gate.maximum && *gate.maximum < range.most) ||
-         (gate.minimum && *gate.minimum > range.least);
+Gate referenceGate(Gate row, const Reference& reference) {
+  const auto [committed, spread, tolerance] = reference;
+  row.region = wholeRegion;
+  row.origin = reference;
+  if (row.metric == "prevalence") {
+    row.minimum = committed - tolerance;
+    row.maximum = committed + tolerance;
+  } else if (isLengthMetric(row.metric)) {
+    const double distance = std::abs(committed - 1) + tolerance;
+    row.minimum = 1 - distance;
+    row.maximum = 1 + distance;
+  } else {
+    row.maximum = committed + tolerance;
+  }
+  return row;
 }
 
-std::vector<BaselineEntry> referenceValues(std::span<const StudyRecord> steps) {
-  std::vector<BaselineEntry> entries;
+const Reference& referenceOf(const Gate& gate) {
+  return std::get<Reference>(gate.origin);
+}
+
+bool canFail(const Gate& reference) {
+  // Lengths are over the truth's own: off by 1 is as good as no shadow at all.
+  if (isLengthMetric(reference.metric)) return referenceOf(reference).tolerance < 1;
+  const MetricRange range = metricRange(reference.metric, {});
+  return (reference.maximum && *reference.maximum < range.most) ||
+         (reference.minimum && *reference.minimum > range.least);
+}
+
+std::vector<Gate> referenceGates(std::span<const StudyRecord> steps) {
+  std::vector<Gate> gates;
   for (const StudyRecord& step : steps) {
     for (const ResultRecord& row : step.results) {
-      if (row.region != allRegion) continue;
+      if (row.region != wholeRegion) continue;
       for (const std::string_view metric : baselineMetrics(row.answer)) {
         const std::optional<double> value = metricOf(row, metric).value;
-        const std::optional<double> spread = spreadOf(step, row, metric);
+        const std::optional<double> spread = spreadOf(step, {row.view, row.light}, metric);
         if (!value || !spread) continue;
-        const BaselineEntry entry{
-            step.name,           row.method, row.light, row.view,
-            std::string(metric), *value,     *spread,   toleranceOf(metric, *spread),
-            row.answer};
-        if (canFail(entry)) entries.push_back(entry);
+        Gate gate{row.method, row.light, row.view, "", std::string(metric), {}, {}};
+        gate.answer = row.answer;
+        gate.step = step.name;
+        gate = referenceGate(std::move(gate), {*value, *spread, toleranceOf(metric, *spread)});
+        if (canFail(gate)) gates.push_back(std::move(gate));
       }
     }
   }
-  return entries;
-}
-
-std::vector<GateRecord> judgeBaseline(const Baseline& baseline, std::span<const StudyRecord> steps,
-                                      const std::vector<std::string>& leftOut) {
-  std::vector<GateRecord> gates;
-  std::vector<BaselineEntry> unknown;
-  for (const BaselineEntry& entry : baseline.entries) {
-    GateRecord gate = gateFor(entry);
-    const ResultRecord* row = rowOf(steps, entry);
-    if (std::find(leftOut.begin(), leftOut.end(), entry.method) != leftOut.end()) {
-      gate.verdict = GateVerdict::skipped;
-      gate.reason = "its method is left out";
-    } else if (const RefusedMethod* refused = refusedIn(steps, entry)) {
-      gate.reason = refused->reason;
-    } else if (row == nullptr) {
-      unknown.push_back(entry);
-      continue;
-    } else {
-      const Metric metric = metricOf(*row, entry.metric);
-      gate.value = metric.value;
-      gate.reason = metric.reason;
-      gate.verdict = verdictOf(gate);
-    }
-    gates.push_back(std::move(gate));
-  }
-  if (!unknown.empty()) mismatch("the run has no row", unknown);
-  requireReferences(baseline, steps);
   return gates;
 }
 
-std::vector<NoticeRecord> betterThan(const Baseline& baseline,
-                                     const std::vector<GateRecord>& gates) {
-  std::map<Key, double> tolerances;
-  for (const BaselineEntry& entry : baseline.entries) tolerances[keyOf(entry)] = entry.tolerance;
-  std::vector<NoticeRecord> notices;
-  for (const GateRecord& gate : gates) {
-    if (gate.verdict != GateVerdict::passed || !gate.expected || gate.metric == "prevalence") {
-      continue;
+std::vector<Judgement> judgeBaseline(const Baseline& baseline, const StudyRecord& record,
+                                     const std::vector<std::string>& leftOut) {
+  std::vector<Judgement> judgements;
+  std::vector<Gate> unknown;
+  for (const Gate& gate : baseline.gates) {
+    if (gate.step != record.name) continue;
+    const ResultRecord* row =
+        findResult(record, gate.method, {gate.view, gate.light}, wholeRegion, gate.answer);
+    if (std::find(leftOut.begin(), leftOut.end(), gate.method) != leftOut.end()) {
+      judgements.push_back({gate, GateVerdict::skipped, {}, "its method is left out"});
+    } else if (const RefusedMethod* refused = refusedIn(record, gate.method)) {
+      judgements.push_back({gate, GateVerdict::undefined, {}, refused->reason});
+    } else if (row == nullptr) {
+      unknown.push_back(gate);
+    } else {
+      judgements.push_back(judge(gate, metricOf(*row, gate.metric)));
     }
-    const bool length = isLengthMetric(gate.metric);
-    const double gain = length ? std::abs(*gate.expected - 1) - std::abs(*gate.value - 1)
-                               : *gate.expected - *gate.value;
-    const double tolerance =
-        tolerances.at({gate.step, gate.method, gate.light, gate.view, gate.metric, gate.answer});
+  }
+  if (!unknown.empty()) mismatch("the run has no row", unknown);
+  requireReferences(baseline.gates, record);
+  return judgements;
+}
+
+std::vector<NoticeRecord> betterThan(std::span<const Judgement> references) {
+  std::vector<NoticeRecord> notices;
+  for (const Judgement& judgement : references) {
+    const Gate& gate = judgement.gate;
+    if (judgement.verdict != GateVerdict::passed || gate.metric == "prevalence") continue;
+    const auto [committed, spread, tolerance] = referenceOf(gate);
+    const double gain = isLengthMetric(gate.metric)
+                            ? std::abs(committed - 1) - std::abs(*judgement.value - 1)
+                            : committed - *judgement.value;
     if (!(gain > tolerance)) continue;
     notices.push_back(
         {fmt::format("the reference of {} for {}, {}, {}, {} could be tightened: {:.5g} "
                      "now, {:.5g} committed, better by more than {:.3g}",
-                     gate.metric, gate.method, gate.light, gate.view, gate.step, *gate.value,
-                     *gate.expected, tolerance)});
+                     gate.metric, gate.method, gate.light, gate.view, gate.step, *judgement.value,
+                     committed, tolerance)});
   }
   return notices;
 }

@@ -4,9 +4,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
-#include "study/record/gate_record.h"
+#include "study/record/cases.h"
+#include "study/record/check_record.h"
 #include "study/record/record.h"
 
 namespace gnomon {
@@ -17,17 +19,6 @@ namespace gnomon {
 /// uncertainty for its view and light: the share of samples that flip at half the micro-mesh's
 /// resolution, and of lengths their error there. The tolerance is twice the spread, and at least
 /// 0.001 for rates and 0.02 for length ratios: room for an OpenGL that rounds otherwise.
-
-/// One committed value, of the region "all".
-struct BaselineEntry {
-  std::string step;  ///< the study's name, or that of a sweep's step
-  std::string method, light, view, metric;
-  double value = 0;
-  double spread = 0;     ///< measured, as above
-  double tolerance = 0;  ///< more than the spread
-  Answer answer = Answer::drawn;
-  bool operator==(const BaselineEntry&) const = default;
-};
 
 /// Why values were written, from the first time on.
 struct BaselineReason {
@@ -41,7 +32,7 @@ struct Baseline {
   bool quick = false;             ///< values of the quick form, not the full one
   EnvironmentRecord environment;  ///< of the run that they are of
   std::vector<BaselineReason> history;
-  std::vector<BaselineEntry> entries;
+  std::vector<Gate> gates;  ///< one a committed value, as referenceGate makes it
 };
 
 /// The metrics that a baseline holds: error_rate, false_shadow and false_light, which may not rise;
@@ -54,34 +45,48 @@ std::span<const std::string_view> baselineMetrics(Answer answer);
 /// others are shares, 0 to 1.
 bool isLengthMetric(std::string_view metric);
 
-/// The measured spread of a metric of one result, of any metric; none for a length or boundary
-/// whose error was not measured.
-std::optional<double> spreadOf(const StudyRecord& record, const ResultRecord& result,
+/// The measured spread of any metric in one case; none for a length or boundary whose error was not
+/// measured.
+std::optional<double> spreadOf(const StudyRecord& record, const Case& which,
                                std::string_view metric);
 
 /// The tolerance for a spread: that of rates also for the metrics of boundaries.
 double toleranceOf(std::string_view metric, double spread);
 
+/// The gate of a committed value: its limits are as far from the value, on the side or sides where
+/// the metric is worse, as the tolerance says. It is of the region "all".
+/// @param row  step, method, light, view, answer and metric of the value
+Gate referenceGate(Gate row, const Reference& reference);
+
+/// What a committed value is of: no two of a baseline have the same key.
+/// @param gate  outlives the key
+inline auto valueKey(const Gate& gate) {
+  return std::tie(gate.step, gate.method, gate.light, gate.view, gate.answer, gate.metric);
+}
+
+/// What a reference was made of.
+/// @throws std::bad_variant_access for a gate of another origin
+const Reference& referenceOf(const Gate& gate);
+
 /// Whether the gate of a committed value can fail at all: a limit of it lies inside the metric's
 /// range, and of a length the tolerance is below 1. A truth that is uncertain by that much has no
 /// references.
-bool canFail(const BaselineEntry& entry);
+bool canFail(const Gate& reference);
 
-/// All values that a baseline holds of a study's run: those that are defined, whose spread is
-/// measured, and whose gate can fail.
+/// The gates of all values that a baseline holds of a study's run: those that are defined, whose
+/// spread is measured, and whose gate can fail.
 /// @param steps  one record, or one for each step of a sweep
-std::vector<BaselineEntry> referenceValues(std::span<const StudyRecord> steps);
+std::vector<Gate> referenceGates(std::span<const StudyRecord> steps);
 
-/// Judges a run by its baseline: a gate for each committed value, failed where it is worse by more
-/// than the tolerance, undefined where the run has none or its method was refused.
+/// Judges one run by the committed values of its step: failed where it is worse by more than the
+/// tolerance, undefined where the run has none or its method was refused.
 /// @param leftOut  labels of the methods that the run takes no part of: their gates are skipped
 /// @throws InputError where the two do not speak of the same rows: a reference that is missing, or
 ///   one for something that the run does not have
-std::vector<GateRecord> judgeBaseline(const Baseline& baseline, std::span<const StudyRecord> steps,
-                                      const std::vector<std::string>& leftOut);
+std::vector<Judgement> judgeBaseline(const Baseline& baseline, const StudyRecord& record,
+                                     const std::vector<std::string>& leftOut);
 
 /// What became better by more than the tolerance, so that its reference could be tightened.
-std::vector<NoticeRecord> betterThan(const Baseline& baseline,
-                                     const std::vector<GateRecord>& gates);
+std::vector<NoticeRecord> betterThan(std::span<const Judgement> references);
 
 }  // namespace gnomon

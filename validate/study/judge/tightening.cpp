@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "study/judge/baseline.h"
-#include "study/judge/thresholds.h"
+#include "study/judge/gates.h"
 
 namespace gnomon {
 namespace {
@@ -23,29 +23,28 @@ struct Room {
   double tolerance = 0;
 };
 
-double toleranceIn(const StudyRecord& step, const ThresholdRecord& row) {
-  ResultRecord result{row.method, row.light, row.view, row.region, {}};
-  result.answer = row.answer;
-  return toleranceOf(row.metric, spreadOf(step, result, row.metric).value_or(0));
+double toleranceIn(const StudyRecord& step, const Gate& row) {
+  const auto spread = spreadOf(step, {row.view, row.light}, row.metric);
+  return toleranceOf(row.metric, spread.value_or(0));
 }
 
 /// Whether a method that the gate speaks of was not measured.
-bool isRefused(const ThresholdSpec& gate, const StudyRecord& step) {
+bool isRefused(const Gate& gate, const StudyRecord& step) {
   return std::any_of(step.refused.begin(), step.refused.end(), [&](const RefusedMethod& method) {
     return gate.method.empty() || gate.method == method.label;
   });
 }
 
 /// None, where a row did not pass.
-std::optional<Room> roomOf(const ThresholdSpec& gate, std::span<const StudyRecord> steps) {
+std::optional<Room> roomOf(const Gate& gate, std::span<const StudyRecord> steps) {
   Room room;
   for (const StudyRecord& step : steps) {
     if (isRefused(gate, step)) return std::nullopt;
-    for (const ThresholdRecord& row : judgeThresholds({gate}, step.results)) {
-      if (!row.passed) return std::nullopt;
+    for (const Judgement& row : judgeThresholds({&gate, 1}, step)) {
+      if (row.verdict != GateVerdict::passed) return std::nullopt;
       if (gate.maximum) room.below = std::min(room.below, *gate.maximum - *row.value);
       if (gate.minimum) room.above = std::min(room.above, *row.value - *gate.minimum);
-      room.tolerance = std::max(room.tolerance, toleranceIn(step, row));
+      room.tolerance = std::max(room.tolerance, toleranceIn(step, row.gate));
     }
   }
   return room;
@@ -56,20 +55,20 @@ bool isLoose(double limit, double room, double tolerance) {
          room > looseTolerances * tolerance;
 }
 
-NoticeRecord notice(const ThresholdSpec& gate, const char* side, double limit, double value) {
+NoticeRecord notice(const Gate& gate, const char* side, double limit, double value) {
   return {fmt::format("the limit on {} of {} could be tightened: {} {} allowed, {:.5g} the nearest "
                       "value",
                       gate.metric, gate.method.empty() ? "all methods" : gate.method, side, limit,
                       value),
-          gate.line};
+          std::get<Threshold>(gate.origin).line};
 }
 
 }  // namespace
 
-std::vector<NoticeRecord> looseThresholds(const std::vector<ThresholdSpec>& thresholds,
+std::vector<NoticeRecord> looseThresholds(std::span<const Gate> thresholds,
                                           std::span<const StudyRecord> steps) {
   std::vector<NoticeRecord> notices;
-  for (const ThresholdSpec& gate : thresholds) {
+  for (const Gate& gate : thresholds) {
     const std::optional<Room> room = roomOf(gate, steps);
     if (!room) continue;
     if (gate.maximum && isLoose(*gate.maximum, room->below, room->tolerance)) {

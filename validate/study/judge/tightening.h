@@ -3,9 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "study/record/gate_record.h"
+#include "study/record/check_record.h"
 #include "study/record/record.h"
-#include "study/spec/study_file.h"
 
 namespace gnomon {
 
@@ -13,7 +12,7 @@ namespace gnomon {
 /// rows and steps that they gate, keeps off them by more than a quarter of the limit and by more
 /// than four of the tolerances of `toleranceOf`. A limit with a failed or undefined row is none.
 /// @param steps  the records of the study's steps; thresholds are judged in each
-std::vector<NoticeRecord> looseThresholds(const std::vector<ThresholdSpec>& thresholds,
+std::vector<NoticeRecord> looseThresholds(std::span<const Gate> thresholds,
                                           std::span<const StudyRecord> steps);
 
 }  // namespace gnomon

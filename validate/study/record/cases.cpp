@@ -71,10 +71,16 @@ std::optional<double> rateOf(const StudyRecord& record, std::string_view method,
   return row == nullptr ? std::nullopt : rate(row->counts, metric).value;
 }
 
+const UncertaintyRecord* findUncertainty(const StudyRecord& record, const Case& which) {
+  const auto& flips = record.truth.flips;
+  const auto found = std::find_if(flips.begin(), flips.end(), [&](const UncertaintyRecord& flip) {
+    return flip.view == which.view && flip.light == which.light;
+  });
+  return found == flips.end() ? nullptr : &*found;
+}
+
 std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which) {
-  for (const UncertaintyRecord& flip : record.truth.flips) {
-    if (flip.view == which.view && flip.light == which.light) return flip.flipRate;
-  }
+  if (const UncertaintyRecord* flip = findUncertainty(record, which)) return flip->flipRate;
   const bool measured = !record.truth.flips.empty() || record.truth.uncertainty > 0;
   return measured ? std::optional(record.truth.uncertainty) : std::nullopt;
 }

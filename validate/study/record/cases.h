@@ -40,6 +40,9 @@ const ResultRecord* findResult(const StudyRecord& record, std::string_view metho
 std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
                              Answer answer, std::string_view metric);
 
+/// What is known of the truth's error in a case, or nullptr.
+const UncertaintyRecord* findUncertainty(const StudyRecord& record, const Case& which);
+
 /// The share of samples that flip in the truth of this case. Where the run has none for the case,
 /// its largest; nothing, if it measured none at all.
 std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which);

@@ -4,17 +4,10 @@
 
 #include <algorithm>
 
+#include "common/quantile.h"
+
 namespace gnomon {
 namespace {
-
-/// @param sorted  one value or more
-double percentile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  const double part = place - static_cast<double>(below);
-  return sorted[below] + part * (sorted[above] - sorted[below]);
-}
 
 std::string quartilesText(const ClaimSpread& spread) {
   if (!spread.quartiles) return "";
@@ -40,8 +33,8 @@ std::string togetherText(const ClaimSpread& spread, const char* unit) {
 std::optional<Quartiles> quartilesOf(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
-  return Quartiles{values.front(), percentile(values, 0.25), percentile(values, 0.5),
-                   percentile(values, 0.75), values.back()};
+  return Quartiles{values.front(), quantile(values, 0.25), quantile(values, 0.5),
+                   quantile(values, 0.75), values.back()};
 }
 
 std::string spreadText(const ClaimSpread& spread) {

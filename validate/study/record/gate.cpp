@@ -1,24 +1,22 @@
 #include "study/record/gate.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gnomon {
 
-std::optional<double> GateRecord::margin() const {
+std::optional<double> Judgement::margin() const {
   if (!value) return std::nullopt;
   std::optional<double> least;
-  if (minimum) least = *value - *minimum;
-  if (maximum) least = std::min(least.value_or(*maximum - *value), *maximum - *value);
+  if (gate.minimum) least = *value - *gate.minimum;
+  if (gate.maximum) {
+    const double below = *gate.maximum - *value;
+    least = std::min(least.value_or(below), below);
+  }
   return least;
 }
 
-GateVerdict verdictOf(const GateRecord& gate) {
-  if (!gate.value || !std::isfinite(*gate.value)) return GateVerdict::undefined;
-  const bool bounded = gate.minimum || gate.maximum;
-  const bool holds = (!gate.minimum || *gate.minimum <= *gate.value) &&
-                     (!gate.maximum || *gate.value <= *gate.maximum);
-  return bounded && holds ? GateVerdict::passed : GateVerdict::failed;
+bool Judgement::isFault() const {
+  return verdict == GateVerdict::failed || verdict == GateVerdict::undefined;
 }
 
 ExitStatus worstOf(std::span<const ProblemRecord> problems) {
@@ -27,13 +25,16 @@ ExitStatus worstOf(std::span<const ProblemRecord> problems) {
   return worst;
 }
 
-RunStatus runStatus(std::span<const GateRecord> gates, std::span<const ProblemRecord> problems) {
-  const auto isPassed = [](const GateRecord& gate) { return gate.verdict == GateVerdict::passed; };
-  const auto isFault = [](const GateRecord& gate) {
-    return gate.verdict == GateVerdict::failed || gate.verdict == GateVerdict::undefined;
+RunStatus runStatus(std::span<const Judgement> judgements,
+                    std::span<const ProblemRecord> problems) {
+  const auto isFault = [](const Judgement& judgement) { return judgement.isFault(); };
+  const auto isPassed = [](const Judgement& judgement) {
+    return judgement.verdict == GateVerdict::passed;
   };
-  if (!problems.empty() || std::any_of(gates.begin(), gates.end(), isFault)) return RunStatus::fail;
-  const bool any = std::any_of(gates.begin(), gates.end(), isPassed);
+  if (!problems.empty() || std::any_of(judgements.begin(), judgements.end(), isFault)) {
+    return RunStatus::fail;
+  }
+  const bool any = std::any_of(judgements.begin(), judgements.end(), isPassed);
   return any ? RunStatus::pass : RunStatus::notJudged;
 }
 

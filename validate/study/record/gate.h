@@ -1,8 +1,12 @@
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "common/error.h"
 #include "study/record/answer.h"
@@ -11,35 +15,65 @@ namespace gnomon {
 
 /// What a run is judged by, and what became of it.
 
-enum class GateKind {
-  threshold,  ///< a `[[threshold]]` of the study
-  reference,  ///< a committed value of its baseline
+/// The limit is a `[[threshold]]` of a study's file.
+struct Threshold {
+  int line = 0;              ///< of its table; 0 for one that an override made
+  bool quick = true;         ///< holds for the quick form too; otherwise for the full one only
+  toml::table written = {};  ///< its table
+  bool operator==(const Threshold&) const = default;
+};
+
+/// The limits follow from a committed value of the study's references (baseline.h).
+struct Reference {
+  double committed = 0;
+  double spread = 0;     ///< measured with it: how uncertain the truth was
+  double tolerance = 0;  ///< by which the value may become worse; more than the spread
+  bool operator==(const Reference&) const = default;
+};
+
+/// The limit is an option of `gnomon compare`.
+struct CompareOption {
+  std::string text;  ///< as typed: "--max error_rate=0.02"
+  bool operator==(const CompareOption&) const = default;
+};
+
+/// A limit on one metric of one answer of a method. Of a threshold an empty method, light or view
+/// is left free: it limits every row that matches.
+struct Gate {
+  std::string method, light, view, region, metric;
+  std::optional<double> minimum, maximum;  ///< both included
+  std::variant<Threshold, Reference, CompareOption> origin = {};
+  Answer answer = Answer::drawn;
+  std::string step = {};  ///< name of the study that is judged, or of a sweep's step (`NAME/VALUE`)
+  bool operator==(const Gate&) const = default;
 };
 
 /// Only `passed` lets a check pass. `undefined`: there was no number to judge.
 enum class GateVerdict { passed, failed, undefined, skipped };
 
-/// One limit on one value. `step` is the name of the study, or of a sweep's step (`NAME/VALUE`).
-struct GateRecord {
-  GateKind kind = GateKind::threshold;
-  std::string step;
-  std::string method, light, view, region, metric;  ///< of a skipped gate: as its filter has them
-  std::optional<double> value;
-  std::optional<double> minimum, maximum;
+/// What became of a gate (judge in study/judge/gates.h).
+struct Judgement {
+  Gate gate;  ///< with the names of the row that was judged; of a skipped one as it was asked for
   GateVerdict verdict = GateVerdict::undefined;
-  std::string reason;                   ///< why it is undefined or skipped
-  int line = 0;                         ///< of a threshold, in the study's file
-  std::optional<double> expected = {};  ///< the committed value of a reference
-  Answer answer = Answer::drawn;
+  std::optional<double> value = std::nullopt;  ///< finite; none where it is undefined or skipped
+  std::string reason = {};                     ///< why it is undefined or skipped
 
   /// The value's distance from the nearest limit: below 0 by how much it fails, none without a
   /// value.
   [[nodiscard]] std::optional<double> margin() const;
+  /// Neither passed nor skipped: it keeps a check from passing.
+  [[nodiscard]] bool isFault() const;
 };
 
-/// A judged value: undefined without one or where it is not finite, failed unless `minimum <=
-/// value` and `value <= maximum`.
-GateVerdict verdictOf(const GateRecord& gate);
+/// Those of one origin, in their order.
+template <typename Origin>
+std::vector<Judgement> withOrigin(std::span<const Judgement> judgements) {
+  std::vector<Judgement> found;
+  for (const Judgement& judgement : judgements) {
+    if (std::holds_alternative<Origin>(judgement.gate.origin)) found.push_back(judgement);
+  }
+  return found;
+}
 
 /// Why something of a study could not be judged.
 struct ProblemRecord {
@@ -58,6 +92,6 @@ enum class RunStatus {
   notJudged,  ///< no gate judged it
 };
 
-RunStatus runStatus(std::span<const GateRecord> gates, std::span<const ProblemRecord> problems);
+RunStatus runStatus(std::span<const Judgement> judgements, std::span<const ProblemRecord> problems);
 
 }  // namespace gnomon

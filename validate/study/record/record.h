@@ -119,17 +119,6 @@ struct TimingRecord {
   double seconds = 0;
 };
 
-/// A gate: `!(value <= maximum)` or `!(value >= minimum)` fails, and so does an undefined value.
-struct ThresholdRecord {
-  std::string method, light, view, region, metric;
-  std::optional<double> value;
-  std::optional<double> minimum, maximum;
-  bool passed = false;
-  std::string reason = {};  ///< why there is no value
-  int line = 0;             ///< of the gate in the study's file
-  Answer answer = Answer::drawn;
-};
-
 /// A claim of a paper and whether the run bears it out.
 struct ClaimRecord {
   std::string text;
@@ -216,10 +205,9 @@ struct StudyRecord {
   std::vector<BinRecord> bins;
   std::vector<CostRecord> cost;
   std::vector<TimingRecord> timings;
-  std::vector<ThresholdRecord> thresholds;
-  /// Where a check judged the run by references: their file, the gates, and what kept it from it.
+  std::vector<Judgement> judgements;  ///< of the study's thresholds, then of references
+  /// Where a check judged the run by references: their file, and what kept it from it.
   std::string baseline;
-  std::vector<GateRecord> references;
   std::vector<ProblemRecord> problems;
   std::vector<ReferencePictures> referencePictures;
   std::vector<ClaimRecord> claims;
@@ -231,7 +219,7 @@ struct StudyRecord {
   std::optional<CacheCounts> cache;    ///< none where the run used no cache
 
   /// What thresholds, references and problems say of the run.
-  [[nodiscard]] RunStatus status() const;
+  [[nodiscard]] RunStatus status() const { return runStatus(judgements, problems); }
 };
 
 }  // namespace gnomon

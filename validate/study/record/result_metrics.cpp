@@ -1,12 +1,9 @@
 #include "study/record/result_metrics.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "common/error.h"
 #include "compare/boundaries.h"
 
 namespace gnomon {
@@ -16,16 +13,6 @@ constexpr std::string_view notInRegions = "measured over all samples together on
 
 bool holds(const std::vector<std::string_view>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// One of a list by name.
-Metric find(const std::vector<Metric>& metrics, std::string_view name) {
-  const auto found = std::find_if(metrics.begin(), metrics.end(),
-                                  [&](const Metric& metric) { return metric.name == name; });
-  if (found == metrics.end()) {
-    throw InternalError(fmt::format("metric \"{}\" found, a known one expected", name));
-  }
-  return *found;
 }
 
 std::vector<Metric> unmeasured(const std::vector<std::string_view>& names) {
@@ -60,7 +47,8 @@ std::vector<Metric> metricsOf(const ResultRecord& result) {
 
 Metric metricOf(const ResultRecord& result, std::string_view name) {
   if (isRate(name)) return rate(result.counts, name);
-  return find(holds(lengthMetricNames(), name) ? lengthsOf(result) : boundariesOf(result), name);
+  return metricNamed(holds(lengthMetricNames(), name) ? lengthsOf(result) : boundariesOf(result),
+                     name);
 }
 
 const std::vector<std::string_view>& metricNames() {
@@ -82,7 +70,7 @@ double metricUncertainty(const UncertaintyRecord& truth, std::string_view name) 
   if (holds(lengthMetricNames(), name)) return truth.lengthError.value_or(0);
   const auto& found =
       truth.boundaries.empty() ? unmeasured(boundaryMetricNames()) : truth.boundaries;
-  const auto value = find(found, name).value;
+  const auto value = metricNamed(found, name).value;
   return value ? std::abs(*value - perfect(name)) : std::numeric_limits<double>::infinity();
 }
 

@@ -5,19 +5,16 @@
 
 #include <map>
 
-#include "study/record/gate_record.h"
-
 namespace gnomon {
 
 RunStatus SweepRecord::status() const {
-  std::vector<GateRecord> gates;
+  std::vector<Judgement> judgements;
   std::vector<ProblemRecord> problems;
   for (const StudyRecord& step : steps) {
-    const std::vector<GateRecord> own = gatesOf(step);
-    gates.insert(gates.end(), own.begin(), own.end());
+    judgements.insert(judgements.end(), step.judgements.begin(), step.judgements.end());
     problems.insert(problems.end(), step.problems.begin(), step.problems.end());
   }
-  return runStatus(gates, problems);
+  return runStatus(judgements, problems);
 }
 
 std::vector<std::string> SweepRecord::notices() const {

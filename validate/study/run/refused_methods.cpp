@@ -17,17 +17,17 @@ bool speaksOf(const std::string& filter, const std::string& name) {
 
 /// The gates of one refused method, one for each view and light.
 void addGates(StudyRecord& record, const StudySpec& study, const RefusedMethod& method) {
-  for (const ThresholdSpec& gate : study.thresholds) {
+  for (const Gate& gate : study.thresholds) {
     if (!speaksOf(gate.method, method.label)) continue;
     for (const ViewSpec& view : study.views) {
       for (const LightSpec& light : study.lights) {
         if (!speaksOf(gate.view, view.name) || !speaksOf(gate.light, light.name)) continue;
-        ThresholdRecord undefined{method.label, light.name,   view.name,    gate.region,
-                                  gate.metric,  std::nullopt, gate.minimum, gate.maximum};
-        undefined.reason = method.reason;
-        undefined.line = gate.line;
-        undefined.answer = gate.answer;
-        record.thresholds.push_back(std::move(undefined));
+        Gate row = gate;
+        row.method = method.label;
+        row.view = view.name;
+        row.light = light.name;
+        row.step = record.name;
+        record.judgements.push_back({std::move(row), GateVerdict::undefined, {}, method.reason});
       }
     }
   }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "render/shader_files.h"
-#include "study/judge/thresholds.h"
+#include "study/judge/gates.h"
 #include "study/run/no_files.h"
 #include "study/run/notices.h"
 #include "study/run/refused_methods.h"
@@ -52,7 +52,7 @@ class StudyRun {
     compareMethods(ladders);
     record_.budgets = ladders.attribute(record_.truth);
     if (isWhole_) measureCosts();
-    record_.thresholds = judgeThresholds(study_.thresholds, record_.results);
+    record_.judgements = judgeThresholds(study_.thresholds, record_);
     record_.timings = clock_.timings();
     if (scene_.cache.isOn()) record_.cache = scene_.cache.counts() - before_;
     return std::move(record_);

@@ -103,7 +103,9 @@ void insertJudged(toml::table& table, const StudySpec& study, bool withSweep) {
     table.erase(key);
     if (!array.empty()) table.insert(key, std::move(array));
   };
-  insert("threshold", tablesOf(study.thresholds, written));
+  insert("threshold", tablesOf(study.thresholds, [](const Gate& gate) {
+           return std::get<Threshold>(gate.origin).written;
+         }));
   insert("claim", tablesOf(claims, written));
   insert("ladder", tablesOf(study.ladders, written));
 }

@@ -169,12 +169,12 @@ Answer readAnswer(const TomlReader& section) {
       readFilter(section, "answer", names, itself, std::string(answerName(Answer::drawn))));
 }
 
-ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
+Gate readThreshold(const TomlReader& section, const StudySpec& study) {
   const auto label = [](const MethodSpec& method) { return method.label; };
   const auto name = [](const auto& entry) { return entry.name; };
   const auto itself = [](const std::string& text) { return text; };
   section.allow({"method", "light", "view", "region", "metric", "min", "max", "answer", "quick"});
-  ThresholdSpec threshold;
+  Gate threshold;
   threshold.method = readFilter(section, "method", study.methods, label, "");
   threshold.light = readFilter(section, "light", study.lights, name, "");
   threshold.view = readFilter(section, "view", study.views, name, "");
@@ -182,9 +182,7 @@ ThresholdSpec readThreshold(const TomlReader& section, const StudySpec& study) {
   threshold.metric = readMetric(section);
   readLimits(section, study, threshold);
   threshold.answer = readAnswer(section);
-  threshold.quick = section.flag("quick", true);
-  threshold.line = section.line();
-  threshold.written = section.written();
+  threshold.origin = Threshold{section.line(), section.flag("quick", true), section.written()};
   section.finish();
   return threshold;
 }

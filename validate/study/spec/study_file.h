@@ -61,22 +61,6 @@ struct MethodSpec {
   std::map<std::string, double> parameters;
 };
 
-/// A gate on one metric. Empty strings leave a dimension free: every row that matches is gated.
-struct ThresholdSpec {
-  std::string method, light, view, region, metric;
-  std::optional<double> minimum, maximum;
-  int line = 0;              ///< of its table in the study's file; 0 for one that an override made
-  bool quick = true;         ///< holds for the quick form too; otherwise for the full one only
-  toml::table written = {};  ///< its table in the study's file
-  Answer answer = Answer::drawn;
-};
-
-/// A gate that the command line takes no part of: a check reports it as skipped, never as passed.
-struct LeftOutThreshold {
-  ThresholdSpec gate;
-  std::string reason;
-};
-
 /// A claim of one of two forms: that one method's metric is smaller than another's in every light
 /// and view (or, with `gainExceeds`, that the mean difference between them is larger than in the
 /// study of that name; or, with `gainGrows`, that it is larger at the last value of the file's
@@ -127,14 +111,15 @@ struct StudySpec {
   std::vector<ViewSpec> views;
   std::vector<LightSpec> lights;
   std::vector<MethodSpec> methods;
-  std::vector<ThresholdSpec> thresholds;
+  std::vector<Gate> thresholds;  ///< each with the origin Threshold
   std::vector<ClaimSpec> claims;
   /// Errors to attribute to their causes, in the first atlas view: there all base meshes show the
   /// same samples.
   std::vector<LadderSpec> ladders;
   bool ranked = true;  ///< counts in a ranking over the studies of a run
   bool quick = false;  ///< the quick form, see StudyOptions
-  std::vector<LeftOutThreshold> leftOut = {};
+  /// Thresholds excluded by command-line options: a check reports them as skipped.
+  std::vector<Judgement> leftOut = {};
   std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
   SearchRadius radius = {};                      ///< of `bake`, and why
   /// The values of `[surface]` and `[relief]`, defaults among them; paths as the file has them.

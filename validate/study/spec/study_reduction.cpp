@@ -10,11 +10,11 @@
 namespace gnomon {
 namespace {
 
-/// Takes gates out of a study, and keeps in mind which and why.
+/// Takes thresholds out of a study, and records them as skipped.
 template <typename Condition>
 void leaveOut(StudySpec& study, const char* reason, const Condition& condition) {
-  for (const ThresholdSpec& gate : study.thresholds) {
-    if (condition(gate)) study.leftOut.push_back({gate, reason});
+  for (const Gate& gate : study.thresholds) {
+    if (condition(gate)) study.leftOut.push_back({gate, GateVerdict::skipped, {}, reason});
   }
   std::erase_if(study.thresholds, condition);
 }
@@ -31,8 +31,7 @@ void keepMethods(StudySpec& study, const Condition& isWanted) {
            std::none_of(study.methods.begin(), study.methods.end(),
                         [&](const MethodSpec& method) { return method.label == label; });
   };
-  leaveOut(study, "its method is left out",
-           [&](const ThresholdSpec& gate) { return isGone(gate.method); });
+  leaveOut(study, "its method is left out", [&](const Gate& gate) { return isGone(gate.method); });
   std::erase_if(study.claims, [&](const ClaimSpec& claim) {
     return isGone(claim.less) || isGone(claim.than) || isGone(claim.method);
   });
@@ -61,12 +60,12 @@ void keepNamed(StudySpec& study, const std::vector<std::string>& wanted) {
 
 /// Keeps the methods that gates name; all, where there is no gate or one leaves them free.
 void keepGated(StudySpec& study) {
-  const auto isFree = [](const ThresholdSpec& gate) { return gate.method.empty(); };
-  const std::vector<ThresholdSpec> gates = study.thresholds;
+  const auto isFree = [](const Gate& gate) { return gate.method.empty(); };
+  const std::vector<Gate> gates = study.thresholds;
   if (gates.empty() || std::any_of(gates.begin(), gates.end(), isFree)) return;
   keepMethods(study, [&](const MethodSpec& method) {
     return std::any_of(gates.begin(), gates.end(),
-                       [&](const ThresholdSpec& gate) { return gate.method == method.label; });
+                       [&](const Gate& gate) { return gate.method == method.label; });
   });
 }
 
@@ -83,7 +82,7 @@ void reduce(StudySpec& study, const StudyOptions& options) {
   if (!options.methods.empty()) keepNamed(study, options.methods);
   if (study.quick) {
     leaveOut(study, "it holds for the full form only",
-             [](const ThresholdSpec& gate) { return !gate.quick; });
+             [](const Gate& gate) { return !std::get<Threshold>(gate.origin).quick; });
   }
   if (options.gatedOnly) keepGated(study);
 }

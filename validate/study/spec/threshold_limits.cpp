@@ -66,7 +66,7 @@ std::optional<double> readLimit(const TomlReader& section, const char* key,
 
 }  // namespace
 
-void readLimits(const TomlReader& section, const StudySpec& study, ThresholdSpec& threshold) {
+void readLimits(const TomlReader& section, const StudySpec& study, Gate& threshold) {
   const MetricRange range = metricRange(threshold.metric, largestExtent(study, threshold.view));
   threshold.minimum = readLimit(section, "min", range);
   threshold.maximum = readLimit(section, "max", range);

@@ -11,6 +11,6 @@ namespace gnomon {
 ///   requireInRange and requireMissable, with the largest of the views that the threshold matches,
 ///   in the full form; and for a metric that the region alone settles, as false light among samples
 ///   that are lit
-void readLimits(const TomlReader& section, const StudySpec& study, ThresholdSpec& threshold);
+void readLimits(const TomlReader& section, const StudySpec& study, Gate& threshold);
 
 }  // namespace gnomon

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace gnomon {
+
+/// The value below which a share of the values lies, linear between the two nearest of them: the
+/// smallest for 0, the median for 0.5, the largest for 1; exact where these two are equal.
+/// @param sorted  ascending, one value or more
+/// @param share   0 to 1
+inline double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/rates.h"
+#include "study/record/gate.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// The one judge of all gates: passed only if the metric is defined and finite, has a limit, and
+/// `minimum <= value` and `value <= maximum` hold; undefined without a finite value, whatever the
+/// limits.
+Judgement judge(Gate gate, const Metric& found);
+
+/// Judges every threshold on every row of the record that it matches.
+/// @throws InputError for one that matches no row: a gate that never closes is a fault
+std::vector<Judgement> judgeThresholds(std::span<const Gate> thresholds, const StudyRecord& record);
+
+}  // namespace gnomon
