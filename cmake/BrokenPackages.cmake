@@ -1,12 +1,9 @@
-# Imported targets for libraries that a plain find_package cannot serve. Also installed, since
-# a program that uses Gnomon needs the same ones.
+# Imported targets for libraries that a plain find_package cannot serve on Debian 12.
 
-# gnomon_import(NAME HEADER LIBRARY): the library as gnomon::NAME, found by a header of its own.
+# gnomon_import(NAME HEADER LIBRARY [folder…]): the library as gnomon::NAME, found by a header of its
+# own, which may be in one of the given folders.
 function(gnomon_import name header library)
-  if(TARGET gnomon::${name})
-    return()
-  endif()
-  find_path(${name}_INCLUDE_DIR ${header} REQUIRED)
+  find_path(${name}_INCLUDE_DIR ${header} PATH_SUFFIXES ${ARGN} REQUIRED)
   find_library(${name}_LIBRARY ${library} REQUIRED)
   add_library(gnomon::${name} UNKNOWN IMPORTED GLOBAL)
   set_target_properties(gnomon::${name} PROPERTIES
@@ -24,9 +21,20 @@ gnomon_import(spng spng.h spng)
 gnomon_import(utf8proc utf8proc.h utf8proc)
 
 # Embree 4 (newer systems) or 3 (Debian 12): the CMake target is called embree in both.
-if(NOT TARGET embree)
-  find_package(embree 4 QUIET)
-  if(NOT embree_FOUND)
-    find_package(embree 3 REQUIRED)
-  endif()
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED)
 endif()
+
+# OpenImageIO's package configuration insists on files of other Debian packages: its tools. Its
+# headers need Imath's. Only the module of validate/image links it, and tests that read pictures back.
+find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
+find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
+gnomon_import(OpenImageIO OpenImageIO/imageio.h OpenImageIO)
+target_include_directories(gnomon::OpenImageIO INTERFACE ${IMATH_INCLUDE_DIR})
+target_link_libraries(gnomon::OpenImageIO INTERFACE ${OPENIMAGEIO_UTIL_LIBRARY})
+
+# Dear ImGui; only the viewer needs it.
+find_library(STB_LIBRARY stb REQUIRED)
+gnomon_import(ImGui imgui.h imgui imgui)
+target_link_libraries(gnomon::ImGui INTERFACE ${STB_LIBRARY} ${CMAKE_DL_LIBS} glfw)

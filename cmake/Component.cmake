@@ -18,12 +18,17 @@ endif()
 add_library(gnomon_test_options INTERFACE)
 target_compile_options(gnomon_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
 
-# gnomon_headers(DIRECTORY FOLDER…): fills a folder of the build with links to the headers of
-# the given folders of validate/, under the paths by which they are included.
+# gnomon_headers(DIRECTORY [AS prefix] FOLDER…): fills a folder of the build with links to the
+# headers of the given folders of validate/, under the paths by which they are included: those of the
+# folders, or the prefix.
 function(gnomon_headers directory)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "AS" "")
   file(REMOVE_RECURSE ${directory})
-  foreach(folder IN LISTS ARGN)
+  foreach(folder IN LISTS arg_UNPARSED_ARGUMENTS)
     file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validate/${folder}/*.h)
+    if(arg_AS)
+      set(folder ${arg_AS})
+    endif()
     file(MAKE_DIRECTORY ${directory}/${folder})
     foreach(header IN LISTS headers)
       cmake_path(GET header FILENAME name)
@@ -32,15 +37,17 @@ function(gnomon_headers directory)
   endforeach()
 endfunction()
 
-# gnomon_component(NAME FOLDER folder [PARTS subfolder…] [INNER subfolder…]
+# gnomon_component(NAME FOLDER folder [AS prefix] [SHARED] [PARTS subfolder…] [INNER subfolder…]
 #                  [HEADERS subfolder…] [SOURCES file…] [PUBLIC lib…] [PRIVATE lib…])
 # A folder of validate/ as the library gnomon::NAME: all its sources, those of its PARTS, whose
 # headers others may include, and those of its INNER folders, whose headers only it and its tests
 # (by gnomon::NAME_inner) may. Of the folders HEADERS it has the headers alone. SOURCES are generated.
+# Its own headers are included as FOLDER/x.h, or as prefix/x.h. A SHARED library holds the static ones
+# that it links and exports only what its headers mark.
 # A library finds no header but its own and those of the libraries that it links, so the build
 # enforces which component knows which.
 function(gnomon_component name)
-  cmake_parse_arguments(arg "" "FOLDER" "PARTS;INNER;HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "SHARED" "FOLDER;AS" "PARTS;INNER;HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target gnomon_${name})
   list(TRANSFORM arg_PARTS PREPEND ${arg_FOLDER}/)
   list(TRANSFORM arg_INNER PREPEND ${arg_FOLDER}/)
@@ -48,25 +55,29 @@ function(gnomon_component name)
   set(patterns ${arg_FOLDER} ${arg_PARTS} ${arg_INNER})
   list(TRANSFORM patterns REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/validate/\\1/*.cpp")
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
-  add_library(${target} STATIC ${sources} ${arg_SOURCES})
+  if(arg_SHARED)
+    add_library(${target} SHARED ${sources} ${arg_SOURCES})
+    target_compile_options(${target} PRIVATE -fvisibility=hidden)
+    target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL)
+  else()
+    add_library(${target} STATIC ${sources} ${arg_SOURCES})
+  endif()
   add_library(gnomon::${name} ALIAS ${target})
 
   set(headers ${PROJECT_BINARY_DIR}/include/${name})
-  gnomon_headers(${headers} ${arg_FOLDER} ${arg_PARTS})
-  target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${headers}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/gnomon>)
+  gnomon_headers(${headers} AS "${arg_AS}" ${arg_FOLDER} ${arg_PARTS})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${headers}>)
   if(arg_INNER OR arg_HEADERS)
     gnomon_headers(${headers}_inner ${arg_INNER} ${arg_HEADERS})
     add_library(${target}_inner INTERFACE)
     add_library(gnomon::${name}_inner ALIAS ${target}_inner)
     target_include_directories(${target}_inner INTERFACE ${headers}_inner)
-    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:${target}_inner>)
+    target_link_libraries(${target} PRIVATE ${target}_inner)
   endif()
 
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC}
-    PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:gnomon_options>)
+    PRIVATE ${arg_PRIVATE} gnomon_options)
   target_precompile_headers(${target} REUSE_FROM gnomon_precompiled)
-  set_property(GLOBAL APPEND PROPERTY GNOMON_COMPONENTS ${target})
 endfunction()

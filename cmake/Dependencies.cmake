@@ -14,18 +14,7 @@ find_package(glfw3 REQUIRED)
 find_package(hwy REQUIRED)
 find_package(PNG REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
-include(${CMAKE_CURRENT_LIST_DIR}/BrokenPackages.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/ImagePackages.cmake)
-
-# Dear ImGui ships a pkg-config file only; only the viewer needs it, so it is not installed.
-find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
-find_library(IMGUI_LIBRARY imgui REQUIRED)
-find_library(STB_LIBRARY stb REQUIRED)
-add_library(gnomon::ImGui UNKNOWN IMPORTED)
-set_target_properties(gnomon::ImGui PROPERTIES
-  IMPORTED_LOCATION ${IMGUI_LIBRARY}
-  INTERFACE_INCLUDE_DIRECTORIES ${IMGUI_INCLUDE_DIR}
-  INTERFACE_LINK_LIBRARIES "${STB_LIBRARY};${CMAKE_DL_LIBS};glfw")
+include(BrokenPackages)
 
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "cli/output.h"
@@ -39,6 +40,13 @@ std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunReq
   return "gnomon run " + shellQuoted(copy.string());
 }
 
+/// Where a run's progress goes: to who asked for it, or to the terminal.
+StageProgress progressOf(const RunRequest& request, std::string title) {
+  if (request.progress) return request.progress;
+  return [line = std::make_shared<TerminalProgress>(std::move(title))](
+             std::string_view stage, double share) { line->update(stage, share); };
+}
+
 StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
                    const RunRequest& request, RunFolder& folder, Cache& cache) {
   CaseRecord reproduction = inStudy(study, [&] {
@@ -46,11 +54,8 @@ StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContex
                       studyInputs(study, folder.path())};
   });
   FolderWriter writer(folder);
-  TerminalProgress progress(study.name);
-  StudyRecord record = inStudy(study, [&] {
-    return runStudy(study, gl, writer, cache,
-                    [&](std::string_view stage, double share) { progress.update(stage, share); });
-  });
+  StudyRecord record = inStudy(
+      study, [&] { return runStudy(study, gl, writer, cache, progressOf(request, study.name)); });
   writeCopy(reproduction.settings, folder, reproduction.file);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
@@ -58,12 +63,11 @@ StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContex
 }
 
 /// The figures of a study at so many times its radius.
-StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl, Cache& cache) {
-  TerminalProgress progress(fmt::format("{}, radius × {}", study.name, factor));
+StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl,
+                      const RunRequest& request, Cache& cache) {
   return inStudy(study, [&] {
-    return measureStudy(
-        withRadiusTimes(study, factor), gl, cache,
-        [&](std::string_view stage, double share) { progress.update(stage, share); });
+    return measureStudy(withRadiusTimes(study, factor), gl, cache,
+                        progressOf(request, fmt::format("{}, radius × {}", study.name, factor)));
   });
 }
 
@@ -71,8 +75,8 @@ void runStep(const StudyPlan& plan, const StudySpec& step, const GlContext& gl,
              const RunRequest& request, Cache& cache, Records& records) {
   StudyRecord record = runOne(plan, step, gl, request, records.folders.of(step.name), cache);
   if (request.varyRadius) {
-    StudyRecord half = runVaried(step, 0.5, gl, cache);
-    records.twice.push_back(runVaried(step, 2, gl, cache));
+    StudyRecord half = runVaried(step, 0.5, gl, request, cache);
+    records.twice.push_back(runVaried(step, 2, gl, request, cache));
     records.half.push_back(std::move(half));
   }
   records.all.push_back(std::move(record));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "study/run/scene/stage_clock.h"
 #include "study/spec/study_file.h"
 
 namespace gnomon {
@@ -17,6 +18,7 @@ struct RunRequest {
   bool noCache = false;
   bool varyRadius = false;  ///< judge at half and at twice the search radius too
   std::string command;      ///< the command line, for the report
+  StageProgress progress;   ///< told how far a run is; a line on the terminal, if it is empty
 };
 
 /// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks

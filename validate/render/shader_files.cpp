@@ -10,6 +10,7 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
+#include "common/system/own_files.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -23,9 +24,8 @@ fs::path shaderFolder() {
     }
     return chosen;
   }
-  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-  fs::path installed = program.parent_path().parent_path() / "share/gnomon/shaders";
-  if (!program.empty() && fs::is_directory(installed, failure)) return installed;
+  fs::path installed = installPrefix() / "share/gnomon/shaders";
+  if (fs::is_directory(installed, failure)) return installed;
   if (fs::is_directory(GNOMON_SOURCE_SHADERS, failure)) return GNOMON_SOURCE_SHADERS;
   throw InputError(fmt::format("no shaders: neither {} nor {} exists; set GNOMON_SHADERS",
                                installed.string(), GNOMON_SOURCE_SHADERS));

@@ -7,8 +7,8 @@
 namespace gnomon {
 
 /// The folder that holds `common/` and `methods/`: the environment's GNOMON_SHADERS, else beside
-/// the installed program (../share/gnomon/shaders), else the source tree that the program was built
-/// from.
+/// the installed program or library (PREFIX/share/gnomon/shaders), else the source tree that the
+/// program was built from.
 /// @throws InputError if none of them is there, or the chosen one lacks either
 std::filesystem::path shaderFolder();
 

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "common/error.h"
+#include "common/system/own_files.h"
 
 namespace gnomon {
 namespace {
@@ -33,12 +34,12 @@ pid_t start(std::vector<std::string> words) {
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   pid_t process = 0;
+  const std::string program = ownProgram().string();
   const int failure =
-      posix_spawn(&process, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
+      posix_spawn(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) {
-    throw InternalError(
-        fmt::format("a process of its own cannot be started: {}", std::strerror(failure)));
+    throw InternalError(fmt::format("{} cannot be started: {}", program, std::strerror(failure)));
   }
   return process;
 }

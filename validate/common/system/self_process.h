@@ -24,8 +24,8 @@ struct ProcessOutcome {
   int code = 0;  ///< the exit status, or the signal's number
 };
 
-/// Runs this very program with other arguments, without input and output, and waits for its end:
-/// for what may crash or take all memory in a library. The child is to call `beChildProcess`.
+/// Runs `ownProgram` with other arguments, without input and output, and waits for its end: for
+/// what may crash or take all memory in a library. The child is to call `beChildProcess`.
 /// @throws InternalError where it cannot be started
 ProcessOutcome runSelf(const std::vector<std::string>& arguments, const ProcessLimits& limits);
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/files/atomic_file.h"
+#include "common/system/own_files.h"
 #include "render/shader_files.h"
 #include "study/run/scene/environment.h"
 #include "surface/limit_surface.h"
@@ -87,7 +88,7 @@ ContentKey reliefKey(const Relief& relief) {
 
 ContentKey programKey() {
   KeyBuilder key("program");
-  key.add("executable", keyOfBytes(readFile("/proc/self/exe")));
+  key.add("executable", keyOfBytes(readFile(ownFile())));
   key.add("embree", MicroScene::embreeVersion()).add("openSubdiv", openSubdivVersion());
   return key.add("cpu", processorName()).key();
 }

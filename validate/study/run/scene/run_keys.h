@@ -11,10 +11,10 @@
 
 namespace gnomon {
 
-/// Everything of this program and machine that a result may depend on beside its inputs: the
-/// executable's own bytes (so any change of its sources), the versions of OpenSubdiv and Embree,
-/// and the processor. A cache adds it to every key. Shaders are files, and enter where they are
-/// used; so does the GL renderer.
+/// Everything of this program and machine that a result may depend on beside its inputs: the bytes
+/// of the program or library that computes it (so any change of its sources), the versions of
+/// OpenSubdiv and Embree, and the processor. A cache adds it to every key. Shaders are files, and
+/// enter where they are used; so does the GL renderer.
 ContentKey programKey();
 
 /// Every file that methods and passes are made of beside a method's own.

@@ -1,0 +1,74 @@
+#include "gnomon/compare.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "api/failure_of.h"
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+using Samples = std::vector<std::uint8_t>;
+
+// Of six samples the truth has an answer at five.
+const Samples right = {0, 0, 1, 1, 1, 2};
+const Samples judged = {0, 1, 1, 1, 0, 2};
+
+TEST(ApiCompare, CountsAndRates) {
+  const MaskFigures figures = compareMasks({3, 2, judged}, {3, 2, right});
+  EXPECT_EQ(figures.samples, 5U);
+  EXPECT_EQ(figures.truePositive, 2);
+  EXPECT_EQ(figures.falsePositive, 1);
+  EXPECT_EQ(figures.falseNegative, 1);
+  EXPECT_EQ(figures.trueNegative, 1);
+  EXPECT_DOUBLE_EQ(figures.value("error_rate").value(), 2.0 / 5);
+  EXPECT_DOUBLE_EQ(figures.value("iou").value(), 2.0 / 4);
+}
+
+TEST(ApiCompare, WeighsSamples) {
+  const std::vector<double> weights = {1, 2, 3, 4, 5, 100};
+  const MaskFigures figures =
+      compareMasks({3, 2, judged}, {3, 2, right}, {.weights = weights, .region = {}});
+  EXPECT_DOUBLE_EQ(figures.value("false_shadow").value(), 2.0 / 15);
+  EXPECT_DOUBLE_EQ(figures.value("false_light").value(), 5.0 / 15);
+}
+
+TEST(ApiCompare, LeavesOutWhatIsOutsideTheRegion) {
+  const Samples region = {1, 0, 7, 0, 0, 0};
+  const MaskFigures figures =
+      compareMasks({3, 2, judged}, {3, 2, right}, {.weights = {}, .region = region});
+  EXPECT_EQ(figures.samples, 2U);
+  EXPECT_EQ(figures.value("error_rate"), 0);
+}
+
+TEST(ApiCompare, SaysWhyAMetricIsUndefined) {
+  const Samples lit(4, 0);
+  const MaskFigures figures = compareMasks({2, 2, lit}, {2, 2, lit});
+  EXPECT_FALSE(figures.value("iou"));
+  for (const MaskMetric& metric : figures.metrics) {
+    EXPECT_NE(metric.value.has_value(), !metric.reason.empty()) << metric.name;
+  }
+}
+
+TEST(ApiCompare, RefusesWhatIsNoMask) {
+  const Samples bad = {0, 1, 3, 0, 0, 0};
+  const auto refusal = [](const MaskView& mask, const CompareOptions& options = {}) {
+    return failureOf([&] { (void)compareMasks(mask, {3, 2, right}, options); });
+  };
+  EXPECT_THAT(refusal({3, 2, bad}), HasSubstr("candidate: 3 found at index 2"));
+  EXPECT_THAT(refusal({2, 2, judged}), HasSubstr("6 samples found, 2 × 2 expected"));
+  EXPECT_THAT(refusal({2, 3, judged}), HasSubstr("2 × 3 pixels found"));
+  EXPECT_THAT(refusal({3, 2, Samples(6, 2)}), HasSubstr("no sample at 5"));
+  const std::vector<double> weights = {1, -1, 1, 1, 1, 1};
+  EXPECT_NE(refusal({3, 2, judged}, {.weights = weights, .region = {}}), "");
+  EXPECT_NE(refusal({3, 2, judged}, {.weights = {}, .region = Samples(5, 1)}), "");
+  EXPECT_NE(refusal({3, 2, judged}, {.weights = {}, .region = Samples(6, 0)}), "");
+  EXPECT_THAT(failureOf([] { (void)MaskFigures{}.value("rightness"); }), HasSubstr("rightness"));
+}
+
+}  // namespace
+}  // namespace gnomon::test

@@ -1,0 +1,102 @@
+#include "gnomon/truth.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "api/failure_of.h"
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::Each;
+using ::testing::HasSubstr;
+
+constexpr int side = 64;  // texels and world units
+
+/// A wall of height 4 over x from 20 to 24, along the whole map.
+std::vector<float> wall() {
+  std::vector<float> texels;
+  for (int i = 0; i < side * side; ++i) {
+    const int x = i % side;
+    texels.push_back(x >= 20 && x < 24 ? 4.0F : 0.0F);
+  }
+  return texels;
+}
+
+/// The truth on a plane, one sample at every texel's centre.
+ShadowTruth overWall(double slope, std::optional<double> radius = {}) {
+  const std::vector<float> texels = wall();
+  const Surface plane = makeShape("plane", {side, side}, 4, 4);
+  return traceTruth(plane, {{side, side, texels, false}}, atlasSamples(plane, side / 4),
+                    {{-2, 0, 2 * slope}}, {.step = 0.25, .radius = radius})
+      .front();
+}
+
+std::size_t at(int x, int y) {
+  return static_cast<std::size_t>(y * side + x);
+}
+
+// The wall's top ends at x = 23.5 and falls to the ground at 24.5; the shadow of its top ends
+// 4 / tan θ behind it.
+TEST(ApiTruth, TheShadowOfAWallIsAsLongAsItsHeightOverTheLightsSlope) {
+  constexpr double slope = 0.45;
+  const ShadowTruth truth = overWall(slope);
+  ASSERT_EQ(truth.mask.size(), static_cast<std::size_t>(side * side));
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      if (x >= 19 && x <= 24) continue;  // the wall itself
+      const bool inShadow = x + 0.5 > 24 && x + 0.5 < 23.5 + 4 / slope;
+      EXPECT_EQ(truth.mask[at(x, y)], inShadow ? 1 : 0) << x << ", " << y;
+    }
+  }
+  EXPECT_LT(truth.uncertainty, 0.03) << "at most one column of 64, and a half";
+}
+
+TEST(ApiTruth, OccludersBeyondTheRadiusAreDistant) {
+  const ShadowTruth truth = overWall(0.45, 4);
+  EXPECT_EQ(truth.regions[at(25, 9)], static_cast<std::uint8_t>(ShadowRegion::cast));
+  EXPECT_EQ(truth.regions[at(31, 9)], static_cast<std::uint8_t>(ShadowRegion::distant));
+  EXPECT_EQ(truth.regions[at(40, 9)], static_cast<std::uint8_t>(ShadowRegion::lit));
+}
+
+TEST(ApiTruth, ABareSphereIsLitWhereItFacesTheLight) {
+  const std::vector<float> flat(4, 0.0F);
+  const Surface sphere = makeShape("sphere", {10, 2, 2}, 20, 20);
+  const SurfaceSamples samples = atlasSamples(sphere, 3);
+  const auto truths = traceTruth(sphere, {{2, 2, flat}}, samples, {{1, 0, 0}, {0, 0, 5}});
+  ASSERT_EQ(truths.size(), 2U);
+  for (int y = 0; y < samples.height; ++y) {
+    for (int x = 0; x < samples.width; ++x) {
+      // Longitude from -1 to 1, of which light from +x sees the positive half.
+      const std::uint8_t expected = x < samples.width / 2 ? 1 : 0;
+      EXPECT_EQ(truths[0].mask[static_cast<std::size_t>(y * samples.width + x)], expected);
+    }
+  }
+  EXPECT_THAT(truths[1].mask, Each(0));
+}
+
+TEST(ApiTruth, RefusesWhatItCannotTrace) {
+  const std::vector<float> flat(4, 0.0F);
+  const Surface plane = makeShape("plane", {1, 1}, 2, 2);
+  const SurfaceSamples samples = atlasSamples(plane, 2);
+  const auto refusal = [&](const SurfaceSamples& asked, const std::array<double, 3>& light,
+                           const Displacement& displacement, const TraceOptions& options = {}) {
+    return failureOf([&] { (void)traceTruth(plane, displacement, asked, {light}, options); });
+  };
+  const Displacement bare{{2, 2, flat}};
+  EXPECT_THAT(refusal(samples, {0, 0, 0}, bare), HasSubstr("light 0"));
+  EXPECT_THAT(refusal({1, 1, {{4, 0, 0}}, {}}, {0, 0, 1}, bare), HasSubstr("face 4"));
+  EXPECT_THAT(refusal({1, 1, {{0, 0, 2}}, {}}, {0, 0, 1}, bare), HasSubstr("t 2"));
+  EXPECT_THAT(refusal({2, 1, {{0, 0, 0}}, {}}, {0, 0, 1}, bare), HasSubstr("2 × 1"));
+  EXPECT_THAT(refusal(samples, {0, 0, 1}, {{2, 2, flat}, {0, 1}}), HasSubstr("repeats"));
+  EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = 0.5, .radius = 0}), HasSubstr("radius"));
+  EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = -1, .radius = {}}), HasSubstr("step"));
+  EXPECT_NE(failureOf([&] { (void)traceTruth(plane, bare, samples, {}); }), "");
+}
+
+}  // namespace
+}  // namespace gnomon::test

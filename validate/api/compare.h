@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gnomon/exception.h"
+
+namespace gnomon {
+inline namespace api {
+
+/// A mask: 0 lit, 1 shadowed, 2 no answer; row by row. The samples stay the caller's.
+struct MaskView {
+  int width = 0, height = 0;
+  std::span<const std::uint8_t> samples;  ///< width × height
+};
+
+/// Which samples count, and how much.
+struct CompareOptions {
+  std::span<const double> weights;       ///< one for each sample, at least 0; empty for 1 each
+  std::span<const std::uint8_t> region;  ///< nonzero where a sample counts; empty for everywhere
+};
+
+/// One figure of a comparison. Where it is undefined it has a reason and no value.
+struct MaskMetric {
+  std::string name;
+  std::optional<double> value;
+  std::string reason;
+};
+
+/// A candidate mask against the truth; positive means shadowed. The four cells are sums of weights.
+struct MaskFigures {
+  double truePositive = 0;   ///< shadowed in both
+  double falsePositive = 0;  ///< false shadow
+  double falseNegative = 0;  ///< false light
+  double trueNegative = 0;   ///< lit in both
+  std::size_t samples = 0;   ///< that were compared
+  /// In this order: error_rate (FP + FN) / all, false_shadow, false_light, fpr, fnr, ber, iou, f1,
+  /// mcc, prevalence; then those of the boundaries, by samples without weights, in pixels: assd,
+  /// hd95, boundary_iou_1, _2, _4, surface_dice_1, _2, _4. README.md defines them.
+  std::vector<MaskMetric> metrics;
+
+  /// The value of a metric, if it is defined.
+  /// @throws Exception  badInput for a name that is not in the list
+  [[nodiscard]] GNOMON_API std::optional<double> value(std::string_view metric) const;
+};
+
+/// Compares where the truth has an answer and the region holds. Without weights and options the
+/// figures are those of `gnomon compare`.
+/// @throws Exception  badInput where sizes differ, a sample is not 0, 1 or 2, a weight is negative
+///   or not finite, nothing is left to compare, or the candidate lacks an answer that counts
+GNOMON_API MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,
+                                    const CompareOptions& options = {});
+
+}  // namespace api
+}  // namespace gnomon

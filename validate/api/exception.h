@@ -1,0 +1,33 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+/// Marks what the shared library exports.
+#define GNOMON_API __attribute__((visibility("default")))
+
+/// Users write `gnomon::NAME`. The inline namespace keeps these names apart from those inside the
+/// library when both are linked.
+namespace gnomon {
+inline namespace api {
+
+/// What kind of failure an Exception reports. The values are the exit statuses of the program.
+enum class FailureKind : int {
+  badInput = 3,   ///< a file, number, size or shader is missing, malformed or out of range
+  internal = 4,   ///< out of memory, an OpenGL driver that draws wrong, or a fault in Gnomon
+  noOpenGl = 77,  ///< this machine has no OpenGL 4.5
+};
+
+/// The only type of exception that the library throws. Its message is one line: the file or
+/// parameter, what was found, what was expected.
+class GNOMON_API Exception : public std::runtime_error {
+ public:
+  Exception(FailureKind kind, const std::string& message);
+  [[nodiscard]] FailureKind kind() const noexcept { return kind_; }
+
+ private:
+  FailureKind kind_;
+};
+
+}  // namespace api
+}  // namespace gnomon

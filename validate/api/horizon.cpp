@@ -1,0 +1,31 @@
+#include "gnomon/horizon.h"
+
+#include <utility>
+#include <vector>
+
+#include "api/inner/height_field_of.h"
+#include "api/inner/translated.h"
+#include "horizon/horizon_bake.h"
+
+namespace gnomon {
+inline namespace api {
+
+HeightField heightFieldOf(const HeightMap& map) {
+  return {map.width,
+          map.height,
+          {map.texels.begin(), map.texels.end()},
+          map.repeats ? Wrap::repeat : Wrap::clamp,
+          {map.endsInX, map.endsInY}};
+}
+
+HorizonMaps bakeHorizons(const HeightMap& map, int azimuths, double radius) {
+  return translated([&] {
+    const auto tables = std::make_shared<const HorizonTables>(
+        bakeHorizons(heightFieldOf(map), BakeSettings{azimuths, radius}));
+    return HorizonMaps{tables->width,   tables->height,   tables->azimuths,
+                       tables->horizon, tables->distance, tables};
+  });
+}
+
+}  // namespace api
+}  // namespace gnomon

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "gnomon/horizon.h"
+#include "relief/height_field.h"
+
+namespace gnomon {
+inline namespace api {
+
+/// A copy of a height map, checked.
+/// @throws InputError as HeightField
+HeightField heightFieldOf(const HeightMap& map);
+
+}  // namespace api
+}  // namespace gnomon

@@ -1,0 +1,92 @@
+#include "gnomon/study.h"
+
+#include <exception>
+#include <memory>
+
+#include "api/inner/translated.h"
+#include "cli/cache_command.h"
+#include "cli/plan_runs.h"
+#include "cli/run_command.h"
+#include "cli/study_plans.h"
+#include "common/text/shell_quote.h"
+#include "render/gl_context.h"
+#include "report/text/gate_text.h"
+#include "study/record/gate.h"
+
+namespace gnomon {
+inline namespace api {
+namespace {
+
+/// The command line that does the same, for the report.
+std::string commandOf(const std::filesystem::path& study, const RunOptions& options) {
+  std::string text = "gnomon run " + shellQuoted(study.string());
+  text += " --out " + shellQuoted(options.out.string());
+  for (const std::string& method : options.methods) text += " --method " + shellQuoted(method);
+  for (const std::string& setting : options.settings) text += " --set " + shellQuoted(setting);
+  if (options.quick) text += " --quick";
+  if (!options.cache) text += " --no-cache";
+  return text;
+}
+
+RunRequest requestOf(const std::filesystem::path& study, const RunOptions& options) {
+  RunRequest request;
+  request.studies = {study};
+  request.out = options.out;
+  request.options.methods = options.methods;
+  request.options.overrides = options.settings;
+  request.options.quick = options.quick;
+  request.noCache = !options.cache;
+  request.command = commandOf(study, options);
+  return request;
+}
+
+/// Gates that do not hold, and what was not measured.
+std::vector<std::string> failuresOf(const std::vector<StudyRecord>& records) {
+  std::vector<std::string> lines;
+  for (const StudyRecord& record : records) {
+    for (const Judgement& judgement : record.judgements) {
+      if (judgement.isFault()) lines.push_back(gateFaultText(judgement));
+    }
+    for (const ProblemRecord& problem : record.problems) lines.push_back(problem.message);
+  }
+  return lines;
+}
+
+RunResult run(const RunRequest& request) {
+  const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
+  const GlContext gl;
+  requirePlots();
+  const std::unique_ptr<Cache> cache = openCache(request.noCache);
+  Records records;
+  records.folders.claim(plans.front(), request.out);
+  records.folders.clear(request.out);
+  const PlanRecords part = runPlan(plans.front(), gl, request, *cache, records);
+  (void)finishPlan(part, request, *cache, records);
+  std::vector<std::string> failures = failuresOf(records.all);
+  return {request.out / plans.front().name / "summary.json", failures.empty(), std::move(failures)};
+}
+
+}  // namespace
+
+RunResult runStudy(const std::filesystem::path& study, const RunOptions& options) {
+  std::exception_ptr cancelled;
+  RunRequest request = requestOf(study, options);
+  request.progress = [&](std::string_view stage, double share) {
+    if (!options.progress) return;
+    try {
+      options.progress(stage, share);
+    } catch (...) {
+      cancelled = std::current_exception();
+      throw;
+    }
+  };
+  try {
+    return translated([&] { return onOwnThread([&] { return run(request); }); });
+  } catch (...) {
+    if (cancelled) std::rethrow_exception(cancelled);
+    throw;
+  }
+}
+
+}  // namespace api
+}  // namespace gnomon

@@ -1,0 +1,149 @@
+#include "gnomon/truth.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <utility>
+
+#include "api/inner/height_field_of.h"
+#include "api/inner/surface_data.h"
+#include "api/inner/translated.h"
+#include "common/error.h"
+#include "horizon/search_radius.h"
+#include "relief/patch_border.h"
+#include "relief/relief.h"
+#include "truth/micro_mesh.h"
+#include "truth/micro_scene.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+inline namespace api {
+namespace {
+
+static_assert(static_cast<int>(Shade::shadowed) == 1 && static_cast<int>(Shade::none) == 2);
+static_assert(static_cast<int>(Region::beyondTerminator) ==
+              static_cast<int>(ShadowRegion::beyondTerminator));
+
+Relief reliefOf(const Surface::Data& surface, const Displacement& displacement) {
+  const Vec2 repeats(displacement.repeats[0], displacement.repeats[1]);
+  if (!(repeats.x > 0 && repeats.y > 0 && std::isfinite(repeats.x + repeats.y))) {
+    throw InputError(
+        fmt::format("repeats: [{}, {}] found, above 0 expected", repeats.x, repeats.y));
+  }
+  HeightField field = heightFieldOf(displacement.map);
+  const Border border = borderOf(surface.cage, surface.limit, field.wrap(), repeats);
+  return {std::move(field).withBorder(border),
+          displacement.heightsInTexels ? HeightSpace::texture : HeightSpace::world, repeats};
+}
+
+SampleGrid gridOf(const SurfaceSamples& samples, int faces) {
+  SampleGrid grid{samples.width, samples.height, {}};
+  if (samples.width < 1 || samples.height < 1 ||
+      samples.places.size() !=
+          static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height)) {
+    throw InputError(fmt::format("samples: {} places found, {} × {} expected",
+                                 samples.places.size(), samples.width, samples.height));
+  }
+  const auto isShare = [](float value) { return value >= 0 && value <= 1; };
+  grid.samples.reserve(samples.places.size());
+  for (const SurfacePlace& place : samples.places) {
+    if (place.face < -1 || place.face >= faces || !isShare(place.s) || !isShare(place.t)) {
+      throw InputError(
+          fmt::format("samples: face {}, s {}, t {} found at index {}; a face below {} and "
+                      "parameters from 0 to 1 expected",
+                      place.face, place.s, place.t, grid.samples.size(), faces));
+    }
+    grid.samples.push_back({place.face, place.s, place.t});
+  }
+  return grid;
+}
+
+std::vector<Vec3> unitVectors(const std::vector<std::array<double, 3>>& lights) {
+  std::vector<Vec3> directions;
+  for (const auto& light : lights) {
+    const Vec3 direction(light[0], light[1], light[2]);
+    const double length = glm::length(direction);
+    if (!(length > 0 && std::isfinite(length))) {
+      throw InputError(fmt::format("light {}: [{}, {}, {}] found, a direction expected",
+                                   directions.size(), light[0], light[1], light[2]));
+    }
+    directions.push_back(direction / length);
+  }
+  if (directions.empty()) throw InputError("lights: none found, at least one expected");
+  return directions;
+}
+
+/// What every trace of one call shares.
+struct Task {
+  const LimitSurface& surface;
+  Relief relief;
+  SampleGrid samples;
+  std::vector<TraceSettings> lights;
+};
+
+struct Traced {
+  std::vector<Truth> truths;
+  double step = 0;  ///< that the mesh was asked for, texels
+  std::uint64_t triangles = 0;
+};
+
+Traced trace(const Task& task, std::optional<double> step) {
+  MicroMeshSettings settings;
+  settings.stepTexels = step;
+  const MicroMesh mesh(task.surface, task.relief, settings);
+  return {
+      traceShadows(task.surface, task.relief, mesh, MicroScene(mesh), task.samples, task.lights),
+      mesh.askedStepTexels(), mesh.triangleCount()};
+}
+
+/// The same at half the resolution and half the rays' offset, as the uncertainty of a run is found.
+std::vector<Truth> traceCoarser(Task task, const Traced& fine) {
+  for (TraceSettings& light : task.lights) light.liftShare = standardLift / 2;
+  Traced coarse = trace(task, 2 * fine.step);
+  if (2 * coarse.triangles > fine.triangles) {
+    throw InputError(fmt::format(
+        "step: {} texels found, too long to tell the truth's uncertainty; a smaller step expected",
+        fine.step));
+  }
+  return std::move(coarse.truths);
+}
+
+ShadowTruth shadowTruthOf(const Truth& truth, const Truth& coarse) {
+  ShadowTruth result{
+      truth.mask.width, truth.mask.height, {}, {}, flipRate(truth.mask, coarse.mask)};
+  for (const Shade shade : truth.mask.samples) {
+    result.mask.push_back(static_cast<std::uint8_t>(shade));
+  }
+  for (const Region region : truth.regions) {
+    result.regions.push_back(static_cast<std::uint8_t>(region));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& displacement,
+                                    const SurfaceSamples& samples,
+                                    const std::vector<std::array<double, 3>>& lights,
+                                    const TraceOptions& options) {
+  return translated([&] {
+    const Surface::Data& data = surface.data();
+    const std::vector<Vec3> directions = unitVectors(lights);
+    Task task{
+        data.limit, reliefOf(data, displacement), gridOf(samples, data.limit.faceCount()), {}};
+    const double radius =
+        options.radius ? *options.radius : searchRadius(data.limit, task.relief, directions).texels;
+    if (!(radius > 0)) throw InputError(fmt::format("radius: {} found, above 0 expected", radius));
+    for (const Vec3& direction : directions) task.lights.push_back({direction, radius});
+    const Traced fine = trace(task, options.step);
+    const std::vector<Truth> coarse = traceCoarser(std::move(task), fine);
+    std::vector<ShadowTruth> truths;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      truths.push_back(shadowTruthOf(fine.truths[i], coarse[i]));
+    }
+    return truths;
+  });
+}
+
+}  // namespace api
+}  // namespace gnomon

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gnomon/horizon.h"
+#include "gnomon/surface.h"
+
+namespace gnomon {
+inline namespace api {
+
+/// How a height map displaces a surface: D = P + a h n, with the surface's outward unit normal n.
+struct Displacement {
+  HeightMap map;
+  std::array<double, 2> repeats{1, 1};  ///< times that the map is laid over one unit of u and of v
+  /// Heights count texels, a = |P_x × P_y|^½ (Max 1988); otherwise world units, a = 1.
+  bool heightsInTexels = false;
+};
+
+/// Why a sample is lit or shadowed. The values are those of `ShadowTruth::regions`.
+enum class ShadowRegion : std::uint8_t {
+  none,              ///< no sample, or the texture map is degenerate there
+  lit,               ///< the light reaches it
+  attached,          ///< its own facet is turned from the light
+  cast,              ///< shadowed by an occluder within the search radius
+  distant,           ///< shadowed only by an occluder beyond it
+  beyondTerminator,  ///< the undisplaced surface is turned from the light
+};
+
+struct TraceOptions {
+  /// Longest edge of the traced mesh, texels; where unset, a quarter texel or less, for at least
+  /// four million triangles.
+  std::optional<double> step;
+  /// Occluders farther than this along the surface are `distant`, texels; where unset, the longest
+  /// shadow that the lights can cast.
+  std::optional<double> radius;
+};
+
+/// The exact shadow of a displaced surface under one light.
+struct ShadowTruth {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> mask;     ///< as in MaskView: 0 lit, 1 shadowed, 2 no answer
+  std::vector<std::uint8_t> regions;  ///< a ShadowRegion for each sample
+  /// Share of the samples that change at half the mesh's resolution: no difference between methods
+  /// below it means anything.
+  double uncertainty = 0;
+};
+
+/// Traces one ray from every sample's displaced point toward each light, on all threads. The bytes
+/// do not depend on their number.
+/// @param lights  vectors toward directional lights, of any length
+/// @return one truth for each light
+/// @throws Exception  badInput for a height map, sample, light or step out of range; internal where
+///   the mesh does not fit into memory
+GNOMON_API std::vector<ShadowTruth> traceTruth(const Surface& surface,
+                                               const Displacement& displacement,
+                                               const SurfaceSamples& samples,
+                                               const std::vector<std::array<double, 3>>& lights,
+                                               const TraceOptions& options = {});
+
+}  // namespace api
+}  // namespace gnomon
