@@ -8,6 +8,7 @@ namespace gnomon {
 struct LightAngles {
   double azimuth = 0;     ///< counter-clockwise from +x about +z, [0, 360) after a drag
   double elevation = 45;  ///< over the xy plane, -90 to 90
+  friend bool operator==(const LightAngles&, const LightAngles&) = default;
 };
 
 LightAngles lightAngles(const LightSpec& light);

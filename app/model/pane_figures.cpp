@@ -5,20 +5,9 @@
 #include <vector>
 
 #include "common/error.h"
-#include "image/images.h"
 
 namespace gnomon {
 namespace {
-
-void requireSize(const Mask& candidate, const Mask& truth, std::span<const std::uint8_t> traced) {
-  const bool same = candidate.width == truth.width && candidate.height == truth.height &&
-                    candidate.size() == truth.size() && traced.size() == truth.size();
-  if (same) return;
-  throw InputError(
-      fmt::format("pane: {} x {} samples, but the truth has {} x {}, {} of them marked "
-                  "as traced or not",
-                  candidate.width, candidate.height, truth.width, truth.height, traced.size()));
-}
 
 /// The samples that the truth has an answer for.
 std::vector<std::uint8_t> answered(const Mask& truth, std::span<const std::uint8_t> traced) {
@@ -40,28 +29,17 @@ double shareTraced(const Mask& candidate, std::span<const std::uint8_t> traced) 
   return all == 0 ? 0 : static_cast<double>(done) / static_cast<double>(all);
 }
 
-Mask onlyWhere(Mask mask, const std::vector<std::uint8_t>& selected) {
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (selected[i] == 0) mask.samples[i] = Shade::none;
-  }
-  return mask;
-}
-
 }  // namespace
 
 PaneFigures paneFigures(const Mask& candidate, const Mask& truth,
                         std::span<const std::uint8_t> traced, std::span<const double> weights) {
-  requireSize(candidate, truth, traced);
+  if (traced.size() != truth.size()) {
+    throw InputError(fmt::format("pane: {} samples, but {} marked as traced or not", truth.size(),
+                                 traced.size()));
+  }
   const Counts counts = countSamples(candidate, truth, weights, answered(truth, traced));
   return {rate(counts, "error_rate"), rate(counts, "false_shadow"), rate(counts, "false_light"),
           rate(counts, "iou"), shareTraced(candidate, traced)};
-}
-
-Image paneDifference(const Mask& candidate, const Mask& truth,
-                     std::span<const std::uint8_t> traced) {
-  requireSize(candidate, truth, traced);
-  const std::vector<std::uint8_t> selected = answered(truth, traced);
-  return differenceImage(onlyWhere(candidate, selected), onlyWhere(truth, selected));
 }
 
 }  // namespace gnomon

@@ -6,7 +6,6 @@
 
 #include "common/mask.h"
 #include "compare/rates.h"
-#include "image/image.h"
 
 namespace gnomon {
 
@@ -26,10 +25,5 @@ struct PaneFigures {
 ///   traced sample
 PaneFigures paneFigures(const Mask& candidate, const Mask& truth,
                         std::span<const std::uint8_t> traced, std::span<const double> weights = {});
-
-/// The signed difference in the report's colours (`DifferenceColours`); samples that are not traced
-/// yet are left as background.
-Image paneDifference(const Mask& candidate, const Mask& truth,
-                     std::span<const std::uint8_t> traced);
 
 }  // namespace gnomon

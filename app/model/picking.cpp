@@ -5,12 +5,6 @@
 
 namespace gnomon {
 
-PaneRectangle fitted(const PaneRectangle& pane, int width, int height) {
-  const double scale = std::min(pane.size.x / width, pane.size.y / height);
-  const Vec2 size = scale * Vec2(width, height);
-  return {pane.corner + 0.5 * (pane.size - size), size};
-}
-
 std::optional<ViewPixel> pixelUnder(Vec2 cursor, const PaneRectangle& rectangle, int width,
                                     int height) {
   const Vec2 place = (cursor - rectangle.corner) / rectangle.size;

@@ -21,10 +21,6 @@ struct PaneRectangle {
   Vec2 size{0, 0};
 };
 
-/// The largest rectangle of a view's proportions in the middle of a pane.
-/// @param width, height  of the view, pixels, above 0
-PaneRectangle fitted(const PaneRectangle& pane, int width, int height);
-
 /// The pixel of a view under a place of the window; none outside the rectangle. The left and upper
 /// border belong to it, the others do not.
 std::optional<ViewPixel> pixelUnder(Vec2 cursor, const PaneRectangle& rectangle, int width,

@@ -229,6 +229,14 @@ TEST(ShadowTracer, SeveralLightsAtOnceAreEachLightAlone) {
   EXPECT_NE(together[0].mask.samples, together[1].mask.samples);
 }
 
+/// Some rows of a grid, as a grid of its own.
+SampleGrid rowsOf(const SampleGrid& grid, int first, int count) {
+  const auto row = [&](int i) {
+    return grid.samples.begin() + static_cast<std::ptrdiff_t>(i) * grid.width;
+  };
+  return {grid.width, count, {row(first), row(first + count)}};
+}
+
 TEST(ShadowTracer, PlacedSamplesAndPartsOfThemGiveTheSame) {
   const RoughTorus torus;
   const TraceSettings light{lightToward(30, 20), 12, standardLift};

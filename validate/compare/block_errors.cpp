@@ -32,11 +32,6 @@ double BlockErrors::rate() const {
   return all > 0 ? sumOf(wrong) / all : 0;
 }
 
-std::size_t BlockErrors::count() const {
-  return static_cast<std::size_t>(
-      std::count_if(weight.begin(), weight.end(), [](double w) { return w > 0; }));
-}
-
 BlockErrors& BlockErrors::operator+=(const BlockErrors& other) {
   requireSameBlocks(*this, other);
   std::transform(wrong.begin(), wrong.end(), other.wrong.begin(), wrong.begin(), std::plus<>());

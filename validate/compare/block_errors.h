@@ -18,8 +18,6 @@ struct BlockErrors {
 
   /// Σ wrong / Σ weight, the error rate; 0 without any sample.
   [[nodiscard]] double rate() const;
-  /// Blocks that hold a sample.
-  [[nodiscard]] std::size_t count() const;
   /// Adds the same blocks of another case: another light in the same view.
   /// @throws InternalError where the number of blocks differs
   BlockErrors& operator+=(const BlockErrors& other);

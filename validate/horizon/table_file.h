@@ -28,10 +28,9 @@ struct StoredHorizons {
 /// and attributes `gnomon:azimuths`, `gnomon:radiusTexels` (as text, which keeps every digit),
 /// `gnomon:wrap` (repeat or clamp), `gnomon:bits`, `gnomon:horizonLow`, `gnomon:horizonHigh`,
 /// `gnomon:distanceLow` and `gnomon:distanceHigh`. The image's first row is v = 1, as in a height
-/// image. Reading gives back the same bytes. The file is written whole or not at all.
+/// image. The file is written whole or not at all.
 /// @throws InputError naming the file: a name without .exr, tables of unlike sizes or over 1000
-///   azimuths; a file that is missing, damaged, foreign or holds entries that are no codes
+///   azimuths; one that cannot be written
 void writeHorizons(const std::filesystem::path& path, const StoredHorizons& horizons);
-StoredHorizons readHorizons(const std::filesystem::path& path);
 
 }  // namespace gnomon

@@ -93,11 +93,7 @@ void ImageFile::requireReadable(double bytesKept) const {
     refuse(fmt::format("{} × {} × {} {}pixels found, a flat image expected", width, height,
                        facts.depth, facts.isDeep ? "deep " : ""));
   }
-  const auto found = facts.attributes.find("compression");
-  const auto* coding =
-      found == facts.attributes.end() ? nullptr : std::get_if<std::string>(&found->second);
-  requireRoom({width, height, static_cast<double>(facts.bytesAPixel)}, coding ? *coding : "",
-              bytesKept);
+  requireRoom({width, height, static_cast<double>(facts.bytesAPixel)}, facts.coding, bytesKept);
 }
 
 void ImageFile::requireRoom(const Size& size, const std::string& coding, double bytesKept) const {

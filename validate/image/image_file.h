@@ -20,7 +20,6 @@ class ImageFile {
   /// @throws InputError where it is missing, no file, of another format (saying which), or damaged
   explicit ImageFile(std::filesystem::path path);
 
-  [[nodiscard]] ImageFormat format() const { return format_; }
   [[nodiscard]] ImageFacts facts() const;
   /// As ImageReader's.
   bool goTo(int part);

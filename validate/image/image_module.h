@@ -2,14 +2,19 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "image/image_reader.h"
 #include "image/image_format.h"
+#include "image/image_reader.h"
 
 namespace gnomon {
+
+/// What a file's header says beside the pixels, by name.
+using ImageAttributes = std::map<std::string, std::variant<int, float, std::string>>;
 
 /// An EXR to be written.
 struct ExrDescription {

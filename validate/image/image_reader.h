@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace gnomon {
@@ -17,16 +15,13 @@ class ImageError : public std::runtime_error {
 };
 
 /// How the numbers of an image lie in a file or in memory.
-enum class NumberType { uint8, uint32, half, float32 };
+enum class NumberType { uint32, half, float32 };
 
 /// Its name in ImageFacts.
 constexpr const char* nameOf(NumberType type) {
-  constexpr const char* names[] = {"uint8", "uint", "half", "float"};
+  constexpr const char* names[] = {"uint", "half", "float"};
   return names[static_cast<int>(type)];
 }
-
-/// What a file's header says beside the pixels, by name.
-using ImageAttributes = std::map<std::string, std::variant<int, float, std::string>>;
 
 /// A rectangle of pixels.
 struct ImageWindow {
@@ -45,13 +40,12 @@ struct ImageFacts {
   bool isDeep = false;  ///< several values a pixel and channel
   std::vector<std::string> channels;
   std::vector<std::string> channelNumbers;  ///< each channel's type: "uint8", "half", "float" …
-  std::string numbers;                      ///< the widest of them
   int alpha = -1;                           ///< index of a channel; none
   int z = -1;                               ///< index of a channel; none
   bool hasPlainAlpha = false;               ///< colours do not come multiplied by it
   int orientation = 1;                      ///< as Exif counts them, 1 upright
   std::size_t bytesAPixel = 0;              ///< in the file, unpacked
-  ImageAttributes attributes;               ///< integers, floats and texts
+  std::string coding;                       ///< how they are packed, as OpenImageIO names it
 
   [[nodiscard]] int channelCount() const { return static_cast<int>(channels.size()); }
   /// The index of a channel, -1 where there is none of this name.

@@ -92,12 +92,6 @@ std::string glString(GLenum name) {
   return text != nullptr ? text : "unknown";
 }
 
-int glInteger(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
 }  // namespace
 
 GlContext::GlContext() : egl_(std::make_unique<Egl>()) {
@@ -123,13 +117,6 @@ GlContext::GlContext() : egl_(std::make_unique<Egl>()) {
 }
 
 GlContext::~GlContext() = default;
-
-int GlContext::largestTexture() const {
-  return glInteger(GL_MAX_TEXTURE_SIZE);
-}
-int GlContext::largestVolume() const {
-  return glInteger(GL_MAX_3D_TEXTURE_SIZE);
-}
 
 GlDriver currentDriver() {
   return {glString(GL_VENDOR), glString(GL_RENDERER), glString(GL_VERSION)};

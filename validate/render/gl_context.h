@@ -26,9 +26,6 @@ class GlContext {
   GlContext& operator=(const GlContext&) = delete;
 
   [[nodiscard]] GlDriver driver() const { return currentDriver(); }
-  /// Largest side of a two- or three-dimensional texture, texels.
-  [[nodiscard]] int largestTexture() const;
-  [[nodiscard]] int largestVolume() const;
 
  private:
   struct Egl;

@@ -26,13 +26,6 @@ double rounded(double value) {
 
 }  // namespace
 
-SampleGrid rowsOf(const SampleGrid& grid, int first, int count) {
-  const auto row = [&](int i) {
-    return grid.samples.begin() + static_cast<std::ptrdiff_t>(i) * grid.width;
-  };
-  return {grid.width, count, {row(first), row(first + count)}};
-}
-
 std::vector<double> sampleAreas(const LimitSurface& surface, const SampleGrid& grid, int side) {
   std::vector<double> areas(grid.samples.size(), 0.0);
   parallelFor(

@@ -20,10 +20,6 @@ struct SampleGrid {
   std::vector<SurfaceSample> samples;
 };
 
-/// Some rows of a grid, as a grid of its own.
-/// @param first, count  0 ≤ first, first + count ≤ height
-SampleGrid rowsOf(const SampleGrid& grid, int first, int count);
-
 /// The world area that each sample of a regular parameter grid stands for, |P_s × P_t| / side²,
 /// where `side` × `side` samples share a face; 0 where there is no sample. For a sphere they sum to
 /// its area as the grid grows finer. It is taken at the grid's own points, of which samples may be

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "image/images.h"
 #include "viewer/panes/gui.h"
@@ -146,9 +147,7 @@ std::string figuresText(const PaneFigures& figures) {
                      figures.iou.value ? fmt::format("{:.3f}", *figures.iou.value) : "undefined");
 }
 
-void PaneView::showCurvature(const CurvaturePicture& picture) {
-  if (shown_ == picture.key) return;
-  shown_ = picture.key;
+void PaneView::upload(const CurvaturePicture& picture) {
   if (width_ != picture.image.width || height_ != picture.image.height) {
     width_ = picture.image.width;
     height_ = picture.image.height;
@@ -172,8 +171,8 @@ void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int 
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ViewState& state = session.state();
   const bool wipes = state.paneCount == 2;
-  const CurvaturePicture* curvature = state.overlays.curvature ? session.curvature() : nullptr;
-  if (curvature != nullptr) showCurvature(*curvature);
+  const auto curvature = state.overlays.curvature ? session.curvature() : nullptr;
+  if (curvature != nullptr && curvature != std::exchange(shown_, curvature)) upload(*curvature);
   if (state.paneCount == 4) {  // what shows between them
     list.AddRectFilled(point(layout.pictures.corner),
                        point(layout.pictures.corner + layout.pictures.size), ink::line);

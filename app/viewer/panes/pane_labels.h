@@ -11,11 +11,11 @@ class PaneView {
   void draw(const ViewSession& session, const WindowLayout& layout, int activePane);
 
  private:
-  void showCurvature(const CurvaturePicture& picture);
+  void upload(const CurvaturePicture& picture);
 
   gl::Texture curvature_;
   int width_ = 0, height_ = 0;
-  std::optional<ContentKey> shown_;  ///< whose picture the texture holds
+  std::shared_ptr<const CurvaturePicture> shown_;  ///< what the texture holds
 };
 
 /// "2.41 % wrong: 1.20 % false shadow, 1.21 % false light; IoU 0.873".

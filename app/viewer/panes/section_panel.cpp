@@ -118,10 +118,22 @@ std::string verdict(bool shadowed) {
   return shadowed ? "shadow" : "lit";
 }
 
-/// A figure's title; its number alone where there is no room for more.
-void drawTitle(ImDrawList& list, ImVec2 at, float room, const std::string& title) {
-  const bool fits = ImGui::CalcTextSize(title.c_str()).x <= room;
-  list.AddText(at, ink::text, fits ? title.c_str() : title.substr(0, title.find(':')).c_str());
+/// A figure with its title (the number alone where there is no room for more): the relief as it
+/// lies in the figure, what `draw` puts on its plot, and the shaded point.
+template <typename Draw>
+void drawFigure(ImDrawList& list, ImVec2 begin, ImVec2 end, const std::string& title,
+                const std::vector<Vec2>& relief, Vec2 eye, const Draw& draw) {
+  const bool fits = ImGui::CalcTextSize(title.c_str()).x <= end.x - begin.x - 2;
+  list.AddText(ImVec2(begin.x + 2, begin.y - 23), ink::text,
+               fits ? title.c_str() : title.substr(0, title.find(':')).c_str());
+  const auto [low, high] = boundsOf(relief, eye);
+  list.PushClipRect(begin, end, true);
+  const Plot plot(list, begin, end, low, high);
+  plot.fill(relief, reliefFill);
+  plot.curve(relief, reliefColour, 1.5F);
+  draw(plot);
+  plot.dot(eye, ink::text);
+  list.PopClipRect();
 }
 
 struct Entry {
@@ -213,42 +225,30 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   const auto& corrected = section.fromTables ? *section.fromTables : section.here;
   const auto slopeRay = [](double slope) { return Vec2(1, slope); };
 
-  drawTitle(list, ImVec2(begin.x + 14, begin.y + 9), column - 14, "Figure 1: the relief laid flat");
-  const std::vector<Vec2> flat = upTo(flatRelief(section), reach);
   const Vec2 flatEye(0, section.here.lookups.height);
-  const auto [flatLow, flatHigh] = boundsOf(flat, flatEye);
-  const ImVec2 firstBegin(begin.x + 12, top);
-  const ImVec2 firstEnd(begin.x + column, bottom);
-  list.PushClipRect(firstBegin, firstEnd, true);
-  const Plot first(list, firstBegin, firstEnd, flatLow, flatHigh);
-  first.fill(flat, reliefFill);
-  first.curve(flat, reliefColour, 1.5F);
-  first.ray(flatEye, toLight, rayColour, 2);
-  first.ray(flatEye, slopeRay(section.here.flat.slope), flatColour, 1.5F);
-  const double horizonArc = section.horizon.distance * section.worldPerTexel;
-  first.dot(flatEye + horizonArc * Vec2(1, section.here.lookups.slope), flatColour);
-  first.dot(flatEye, ink::text);
-  list.PopClipRect();
-
-  drawTitle(list, ImVec2(begin.x + column + 14, begin.y + 9), column - 14,
-            "Figure 2: bent onto the osculating circle");
-  const std::vector<Vec2> bent = upTo(section.bentRelief, reach);
-  const auto [bentLow, bentHigh] = boundsOf(bent, section.eye);
-  const ImVec2 secondBegin(begin.x + column + 12, top);
-  const ImVec2 secondEnd(begin.x + 2 * column, bottom);
-  list.PushClipRect(secondBegin, secondEnd, true);
-  const Plot second(list, secondBegin, secondEnd, bentLow, bentHigh);
-  second.fill(bent, reliefFill);
-  second.curve(bent, reliefColour, 1.5F);
-  second.curve(upTo(section.bentGround, reach), groundColour, 1);
-  second.ray(section.eye, toLight, rayColour, 2);
-  second.ray(section.eye, slopeRay(section.here.flat.slope), flatColour, 1);
+  drawFigure(list, ImVec2(begin.x + 12, top), ImVec2(begin.x + column, bottom),
+             "Figure 1: the relief laid flat", upTo(flatRelief(section), reach), flatEye,
+             [&](const Plot& plot) {
+               plot.ray(flatEye, toLight, rayColour, 2);
+               plot.ray(flatEye, slopeRay(section.here.flat.slope), flatColour, 1.5F);
+               const double arc = section.horizon.distance * section.worldPerTexel;
+               plot.dot(flatEye + arc * Vec2(1, section.here.lookups.slope), flatColour);
+             });
   const double best = std::max(corrected.smallAngle.slope, corrected.bare.slope);
-  if (std::isfinite(best)) second.ray(section.eye, slopeRay(best), correctedColour, 1.5F);
-  second.dot(section.horizonPoint, flatColour);
-  if (occluder_ && !occluder_->attached) second.dot(section.inPlane(occluder_->point), truthColour);
-  second.dot(section.eye, ink::text);
-  list.PopClipRect();
+  drawFigure(list, ImVec2(begin.x + column + 12, top), ImVec2(begin.x + 2 * column, bottom),
+             "Figure 2: bent onto the osculating circle", upTo(section.bentRelief, reach),
+             section.eye, [&](const Plot& plot) {
+               plot.curve(upTo(section.bentGround, reach), groundColour, 1);
+               plot.ray(section.eye, toLight, rayColour, 2);
+               plot.ray(section.eye, slopeRay(section.here.flat.slope), flatColour, 1);
+               if (std::isfinite(best)) {
+                 plot.ray(section.eye, slopeRay(best), correctedColour, 1.5F);
+               }
+               plot.dot(section.horizonPoint, flatColour);
+               if (occluder_ && !occluder_->attached) {
+                 plot.dot(section.inPlane(occluder_->point), truthColour);
+               }
+             });
 
   const std::string truth = !session.traced()     ? "truth: not traced yet"
                             : !occluder_          ? "truth: lit"

@@ -97,24 +97,18 @@ Image seenSurface(const TracedMesh& traced, Camera camera, const Vec3& light, in
                         displacedPicture(traced.mesh, traced.scene, camera, light, progress));
 }
 
-CurvaturePicture curvaturePicture(const SceneData& scene, const SampleGrid& samples,
-                                  const Vec3& light) {
+std::shared_ptr<const CurvaturePicture> curvaturePicture(const SceneData& scene,
+                                                         const SampleGrid& samples,
+                                                         const Vec3& light) {
   CurvatureField field = curvatureAlong(*scene.surface, samples, light);
   CurvaturePicture picture{
-      {samples.width, samples.height, {}}, std::move(field.defined), field.largest, {}};
+      {samples.width, samples.height, {}}, std::move(field.defined), field.largest};
   picture.image.rgb.reserve(3 * field.values.size());
   for (const double value : field.values) {
     const Rgb colour = curvatureColour(value, field.largest);
     picture.image.rgb.insert(picture.image.rgb.end(), colour.begin(), colour.end());
   }
-  picture.key = KeyBuilder("curvature")
-                    .add("width", picture.image.width)
-                    .add("height", picture.image.height)
-                    .add("rgb", picture.image.rgb)
-                    .add("defined", picture.defined)
-                    .add("largest", picture.largest)
-                    .key();
-  return picture;
+  return std::make_shared<const CurvaturePicture>(std::move(picture));
 }
 
 bool isAsked(const TruthRequest& request, const std::shared_ptr<const SampleGrid>& samples) {

@@ -59,7 +59,6 @@ struct CurvaturePicture {
   Image image;
   std::vector<std::uint8_t> defined;  ///< one a pixel: 1 where there is a curvature
   double largest = 0;                 ///< |κ| that the colours' ends stand for, 1 / world
-  ContentKey key;                     ///< of all of the above
 };
 
 /// A truth as far as it is traced.
@@ -88,7 +87,7 @@ struct ShotAngles {
 struct TruthResult {
   std::optional<PartialTruth> truth;
   std::optional<Image> picture;  ///< the displaced surface by its own rays, perhaps smaller
-  std::optional<CurvaturePicture> curvature;
+  std::shared_ptr<const CurvaturePicture> curvature;
   std::optional<ShotAngles> angles;
   std::shared_ptr<const TracedMesh> traced;  ///< what it was traced on
   std::string error;                         ///< why there is no more

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <set>
 
 #include "common/error.h"
 #include "render/gl_context.h"
@@ -35,10 +35,6 @@ std::function<void(const TruthRequest&, const TruthTracer::Worker::Job&)> truthW
 bool sameCamera(const Camera& a, const Camera& b) {
   return a.eye == b.eye && a.target == b.target && a.up == b.up && a.width == b.width &&
          a.height == b.height && a.verticalFov == b.verticalFov;
-}
-
-bool sameLight(const LightAngles& a, const LightAngles& b) {
-  return a.azimuth == b.azimuth && a.elevation == b.elevation;
 }
 
 }  // namespace
@@ -130,7 +126,7 @@ void ViewSession::forgetTruth(bool cameraMoved) {
 
 void ViewSession::noticeChanges() {
   const bool cameraMoved = !sameCamera(state_.camera, shownCamera_);
-  const bool lightMoved = !sameLight(state_.light, shownLight_);
+  const bool lightMoved = state_.light != shownLight_;
   if (cameraMoved) cameraMoved_ = Clock::now();
   if (cameraMoved || lightMoved) {
     shownCamera_ = state_.camera;
@@ -174,21 +170,15 @@ void ViewSession::askForTruth() {
   TruthRequest wanted;
   bool wantsPicture = false;
   std::string asked = scene()->keys.truth.text();
-  std::vector<MeshChoice> meshes;
+  std::set<MeshChoice> meshes;
   for (int i = 0; i < state_.paneCount; ++i) {
     const PaneContent& content = state_.panes.at(static_cast<std::size_t>(i));
     if (content.shown == displacedSurface) wantsPicture = true;
     const auto mesh = PanePictures::meshOf(scene_, content);
-    if (mesh && needsTruth(content) &&
-        std::find(meshes.begin(), meshes.end(), *mesh) == meshes.end()) {
-      meshes.push_back(*mesh);
-    }
+    if (mesh && needsTruth(content)) meshes.insert(*mesh);
   }
   const MeshChoice standard = scene()->standardMesh();
-  const bool overlay = state_.overlays.curvature || state_.overlays.section;
-  if (overlay && std::find(meshes.begin(), meshes.end(), standard) == meshes.end()) {
-    meshes.push_back(standard);
-  }
+  if (state_.overlays.curvature || state_.overlays.section) meshes.insert(standard);
   for (const MeshChoice& mesh : meshes) {
     asked += fmt::format("\n{} {} {}", static_cast<int>(mesh.kind), mesh.subdivisions,
                          static_cast<int>(mesh.curvature));

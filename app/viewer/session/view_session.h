@@ -67,11 +67,10 @@ class ViewSession {
   [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
   /// The pixels of the study's base mesh, and the curvature there, once the camera rests.
   [[nodiscard]] const SampleGrid* samples() const;
-  [[nodiscard]] const CurvaturePicture* curvature() const {
-    return curvature_ ? &*curvature_ : nullptr;
+  [[nodiscard]] const std::shared_ptr<const CurvaturePicture>& curvature() const {
+    return curvature_;
   }
   [[nodiscard]] const TracedMesh* traced() const { return traced_.get(); }
-  [[nodiscard]] std::uint64_t truthSerial() const { return truth_.serial; }
   [[nodiscard]] std::uint64_t serial() const { return serial_; }
   /// The options that read the study as it is shown, sliders included.
   [[nodiscard]] StudyOptions shownOptions() const;
@@ -111,7 +110,7 @@ class ViewSession {
 
   KnownTruth truth_;
   std::map<MeshChoice, std::shared_ptr<const SampleGrid>> grids_;  ///< of the camera at rest
-  std::optional<CurvaturePicture> curvature_;
+  std::shared_ptr<const CurvaturePicture> curvature_;
   std::shared_ptr<const TracedMesh> traced_;
   std::string askedTruth_;
   bool pictureWhole_ = false;

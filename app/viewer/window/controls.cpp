@@ -225,28 +225,26 @@ void ControlPanel::parameters(ViewSession& session) {
 
 void ControlPanel::overlays(ViewState& state) {
   heading("Overlays");
-  ImGui::Checkbox("curvature##overlay", &state.overlays.curvature);
-  note("overlay.curvature");
-  ImGui::SameLine();
-  ImGui::Checkbox("directions", &state.overlays.directions);
-  note("overlay.directions");
-  ImGui::SameLine();
-  ImGui::Checkbox("section", &state.overlays.section);
-  note("overlay.section");
+  Overlays& overlays = state.overlays;
+  for (const auto& [name, isOn] : {std::pair("curvature", &overlays.curvature),
+                                   {"directions", &overlays.directions},
+                                   {"section", &overlays.section}}) {
+    if (isOn != &overlays.curvature) ImGui::SameLine();
+    ImGui::Checkbox(fmt::format("{}##overlay", name).c_str(), isOn);
+    note(fmt::format("overlay.{}", name));
+  }
 }
 
 SaveActions ControlPanel::saving(const std::string& said) {
   SaveActions actions;
   heading("Save");
-  actions.study = ImGui::Button("study");
-  note("save.study");
-  ImGui::SameLine();
-  actions.screenshot = ImGui::Button("screenshot");
-  note("save.screenshot");
-  ImGui::SameLine();
-  actions.masks = ImGui::Button("masks");
-  note("save.masks");
-  ImGui::SameLine();
+  for (const auto& [name, isPressed] : {std::pair("study", &actions.study),
+                                        {"screenshot", &actions.screenshot},
+                                        {"masks", &actions.masks}}) {
+    *isPressed = ImGui::Button(name);
+    note(fmt::format("save.{}", name));
+    ImGui::SameLine();
+  }
   faintText("? keys");
   if (!said.empty()) faintText(said);
   return actions;

@@ -70,27 +70,13 @@ SaveActions both(const SaveActions& a, const SaveActions& b) {
   return {a.study || b.study, a.screenshot || b.screenshot, a.masks || b.masks};
 }
 
-/// What the framebuffer holds that is drawn into.
-Image readPicture(int width, int height) {
-  const auto row = 3 * static_cast<std::size_t>(width);
-  std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(height));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, upward.data());
-  Image image{width, height, {}};
-  image.rgb.reserve(upward.size());
-  for (auto end = upward.end(); end != upward.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
-    image.rgb.insert(image.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
-  }
-  return image;
-}
-
 /// The frame that Dear ImGui describes, drawn by itself: a window's own pixels may lack the alpha
 /// and round what is blended another way, and a picture must not depend on the window.
 Image pictureOf(const Gui& gui, int width, int height) {
   const Target target(width, height, {GL_RGBA8});
   target.bind();
   gui.draw(width, height);
-  return readPicture(width, height);
+  return {width, height, target.read<std::uint8_t>(0, GL_RGB, GL_UNSIGNED_BYTE, 3)};
 }
 
 /// Dear ImGui's part in a window.
@@ -161,7 +147,6 @@ void runWindow(const ViewRequest& request) {
 void takeScreenshot(const ViewRequest& request) {
   const GlContext context;
   const Gui gui;
-  const Target target(request.width, request.height, {GL_RGBA8});
   ViewSession session(request, [] {});
   Screen screen(session);
   FrameLog frames;
@@ -180,14 +165,14 @@ void takeScreenshot(const ViewRequest& request) {
   }
   session.update();
   const int under = paneUnder(screen.layout(), {cursor.x, cursor.y}, session.state().wipe);
+  Image picture;
   // Twice: Dear ImGui knows the size of some things only in the second frame.
   for (int frame = 0; frame < 2; ++frame) {
     gui.beginWithoutWindow(request.width, request.height, cursor);
     screen.describe(frames, {}, std::max(0, under));
-    target.bind();
-    gui.draw(request.width, request.height);
+    picture = pictureOf(gui, request.width, request.height);
   }
-  writePng(*request.screenshot, readPicture(request.width, request.height));
+  writePng(*request.screenshot, picture);
   StatusFile(request.status).write(session, screen.controls().places(), frames, {});
 }
 

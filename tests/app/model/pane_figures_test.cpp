@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "common/error.h"
-#include "image/images.h"
 
 namespace gnomon {
 namespace {
@@ -94,20 +93,6 @@ TEST(PaneFigures, LeaveOutWhatTheTruthHasNoFrameForAndRefuseWhatOnlyTheMethodLea
   EXPECT_THROW(paneFigures(masks.candidate, masks.truth, all), InputError);
   EXPECT_THROW(paneFigures(masks.candidate, masks.truth, std::vector<std::uint8_t>(3, 1)),
                InputError);
-}
-
-TEST(PaneDifference, HasTheReportsColoursWhereTracedAndBackgroundElsewhere) {
-  const Masks masks = randomMasks();
-  std::vector<std::uint8_t> traced(paneSamples, 1);
-  const Image report = differenceImage(masks.candidate, masks.truth);
-  EXPECT_EQ(paneDifference(masks.candidate, masks.truth, traced).rgb, report.rgb);
-  for (std::size_t i = 0; i < paneSamples; i += 2) traced[i] = 0;
-  const Image part = paneDifference(masks.candidate, masks.truth, traced);
-  for (std::size_t i = 0; i < paneSamples; ++i) {
-    const Rgb found{part.rgb[3 * i], part.rgb[3 * i + 1], part.rgb[3 * i + 2]};
-    const Rgb whole{report.rgb[3 * i], report.rgb[3 * i + 1], report.rgb[3 * i + 2]};
-    EXPECT_EQ(found, traced[i] != 0 ? whole : DifferenceColours::none);
-  }
 }
 
 }  // namespace

@@ -28,15 +28,6 @@ TEST(Picking, EndsAtTheBorder) {
   EXPECT_FALSE(pixelUnder({50, 30}, {{10, 20}, {0, 0}}, 10, 5));
 }
 
-TEST(Picking, FitsAViewIntoAPaneWithoutStretchingIt) {
-  const PaneRectangle wide = fitted({{10, 20}, {400, 100}}, 50, 50);
-  EXPECT_EQ(wide.size, Vec2(100, 100));
-  EXPECT_EQ(wide.corner, Vec2(160, 20));
-  const PaneRectangle tall = fitted({{0, 0}, {100, 400}}, 200, 100);
-  EXPECT_EQ(tall.size, Vec2(100, 50));
-  EXPECT_EQ(tall.corner, Vec2(0, 175));
-}
-
 TEST(Picking, GivesTheSampleOfAPixel) {
   SampleGrid grid{3, 2, std::vector<SurfaceSample>(6)};
   grid.samples[4] = {7, 0.25F, 0.75F};

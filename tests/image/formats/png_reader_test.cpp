@@ -108,7 +108,7 @@ TEST_F(Pngs, AreReadAsAnotherLibraryReadsThem) {
           const ImageFacts facts = ImageFile(file("p.png")).facts();
           EXPECT_EQ(facts.channels, spec.channelnames);
           EXPECT_EQ(facts.alpha, spec.alpha_channel);
-          EXPECT_EQ(facts.numbers, spec.format.c_str());
+          EXPECT_EQ(facts.channelNumbers.front(), spec.format.c_str());
           EXPECT_EQ(facts.bytesAPixel, spec.pixel_bytes(true));
           EXPECT_EQ(readByUs(), expected);
           ++kinds;

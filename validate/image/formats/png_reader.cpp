@@ -124,8 +124,7 @@ class PngReader : public ImageReader {
     if (layout_.channels % 2 == 0) facts_.channels.emplace_back("A");
     facts_.data =
         facts_.display = {0, 0, static_cast<int>(header_.width), static_cast<int>(header_.height)};
-    facts_.numbers = layout_.bits == 16 ? "uint16" : "uint8";
-    facts_.channelNumbers.assign(facts_.channels.size(), facts_.numbers);
+    facts_.channelNumbers.assign(facts_.channels.size(), layout_.bits == 16 ? "uint16" : "uint8");
     facts_.alpha = facts_.channel("A");
     facts_.hasPlainAlpha = facts_.alpha >= 0;
     facts_.bytesAPixel = layout_.pixelBytes();

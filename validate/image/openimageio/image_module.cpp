@@ -16,17 +16,6 @@ OIIO::TypeDesc typeDesc(NumberType type) {
   return OIIO::TypeDesc(nameOf(type));
 }
 
-ImageAttributes attributesOf(const OIIO::ImageSpec& spec) {
-  ImageAttributes attributes;
-  for (const OIIO::ParamValue& value : spec.extra_attribs) {
-    const std::string name = value.name().string();
-    if (value.type() == OIIO::TypeDesc::INT) attributes[name] = value.get_int();
-    if (value.type() == OIIO::TypeDesc::FLOAT) attributes[name] = value.get_float();
-    if (value.type() == OIIO::TypeDesc::STRING) attributes[name] = value.get_string();
-  }
-  return attributes;
-}
-
 ImageFacts factsOf(const OIIO::ImageSpec& spec) {
   ImageFacts facts;
   facts.data = {spec.x, spec.y, spec.width, spec.height};
@@ -37,13 +26,12 @@ ImageFacts factsOf(const OIIO::ImageSpec& spec) {
     facts.channels.emplace_back(spec.channel_name(c));
     facts.channelNumbers.emplace_back(spec.channelformat(c).c_str());
   }
-  facts.numbers = spec.format.c_str();
   facts.alpha = spec.alpha_channel;
   facts.z = spec.z_channel;
   facts.hasPlainAlpha = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
   facts.orientation = spec.get_int_attribute("Orientation", 1);
   facts.bytesAPixel = spec.pixel_bytes(true);
-  facts.attributes = attributesOf(spec);
+  facts.coding = std::string(spec.get_string_attribute("compression"));
   return facts;
 }
 
