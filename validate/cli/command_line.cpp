@@ -39,8 +39,8 @@ Examples:
 
 constexpr const char* checkExamples = R"(
 Exit status: 0 all thresholds and references hold, 1 one failed or is undefined, 2 usage, 3 bad
-input, 4 internal or out of memory, 77 no usable OpenGL. All studies are checked, whatever becomes of
-one; of several statuses it is the largest.
+input, 4 internal error or out of memory, 77 no usable OpenGL. All studies are checked, even if one
+fails; the largest status is returned.
 
 Examples:
   gnomon check scenes/figure8.toml
@@ -50,7 +50,7 @@ Examples:
   gnomon check scenes/*.toml --baseline results/reference --update-baseline --reason "why")";
 
 constexpr const char* exportExamples = R"(
-Writes OUT/NAME/export: export.json explains displaced.ply, base.obj, heights.exr, tables.exr and the
+Writes OUT/NAME/export: export.json describes displaced.ply, base.obj, heights.exr, tables.exr and the
 sample maps, truths and regions of interest of every view.
 
 Examples:
@@ -59,8 +59,8 @@ Examples:
   gnomon compare mine.png out/figure8/export/masks/camera_elevation-24-azimuth-165_truth.png)";
 
 constexpr const char* cacheExamples = R"(
-The folder is the environment's GNOMON_CACHE, else gnomon in XDG_CACHE_HOME, else ~/.cache/gnomon.
-What was used longest ago makes room.
+The folder is $GNOMON_CACHE if that is set, else $XDG_CACHE_HOME/gnomon, else ~/.cache/gnomon. The
+entries that were used longest ago are removed first.
 
 Examples:
   gnomon cache
@@ -74,56 +74,57 @@ std::string joinedCommand(int argc, char** argv) {
 }
 
 void addStudyOptions(CLI::App& command, RunRequest& request) {
-  command.add_option("STUDY", request.studies, "Study files; /dev/stdin is one from a pipe")
+  command.add_option("STUDY", request.studies, "Study files; /dev/stdin reads a study from a pipe")
       ->required()
       ->type_name("FILE…");
-  command.add_option("--out", request.out, "Folder for the results, one folder a study in it")
+  command.add_option("--out", request.out, "Folder for the results, with one folder per study")
       ->capture_default_str()
       ->type_name("DIR");
   addList(command, "--set", request.options.overrides,
           "Override a key of the study, as relief.height=4 or light.0.elevation=30", "KEY=VALUE");
   command.add_flag("--no-cache", request.noCache,
-                   "Compute everything: take nothing from earlier runs, and leave nothing");
+                   "Do not use the result cache: read nothing from it and write nothing to it");
 }
 
 void addQuickOption(CLI::App& command, RunRequest& request) {
   command.add_flag("--quick", request.options.quick,
-                   "A quarter of each view's side, a sixteenth of the micro-mesh: a preview");
+                   "Preview: a quarter of the width and height of each view, a sixteenth of the "
+                   "micro-triangles");
 }
 
 void addRunOptions(CLI::App& command, RunRequest& request) {
   addStudyOptions(command, request);
   addList(command, "--method", request.options.methods,
-          "Only this method, by label or name; may be repeated", "NAME");
+          "Measure only this method, by label or name; may be repeated", "NAME");
   addList(command, "--replace", request.options.replacements,
-          "Another shader in a method's place, which keeps its label and with it its thresholds: a "
-          "method's name or a GLSL file",
+          "Measure another shader, a method's name or a GLSL file, under the label and the "
+          "thresholds of METHOD",
           "METHOD=SHADER");
   command.add_flag("--vary-radius", request.varyRadius,
-                   "Judge claims and verdicts at half and at twice the search radius too, and mark "
-                   "those that turn");
+                   "Also judge claims and verdicts at half and at twice the search radius, and "
+                   "mark those that change");
   addQuickOption(command, request);
 }
 
 void addCheckOptions(CLI::App& command, CheckRequest& request) {
   addRunOptions(command, request.run);
   command.add_flag("--gated", request.run.options.gatedOnly,
-                   "Only the methods that thresholds speak of");
-  command.add_option("--junit", request.junit, "Write the check as JUnit XML")->type_name("FILE");
+                   "Measure only the methods that thresholds name");
+  command.add_option("--junit", request.junit, "Write the result as JUnit XML")->type_name("FILE");
   command.add_flag("--github", request.github,
-                   "Print annotations for a pull request on GitHub, on standard output");
+                   "Print annotations for a GitHub pull request on standard output");
   command
       .add_option("--baseline", request.baseline,
-                  "Judge by the references DIR/NAME.json too: nothing may have become worse")
+                  "Also compare with the references DIR/NAME.json: no value may be worse")
       ->type_name("DIR");
   command.add_flag("--update-baseline", request.updateBaseline,
-                   "Write the references anew, of studies whose thresholds hold");
-  command.add_option("--reason", request.reason, "Why they change; kept in the references")
+                   "Write new references for studies whose thresholds hold");
+  command.add_option("--reason", request.reason, "Reason for the change; stored in the references")
       ->type_name("TEXT");
   command.add_flag("--baseline-pictures", request.baselinePictures,
-                   "With --update-baseline: keep each method's signed difference beside the "
-                   "references, some 20 kB each, so that a report of a reference that fails shows "
-                   "old, new and what changed");
+                   "With --update-baseline: store each method's signed difference beside the "
+                   "references, about 20 kB each; the report of a failed reference then shows the "
+                   "old picture, the new picture and the change");
 }
 
 ExitStatus listParts() {
@@ -159,11 +160,11 @@ class ThreadLimit {
 };
 
 int dispatch(int argc, char** argv, const Viewer& viewer) {
-  CLI::App app("Gnomon measures how right real-time bump-map shadows are.", "gnomon");
+  CLI::App app("Gnomon measures how accurate real-time bump-map shadows are.", "gnomon");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", GNOMON_VERSION);
   std::optional<int> threads;
-  app.add_option("--threads", threads, "Threads to use; all cores, if not given")
+  app.add_option("--threads", threads, "Number of threads; all cores by default")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   app.fallthrough();
@@ -176,26 +177,26 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   addRunOptions(*run, request);
   run->footer(runExamples);
   CLI::App* check = app.add_subcommand(
-      "check", "As run, then the studies' thresholds and references decide the exit status");
+      "check", "Measure studies like run, then judge their thresholds and references");
   addCheckOptions(*check, checkRequest);
   check->footer(checkExamples);
-  CLI::App* bake = app.add_subcommand("bake", "Bake the horizon and distance tables into an EXR");
+  CLI::App* bake = app.add_subcommand("bake", "Write the horizon and distance tables as an EXR");
   addStudyOptions(*bake, request);
   bake->footer("\nExample:\n  gnomon bake scenes/figure8.toml --set bake.azimuths=64");
-  CLI::App* truth =
-      app.add_subcommand("truth", "Trace the truth alone: masks, regions and their uncertainty");
+  CLI::App* truth = app.add_subcommand(
+      "truth", "Trace the truth without any method: masks, regions and their uncertainty");
   addStudyOptions(*truth, request);
   addQuickOption(*truth, request);
   truth->footer("\nExample:\n  gnomon truth scenes/figure8.toml --out truths");
   std::optional<int> subdivisions;
   CLI::App* exported = app.add_subcommand(
-      "export", "Write what another renderer needs: meshes, maps, samples, truths, camera, lights");
+      "export", "Write meshes, maps, samples, truths, cameras and lights for another renderer");
   addStudyOptions(*exported, request);
   addQuickOption(*exported, request);
   exported
       ->add_option("--subdivisions", subdivisions,
-                   "Pieces of every face's side in the displaced mesh; 4 a texel, if not given, or "
-                   "what keeps to 4 million triangles")
+                   "Pieces per side of each face in the displaced mesh; by default 4 per texel, at "
+                   "most 4 million triangles in all")
       ->type_name("N");
   exported->footer(exportExamples);
   CompareRequest comparison;
@@ -207,9 +208,11 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   };
   CLI::App* view = addViewCommand(app, viewRequest);
   CacheRequest cacheRequest;
-  CLI::App* cache = app.add_subcommand("cache", "Show what runs left to be taken up, and bound it");
-  cache->add_flag("--clear", cacheRequest.clear, "Remove all of it");
-  cache->add_option("--limit", cacheRequest.limit, "Keep at most so much, from now on: 500MB, 4GB")
+  CLI::App* cache = app.add_subcommand("cache", "Show, clear or limit the result cache");
+  cache->add_flag("--clear", cacheRequest.clear, "Remove all entries");
+  cache
+      ->add_option("--limit", cacheRequest.limit,
+                   "Largest size of the cache from now on, for example 500MB or 4GB")
       ->type_name("BYTES");
   cache->footer(cacheExamples);
   CLI::App* list = app.add_subcommand("list", "List methods, shapes, patterns and metrics");

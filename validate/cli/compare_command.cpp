@@ -21,10 +21,11 @@ namespace gnomon {
 namespace {
 
 constexpr const char* compareExamples = R"(
-White is lit, black shadowed; Gnomon's grey (128) and alpha 0 mean no sample. Pixels count alike.
-Gates take any metric of the table, shares as 0.02 or "2 %"; one that is not defined fails.
+White is lit, black is shadowed; Gnomon's grey (128) and alpha 0 mean no sample. All pixels count the
+same. --max and --min take any metric of the table, shares as 0.02 or "2 %"; a metric that is not
+defined fails.
 
-Exit status: 0 all gates hold, 1 one failed, 2 usage, 3 pictures that cannot be compared.
+Exit status: 0 all gates hold, 1 a gate failed, 2 usage, 3 the pictures cannot be compared.
 
 Examples:
   gnomon compare mine.exr out/figure8/masks/camera_elevation-24-azimuth-165_truth.png
@@ -134,40 +135,42 @@ void write(const CompareRequest& request, const MaskComparison& comparison,
 }  // namespace
 
 CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
-  CLI::App* command =
-      app.add_subcommand("compare", "Compare two pictures of masks, from any renderer");
-  command->add_option("CANDIDATE", request.candidate, "The mask to judge: EXR, PNG, TIFF, …")
+  CLI::App* command = app.add_subcommand("compare", "Compare two mask pictures from any renderer");
+  command->add_option("CANDIDATE", request.candidate, "Mask to judge: EXR, PNG, TIFF, …")
       ->required()
       ->type_name("FILE");
-  command->add_option("TRUTH", request.truth, "The mask that is right")
+  command->add_option("TRUTH", request.truth, "Mask to compare it with")
       ->required()
       ->type_name("FILE");
-  command->add_option("--roi", request.roi, "Only where this picture is white")->type_name("FILE");
+  command
+      ->add_option("--roi", request.roi, "Compare only the pixels that are white in this picture")
+      ->type_name("FILE");
   const auto addGates = [&](const char* name, std::vector<std::string>& gates, const char* about) {
     command->add_option(name, gates, about)
         ->type_name("METRIC=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   };
-  addGates("--max", request.maxima, "Fail where a metric is larger; may be repeated");
-  addGates("--min", request.minima, "Fail where a metric is smaller; may be repeated");
+  addGates("--max", request.maxima, "Fail if a metric is larger; may be repeated");
+  addGates("--min", request.minima, "Fail if a metric is smaller; may be repeated");
   command
       ->add_option("--binarise", request.threshold,
-                   "In soft masks values of at least this are lit, all others shadowed")
+                   "For soft masks: values of at least VALUE are lit, all others are shadowed")
       ->type_name("VALUE");
-  command->add_option("--channel", request.candidateChannel, "The candidate's channel, by name")
+  command->add_option("--channel", request.candidateChannel, "Channel of the candidate, by name")
       ->type_name("NAME");
-  command->add_option("--truth-channel", request.truthChannel, "The truth's channel, by name")
+  command->add_option("--truth-channel", request.truthChannel, "Channel of the truth, by name")
       ->type_name("NAME");
-  command->add_flag("--invert", request.inverted, "The candidate's white is shadow");
-  command->add_flag("--flip", request.upward, "The candidate's first row is the picture's lowest");
+  command->add_flag("--invert", request.inverted, "White means shadowed in the candidate");
+  command->add_flag("--flip", request.upward,
+                    "The first row of the candidate is the lowest row of the picture");
   command
       ->add_option("--json", request.json,
-                   "Write the figures; - for standard output, no table then")
+                   "Write the result as JSON; - writes it to standard output instead of the table")
       ->type_name("FILE");
   command
       ->add_option("--difference", request.difference,
-                   "Write the signed difference: orange false shadow, blue false light")
+                   "Write the signed difference: orange is false shadow, blue is false light")
       ->type_name("FILE.png");
   command->footer(compareExamples);
   return command;
