@@ -41,7 +41,7 @@ struct MaskFigures {
   std::size_t samples = 0;   ///< that were compared
   /// In this order: error_rate (FP + FN) / all, false_shadow, false_light, fpr, fnr, ber, iou, f1,
   /// mcc, prevalence; then those of the boundaries, by samples without weights, in pixels: assd,
-  /// hd95, boundary_iou_1, _2, _4, surface_dice_1, _2, _4. README.md defines them.
+  /// hd95, boundary_iou_1, _2, _4, surface_dice_1, _2, _4. docs/metrics.md defines them.
   std::vector<MaskMetric> metrics;
 
   /// The value of a metric, if it is defined.
