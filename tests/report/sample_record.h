@@ -115,7 +115,7 @@ inline void addDifferences(StudyRecord& record, double half) {
         const Interval interval{difference - half, difference + half};
         const double uncertainty = uncertaintyOf(record, which).value_or(0);
         lights.push_back({which.view, which.light, methods[a], methods[b], difference, interval, "",
-                          uncertainty, verdictOn(difference, interval, uncertainty)});
+                          uncertainty, distinguish({difference, interval, uncertainty})});
       }
       if (lights.empty()) continue;
       // One view is enough for the tests.

@@ -156,8 +156,29 @@ TEST(StudyRanking, MarksWhatTheTruthCannotTellFromTheBest) {
       meansOf({study("a", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.004),
                study("b", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.002)}));
   EXPECT_FALSE(ranked[0].closeToBest);
-  EXPECT_TRUE(ranked[1].closeToBest);
+  EXPECT_EQ(ranked[1].closeToBest, "the difference is within the truth's uncertainty");
   EXPECT_FALSE(ranked[2].closeToBest);
+}
+
+TEST(StudyRanking, SaysWhichStudiesHaveNoInterval) {
+  const auto studyOf = [](const std::string& name) {
+    StudyRecord record = study(name, {{"best", {10, 10}}, {"far", {90, 90}}}, 0);
+    test::addDifferences(record, 0.001);
+    return record;
+  };
+  SweepRecord sweep;
+  sweep.name = "bumps";
+  sweep.values = {0.5, 2};
+  sweep.steps = {studyOf("bumps/0.5"), studyOf("bumps/2")};
+  for (DifferenceRecord& row : sweep.steps[1].differences) {
+    row.interval.reset();
+    row.reason = "too few blocks";
+  }
+  const std::vector<StudyMeans> studies = {studyMeans(studyOf("plain")), studyMeans(sweep)};
+  const std::string reason = "no interval of the difference on bumps (at 2: too few blocks)";
+  EXPECT_EQ(rankOverStudies(studies)[1].closeToBest, reason);
+  EXPECT_THAT(rankingHtml(studies, ""), HasSubstr("not distinguishable from best: " + reason));
+  EXPECT_THAT(rankingOverStudies(studies, false), HasSubstr("no interval of the difference on"));
 }
 
 TEST(StudyRanking, MarksWhatTheIntervalsCannotTellFromTheBest) {
@@ -167,7 +188,7 @@ TEST(StudyRanking, MarksWhatTheIntervalsCannotTellFromTheBest) {
   test::addDifferences(a, 0.005);
   test::addDifferences(b, 0.001);
   const auto ranked = rankOverStudies(meansOf({a, b}));
-  EXPECT_TRUE(ranked[1].closeToBest);
+  EXPECT_EQ(ranked[1].closeToBest, "the interval of the difference holds 0");
   EXPECT_FALSE(ranked[2].closeToBest);
   test::addDifferences(a, 0.001);
   EXPECT_FALSE(rankOverStudies(meansOf({a, b}))[1].closeToBest);

@@ -1,98 +1,37 @@
 #include "study/judge/claims.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <array>
-
-#include "study/judge/distinguish.h"
-#include "study/record/result_metrics.h"
+#include "study/judge/claim_cases.h"
+#include "study/judge/claim_studies.h"
 
 namespace gnomon {
 namespace {
 
+using test::judgeClaim;
+using test::measureIntervals;
+using test::newIsBetter;
+using test::study;
+using test::sweepOf;
 using ::testing::HasSubstr;
 
-/// 10,000 samples, 30 % shadow in the truth, with a given error rate, all of it false light.
-Counts withErrorRate(double rate) {
-  constexpr double samples = 10'000;
-  const double wrong = rate * samples;
-  return {0.3 * samples - wrong, 0, wrong, 0.7 * samples, static_cast<std::size_t>(samples)};
-}
-
-/// Gives a record the intervals of its error rates: as wide as is asked for on either side.
-void measureIntervals(StudyRecord& record, double half) {
-  record.confidence.clear();
-  record.differences.clear();
-  std::vector<ResultRecord> rows;
-  for (const ResultRecord& result : record.results) {
-    if (result.region == "all") rows.push_back(result);
-  }
-  double gains = 0;
-  double uncertainties = 0;
-  for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
-    const ResultRecord& first = rows[i];
-    const std::array<double, 2> rates = {metricOf(first, "error_rate").value.value_or(0),
-                                         metricOf(rows[i + 1], "error_rate").value.value_or(0)};
-    const auto around = [&](double value) { return Interval{value - half, value + half}; };
-    const auto flip =
-        std::find_if(record.truth.flips.begin(), record.truth.flips.end(),
-                     [&](const UncertaintyRecord& found) { return found.light == first.light; });
-    const double uncertainty =
-        flip == record.truth.flips.end() ? record.truth.uncertainty : flip->flipRate;
-    const double difference = rates[0] - rates[1];
-    gains += difference / (static_cast<double>(rows.size()) / 2);
-    uncertainties += uncertainty / (static_cast<double>(rows.size()) / 2);
-    record.confidence.push_back(
-        {"new", "camera", first.light, rates[0], around(rates[0]), "", 81, 12});
-    record.confidence.push_back(
-        {"old", "camera", first.light, rates[1], around(rates[1]), "", 81, 12});
-    record.differences.push_back({"camera", first.light, "new", "old", difference,
-                                  around(difference), "", uncertainty,
-                                  verdictOn(difference, around(difference), uncertainty)});
-  }
-  const Interval all{gains - half, gains + half};
-  record.differences.push_back({"camera", "all", "new", "old", gains, all, "", uncertainties,
-                                verdictOn(gains, all, uncertainties)});
-}
-
-/// A study whose methods `new` and `old` have given error rates, one pair a light; intervals are
-/// narrow.
-StudyRecord study(const std::string& name, const std::vector<std::pair<double, double>>& rates,
-                  double uncertainty) {
-  StudyRecord record;
-  record.name = name;
-  record.truth.uncertainty = uncertainty;
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    const std::string light = "light " + std::to_string(i);
-    record.truth.flips.push_back({"camera", light, uncertainty});
-    record.results.push_back({"new", light, "camera", "all", withErrorRate(rates[i].first)});
-    record.results.push_back({"old", light, "camera", "all", withErrorRate(rates[i].second)});
-    // Regions must not be judged: here the other order holds.
-    record.results.push_back({"new", light, "camera", "cast", withErrorRate(0.25)});
-    record.results.push_back({"old", light, "camera", "cast", withErrorRate(0.0)});
-  }
-  measureIntervals(record, 1e-6);
-  return record;
-}
-
-ClaimSpec newIsBetter(const std::string& gainExceeds = {}) {
-  return {"The new method is better", "§4", "new", "old", "error_rate", gainExceeds};
-}
-
-ClaimRecord judge(const ClaimSpec& claim, const std::vector<StudyRecord>& run,
-                  std::size_t own = 0) {
-  const auto records = judgeClaims({claim}, run, own);
-  EXPECT_EQ(records.size(), 1U);
-  EXPECT_EQ(records.at(0).text, claim.text);
-  EXPECT_EQ(records.at(0).source, claim.source);
-  return records.at(0);
+TEST(JudgeWithin, HoldsOnTheRightSideOfEveryBoundAndFailsOnTheWrongSideOfOne) {
+  const auto within = [](double value, double uncertainty) {
+    return judgeWithin(withoutInterval(value, uncertainty), {1, 2});
+  };
+  EXPECT_EQ(within(1.5, 0.25), Verdict::held);
+  EXPECT_EQ(within(1.5, 0.5), Verdict::notDistinguishable);
+  EXPECT_EQ(within(2.5, 0.25), Verdict::failed);
+  EXPECT_EQ(within(0.5, 0.25), Verdict::failed);
+  EXPECT_EQ(within(0.5, 0.75), Verdict::notDistinguishable);
+  EXPECT_EQ(judgeWithin({1.5, std::nullopt, 0}, {1, 2}), Verdict::notDistinguishable);
 }
 
 // ---- one method against another
 
 TEST(Claims, HoldWhereSmallerEverywhereByMoreThanTheUncertainty) {
-  const ClaimRecord record = judge(newIsBetter(), {study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.01)});
+  const ClaimRecord record =
+      judgeClaim(newIsBetter(), {study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::held);
   EXPECT_THAT(
       record.detail,
@@ -103,44 +42,45 @@ TEST(Claims, HoldWhereSmallerEverywhereByMoreThanTheUncertainty) {
 }
 
 TEST(Claims, FailWhereLargerSomewhereByMoreThanTheUncertainty) {
-  const ClaimRecord record = judge(newIsBetter(), {study("s", {{0.02, 0.08}, {0.06, 0.03}}, 0.01)});
+  const ClaimRecord record =
+      judgeClaim(newIsBetter(), {study("s", {{0.02, 0.08}, {0.06, 0.03}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::failed);
   EXPECT_THAT(record.detail,
               HasSubstr("holds under 1 of 2 lights, fails under 1; ratio 1.12 (0.25 to 2.00)"));
 }
 
 TEST(Claims, AreNotDistinguishableWithinTheUncertainty) {
-  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.03, 0.035}}, 0.01)}).verdict,
+  EXPECT_EQ(judgeClaim(newIsBetter(), {study("s", {{0.03, 0.035}}, 0.01)}).verdict,
             Verdict::notDistinguishable)
       << "smaller, but by less than the truth's own error";
-  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.035, 0.03}}, 0.01)}).verdict,
+  EXPECT_EQ(judgeClaim(newIsBetter(), {study("s", {{0.035, 0.03}}, 0.01)}).verdict,
             Verdict::notDistinguishable)
       << "larger, but by less than the truth's own error";
-  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.02, 0.031}, {0.03, 0.035}}, 0.01)}).verdict,
+  EXPECT_EQ(judgeClaim(newIsBetter(), {study("s", {{0.02, 0.031}, {0.03, 0.035}}, 0.01)}).verdict,
             Verdict::notDistinguishable)
       << "by 0.008 on average";
-  EXPECT_EQ(judge(newIsBetter(), {study("s", {{0.03, 0.03}}, 0)}).verdict,
+  EXPECT_EQ(judgeClaim(newIsBetter(), {study("s", {{0.03, 0.03}}, 0)}).verdict,
             Verdict::notDistinguishable)
       << "equal";
 }
 
 TEST(Claims, AreJudgedByTheUncertaintyOfTheirOwnLight) {
   StudyRecord record = study("s", {{0.02, 0.05}, {0.02, 0.05}}, 0.04);
-  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(newIsBetter(), {record}).verdict, Verdict::notDistinguishable);
   // The largest uncertainty stays; that of each light is less than its difference.
   for (UncertaintyRecord& flip : record.truth.flips) flip.flipRate = 0.01;
   measureIntervals(record, 1e-6);
-  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::held);
+  EXPECT_EQ(judgeClaim(newIsBetter(), {record}).verdict, Verdict::held);
   // A light without its own is judged by the largest.
   record.truth.flips.pop_back();
   measureIntervals(record, 1e-6);
-  EXPECT_EQ(judge(newIsBetter(), {record}).spread->held, 1U);
+  EXPECT_EQ(judgeClaim(newIsBetter(), {record}).spread->held, 1U);
 }
 
 TEST(Claims, HoldForTheMeanOfAllLightsThoughNotUnderEach) {
   // Under the second light it cannot be told; on average it is 0.0175.
   const ClaimRecord record =
-      judge(newIsBetter(), {study("s", {{0.02, 0.05}, {0.03, 0.035}}, 0.01)});
+      judgeClaim(newIsBetter(), {study("s", {{0.02, 0.05}, {0.03, 0.035}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::held);
   EXPECT_EQ(record.spread->together, Verdict::held);
   EXPECT_EQ(record.spread->held, 1U);
@@ -148,7 +88,8 @@ TEST(Claims, HoldForTheMeanOfAllLightsThoughNotUnderEach) {
   EXPECT_THAT(record.detail,
               HasSubstr("holds for all lights together; holds under 1 of 2 lights, fails under 0"));
   // However good on average, a light under which it fails is not passed over.
-  const ClaimRecord mixed = judge(newIsBetter(), {study("s", {{0.02, 0.25}, {0.05, 0.035}}, 0.01)});
+  const ClaimRecord mixed =
+      judgeClaim(newIsBetter(), {study("s", {{0.02, 0.25}, {0.05, 0.035}}, 0.01)});
   EXPECT_EQ(mixed.spread->together, Verdict::held);
   EXPECT_EQ(mixed.verdict, Verdict::failed);
   EXPECT_THAT(mixed.detail,
@@ -158,10 +99,10 @@ TEST(Claims, HoldForTheMeanOfAllLightsThoughNotUnderEach) {
   measureIntervals(wide, 0.04);
   wide.differences.back().interval = Interval{0.02, 0.04};
   wide.differences.back().verdict = DifferenceVerdict::worse;
-  EXPECT_EQ(judge(newIsBetter(), {wide}).spread->failed, 0U);
-  EXPECT_EQ(judge(newIsBetter(), {wide}).verdict, Verdict::failed);
+  EXPECT_EQ(judgeClaim(newIsBetter(), {wide}).spread->failed, 0U);
+  EXPECT_EQ(judgeClaim(newIsBetter(), {wide}).verdict, Verdict::failed);
   // One light says all.
-  EXPECT_FALSE(judge(newIsBetter(), {study("s", {{0.02, 0.05}}, 0.01)}).spread->together);
+  EXPECT_FALSE(judgeClaim(newIsBetter(), {study("s", {{0.02, 0.05}}, 0.01)}).spread->together);
 }
 
 TEST(Claims, OfBoundsHoldForTheMeanOfAllLightsThoughNotUnderEach) {
@@ -170,20 +111,20 @@ TEST(Claims, OfBoundsHoldForTheMeanOfAllLightsThoughNotUnderEach) {
   claim.below = 0.05;
   StudyRecord record = study("s", {{0.02, 0.1}, {0.045, 0.1}}, 0.01);
   record.confidence.push_back({"new", "camera", "all", 0.0325, Interval{0.03, 0.04}, "", 81, 12});
-  const ClaimRecord judged = judge(claim, {record});
+  const ClaimRecord judged = judgeClaim(claim, {record});
   EXPECT_EQ(judged.spread->held, 1U);
   EXPECT_EQ(judged.verdict, Verdict::held);
   record.confidence.back().interval->high = 0.051;
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable);
   record.confidence.back().interval.reset();
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable);
 }
 
 TEST(Claims, AreNotEvaluatedWithoutFigures) {
-  EXPECT_EQ(judge(newIsBetter(), {study("s", {}, 0.01)}).verdict, Verdict::notEvaluated);
+  EXPECT_EQ(judgeClaim(newIsBetter(), {study("s", {}, 0.01)}).verdict, Verdict::notEvaluated);
   StudyRecord empty = study("s", {{0.02, 0.05}}, 0.01);
   for (ResultRecord& result : empty.results) result.counts = {};
-  const ClaimRecord record = judge(newIsBetter(), {empty});
+  const ClaimRecord record = judgeClaim(newIsBetter(), {empty});
   EXPECT_EQ(record.verdict, Verdict::notEvaluated);
   EXPECT_THAT(record.detail, HasSubstr("error_rate is not defined for new and old"));
 }
@@ -192,14 +133,14 @@ TEST(Claims, SpeakOfAnyMetric) {
   ClaimSpec claim = newIsBetter();
   claim.metric = "iou";
   // The truth's shadow is 0.3; all errors are false light: iou = 1 - rate / 0.3.
-  EXPECT_EQ(judge(claim, {study("s", {{0.06, 0.03}}, 0.01)}).verdict, Verdict::held);
-  EXPECT_EQ(judge(claim, {study("s", {{0.03, 0.06}}, 0.01)}).verdict, Verdict::failed);
+  EXPECT_EQ(judgeClaim(claim, {study("s", {{0.06, 0.03}}, 0.01)}).verdict, Verdict::held);
+  EXPECT_EQ(judgeClaim(claim, {study("s", {{0.03, 0.06}}, 0.01)}).verdict, Verdict::failed);
 }
 
 TEST(Claims, SpeakOfTheirRegion) {
   ClaimSpec claim = newIsBetter();
   claim.region = "cast";
-  const ClaimRecord record = judge(claim, {study("s", {{0.02, 0.05}}, 0.01)});
+  const ClaimRecord record = judgeClaim(claim, {study("s", {{0.02, 0.05}}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::failed) << "there the other order holds";
   EXPECT_THAT(record.detail,
               HasSubstr("than of old in the region cast: holds under 0 of 1 light, fails under 1"));
@@ -211,39 +152,39 @@ TEST(Claims, TakeAllFlipsToLieInTheRegion) {
   claim.region = "cast";
   std::swap(claim.less, claim.than);
   StudyRecord record = study("s", {{0.02, 0.05}}, 0.01);
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::held) << "0.25 is more than 0.01";
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::held) << "0.25 is more than 0.01";
   for (ResultRecord& result : record.results) {
     if (result.region == "cast") result.counts.samples /= 10;
   }
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::held) << "and than 0.1";
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::held) << "and than 0.1";
   for (UncertaintyRecord& flip : record.truth.flips) flip.flipRate = 0.03;
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable) << "not than 0.3";
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable) << "not than 0.3";
 }
 
 TEST(Claims, NeedAnIntervalWithoutZero) {
   StudyRecord record = study("s", {{0.02, 0.05}, {0.03, 0.08}}, 0.001);
   measureIntervals(record, 0.045);
-  const ClaimRecord one = judge(newIsBetter(), {record});
+  const ClaimRecord one = judgeClaim(newIsBetter(), {record});
   EXPECT_EQ(one.verdict, Verdict::notDistinguishable) << "0.04 on average is less than 0.045";
   EXPECT_EQ(one.spread->held, 1U);
   EXPECT_EQ(one.spread->notDistinguishable(), 1U);
   ClaimSpec reverse = newIsBetter();
   std::swap(reverse.less, reverse.than);
-  EXPECT_EQ(judge(reverse, {record}).verdict, Verdict::failed) << "under the second light";
+  EXPECT_EQ(judgeClaim(reverse, {record}).verdict, Verdict::failed) << "under the second light";
   measureIntervals(record, 0.06);
-  EXPECT_EQ(judge(reverse, {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(reverse, {record}).verdict, Verdict::notDistinguishable);
   measureIntervals(record, 0.02);
-  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::held);
+  EXPECT_EQ(judgeClaim(newIsBetter(), {record}).verdict, Verdict::held);
   record.differences.back().interval.reset();
   record.differences.back().verdict = DifferenceVerdict::notDistinguishable;
-  EXPECT_EQ(judge(newIsBetter(), {record}).verdict, Verdict::notDistinguishable)
+  EXPECT_EQ(judgeClaim(newIsBetter(), {record}).verdict, Verdict::notDistinguishable)
       << "an interval was refused";
 }
 
 TEST(Claims, TellHowTheyFareOverManyLights) {
   const StudyRecord record = study(
       "s", {{0.012, 0.1}, {0.024, 0.1}, {0.0312, 0.1}, {0.04, 0.1}, {0.2, 0.1}, {0.1, 0.1}}, 0.001);
-  const ClaimRecord judged = judge(newIsBetter(), {record});
+  const ClaimRecord judged = judgeClaim(newIsBetter(), {record});
   EXPECT_EQ(judged.verdict, Verdict::failed);
   ASSERT_TRUE(judged.spread);
   EXPECT_EQ(judged.spread->cases, 6U);
@@ -263,7 +204,7 @@ TEST(Claims, TellHowTheyFareOverManyLights) {
 }
 
 TEST(Claims, HaveNoRatioToNoErrorAtAll) {
-  const ClaimRecord judged = judge(newIsBetter(), {study("s", {{0.02, 0.0}}, 0.001)});
+  const ClaimRecord judged = judgeClaim(newIsBetter(), {study("s", {{0.02, 0.0}}, 0.001)});
   EXPECT_EQ(judged.verdict, Verdict::failed);
   EXPECT_FALSE(judged.spread->quartiles);
   EXPECT_THAT(judged.detail, HasSubstr("fails under 1; mean difference"));
@@ -275,7 +216,7 @@ TEST(Claims, SayCasesWhereThereAreSeveralViews) {
     result.view = "atlas";
     record.results.push_back(result);
   }
-  EXPECT_THAT(judge(newIsBetter(), {record}).detail,
+  EXPECT_THAT(judgeClaim(newIsBetter(), {record}).detail,
               HasSubstr("holds in 1 of 2 cases, fails in 0"));
 }
 
@@ -305,7 +246,7 @@ ClaimSpec newIsBetween(std::optional<double> above, std::optional<double> below)
 
 TEST(Claims, BetweenBoundsHoldWhereWithinEverywhere) {
   const ClaimRecord record =
-      judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.03, 0.97}, 0.01)});
+      judgeClaim(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.03, 0.97}, 0.01)});
   EXPECT_EQ(record.verdict, Verdict::held);
   EXPECT_THAT(record.detail,
               HasSubstr("shadow_length_ratio of new between 0.95 and 1.05: holds under "
@@ -314,63 +255,69 @@ TEST(Claims, BetweenBoundsHoldWhereWithinEverywhere) {
 }
 
 TEST(Claims, BetweenBoundsFailWhereOutsideSomewhere) {
-  const ClaimRecord above = judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.2, 0.97}, 0.01)});
+  const ClaimRecord above =
+      judgeClaim(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 1.2, 0.97}, 0.01)});
   EXPECT_EQ(above.verdict, Verdict::failed);
   EXPECT_THAT(above.detail,
               HasSubstr("holds under 2 of 3 lights, fails under 1; value 1.00 (0.97 to 1.20)"));
-  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 0.8}, 0.01)}).verdict,
+  EXPECT_EQ(judgeClaim(newIsBetween(0.95, 1.05), {lengthStudy({1.0, 0.8}, 0.01)}).verdict,
             Verdict::failed);
 }
 
 TEST(Claims, NearABoundAreNotDistinguishable) {
   for (const double ratio : {0.945, 0.955, 1.045, 1.055}) {
-    EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.01)}).verdict,
+    EXPECT_EQ(judgeClaim(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.01)}).verdict,
               Verdict::notDistinguishable)
         << ratio;
-    EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.0)}).verdict,
+    EXPECT_EQ(judgeClaim(newIsBetween(0.95, 1.05), {lengthStudy({1.0, ratio}, 0.0)}).verdict,
               ratio > 0.95 && ratio < 1.05 ? Verdict::held : Verdict::failed)
         << ratio << ", by an exact truth";
   }
-  EXPECT_EQ(judge(newIsBetween(0.95, 1.05), {lengthStudy({1.05}, 0.0)}).verdict,
+  EXPECT_EQ(judgeClaim(newIsBetween(0.95, 1.05), {lengthStudy({1.05}, 0.0)}).verdict,
             Verdict::notDistinguishable)
       << "on the bound itself";
 }
 
 TEST(Claims, MayHaveOneBoundAlone) {
-  EXPECT_EQ(judge(newIsBetween(1.05, {}), {lengthStudy({1.1, 9}, 0.01)}).verdict, Verdict::held);
-  EXPECT_EQ(judge(newIsBetween(1.05, {}), {lengthStudy({1.1, 1}, 0.01)}).verdict, Verdict::failed);
-  EXPECT_EQ(judge(newIsBetween({}, 1.05), {lengthStudy({1, 0}, 0.01)}).verdict, Verdict::held);
-  EXPECT_THAT(judge(newIsBetween({}, 1.05), {lengthStudy({1, 2}, 0.01)}).detail,
+  EXPECT_EQ(judgeClaim(newIsBetween(1.05, {}), {lengthStudy({1.1, 9}, 0.01)}).verdict,
+            Verdict::held);
+  EXPECT_EQ(judgeClaim(newIsBetween(1.05, {}), {lengthStudy({1.1, 1}, 0.01)}).verdict,
+            Verdict::failed);
+  EXPECT_EQ(judgeClaim(newIsBetween({}, 1.05), {lengthStudy({1, 0}, 0.01)}).verdict, Verdict::held);
+  EXPECT_THAT(judgeClaim(newIsBetween({}, 1.05), {lengthStudy({1, 2}, 0.01)}).detail,
               HasSubstr("of new below 1.05: holds under 1 of 2 lights, fails under 1"));
 }
 
 TEST(Claims, SayWhereTheMetricIsNotDefined) {
   StudyRecord record = lengthStudy({1.0, 1.02}, 0.01);
   record.results.front().lengths = ShadowLengths{};
-  const ClaimRecord judged = judge(newIsBetween(0.95, 1.05), {record});
+  const ClaimRecord judged = judgeClaim(newIsBetween(0.95, 1.05), {record});
   EXPECT_EQ(judged.verdict, Verdict::held);
   EXPECT_THAT(
       judged.detail,
       HasSubstr("holds under 1 of 1 light, fails under 0; value 1.02, not defined in 1 more"));
   ClaimSpec old = newIsBetween(0.95, 1.05);
   old.method = "old";
-  EXPECT_EQ(judge(old, {record}).verdict, Verdict::notEvaluated);
-  EXPECT_THAT(judge(old, {record}).detail, HasSubstr("shadow_length_ratio is not defined for old"));
+  EXPECT_EQ(judgeClaim(old, {record}).verdict, Verdict::notEvaluated);
+  EXPECT_THAT(judgeClaim(old, {record}).detail,
+              HasSubstr("shadow_length_ratio is not defined for old"));
 }
 
 TEST(Claims, AboutRatesBetweenBoundsGoByTheFlips) {
   ClaimSpec claim = newIsBetween({}, 0.05);
   claim.metric = "error_rate";
-  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::held);
-  EXPECT_EQ(judge(claim, {study("s", {{0.045, 0.1}}, 0.01)}).verdict, Verdict::notDistinguishable);
-  EXPECT_EQ(judge(claim, {study("s", {{0.2, 0.1}}, 0.01)}).verdict, Verdict::failed);
+  EXPECT_EQ(judgeClaim(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::held);
+  EXPECT_EQ(judgeClaim(claim, {study("s", {{0.045, 0.1}}, 0.01)}).verdict,
+            Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {study("s", {{0.2, 0.1}}, 0.01)}).verdict, Verdict::failed);
   StudyRecord wide = study("s", {{0.02, 0.1}}, 0.01);
   measureIntervals(wide, 0.04);
-  EXPECT_EQ(judge(claim, {wide}).verdict, Verdict::notDistinguishable) << "and by the interval";
+  EXPECT_EQ(judgeClaim(claim, {wide}).verdict, Verdict::notDistinguishable)
+      << "and by the interval";
   wide.confidence[0].interval.reset();
-  EXPECT_EQ(judge(claim, {wide}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {wide}).verdict, Verdict::notDistinguishable);
   claim.region = "cast";
-  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::failed);
+  EXPECT_EQ(judgeClaim(claim, {study("s", {{0.02, 0.1}}, 0.01)}).verdict, Verdict::failed);
 }
 
 TEST(Claims, OrderLengthsByTheTruthsOwnLengths) {
@@ -382,11 +329,11 @@ TEST(Claims, OrderLengthsByTheTruthsOwnLengths) {
   }
   ClaimSpec claim = newIsBetter();
   claim.metric = "shadow_length_ratio";
-  const ClaimRecord judged = judge(claim, {record});
+  const ClaimRecord judged = judgeClaim(claim, {record});
   EXPECT_EQ(judged.verdict, Verdict::held) << "though half of the samples flip";
   EXPECT_THAT(judged.detail, HasSubstr("mean difference 0.090"));
   for (UncertaintyRecord& flip : record.truth.flips) flip.lengthError = 0.09;
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable);
 }
 
 // ---- boundaries
@@ -405,17 +352,17 @@ StudyRecord boundaryStudy(std::string_view metric, double ofNew, double ofOld,
 TEST(Claims, OrderBoundariesByTheTruthsOwn) {
   ClaimSpec claim = newIsBetter();
   claim.metric = "assd";
-  const ClaimRecord judged = judge(claim, {boundaryStudy("assd", 0.5, 0.75, 0.125)});
+  const ClaimRecord judged = judgeClaim(claim, {boundaryStudy("assd", 0.5, 0.75, 0.125)});
   EXPECT_EQ(judged.verdict, Verdict::held) << "though half of the samples flip";
   EXPECT_THAT(judged.detail, HasSubstr("mean difference 0.250"));
-  EXPECT_EQ(judge(claim, {boundaryStudy("assd", 0.5, 0.75, 0.25)}).verdict,
+  EXPECT_EQ(judgeClaim(claim, {boundaryStudy("assd", 0.5, 0.75, 0.25)}).verdict,
             Verdict::notDistinguishable);
-  EXPECT_EQ(judge(claim, {boundaryStudy("assd", 0.75, 0.5, 0.125)}).verdict, Verdict::failed);
+  EXPECT_EQ(judgeClaim(claim, {boundaryStudy("assd", 0.75, 0.5, 0.125)}).verdict, Verdict::failed);
 
   claim.metric = "surface_dice_2";
-  EXPECT_EQ(judge(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.875)}).verdict,
+  EXPECT_EQ(judgeClaim(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.875)}).verdict,
             Verdict::held);
-  EXPECT_EQ(judge(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.75)}).verdict,
+  EXPECT_EQ(judgeClaim(claim, {boundaryStudy("surface_dice_2", 0.5, 0.75, 0.75)}).verdict,
             Verdict::notDistinguishable);
 }
 
@@ -423,72 +370,11 @@ TEST(Claims, TellNoBoundariesApartWithoutTheTruthsOwn) {
   ClaimSpec claim = newIsBetter();
   claim.metric = "hd95";
   StudyRecord record = boundaryStudy("hd95", 1, 100, {});
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable);
   record.truth.flips.clear();
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notDistinguishable);
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notDistinguishable);
   record.results[0].boundaries[0].value.reset();
-  EXPECT_EQ(judge(claim, {record}).verdict, Verdict::notEvaluated);
-}
-
-// ---- across studies
-
-TEST(Claims, CompareGainsAcrossStudies) {
-  // Mean gains: 5 points here, 1 there; the uncertainties sum to 2.
-  const StudyRecord here = study("here", {{0.02, 0.06}, {0.02, 0.08}}, 0.01);
-  const StudyRecord there = study("there", {{0.02, 0.03}}, 0.01);
-  const ClaimRecord record = judge(newIsBetter("there"), {here, there});
-  EXPECT_EQ(record.verdict, Verdict::held);
-  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.00 points in there"));
-  EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::failed);
-}
-
-TEST(Claims, DoNotDistinguishGainsWithinBothUncertainties) {
-  const StudyRecord here = study("here", {{0.02, 0.06}}, 0.02);
-  const StudyRecord there = study("there", {{0.02, 0.03}}, 0.02);
-  // 3 points apart, 4 uncertain.
-  EXPECT_EQ(judge(newIsBetter("there"), {here, there}).verdict, Verdict::notDistinguishable);
-  EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::notDistinguishable);
-}
-
-/// Gains of 5 and 1 points: 4 apart. Halves of 3 and 2 come to √13 = 3.6, of 3 and 3 to 4.2.
-TEST(Claims, CompareGainsByTheIntervalsOfBoth) {
-  StudyRecord here = study("here", {{0.02, 0.07}}, 0.001);
-  StudyRecord there = study("there", {{0.02, 0.03}}, 0.001);
-  measureIntervals(here, 0.03);
-  measureIntervals(there, 0.02);
-  const ClaimRecord sure = judge(newIsBetter("there"), {here, there});
-  EXPECT_EQ(sure.verdict, Verdict::held);
-  EXPECT_THAT(sure.detail, HasSubstr("95 % interval of their difference 0.39 to 7.61 points"));
-  EXPECT_EQ(judge(newIsBetter("here"), {here, there}, 1).verdict, Verdict::failed);
-  measureIntervals(there, 0.03);
-  EXPECT_EQ(judge(newIsBetter("there"), {here, there}).verdict, Verdict::notDistinguishable);
-  there.differences.back().interval.reset();
-  const ClaimRecord unknown = judge(newIsBetter("there"), {here, there});
-  EXPECT_EQ(unknown.verdict, Verdict::notDistinguishable);
-  EXPECT_THAT(unknown.detail, HasSubstr("their difference has no interval"));
-}
-
-TEST(Claims, CompareGainsWithThoseOfASweep) {
-  // Mean gains: 5 points here; 1 and 2, on average 1.5, there.
-  const StudyRecord here = study("here", {{0.02, 0.07}}, 0.01);
-  const std::vector<StudyRecord> run = {here, study("there/1", {{0.02, 0.03}}, 0.01),
-                                        study("there/2.5", {{0.02, 0.04}}, 0.01),
-                                        study("thereabouts", {{0.02, 0.22}}, 0.01)};
-  const ClaimRecord record = judge(newIsBetter("there"), run);
-  EXPECT_THAT(record.detail, HasSubstr("5.00 points here, 1.50 points in there"));
-}
-
-TEST(Claims, AboutAStudyThatWasNotRunAreNotEvaluatedAndSayWhatToRun) {
-  const ClaimRecord record = judge(newIsBetter("other"), {study("s", {{0.02, 0.05}}, 0.01)});
-  EXPECT_EQ(record.verdict, Verdict::notEvaluated);
-  EXPECT_THAT(record.detail, HasSubstr("needs the study other in the same run"));
-}
-
-TEST(Claims, AboutAStudyWithoutTheMethodsAreNotEvaluated) {
-  const ClaimRecord record =
-      judge(newIsBetter("other"), {study("s", {{0.02, 0.05}}, 0.01), study("other", {}, 0.01)});
-  EXPECT_EQ(record.verdict, Verdict::notEvaluated);
-  EXPECT_THAT(record.detail, HasSubstr("other has no results of new and old"));
+  EXPECT_EQ(judgeClaim(claim, {record}).verdict, Verdict::notEvaluated);
 }
 
 TEST(Claims, AreJudgedInTheirOrder) {
@@ -502,47 +388,6 @@ TEST(Claims, AreJudgedInTheirOrder) {
 }
 
 // ---- over the values of a sweep
-
-SweepRecord sweepOf(const std::vector<StudyRecord>& steps) {
-  SweepRecord sweep;
-  sweep.key = "surface.curvature";
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    sweep.values.push_back(0.5 * static_cast<double>(i));
-  }
-  sweep.steps = steps;
-  return sweep;
-}
-
-ClaimRecord judgeGrowth(const std::vector<StudyRecord>& steps) {
-  ClaimSpec claim = newIsBetter();
-  claim.gainGrows = true;
-  return judgeSweepClaims({claim}, sweepOf(steps)).at(0);
-}
-
-TEST(SweepClaims, GainsGrowFromTheFirstValueToTheLast) {
-  // 1, 0 and 5 points; 4 more at the last than at the first, 3 uncertain.
-  const std::vector<StudyRecord> steps = {study("a", {{0.02, 0.03}, {0.04, 0.05}}, 0.01),
-                                          study("b", {{0.03, 0.03}}, 0.01),
-                                          study("c", {{0.02, 0.06}, {0.02, 0.08}}, 0.02)};
-  const ClaimRecord record = judgeGrowth(steps);
-  EXPECT_EQ(record.verdict, Verdict::held);
-  EXPECT_THAT(record.detail, HasSubstr("5.00 points at surface.curvature = 1, 1.00 points at 0"));
-  EXPECT_EQ(judgeGrowth({steps[2], steps[1], steps[0]}).verdict, Verdict::failed);
-}
-
-TEST(SweepClaims, GainsWithinBothUncertaintiesAreNotDistinguishable) {
-  const std::vector<StudyRecord> steps = {study("a", {{0.02, 0.03}}, 0.02),
-                                          study("b", {{0.02, 0.06}}, 0.02)};
-  EXPECT_EQ(judgeGrowth(steps).verdict, Verdict::notDistinguishable);
-  EXPECT_EQ(judgeGrowth({study("a", {}, 0.01), steps[1]}).verdict, Verdict::notEvaluated);
-  EXPECT_EQ(judgeGrowth({steps[1], study("a", {}, 0.01)}).verdict, Verdict::notEvaluated);
-}
-
-TEST(SweepClaims, AGainThatGrowsIsNotEvaluatedInASingleStudy) {
-  ClaimSpec claim = newIsBetter();
-  claim.gainGrows = true;
-  EXPECT_EQ(judge(claim, {study("s", {{0.02, 0.05}}, 0.01)}).verdict, Verdict::notEvaluated);
-}
 
 ClaimRecord judgeVerdicts(const std::vector<Verdict>& verdicts) {
   std::vector<StudyRecord> steps;

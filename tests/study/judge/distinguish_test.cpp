@@ -5,21 +5,37 @@
 namespace gnomon {
 namespace {
 
-TEST(VerdictOn, NeedsAnIntervalWithoutZeroAndMoreThanTheTruthsError) {
-  EXPECT_EQ(verdictOn(-0.02, Interval{-0.03, -0.01}, 0.01), DifferenceVerdict::better);
-  EXPECT_EQ(verdictOn(0.02, Interval{0.01, 0.03}, 0.01), DifferenceVerdict::worse);
-  EXPECT_EQ(verdictOn(0.02, Interval{-0.01, 0.03}, 0), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(0.02, Interval{0, 0.03}, 0), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(0.02, Interval{0.01, 0.03}, 0.02), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(-0.02, Interval{-0.03, -0.01}, 0.02), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictOn(0.5, std::nullopt, 0), DifferenceVerdict::notDistinguishable);
+TEST(Distinguish, NeedsAnIntervalWithoutZeroAndMoreThanTheTruthsError) {
+  EXPECT_EQ(distinguish({-0.02, Interval{-0.03, -0.01}, 0.01}), DifferenceVerdict::better);
+  EXPECT_EQ(distinguish({0.02, Interval{0.01, 0.03}, 0.01}), DifferenceVerdict::worse);
+  EXPECT_EQ(distinguish({0.02, Interval{-0.01, 0.03}, 0}), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish({0.02, Interval{0, 0.03}, 0}), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish({0.02, Interval{0.01, 0.03}, 0.02}), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish({-0.02, Interval{-0.03, -0.01}, 0.02}),
+            DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish({0.5, std::nullopt, 0}), DifferenceVerdict::notDistinguishable);
 }
 
-TEST(VerdictByTruth, AsksForMoreThanTheTruthsErrorAlone) {
-  EXPECT_EQ(verdictByTruth(-0.02, 0.01), DifferenceVerdict::better);
-  EXPECT_EQ(verdictByTruth(0.02, 0.01), DifferenceVerdict::worse);
-  EXPECT_EQ(verdictByTruth(0.01, 0.01), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(verdictByTruth(0, 0), DifferenceVerdict::notDistinguishable);
+TEST(Distinguish, WithoutIntervalsAsksForMoreThanTheTruthsErrorAlone) {
+  EXPECT_EQ(distinguish(withoutInterval(-0.02, 0.01)), DifferenceVerdict::better);
+  EXPECT_EQ(distinguish(withoutInterval(0.02, 0.01)), DifferenceVerdict::worse);
+  EXPECT_EQ(distinguish(withoutInterval(0.01, 0.01)), DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish(withoutInterval(0, 0)), DifferenceVerdict::notDistinguishable);
+}
+
+/// Compared with a number as its distance from it is with 0.
+TEST(Distinguish, OnlyTheDistanceFromTheNumberCounts) {
+  for (const double number : {-0.5, 0.25, 1.0}) {
+    for (const double distance : {-0.0625, 0.0625}) {
+      for (const double half : {0.03125, 0.125}) {
+        const Interval around{distance - half, distance + half};
+        const Interval moved{number + distance - half, number + distance + half};
+        const DifferenceVerdict verdict = distinguish({distance, around, 0.03125});
+        EXPECT_EQ(distinguish({number + distance, moved, 0.03125}, number), verdict);
+        EXPECT_EQ(isDistinguishable({distance, around, 0.03125}), half < 0.0625);
+      }
+    }
+  }
 }
 
 DifferenceRecord row(const std::string& view, const std::string& light, double difference,
@@ -32,7 +48,7 @@ DifferenceRecord row(const std::string& view, const std::string& light, double d
           interval,
           interval ? "" : "too few",
           uncertainty,
-          verdictOn(difference, interval, uncertainty)};
+          distinguish({difference, interval, uncertainty})};
 }
 
 /// Two views under two lights.

@@ -31,8 +31,8 @@ std::string placeText(const Gate& gate) {
   std::string text = fmt::format("{}, {}", anyOr(gate.view), anyOr(gate.light));
   if (gate.region != wholeRegion) text += ", " + gate.region;
   if (gate.answer != Answer::drawn) text += fmt::format(", {}", answerName(gate.answer));
-  const std::size_t slash = gate.step.find('/');
-  return slash == std::string::npos ? text : gate.step.substr(slash + 1) + ", " + text;
+  const std::string value = stepValue(gate.step);
+  return value.empty() ? text : value + ", " + text;
 }
 
 /// Four decimals; four digits where a limit is so far off that these would fill the table.

@@ -51,8 +51,8 @@ std::string leadHtml(const Ranking& ranking, std::size_t studies) {
 std::string notes(const RankedOverStudies& method, const RankedOverStudies& best) {
   if (method.rank) {
     return method.closeToBest
-               ? fmt::format("<small class=\"same\">not distinguishable from {}</small>",
-                             escapeHtml(best.label))
+               ? fmt::format("<small class=\"same\">not distinguishable from {}: {}</small>",
+                             escapeHtml(best.label), escapeHtml(*method.closeToBest))
                : "";
   }
   return fmt::format(

@@ -48,10 +48,9 @@ std::string leadHtml(const std::vector<RankedMethod>& ranked) {
   if (!best.uncertainty) return text + " How sure the truth itself is was not measured.";
   text += fmt::format(" The truth itself is uncertain by {}&#8239;%{}.",
                       escapeHtml(percentText(best.uncertainty)),
-                      verdictOn(*best.errorRate.value, best.interval, *best.uncertainty) ==
-                              DifferenceVerdict::notDistinguishable
-                          ? ": so small an error is not distinguishable from none"
-                          : "");
+                      isDistinguishable({*best.errorRate.value, best.interval, *best.uncertainty})
+                          ? ""
+                          : ": so small an error is not distinguishable from none");
   return text;
 }
 

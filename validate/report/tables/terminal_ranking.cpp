@@ -54,6 +54,14 @@ std::string methodRow(const RankingWidths& widths, const RankedOverStudies& meth
          (method.closeToBest ? " ≈" : "");
 }
 
+/// Why a method is marked.
+void appendReason(TerminalPage& page, const RankedOverStudies& method,
+                  const RankedOverStudies& best) {
+  if (!method.closeToBest) return;
+  page.paragraph(fmt::format("not distinguishable from {}: {}", best.label, *method.closeToBest),
+                 terminalIndent + rankWidth);
+}
+
 /// What the means of the methods without a rank may be compared with.
 void appendLeader(TerminalPage& page, const RankedOverStudies& method,
                   const RankedOverStudies& best) {
@@ -84,6 +92,7 @@ std::string rankingOverStudies(std::span<const StudyMeans> studies, bool colours
       comparable = false;
     }
     page.line(methodRow(widths, method));
+    appendReason(page, method, methods.front());
     if (!method.rank) appendLeader(page, method, methods.front());
   }
   return page.text();

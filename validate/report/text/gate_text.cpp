@@ -24,8 +24,8 @@ std::string nameWith(const Gate& gate, const std::string& limit) {
                                  limit, anyOr(gate.view, "view"), anyOr(gate.light, "light"));
   if (gate.region != wholeRegion) name += ", region " + gate.region;
   if (gate.answer != Answer::drawn) name += fmt::format(", answer {}", answerName(gate.answer));
-  const std::size_t slash = gate.step.find('/');
-  return slash == std::string::npos ? name : name + ", at " + gate.step.substr(slash + 1);
+  const std::string value = stepValue(gate.step);
+  return value.empty() ? name : name + ", at " + value;
 }
 
 }  // namespace

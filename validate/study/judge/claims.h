@@ -13,9 +13,9 @@ namespace gnomon {
 ///
 /// A case is one view under one light in which the claim's metric is defined, over the samples of
 /// the claim's region. "`less` has a smaller metric than `than`" holds in a case where `less` is
-/// better than `than` by verdictOn, and fails there where it is worse. "The metric of `method` lies
-/// `above` and `below`" holds in a case where the value is on the right side of every bound by
-/// verdictOn, and fails where it is on the wrong side of one. Over all cases:
+/// better than `than` by `distinguish`, and fails there where it is worse. "The metric of `method`
+/// lies `above` and `below`" holds in a case where the value is on the right side of every bound by
+/// `distinguish`, and fails where it is on the wrong side of one. Over all cases:
 ///   held                 it fails in none, and holds for the mean over all of them together, by
 ///   the
 ///                        interval of that mean; without intervals: it holds in every case
@@ -29,7 +29,7 @@ namespace gnomon {
 /// *With an interval or without.* Only the error rate over all samples has intervals: of the value,
 /// and of the paired difference of two methods. Where such an interval was refused, the case is not
 /// distinguishable. Claims about regions and other metrics are judged by the truth's uncertainty
-/// alone (verdictByTruth), and their detail says so. That uncertainty is the share of samples that
+/// alone (withoutInterval), and their detail says so. That uncertainty is the share of samples that
 /// flip at half its resolution; in a region, as if all of them lay in it, so that it is never too
 /// small; of a boundary metric or a length ratio, `metricUncertainty`: by how much the coarser
 /// truth's own differs from that of a perfect mask.

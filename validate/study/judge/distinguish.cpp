@@ -31,16 +31,25 @@ std::string_view rowLight(const StudyRecord& record, std::string_view view,
 
 }  // namespace
 
-DifferenceVerdict verdictOn(double difference, const std::optional<Interval>& interval,
-                            double uncertainty) {
-  if (!interval || interval->holds(0) || !(std::abs(difference) > uncertainty)) {
-    return DifferenceVerdict::notDistinguishable;
-  }
-  return difference < 0 ? DifferenceVerdict::better : DifferenceVerdict::worse;
+Estimate withoutInterval(double value, double uncertainty) {
+  return {value, Interval{value, value}, uncertainty};
 }
 
-DifferenceVerdict verdictByTruth(double difference, double uncertainty) {
-  return verdictOn(difference, Interval{difference, difference}, uncertainty);
+DifferenceVerdict distinguish(const Estimate& estimate, double number) {
+  const double distance = estimate.value - number;
+  if (!estimate.interval || estimate.interval->holds(number) ||
+      !(std::abs(distance) > estimate.uncertainty)) {
+    return DifferenceVerdict::notDistinguishable;
+  }
+  return distance < 0 ? DifferenceVerdict::better : DifferenceVerdict::worse;
+}
+
+bool isDistinguishable(const Estimate& estimate, double number) {
+  return distinguish(estimate, number) != DifferenceVerdict::notDistinguishable;
+}
+
+Estimate estimateOf(const DifferenceRecord& difference) {
+  return {difference.difference, difference.interval, difference.uncertainty};
 }
 
 DifferenceRecord swapped(DifferenceRecord difference) {
@@ -78,6 +87,18 @@ std::optional<ConfidenceRecord> findConfidence(const StudyRecord& record, std::s
   return found == record.confidence.end() ? std::nullopt : std::optional(*found);
 }
 
+std::optional<Interval> meanInterval(const StudyRecord& record, std::string_view method,
+                                     const std::set<std::string>& views) {
+  Interval sum;
+  for (const std::string& view : views) {
+    const auto row = findConfidence(record, view, allLights, method);
+    if (!row || !row->interval) return std::nullopt;
+    sum = {sum.low + row->interval->low, sum.high + row->interval->high};
+  }
+  const auto count = static_cast<double>(views.size());
+  return views.empty() ? std::nullopt : std::optional(Interval{sum.low / count, sum.high / count});
+}
+
 DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all) {
   const auto count = static_cast<double>(all.size());
   DifferenceRecord mean = all.front();
@@ -95,7 +116,7 @@ DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all) {
     ends = {ends.low + one.interval->low / count, ends.high + one.interval->high / count};
   }
   if (mean.interval) mean.interval = ends;
-  mean.verdict = verdictOn(mean.difference, mean.interval, mean.uncertainty);
+  mean.verdict = distinguish(estimateOf(mean));
   return mean;
 }
 

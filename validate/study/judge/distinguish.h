@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,15 +13,27 @@ namespace gnomon {
 /// The one place that says whether two figures differ: verdicts, the marks ≈ of all tables, LaTeX,
 /// rankings, error budgets and claims ask here.
 
-/// What a difference says of the first of two figures. They are not distinguishable where there is
-/// no interval, where the interval of the difference holds 0, or where the difference is at most
-/// the truth's uncertainty; otherwise the smaller one is better.
-DifferenceVerdict verdictOn(double difference, const std::optional<Interval>& interval,
-                            double uncertainty);
+/// A figure, or a difference of two, and how far it may be wrong.
+struct Estimate {
+  double value = 0;
+  std::optional<Interval> interval;  ///< 95 %, of the value; none where too little is known
+  double uncertainty = 0;            ///< by how much the truth itself may be wrong in it
+};
 
-/// The same for a metric that has no intervals (all but the error rate of all samples): by the
-/// truth's uncertainty alone.
-DifferenceVerdict verdictByTruth(double difference, double uncertainty);
+/// Of a metric that has no intervals (all but the error rate of all samples): only the truth's
+/// uncertainty counts.
+Estimate withoutInterval(double value, double uncertainty);
+
+/// How a figure compares with a number. They are not distinguishable where there is no interval,
+/// where the interval holds the number, or where they are no further apart than the truth's
+/// uncertainty; otherwise the smaller one is better. Of a difference of two figures, compared with
+/// 0, the verdict is that on the first.
+DifferenceVerdict distinguish(const Estimate& estimate, double number = 0);
+
+/// Whether the verdict is any but notDistinguishable.
+bool isDistinguishable(const Estimate& estimate, double number = 0);
+
+Estimate estimateOf(const DifferenceRecord& difference);
 
 /// The same statement of the second method, less the first.
 DifferenceRecord swapped(DifferenceRecord difference);
@@ -35,6 +49,12 @@ std::optional<DifferenceRecord> differenceOf(const StudyRecord& record, std::str
 /// @param light  as differenceOf
 std::optional<ConfidenceRecord> findConfidence(const StudyRecord& record, std::string_view view,
                                                std::string_view light, std::string_view method);
+
+/// The mean interval of a method's error rate over views, all lights together: the mean of the
+/// ends, as if all erred together, so never too narrow. None where a view has none, and without any
+/// view.
+std::optional<Interval> meanInterval(const StudyRecord& record, std::string_view method,
+                                     const std::set<std::string>& views);
 
 /// The mean of differences of the same two methods: of their differences, of their intervals' ends
 /// (as if all erred together, so never too narrow) and of the truth's uncertainties; without an

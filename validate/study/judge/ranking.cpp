@@ -36,22 +36,6 @@ std::optional<double> meanUncertainty(const StudyRecord& record, const Rows& row
   return rows.empty() ? std::nullopt : std::optional(sum / static_cast<double>(rows.size()));
 }
 
-std::optional<Interval> meanInterval(const StudyRecord& record, const std::string& label,
-                                     const Rows& rows) {
-  Interval sum;
-  double views = 0;
-  for (const ConfidenceRecord& row : record.confidence) {
-    if (row.method != label || row.light != allLights) continue;
-    if (!row.interval) return std::nullopt;
-    sum = {sum.low + row.interval->low, sum.high + row.interval->high};
-    ++views;
-  }
-  std::set<std::string> shown;
-  for (const ResultRecord* row : rows) shown.insert(row->view);
-  if (views == 0 || views != static_cast<double>(shown.size())) return std::nullopt;
-  return Interval{sum.low / views, sum.high / views};
-}
-
 Rows rowsOf(const StudyRecord& record, const std::string& label, const std::vector<Case>& cases,
             Answer answer) {
   Rows rows;
@@ -87,7 +71,9 @@ RankedMethod summarise(const StudyRecord& record, const std::string& label,
   method.ber = meanOf(rows, "ber");
   method.testError = meanOf(rowsOf(record, label, cases, Answer::test), "error_rate");
   method.uncertainty = meanUncertainty(record, rows);
-  method.interval = meanInterval(record, label, rows);
+  std::set<std::string> views;
+  for (const ResultRecord* row : rows) views.insert(row->view);
+  method.interval = meanInterval(record, label, views);
   return method;
 }
 

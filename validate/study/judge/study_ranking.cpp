@@ -42,14 +42,19 @@ std::optional<double> meanOf(const std::vector<std::optional<double>>& values) {
   return values.empty() ? std::nullopt : std::optional(sum / static_cast<double>(values.size()));
 }
 
-/// The differences of two labels, turned to the order asked for: one a study that has it.
+/// The differences of two labels, turned to the order asked for: one a study that has it. What
+/// lacks an interval at a sweep's value says at which.
 std::vector<DifferenceRecord> differencesIn(std::span<const StudyMeans> studies,
                                             const std::string& first, const std::string& second) {
   std::vector<DifferenceRecord> found;
   for (const StudyMeans& study : studies) {
+    const std::string value = stepValue(study.name);
     for (const DifferenceRecord& row : study.differences) {
-      if (row.first == first && row.second == second) found.push_back(row);
-      if (row.first == second && row.second == first) found.push_back(swapped(row));
+      const bool isTurned = row.first == second && row.second == first;
+      if (!isTurned && (row.first != first || row.second != second)) continue;
+      found.push_back(isTurned ? swapped(row) : row);
+      if (row.interval || value.empty()) continue;
+      found.back().reason = fmt::format("at {}: {}", value, row.reason);
     }
   }
   return found;
@@ -148,18 +153,32 @@ std::optional<double> meanWhere(std::span<const StudyMeans> studies, const std::
   return meanOf(means);
 }
 
-bool isCloseTo(const std::string& best, const std::string& label,
-               std::span<const StudyMeans> studies) {
-  const auto found = differencesIn(studies, label, best);
-  return found.size() == studies.size() &&
-         meanDifference(found).verdict == DifferenceVerdict::notDistinguishable;
+/// Why a method is not distinguishable from the best, as RankedOverStudies has it.
+std::optional<std::string> whyClose(const std::string& best, const std::string& label,
+                                    std::span<const StudyMeans> studies) {
+  std::vector<DifferenceRecord> found;
+  std::vector<std::string> without;
+  for (const StudyMeans& study : studies) {
+    const auto difference = differencesIn({&study, 1}, label, best);
+    if (difference.empty()) return std::nullopt;
+    found.push_back(difference.front());
+    if (found.back().interval) continue;
+    without.push_back(fmt::format("{} ({})", study.name, found.back().reason));
+  }
+  const Estimate mean = estimateOf(meanDifference(found));
+  if (isDistinguishable(mean)) return std::nullopt;
+  if (!mean.interval) {
+    return fmt::format("no interval of the difference on {}", fmt::join(without, "; "));
+  }
+  return mean.interval->holds(0) ? "the interval of the difference holds 0"
+                                 : "the difference is within the truth's uncertainty";
 }
 
 /// Says how a method compares with the first of a ranking.
 void compareWithBest(RankedOverStudies& method, const RankedOverStudies& best,
                      std::span<const StudyMeans> studies) {
   if (method.rank) {
-    method.closeToBest = *method.rank > 1 && isCloseTo(best.label, method.label, studies);
+    if (*method.rank > 1) method.closeToBest = whyClose(best.label, method.label, studies);
   } else if (best.rank) {
     method.leaderError = meanWhere(studies, best.label, method.label);
   }

@@ -73,9 +73,11 @@ struct RankedOverStudies {
   /// Without a rank: the mean error rate of the method of rank 1 over the same cases, which its own
   /// may be compared with.
   std::optional<double> leaderError;
-  /// Not distinguishable from rank 1: by the mean of their differences over all studies, with the
-  /// mean of the intervals' ends. Never without a difference in every study.
-  bool closeToBest = false;
+  /// Why it is not distinguishable from rank 1, by the mean of their differences over all studies
+  /// with the mean of the intervals' ends: "no interval of the difference on bumps (at 0.5: the
+  /// view has too few blocks of samples)", "the interval of the difference holds 0". None where it
+  /// is, or where a study has no difference.
+  std::optional<std::string> closeToBest;
 };
 
 /// Methods in the order of rankByError over the cases of all studies, else in the order in which

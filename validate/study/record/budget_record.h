@@ -15,7 +15,7 @@ struct BudgetShare {
   double value = 0;
   std::optional<Interval> interval;  ///< 95 %; none where the view is too small to tell
   std::string reason;                ///< why there is none; empty if there is one
-  /// From none, by verdictOn.
+  /// From none, by `distinguish`.
   bool distinguishable = false;
 };
 

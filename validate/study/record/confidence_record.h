@@ -51,7 +51,7 @@ struct DifferenceRecord {
   std::optional<Interval> interval;  ///< 95 %, of the difference
   std::string reason;                ///< why there is none; empty if there is one
   double uncertainty = 0;            ///< of the truth in this view, mean over these lights
-  /// By verdictOn.
+  /// By `distinguish`.
   DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
   std::optional<RadiusCheck<DifferenceVerdict>> radius = std::nullopt;  ///< if it was varied
 };

@@ -19,6 +19,11 @@ bool Judgement::isFault() const {
   return verdict == GateVerdict::failed || verdict == GateVerdict::undefined;
 }
 
+std::string stepValue(const std::string& step) {
+  const std::size_t slash = step.find('/');
+  return slash == std::string::npos ? "" : step.substr(slash + 1);
+}
+
 ExitStatus worstOf(std::span<const ProblemRecord> problems) {
   ExitStatus worst = ExitStatus::pass;
   for (const ProblemRecord& problem : problems) worst = std::max(worst, problem.status);

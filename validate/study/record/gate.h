@@ -65,6 +65,9 @@ struct Judgement {
   [[nodiscard]] bool isFault() const;
 };
 
+/// The value in the name of a sweep's step, `NAME/VALUE`; empty in the name of a study.
+std::string stepValue(const std::string& step);
+
 /// Those of one origin, in their order.
 template <typename Origin>
 std::vector<Judgement> withOrigin(std::span<const Judgement> judgements) {

@@ -86,7 +86,7 @@ TEST(DifferencesOf, ComparesEachMethodWithEveryLaterOne) {
     EXPECT_DOUBLE_EQ(record.uncertainty, i < 3 ? 0.001 : i < 6 ? 0.0005 : 0.0015);
     ASSERT_TRUE(record.interval) << record.reason;
     EXPECT_TRUE(record.interval->holds(record.difference));
-    EXPECT_EQ(record.verdict, verdictOn(record.difference, record.interval, record.uncertainty));
+    EXPECT_EQ(record.verdict, distinguish(estimateOf(record)));
   }
   EXPECT_DOUBLE_EQ(records[0].difference, (records[3].difference + records[6].difference) / 2);
   BlockErrors first = errors.methods[0].lights[0];

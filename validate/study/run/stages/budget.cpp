@@ -12,9 +12,8 @@ namespace gnomon {
 namespace {
 
 BudgetShare shareOf(double value, const ConfidenceInterval& confidence, double uncertainty) {
-  return {
-      value, confidence.interval, std::string(confidence.reason),
-      verdictOn(value, confidence.interval, uncertainty) != DifferenceVerdict::notDistinguishable};
+  return {value, confidence.interval, std::string(confidence.reason),
+          isDistinguishable({value, confidence.interval, uncertainty})};
 }
 
 /// A part of the error that is left.

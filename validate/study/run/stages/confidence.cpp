@@ -53,7 +53,7 @@ DifferenceRecord differenceRecord(const ViewErrors& errors, const LightErrors& l
   record.interval = confidence.interval;
   record.reason = confidence.reason;
   record.uncertainty = light.uncertainty;
-  record.verdict = verdictOn(record.difference, record.interval, record.uncertainty);
+  record.verdict = distinguish(estimateOf(record));
   return record;
 }
 

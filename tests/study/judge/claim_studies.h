@@ -1,0 +1,102 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/judge/claims.h"
+#include "study/judge/distinguish.h"
+#include "study/record/result_metrics.h"
+
+namespace gnomon::test {
+
+/// 10,000 samples, 30 % shadow in the truth, with a given error rate, all of it false light.
+inline Counts withErrorRate(double rate) {
+  constexpr double samples = 10'000;
+  const double wrong = rate * samples;
+  return {0.3 * samples - wrong, 0, wrong, 0.7 * samples, static_cast<std::size_t>(samples)};
+}
+
+/// Gives a record the intervals of its error rates: as wide as is asked for on either side.
+inline void measureIntervals(StudyRecord& record, double half) {
+  record.confidence.clear();
+  record.differences.clear();
+  std::vector<ResultRecord> rows;
+  for (const ResultRecord& result : record.results) {
+    if (result.region == "all") rows.push_back(result);
+  }
+  double gains = 0;
+  double uncertainties = 0;
+  for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
+    const ResultRecord& first = rows[i];
+    const std::array<double, 2> rates = {metricOf(first, "error_rate").value.value_or(0),
+                                         metricOf(rows[i + 1], "error_rate").value.value_or(0)};
+    const auto around = [&](double value) { return Interval{value - half, value + half}; };
+    const auto flip =
+        std::find_if(record.truth.flips.begin(), record.truth.flips.end(),
+                     [&](const UncertaintyRecord& found) { return found.light == first.light; });
+    const double uncertainty =
+        flip == record.truth.flips.end() ? record.truth.uncertainty : flip->flipRate;
+    const double difference = rates[0] - rates[1];
+    gains += difference / (static_cast<double>(rows.size()) / 2);
+    uncertainties += uncertainty / (static_cast<double>(rows.size()) / 2);
+    record.confidence.push_back(
+        {"new", "camera", first.light, rates[0], around(rates[0]), "", 81, 12});
+    record.confidence.push_back(
+        {"old", "camera", first.light, rates[1], around(rates[1]), "", 81, 12});
+    record.differences.push_back({"camera", first.light, "new", "old", difference,
+                                  around(difference), "", uncertainty,
+                                  distinguish({difference, around(difference), uncertainty})});
+  }
+  const Interval all{gains - half, gains + half};
+  record.differences.push_back({"camera", "all", "new", "old", gains, all, "", uncertainties,
+                                distinguish({gains, all, uncertainties})});
+}
+
+/// A study whose methods `new` and `old` have given error rates, one pair a light; intervals are
+/// narrow.
+inline StudyRecord study(const std::string& name,
+                         const std::vector<std::pair<double, double>>& rates, double uncertainty) {
+  StudyRecord record;
+  record.name = name;
+  record.truth.uncertainty = uncertainty;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const std::string light = "light " + std::to_string(i);
+    record.truth.flips.push_back({"camera", light, uncertainty});
+    record.results.push_back({"new", light, "camera", "all", withErrorRate(rates[i].first)});
+    record.results.push_back({"old", light, "camera", "all", withErrorRate(rates[i].second)});
+    // Regions must not be judged: here the other order holds.
+    record.results.push_back({"new", light, "camera", "cast", withErrorRate(0.25)});
+    record.results.push_back({"old", light, "camera", "cast", withErrorRate(0.0)});
+  }
+  measureIntervals(record, 1e-6);
+  return record;
+}
+
+inline ClaimSpec newIsBetter(const std::string& gainExceeds = {}) {
+  return {"The new method is better", "§4", "new", "old", "error_rate", gainExceeds};
+}
+
+inline ClaimRecord judgeClaim(const ClaimSpec& claim, const std::vector<StudyRecord>& run,
+                              std::size_t own = 0) {
+  const auto records = judgeClaims({claim}, run, own);
+  EXPECT_EQ(records.size(), 1U);
+  EXPECT_EQ(records.at(0).text, claim.text);
+  EXPECT_EQ(records.at(0).source, claim.source);
+  return records.at(0);
+}
+
+inline SweepRecord sweepOf(const std::vector<StudyRecord>& steps) {
+  SweepRecord sweep;
+  sweep.key = "surface.curvature";
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    sweep.values.push_back(0.5 * static_cast<double>(i));
+  }
+  sweep.steps = steps;
+  return sweep;
+}
+
+}  // namespace gnomon::test

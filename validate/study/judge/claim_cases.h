@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/judge/distinguish.h"
+#include "study/record/claim_spread.h"
+#include "study/record/record.h"
+#include "study/spec/study_file.h"
+
+namespace gnomon {
+
+/// The cases of a claim, which claims.h explains.
+
+/// What one view under one light says of a claim.
+struct ClaimCase {
+  std::string view;
+  /// Of the claim's `method` its value; of two methods the value of `than` less that of `less`.
+  Estimate estimate;
+  std::optional<double> quantity;  ///< what the spread's quartiles are of; see ClaimSpread
+};
+
+struct ClaimCases {
+  std::vector<ClaimCase> defined;
+  std::size_t undefined = 0;  ///< in which the claim's method has no value
+};
+
+ClaimCases casesOf(const ClaimSpec& claim, const StudyRecord& study);
+
+/// A figure's bounds, themselves not included.
+struct Bounds {
+  std::optional<double> above, below;
+};
+
+/// What a claim asks of its estimates: of two methods that the difference is above 0.
+Bounds boundsOf(const ClaimSpec& claim);
+
+/// Whether a figure lies within the bounds, by `distinguish`: failed where it is on the wrong side
+/// of one, held where it is on the right side of each.
+Verdict judgeWithin(const Estimate& estimate, const Bounds& bounds);
+
+/// The verdicts on all cases, and on their mean where it has an interval.
+/// @param cases  one or more
+ClaimSpread spreadOver(const ClaimSpec& claim, const StudyRecord& study,
+                       const std::vector<ClaimCase>& cases);
+
+/// Whether the claim's metric has intervals: the score does.
+bool hasIntervals(const ClaimSpec& claim);
+
+/// "; no interval exists for it, …", or nothing where one does.
+std::string intervalNote(const ClaimSpec& claim);
+
+/// " in the region cast", or nothing for all samples.
+std::string regionText(const ClaimSpec& claim);
+
+/// A difference as texts show it: rates in points of a hundred, all others as they are.
+std::string differenceText(const std::string& metric, double difference);
+
+/// The mean of the cases' estimates, without their intervals.
+/// @param cases  one or more
+double meanValue(const std::vector<ClaimCase>& cases);
+
+}  // namespace gnomon
