@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
+#include "common/lists.h"
 #include "report/json/baseline_json.h"
 
 namespace gnomon {
@@ -33,7 +32,7 @@ void requireSameRun(const Baseline& baseline, const BaselineRun& run) {
 /// A value of a step that is not run could never be judged.
 void requireSteps(const Baseline& baseline, const std::vector<std::string>& steps) {
   for (const Gate& gate : baseline.gates) {
-    if (std::find(steps.begin(), steps.end(), gate.step) != steps.end()) continue;
+    if (contains(steps, gate.step)) continue;
     throw InputError(fmt::format("values.study: \"{}\" found, the study has {}", gate.step,
                                  fmt::join(steps, ", ")));
   }

@@ -15,6 +15,7 @@
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
 #include "common/files/atomic_file.h"
+#include "common/lists.h"
 #include "common/text/shell_quote.h"
 #include "compare/metric_range.h"
 #include "report/ci/github_annotations.h"
@@ -87,11 +88,7 @@ std::vector<std::string> faultyMethods(const CheckRecord& check) {
   std::vector<std::string> methods;
   if (!check.problems.empty()) return methods;
   for (const Judgement& judgement : check.judgements) {
-    const std::string& method = judgement.gate.method;
-    if (!judgement.isFault()) continue;
-    if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
-      methods.push_back(method);
-    }
+    if (judgement.isFault()) appendOnce(methods, judgement.gate.method);
   }
   return methods;
 }

@@ -10,6 +10,7 @@
 
 #include "cli/output.h"
 #include "common/files/atomic_file.h"
+#include "common/lists.h"
 #include "compare/mask_metrics.h"
 #include "compare/metric_range.h"
 #include "image/images.h"
@@ -56,7 +57,7 @@ Gate gateOf(const std::string& option, const std::string& text) {
   if (equals == std::string::npos) {
     throw UsageError(fmt::format("{} {}: METRIC=VALUE expected", option, text));
   }
-  if (std::find(names.begin(), names.end(), metric) == names.end()) {
+  if (!contains(names, metric)) {
     throw UsageError(fmt::format("{} {}: no metric \"{}\", one of {} expected", option, text,
                                  metric, fmt::join(names, ", ")));
   }

@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
+#include "common/lists.h"
 #include "common/text/one_line.h"
 #include "report/json/json_values.h"
 
@@ -160,8 +161,7 @@ Gate readGate(const Reader& reader) {
     reader.fail("answer", fmt::format("\"{}\" found, drawn or test expected", answer));
   }
   row.answer = *answerOfName(answer);
-  const auto known = baselineMetrics(row.answer);
-  if (std::find(known.begin(), known.end(), row.metric) == known.end()) {
+  if (!contains(baselineMetrics(row.answer), row.metric)) {
     reader.fail("metric", fmt::format("\"{}\" found, a metric of baselines expected", row.metric));
   }
   requireSense(reader, row.metric, reference);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/lists.h"
 #include "common/system/memory.h"
 #include "report/page/budget_html.h"
 #include "report/page/confidence_html.h"
@@ -103,8 +104,7 @@ std::string thresholdSection(const StudyRecord& record) {
 std::vector<Case> casesWithPictures(const StudyRecord& record) {
   std::vector<Case> cases = casesOf(record);
   for (const PanelRecord& panel : record.panels) {
-    const Case which{panel.view, panel.light};
-    if (std::find(cases.begin(), cases.end(), which) == cases.end()) cases.push_back(which);
+    appendOnce(cases, Case{panel.view, panel.light});
   }
   return cases;
 }

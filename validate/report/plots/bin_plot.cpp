@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/lists.h"
 #include "compare/rates.h"
 #include "report/plots/plot_style.h"
 #include "report/text/number_text.h"
@@ -26,10 +27,6 @@ std::string axisTitle(std::string_view axis) {
                               : fmt::format("{}, {}", known.title, known.unit);
   }
   return std::string(axis);
-}
-
-void addOnce(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
 /// The bins of one axis and view, all lights together.
@@ -118,14 +115,14 @@ double uncertaintyIn(const StudyRecord& record, std::string_view view) {
 
 std::vector<std::string> binAxes(const StudyRecord& record) {
   std::vector<std::string> axes;
-  for (const BinRecord& bin : record.bins) addOnce(axes, bin.axis);
+  for (const BinRecord& bin : record.bins) appendOnce(axes, bin.axis);
   return axes;
 }
 
 std::vector<std::string> binViews(const StudyRecord& record, std::string_view axis) {
   std::vector<std::string> views;
   for (const BinRecord& bin : record.bins) {
-    if (bin.axis == axis && bin.light == allLights) addOnce(views, bin.view);
+    if (bin.axis == axis && bin.light == allLights) appendOnce(views, bin.view);
   }
   return views;
 }
@@ -134,7 +131,7 @@ PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_
   const std::vector<const BinRecord*> bins = binsOf(record, axis, view);
   const std::vector<Ends> ends = endsOf(bins);
   std::vector<std::string> methods;
-  for (const BinRecord* bin : bins) addOnce(methods, bin->method);
+  for (const BinRecord* bin : bins) appendOnce(methods, bin->method);
   const std::string uncertainty = exactText(100 * uncertaintyIn(record, view));
   std::string data = fmt::format("$truth << EOD\n-0.5 {0}\n{1} {0}\nEOD\n", uncertainty,
                                  exactText(static_cast<double>(ends.size()) - 0.5));

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "common/lists.h"
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
 #include "report/tables/cost.h"
@@ -73,9 +74,7 @@ std::vector<FrontierPoint> frontier(const StudyRecord& record) {
 PlotSheet frontierPlot(const std::vector<FrontierPoint>& points) {
   std::vector<std::string> names;
   for (const FrontierPoint& point : points) {
-    if (std::find(names.begin(), names.end(), point.name) == names.end()) {
-      names.push_back(point.name);
-    }
+    appendOnce(names, point.name);
   }
   std::string data = "$frontier << EOD\n";
   for (const FrontierPoint& point : points) data += point.efficient ? dataRow(point) : "";

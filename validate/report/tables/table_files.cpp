@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/lists.h"
 #include "report/tables/cost.h"
 #include "report/tables/csv_text.h"
 #include "report/tables/latex_text.h"
@@ -22,8 +23,7 @@ std::uint64_t bytesOf(const CostRecord& cost) {
 /// A ranked method that is not distinguishable from rank 1.
 bool isSameAsBest(const std::vector<RankedMethod>& ranked, std::size_t place) {
   const std::vector<std::string>& same = ranked[place].indistinguishable;
-  return place > 0 && ranked[place].rank &&
-         std::find(same.begin(), same.end(), ranked.front().label) != same.end();
+  return place > 0 && ranked[place].rank && contains(same, ranked.front().label);
 }
 
 std::string csvRow(const StudyRecord& record, const std::vector<RankedMethod>& ranked,

@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
+#include "common/lists.h"
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "study/run/stages/budget.h"
@@ -36,9 +35,7 @@ std::string orderText(const BudgetRecord& budget) {
 std::vector<std::string> budgetLights(const StudyRecord& record) {
   std::vector<std::string> lights;
   for (const BudgetRecord& budget : record.budgets) {
-    if (std::find(lights.begin(), lights.end(), budget.light) == lights.end()) {
-      lights.push_back(budget.light);
-    }
+    appendOnce(lights, budget.light);
   }
   return lights;
 }

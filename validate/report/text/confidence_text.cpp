@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/lists.h"
 #include "report/text/budget_text.h"
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
@@ -72,9 +73,7 @@ std::string betterText(const DifferenceRecord& difference) {
 
 std::vector<std::string> confidenceViews(const StudyRecord& record) {
   std::vector<std::string> views;
-  for (const ConfidenceRecord& row : record.confidence) {
-    if (std::find(views.begin(), views.end(), row.view) == views.end()) views.push_back(row.view);
-  }
+  for (const ConfidenceRecord& row : record.confidence) appendOnce(views, row.view);
   return views;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "common/lists.h"
 #include "compare/metric_range.h"
 #include "compare/shadow_length.h"
 #include "study/judge/gates.h"
@@ -57,8 +58,7 @@ std::span<const std::string_view> baselineMetrics(Answer answer) {
 }
 
 bool isLengthMetric(std::string_view metric) {
-  const auto& names = lengthMetricNames();
-  return std::find(names.begin(), names.end(), metric) != names.end();
+  return contains(lengthMetricNames(), metric);
 }
 
 std::optional<double> spreadOf(const StudyRecord& record, const Case& which,
@@ -132,7 +132,7 @@ std::vector<Judgement> judgeBaseline(const Baseline& baseline, const StudyRecord
     if (gate.step != record.name) continue;
     const ResultRecord* row =
         findResult(record, gate.method, {gate.view, gate.light}, wholeRegion, gate.answer);
-    if (std::find(leftOut.begin(), leftOut.end(), gate.method) != leftOut.end()) {
+    if (contains(leftOut, gate.method)) {
       judgements.push_back({gate, GateVerdict::skipped, {}, "its method is left out"});
     } else if (const RefusedMethod* refused = refusedIn(record, gate.method)) {
       judgements.push_back({gate, GateVerdict::undefined, {}, refused->reason});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "common/lists.h"
 #include "study/judge/distinguish.h"
 #include "study/judge/ranking.h"
 #include "study/judge/ranking_rule.h"
@@ -18,10 +19,6 @@ std::string nameOf(const StudyRecord& record, const std::string& label) {
     if (method.label == label) return method.name;
   }
   return label;
-}
-
-void appendOnce(std::vector<std::string>& list, const std::string& text) {
-  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
 }
 
 std::vector<std::string> labelsOf(std::span<const StudyMeans> studies) {

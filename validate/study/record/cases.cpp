@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "common/lists.h"
 #include "compare/rates.h"
 
 namespace gnomon {
 namespace {
-
-template <typename T>
-void appendOnce(std::vector<T>& list, const T& item) {
-  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
-}
 
 bool belongsTo(const ResultRecord& result, const Case& which) {
   return result.view == which.view && result.light == which.light;
@@ -31,8 +27,7 @@ std::vector<std::string> methodsOf(const StudyRecord& record) {
   for (const ResultRecord& result : record.results) appendOnce(withResults, result.method);
   std::vector<std::string> methods;
   for (const MethodRecord& method : record.methods) {
-    const auto found = std::find(withResults.begin(), withResults.end(), method.label);
-    if (found != withResults.end()) appendOnce(methods, method.label);
+    if (contains(withResults, method.label)) appendOnce(methods, method.label);
   }
   for (const std::string& label : withResults) appendOnce(methods, label);
   return methods;

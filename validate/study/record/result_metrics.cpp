@@ -1,19 +1,15 @@
 #include "study/record/result_metrics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "common/lists.h"
 #include "compare/boundaries.h"
 
 namespace gnomon {
 namespace {
 
 constexpr std::string_view notInRegions = "measured over all samples together only";
-
-bool holds(const std::vector<std::string_view>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 std::vector<Metric> unmeasured(const std::vector<std::string_view>& names) {
   std::vector<Metric> metrics;
@@ -47,7 +43,7 @@ std::vector<Metric> metricsOf(const ResultRecord& result) {
 
 Metric metricOf(const ResultRecord& result, std::string_view name) {
   if (isRate(name)) return rate(result.counts, name);
-  return metricNamed(holds(lengthMetricNames(), name) ? lengthsOf(result) : boundariesOf(result),
+  return metricNamed(contains(lengthMetricNames(), name) ? lengthsOf(result) : boundariesOf(result),
                      name);
 }
 
@@ -63,11 +59,11 @@ const std::vector<std::string_view>& metricNames() {
 }
 
 bool isRate(std::string_view name) {
-  return holds(rateNames(), name);
+  return contains(rateNames(), name);
 }
 
 double metricUncertainty(const UncertaintyRecord& truth, std::string_view name) {
-  if (holds(lengthMetricNames(), name)) return truth.lengthError.value_or(0);
+  if (contains(lengthMetricNames(), name)) return truth.lengthError.value_or(0);
   const auto& found =
       truth.boundaries.empty() ? unmeasured(boundaryMetricNames()) : truth.boundaries;
   const auto value = metricNamed(found, name).value;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "common/lists.h"
 #include "study/spec/study_reduction.h"
 
 namespace gnomon {
@@ -53,7 +54,7 @@ MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults) {
     const auto state = std::find_if(ladder.forward.begin(), ladder.forward.end(), isWrong);
     const auto other = std::find_if(ladder.backward.begin(), ladder.backward.end(), isWrong);
     if (state == ladder.forward.end() && other == ladder.backward.end()) continue;
-    if (std::find(labels.begin(), labels.end(), ladder.method) != labels.end()) continue;
+    if (contains(labels, ladder.method)) continue;
     const MethodSpec& wrong = state != ladder.forward.end() ? *state : *other;
     throw DriverError(
         fmt::format("the ladder of {} is not measured: {}", ladder.method, faults.faultOf(wrong)));
