@@ -132,6 +132,10 @@ ClaimSpread spreadOver(const ClaimSpec& claim, const StudyRecord& study,
   return spread;
 }
 
+ClaimRecord notEvaluated(const ClaimSpec& claim, std::string detail) {
+  return {claim.text, claim.source, Verdict::notEvaluated, std::move(detail)};
+}
+
 bool hasIntervals(const ClaimSpec& claim) {
   return claim.metric == "error_rate" && claim.region == wholeRegion &&
          claim.answer == Answer::drawn;

@@ -46,6 +46,9 @@ Verdict judgeWithin(const Estimate& estimate, const Bounds& bounds);
 ClaimSpread spreadOver(const ClaimSpec& claim, const StudyRecord& study,
                        const std::vector<ClaimCase>& cases);
 
+/// @param detail  why it is not evaluated
+ClaimRecord notEvaluated(const ClaimSpec& claim, std::string detail);
+
 /// Whether the claim's metric has intervals: the score does.
 bool hasIntervals(const ClaimSpec& claim);
 

@@ -38,15 +38,12 @@ std::string detailOf(const ClaimSpec& claim, const ClaimCases& cases, const Clai
 }
 
 ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std::size_t own) {
-  const auto notEvaluated = [&](std::string detail) -> ClaimRecord {
-    return {claim.text, claim.source, Verdict::notEvaluated, std::move(detail)};
-  };
-  if (claim.gainGrows) return notEvaluated("judged over the values of the sweep");
+  if (claim.gainGrows) return notEvaluated(claim, "judged over the values of the sweep");
   const ClaimCases cases = casesOf(claim, run[own]);
   if (cases.defined.empty()) {
     const std::string methods =
         claim.method.empty() ? claim.less + " and " + claim.than : claim.method;
-    return notEvaluated(fmt::format("{} is not defined for {}", claim.metric, methods));
+    return notEvaluated(claim, fmt::format("{} is not defined for {}", claim.metric, methods));
   }
   if (!claim.gainExceeds.empty()) return judgeGain(claim, run[own], run);
   const ClaimSpread spread = spreadOver(claim, run[own], cases.defined);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "study/judge/claim_cases.h"
@@ -32,10 +31,6 @@ std::string intervalText(const ClaimSpec& claim, const Estimate& first, const Es
 /// Whether a record is that of a study, or of one value of its sweep, which is named NAME/VALUE.
 bool isOfStudy(const StudyRecord& record, const std::string& name) {
   return record.name == name || record.name.starts_with(name + "/");
-}
-
-ClaimRecord notEvaluated(const ClaimSpec& claim, std::string detail) {
-  return {claim.text, claim.source, Verdict::notEvaluated, std::move(detail)};
 }
 
 }  // namespace

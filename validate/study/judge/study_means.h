@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/record/record.h"
+#include "study/record/sweep_record.h"
+
+namespace gnomon {
+
+/// One method in one study: means over its lights and views, each with the same weight, in the
+/// region of all samples. Shares of the samples, 0 to 1; none where no light and view defines one.
+/// Means over fewer cases (views under a light) than other methods of the study have cannot be
+/// compared with theirs.
+struct MethodMeans {
+  std::string label;
+  std::string name;  ///< the method's own
+  std::optional<double> errorRate, falseShadow, falseLight;
+  std::optional<double> uncertainty;  ///< the truth's
+  /// Error rate in each case of the study in which some method has one; of a sweep in those of its
+  /// first value, then of its second, and so on.
+  std::vector<std::optional<double>> caseErrors = {};
+
+  /// In how many of them it has one.
+  [[nodiscard]] std::size_t cases() const;
+  [[nodiscard]] bool isInEveryCase() const { return cases() == caseErrors.size(); }
+};
+
+/// Behind a mean over fewer cases than others beside it, and what that says.
+constexpr const char* fewerCasesMark = "*";
+constexpr const char* fewerCasesMeaning =
+    "* mean over fewer views and lights than others have: not comparable.";
+
+/// What a study gives to a ranking, of its own methods or over the studies of a run.
+struct StudyMeans {
+  std::string name;  ///< also its folder beside the ranking
+  std::string title;
+  RunStatus status = RunStatus::notJudged;
+  std::vector<MethodMeans> methods;
+  std::vector<ClaimRecord> claims;
+  /// Of every two methods that answer in one view: differenceOverViews, for a sweep the mean of it
+  /// over the steps that have it.
+  std::vector<DifferenceRecord> differences = {};
+};
+
+StudyMeans studyMeans(const StudyRecord& record);
+
+/// A sweep as one study: each figure the mean over its steps, none where a step has none.
+StudyMeans studyMeans(const SweepRecord& sweep);
+
+/// What the statuses say together: fail where one does, pass where one does and none fails.
+RunStatus statusOf(std::span<const StudyMeans> studies);
+
+/// The largest of the methods' means of the truth's uncertainty. They differ only where a method
+/// answers in fewer cases.
+std::optional<double> largestUncertainty(const StudyMeans& study);
+
+/// The figures of a label in a study; nullptr where it has none.
+const MethodMeans* findMeans(const StudyMeans& study, std::string_view label);
+
+/// "shadow-volume", or "shadow-volume (2 of 4 cases)" where it lacks some: for legends.
+std::string labelWithCases(const MethodMeans& method);
+
+/// The labels of the studies' methods, each once, in the order in which they appear.
+std::vector<std::string> labelsOf(std::span<const StudyMeans> studies);
+
+/// In how many views under a light some method of the study has an error rate.
+std::size_t caseCount(const StudyMeans& study);
+
+/// The mean, if every value is known; none of no value.
+std::optional<double> meanOf(const std::vector<std::optional<double>>& values);
+
+/// The difference of two methods in a study, the first less the second; none where it has none.
+std::optional<DifferenceRecord> differenceIn(const StudyMeans& study, std::string_view first,
+                                             std::string_view second);
+
+/// The method's rows of one answer over all samples, in the cases in which it has an error rate.
+std::vector<const ResultRecord*> rankedRows(const StudyRecord& record, std::string_view method,
+                                            Answer answer);
+
+}  // namespace gnomon
