@@ -117,15 +117,11 @@ void appendReferences(TerminalPage& page, const CheckRecord& check) {
 
 /// Each fault in full, since a table cuts names.
 void appendFaults(TerminalPage& page, const CheckRecord& check) {
-  const auto fault = [&](const std::string& label, const std::string& text) {
-    page.line(std::string(terminalIndent, ' ') + page.styled(label, "31"));
-    page.paragraph(text, 2 * terminalIndent);
-  };
-  for (const ProblemRecord& problem : check.problems) fault("error", problem.message);
+  for (const ProblemRecord& problem : check.problems) page.fault("error", problem.message);
   for (const Judgement& judgement : check.judgements) {
     if (!judgement.isFault()) continue;
     const bool failed = judgement.verdict == GateVerdict::failed;
-    fault(failed ? "failed" : "undefined", gateFaultText(judgement));
+    page.fault(failed ? "failed" : "undefined", gateFaultText(judgement));
   }
 }
 

@@ -82,18 +82,11 @@ std::string failureText(const Judgement& judgement) {
 }
 
 void appendGates(TerminalPage& page, const std::vector<Judgement>& judgements) {
-  if (judgements.empty()) return;
-  const auto faults = std::count_if(judgements.begin(), judgements.end(),
-                                    [](const Judgement& judgement) { return judgement.isFault(); });
-  page.blank();
-  page.heading(fmt::format("Gates: {} of {} met",
-                           judgements.size() - static_cast<std::size_t>(faults),
-                           judgements.size()));
+  std::vector<std::string> failed;
   for (const Judgement& judgement : judgements) {
-    if (!judgement.isFault()) continue;
-    page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
-    page.paragraph(failureText(judgement), 2 * terminalIndent);
+    if (judgement.isFault()) failed.push_back(failureText(judgement));
   }
+  page.met("Gates", judgements.size(), failed);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct FrontierPoint {
   bool efficient = false;  ///< no other entry has as little memory and as small an error
 };
 
-/// The entries that read tables or the height map and answer in every case (rankByError), by
+/// The entries that read tables or the height map and answer in every case (rankOverStudies), by
 /// memory, then error. Empty unless some method
 /// stands in the study with two different memories: only then there is something to trade.
 std::vector<FrontierPoint> frontier(const StudyRecord& record);

@@ -90,13 +90,7 @@ void appendFailures(TerminalPage& page, const SweepRecord& sweep) {
                                      gateFaultText(judgement)));
     }
   }
-  if (gates == 0) return;
-  page.blank();
-  page.heading(fmt::format("Thresholds: {} of {} met", gates - failures.size(), gates));
-  for (const std::string& failure : failures) {
-    page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
-    page.paragraph(failure, 2 * terminalIndent);
-  }
+  page.met("Thresholds", gates, failures);
 }
 
 }  // namespace

@@ -193,16 +193,13 @@ void appendResults(TerminalPage& page, const StudyRecord& record) {
 }
 
 void appendThresholds(TerminalPage& page, const StudyRecord& record) {
-  std::vector<Judgement> thresholds = withOrigin<Threshold>(record.judgements);
-  if (thresholds.empty()) return;
-  const std::size_t all = thresholds.size();
-  std::erase_if(thresholds, [](const Judgement& judgement) { return !judgement.isFault(); });
-  page.blank();
-  page.heading(fmt::format("Thresholds: {} of {} met", all - thresholds.size(), all));
-  for (const Judgement& judgement : thresholds) {
-    page.line(std::string(terminalIndent, ' ') + page.styled("failed", "31"));
-    page.paragraph(gateFaultText(judgement), 2 * terminalIndent);
+  std::size_t all = 0;
+  std::vector<std::string> failed;
+  for (const Judgement& judgement : withOrigin<Threshold>(record.judgements)) {
+    ++all;
+    if (judgement.isFault()) failed.push_back(gateFaultText(judgement));
   }
+  page.met("Thresholds", all, failed);
 }
 
 constexpr std::array<std::size_t, 5> costWidths = {13, 12, 8, 10, 16};

@@ -62,6 +62,19 @@ void TerminalPage::notices(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) paragraph("Notice: " + text);
 }
 
+void TerminalPage::fault(const std::string& label, std::string_view text) {
+  line(std::string(terminalIndent, ' ') + styled(label, "31"));
+  paragraph(text, 2 * terminalIndent);
+}
+
+void TerminalPage::met(const std::string& title, std::size_t all,
+                       const std::vector<std::string>& failed) {
+  if (all == 0) return;
+  blank();
+  heading(fmt::format("{}: {} of {} met", title, all - failed.size(), all));
+  for (const std::string& text : failed) fault("failed", text);
+}
+
 void TerminalPage::claims(const std::vector<ClaimRecord>& records) {
   if (records.empty()) return;
   constexpr std::size_t margin = terminalIndent + 21;

@@ -36,7 +36,7 @@ struct RankedMethod {
   std::vector<std::string> indistinguishable;
 };
 
-/// The methods in the order of rankByError, equal ones in the record's.
+/// The methods in the order of rankOverStudies over this study alone.
 std::vector<RankedMethod> rankMethods(const StudyRecord& record);
 
 }  // namespace gnomon

@@ -3,9 +3,10 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "common/lists.h"
 #include "study/judge/distinguish.h"
-#include "study/judge/ranking_rule.h"
 
 namespace gnomon {
 namespace {
@@ -87,19 +88,22 @@ std::vector<RankedOverStudies> rankOverStudies(std::span<const StudyMeans> studi
   std::size_t cases = 0;
   for (const StudyMeans& study : studies) cases += caseCount(study);
   std::vector<RankedOverStudies> methods;
-  std::vector<RankingEntry> entries;
   for (const std::string& label : labelsOf(studies)) {
     methods.push_back(summarise(studies, label));
     methods.back().allCases = cases;
-    entries.push_back({methods.back().meanError, methods.back().cases});
   }
-  std::vector<RankedOverStudies> ranked;
-  for (const RankingPlace& place : rankByError(entries, cases)) {
-    ranked.push_back(methods[place.entry]);
-    ranked.back().rank = place.rank;
-    compareWithBest(ranked.back(), ranked.front(), studies);
+  const auto unranked = std::stable_partition(
+      methods.begin(), methods.end(),
+      [&](const auto& method) { return method.meanError && method.cases == cases; });
+  std::stable_sort(methods.begin(), unranked,
+                   [](const auto& a, const auto& b) { return *a.meanError < *b.meanError; });
+  std::stable_sort(unranked, methods.end(),
+                   [](const auto& a, const auto& b) { return a.cases > b.cases; });
+  for (auto method = methods.begin(); method != unranked; ++method) {
+    method->rank = static_cast<std::size_t>(method - methods.begin()) + 1;
   }
-  return ranked;
+  for (RankedOverStudies& method : methods) compareWithBest(method, methods.front(), studies);
+  return methods;
 }
 
 std::string labelWithName(const RankedOverStudies& method) {
