@@ -1,5 +1,6 @@
 #include "surface/curvature.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon {

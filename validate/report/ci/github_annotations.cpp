@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <system_error>
 
 #include "report/text/gate_text.h"
 #include "report/text/utf8_text.h"

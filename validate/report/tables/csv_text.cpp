@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <system_error>
 
 #include "report/text/utf8_text.h"
 

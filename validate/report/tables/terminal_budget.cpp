@@ -6,6 +6,7 @@
 
 #include "report/text/budget_text.h"
 #include "report/text/interval_text.h"
+#include "report/text/number_text.h"
 #include "report/text/text_width.h"
 
 namespace gnomon {
