@@ -71,22 +71,10 @@ bool isPlainInteger(const Choice& choice) {
   return type == "uint" || type == "int";
 }
 
-/// A rectangle of pixels, in coordinates in which no sum overflows.
-struct Window {
-  std::int64_t x, y, width, height;
-
-  [[nodiscard]] std::int64_t right() const { return x + width; }
-  [[nodiscard]] std::int64_t below() const { return y + height; }
-};
-
-Window windowOf(const ImageWindow& window) {
-  return {window.x, window.y, window.width, window.height};
-}
-
 /// The data's, where the file has none.
-Window displayWindow(const ImageFacts& facts) {
+const ImageWindow& displayWindow(const ImageFacts& facts) {
   const bool has = facts.display.width >= 1 && facts.display.height >= 1;
-  return windowOf(has ? facts.display : facts.data);
+  return has ? facts.display : facts.data;
 }
 
 /// One pixel of the channels chosen.
@@ -126,9 +114,9 @@ class Placed {
   Placed(const ImageFile& image, const Choice& choice)
       : choice_(choice),
         pixels_(image, choice),
-        from_(windowOf(choice.facts.data)),
+        from_(choice.facts.data),
         to_(displayWindow(choice.facts)),
-        picture_{static_cast<int>(to_.width), static_cast<int>(to_.height), {}, {}} {
+        picture_{to_.width, to_.height, {}, {}} {
     const auto count = static_cast<std::size_t>(to_.width) * static_cast<std::size_t>(to_.height);
     const bool covered = to_.x >= from_.x && to_.y >= from_.y && to_.right() <= from_.right() &&
                          to_.below() <= from_.below();
@@ -143,7 +131,8 @@ class Placed {
     for (int row = top; row < top + rows; ++row) {
       for (int column = 0; column < choice_.facts.data.width; ++column) {
         for (float& value : pixel) value = static_cast<float>(*numbers++);
-        place(pixel.data(), from_.x + column - to_.x, from_.y + row - to_.y);
+        place(pixel.data(), std::int64_t{from_.x} + column - to_.x,
+              std::int64_t{from_.y} + row - to_.y);
       }
     }
   }
@@ -160,13 +149,13 @@ class Placed {
 
   const Choice& choice_;
   PixelReader pixels_;
-  Window from_, to_;
+  ImageWindow from_, to_;
   GreyPicture picture_;
 };
 
 /// The display window is the user's word: it may be larger than the data that the file holds.
 void requireWindow(const fs::path& path, const ImageFacts& facts) {
-  const Window to = displayWindow(facts);
+  const ImageWindow to = displayWindow(facts);
   const double pixels = static_cast<double>(to.width) * static_cast<double>(to.height);
   requireMemory(2 * sizeof(float) * pixels, fmt::format("{}: a display window of {} × {} pixels",
                                                         path.string(), to.width, to.height));

@@ -52,8 +52,8 @@ struct ImageModule {
 constexpr const char* imageModuleSymbol = "gnomonImageModule";
 
 /// The module. The first call loads it: the file that the environment's GNOMON_IMAGE_MODULE names,
-/// else beside the installed program (../lib/gnomon), else where the linker looks for libraries,
-/// else in the build tree. It stays loaded until the process ends.
+/// else the one that is installed with the program or library, else the build's. It stays loaded
+/// until the process ends.
 /// @throws InternalError where it cannot be loaded
 const ImageModule& imageModule();
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct ImageWindow {
   int y = 0;
   int width = 0;
   int height = 0;
+
+  [[nodiscard]] std::int64_t right() const { return std::int64_t{x} + width; }
+  [[nodiscard]] std::int64_t below() const { return std::int64_t{y} + height; }
 };
 
 /// What a file tells of one of its parts before any pixel is read. A damaged or foreign file may

@@ -26,11 +26,9 @@ void append(Image& image, const Rgb& colour) {
   image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
 }
 
-const Rgb& maskColour(Shade shade) {
-  static constexpr Rgb lit = MaskColours::lit;
-  static constexpr Rgb shadowed = MaskColours::shadowed;
-  static constexpr Rgb none = MaskColours::none;
-  return shade == Shade::lit ? lit : shade == Shade::shadowed ? shadowed : none;
+Rgb maskColour(Shade shade) {
+  if (shade == Shade::none) return MaskColours::none;
+  return shade == Shade::lit ? MaskColours::lit : MaskColours::shadowed;
 }
 
 Rgb differenceColour(Shade candidate, Shade truth) {
