@@ -69,8 +69,8 @@ std::optional<CrossSection> crossSection(const LimitSurface& surface, const Reli
                                          const SurfaceSample& sample, const Vec3& light,
                                          const SectionSettings& settings,
                                          const SectionTables* tables) {
-  if (sample.face < 0) return std::nullopt;
-  const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+  if (!sample.isOnSurface()) return std::nullopt;
+  const LimitPoint point = surface.evaluate(sample);
   const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
   if (!frame.defined) return std::nullopt;
   const LocalLight local = localLight(frame, light);
@@ -101,7 +101,7 @@ std::optional<CrossSection> crossSection(const LimitSurface& surface, const Reli
   }
   bend(section);
   section.horizonPoint =
-      onOsculatingCircle(here.curvature, here.reach, here.height + here.slope * here.reach);
+      onOsculatingCircle(here.curvature, here.arcLength, here.height + here.slope * here.arcLength);
   return section;
 }
 

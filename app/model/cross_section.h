@@ -27,7 +27,7 @@ struct SectionHorizon {
 
 /// All formulas on one pair of δ and d.
 struct SectionHorizons {
-  HorizonLookups lookups;     ///< κ, h₀, tan β and the reach of d, in the world
+  HorizonLookups lookups;     ///< κ, h₀, tan β and d, in the world
   SectionHorizon flat;        ///< tan β: what `max-forsyth` compares with
   SectionHorizon smallAngle;  ///< (2)
   SectionHorizon unreduced;   ///< the formula without a number

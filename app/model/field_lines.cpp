@@ -73,8 +73,8 @@ CurvatureField curvatureAlong(const LimitSurface& surface, const SampleGrid& sam
       0, samples.samples.size(),
       [&](std::size_t i) {
         const SurfaceSample& sample = samples.samples[i];
-        if (sample.face < 0) return;
-        const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+        if (!sample.isOnSurface()) return;
+        const LimitPoint point = surface.evaluate(sample);
         const Vec3 normal = outwardNormal(point);
         const Vec3 along = light - glm::dot(light, normal) * normal;
         if (normal == Vec3(0) || !(glm::length(along) > 1e-12)) return;

@@ -22,7 +22,7 @@ std::optional<SurfaceSample> sampleUnder(const SampleGrid& samples, ViewPixel pi
       samples
           .samples[static_cast<std::size_t>(pixel.row) * static_cast<std::size_t>(samples.width) +
                    static_cast<std::size_t>(pixel.column)];
-  return sample.face < 0 ? std::nullopt : std::optional(sample);
+  return !sample.isOnSurface() ? std::nullopt : std::optional(sample);
 }
 
 }  // namespace gnomon

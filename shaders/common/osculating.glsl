@@ -15,13 +15,13 @@ float bareHorizon(float curvature, float height) {
 //          = (slope · t κ / (1 + κh₁) - 2 sin²(γ/2)) / sin γ,
 // the second form without the difference of two numbers near 1. It tends to the slope itself as κ → 0,
 // and, for an attached horizon (t = 0), to slope / (1 + κh₀).
-float osculatingHorizon(float curvature, float height, float slope, float reach) {
-  float angle = curvature * reach;
+float osculatingHorizon(float curvature, float height, float slope, float arcLength) {
+  float angle = curvature * arcLength;
   // A quarter turn on, the circle has nothing more to do with the surface: a convex one lies behind its
   // own horizon, and in a bowl the circle would close over one's head.
   if (abs(angle) > 0.5 * pi) return -1e9;
   // 1 + κh₁, above 0: a bump in a bowl does not reach the circle's centre.
-  float peak = max(1.0 + curvature * (height + slope * reach), 1e-3);
+  float peak = max(1.0 + curvature * (height + slope * arcLength), 1e-3);
   if (abs(angle) < 1e-4) return slope / peak - 0.5 * angle;
   float sineOfHalf = sin(0.5 * angle);
   return (slope * angle / peak - 2.0 * sineOfHalf * sineOfHalf) / sin(angle);

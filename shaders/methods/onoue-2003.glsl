@@ -13,9 +13,9 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float height = pixel.worldPerHeight * heightAt(pixel.texel);                // h, world
   float slope = pixel.worldPerHeight * horizonAt(pixel.texel, light.azimuth)  // tan β
                 / light.worldPerTexel;
-  float reach = distanceAt(pixel.texel, light.azimuth) * light.worldPerTexel;  // d, world
+  float arcLength = distanceAt(pixel.texel, light.azimuth) * light.worldPerTexel;  // d, world
 
-  float lowered = slope * (1.0 - curvature * height) - 0.5 * curvature * reach;  // (2)
+  float lowered = slope * (1.0 - curvature * height) - 0.5 * curvature * arcLength;  // (2)
   if (curvature > 0.0) lowered = max(lowered, bareHorizon(curvature, height));   // (3)
   return !(light.slope > lowered);
 }

@@ -13,9 +13,9 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float height = pixel.worldPerHeight * heightAt(pixel.texel);                // h₀, world
   float slope = pixel.worldPerHeight * horizonAt(pixel.texel, light.azimuth)  // tan β
                 / light.worldPerTexel;
-  float reach = distanceAt(pixel.texel, light.azimuth) * light.worldPerTexel;  // d, world
+  float arcLength = distanceAt(pixel.texel, light.azimuth) * light.worldPerTexel;  // d, world
 
-  float horizon = osculatingHorizon(curvature, height, slope, reach);
+  float horizon = osculatingHorizon(curvature, height, slope, arcLength);
   if (curvature > 0.0) horizon = max(horizon, bareHorizon(curvature, height));  // (3)
   return !(light.slope > horizon);
 }

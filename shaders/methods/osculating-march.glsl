@@ -22,10 +22,10 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 
   float farthest = min(searchRadius, knownDistance(pixel.texel, light.direction));
   for (float t = stride; t <= farthest; t += stride) {
-    float reach = t * light.worldPerTexel;
+    float arcLength = t * light.worldPerTexel;
     float occluder = pixel.worldPerHeight * heightAt(pixel.texel + t * light.direction);
-    float slope = (occluder - height) / reach;
-    if (!(light.slope > osculatingHorizon(curvature, height, slope, reach))) return true;
+    float slope = (occluder - height) / arcLength;
+    if (!(light.slope > osculatingHorizon(curvature, height, slope, arcLength))) return true;
   }
   return false;
 }

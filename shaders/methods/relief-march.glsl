@@ -18,9 +18,9 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   // Rise of the ray, height units per texel.
   float rise = light.slope * light.worldPerTexel / pixel.worldPerHeight;
   float farthest = min(searchRadius, knownDistance(pixel.texel, light.direction));
-  float reach = rise > 0.0 ? min((heightBounds.y - height) / rise, farthest) : farthest;
+  float end = rise > 0.0 ? min((heightBounds.y - height) / rise, farthest) : farthest;
   for (float i = 1.0; i <= steps; i += 1.0) {
-    float t = reach * i / steps;
+    float t = end * i / steps;
     if (heightAt(pixel.texel + t * light.direction) > height + rise * t) return true;
   }
   return false;

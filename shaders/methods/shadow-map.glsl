@@ -40,8 +40,8 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   if (!(cosine > 0.0)) return true;
   vec3 place = lightMapPlace(pixel.position);
   float slope = sqrt(max(1.0 - cosine * cosine, 0.0)) / cosine;
-  float reach = 1.0 + 0.5 * width;  // texels from the pixel's place to the farthest sample's far side
-  float allowance = lightMapLengths.x * bias * (1.0 + min(slope, 16.0) * reach * 0.5);
+  float farthest = 1.0 + 0.5 * width;  // texels from the pixel's place to the farthest sample's far side
+  float allowance = lightMapLengths.x * bias * (1.0 + min(slope, 16.0) * farthest * 0.5);
   float depth = place.z - allowance / lightMapLengths.y;
   float nearer = 0.0;
   for (float j = 0.5; j < samples; j += 1.0) {

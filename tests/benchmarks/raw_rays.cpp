@@ -39,8 +39,8 @@ RawRays::RawRays(const MicroMesh& mesh, const PlacedSamples& placed, const Trace
                              mesh.coordinates().data(), 0, 3 * sizeof(float), mesh.vertexCount());
   auto* grids = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_GRID,
                                                               0, RTC_FORMAT_GRID, sizeof(RTCGrid),
-                                                              mesh.grids().size()));
-  for (const MicroMesh::Grid& grid : mesh.grids()) {
+                                                              mesh.grids().faces().size()));
+  for (const FaceGrid& grid : mesh.grids().faces()) {
     const auto columns = static_cast<unsigned short>(grid.columns);
     *grids++ = {grid.firstVertex, columns, columns, static_cast<unsigned short>(grid.rows)};
   }
@@ -56,7 +56,7 @@ RawRays::RawRays(const MicroMesh& mesh, const PlacedSamples& placed, const Trace
   for (const std::size_t i : tileOrder(placed.width, placed.height)) {
     const auto& [facet, normal, defined] = placed.starts[i];
     if (!defined || glm::dot(facet.normal, light.light) <= 0) continue;
-    const Vec3 origin = facet.point + light.liftShare * placed.extent * facet.normal;
+    const Vec3 origin = facet.rayOrigin(light.rayOffset * placed.extent);
     add(packets_, first++ % lanes, origin, light.light, std::numeric_limits<double>::infinity());
     if (truth.mask.samples[i] != Shade::shadowed) continue;
     ++blocked_;

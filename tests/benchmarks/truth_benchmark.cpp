@@ -60,7 +60,7 @@ TraceSettings lightAt(double azimuth, double elevation) {
   const double a = gnomon::radians(azimuth);
   const double e = gnomon::radians(elevation);
   return {Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)), 192,
-          gnomon::standardLift};
+          gnomon::standardRayOffset};
 }
 
 /// Vertices a second where each is evaluated on its own, from some of them, one thread.

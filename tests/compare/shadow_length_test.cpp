@@ -240,10 +240,10 @@ TEST(ShadowLength, DoesNotCrossABreakInTheSurface) {
     EXPECT_EQ(compareShadowLengths(truth, truth, field).runs, 40) << "the second only";
     // A sample that reaches that far does not help if its neighbour does not.
     for (std::size_t i = 0; i < field.steps.size(); ++i) {
-      if (static_cast<int>(i % 20) < column) field.steps[i].reach = 1000;
+      if (static_cast<int>(i % 20) < column) field.steps[i].spacing = 1000;
     }
     EXPECT_EQ(compareShadowLengths(truth, truth, field).runs, 40);
-    for (LightStep& step : field.steps) step.reach = 1000;
+    for (LightStep& step : field.steps) step.spacing = 1000;
     EXPECT_EQ(compareShadowLengths(truth, truth, field).runs, 80);
   }
 }

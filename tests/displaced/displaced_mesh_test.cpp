@@ -23,7 +23,7 @@ using test::randomRelief;
 using Place = std::tuple<double, double, double>;
 
 Place placeOf(const DisplacedMesh& mesh, std::uint32_t vertex) {
-  const Vec3& p = mesh.mesh.vertices[vertex].position;
+  const Vec3& p = mesh.mesh.vertices[vertex].frame.position;
   return {p.x, p.y, p.z};
 }
 
@@ -84,8 +84,8 @@ TEST(DisplacedMesh, VerticesAreTheDisplacedPointsOfTheLimitSurface) {
       // the map repeats.
       const Vec3 expected = point.position + worldPerHeight(space, frame) *
                                                  relief.field.at(frame.texel) * frame.normal;
-      ASSERT_LT(glm::length(v.position - expected), 1e-6);
-      highest = std::max(highest, glm::length(v.position - point.position));
+      ASSERT_LT(glm::length(v.frame.position - expected), 1e-6);
+      highest = std::max(highest, glm::length(v.frame.position - point.position));
     }
     EXPECT_GT(highest, 1);
   }
@@ -101,8 +101,10 @@ TEST(DisplacedMesh, AllButPositionsIsTheUndisplacedMeshs) {
   for (std::size_t i = 0; i < base.vertices.size(); ++i) {
     const BaseVertex& a = mesh.mesh.vertices[i];
     const BaseVertex& b = base.vertices[i];
-    ASSERT_EQ(std::tie(a.normal, a.px, a.py, a.texel, a.face, a.st, a.k1, a.k2),
-              std::tie(b.normal, b.px, b.py, b.texel, b.face, b.st, b.k1, b.k2));
+    ASSERT_EQ(std::tie(a.frame.normal, a.frame.px, a.frame.py, a.frame.texel, a.face, a.st,
+                       a.curvatures.k1, a.curvatures.k2),
+              std::tie(b.frame.normal, b.frame.px, b.frame.py, b.frame.texel, b.face, b.st,
+                       b.curvatures.k1, b.curvatures.k2));
   }
 }
 
@@ -163,7 +165,7 @@ TEST(DisplacedMesh, FirstFacesHeightRulesASeam) {
     const BaseVertex& v = mesh.mesh.vertices[i];
     const TexelFrame frame =
         texelFrame(surface.evaluate(v.face, v.st.x, v.st.y), relief.texelsPerUv());
-    const bool own = glm::length(v.position - displaced(relief, frame)) < 1e-9;
+    const bool own = glm::length(v.frame.position - displaced(relief, frame)) < 1e-9;
     if (i < faceVertices) {
       EXPECT_TRUE(own);
     }

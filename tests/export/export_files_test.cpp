@@ -61,9 +61,9 @@ TEST_F(ExportFiles, ObjHasUvAndNormalsAndCountsFromOne) {
   BaseMesh mesh;
   for (const Vec2& at : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}) {
     BaseVertex vertex{};
-    vertex.position = Vec3(at, 0.1);
-    vertex.normal = Vec3(0, 0, 1);
-    vertex.texel = 8.0 * at;
+    vertex.frame.position = Vec3(at, 0.1);
+    vertex.frame.normal = Vec3(0, 0, 1);
+    vertex.frame.texel = 8.0 * at;
     mesh.vertices.push_back(vertex);
   }
   mesh.triangles = {0, 1, 2};

@@ -15,7 +15,7 @@ HorizonTables tableOf(RawVector<float> slopes) {
   HorizonTables tables;
   tables.width = static_cast<int>(slopes.size());
   tables.height = 1;
-  tables.azimuths = 1;
+  tables.layers = 1;
   tables.horizon = std::move(slopes);
   return tables;
 }
@@ -52,7 +52,7 @@ TEST(AngleTable, OfAWallIsItsElevation) {
   const AngleTable table = horizonAngles(tables, pi / 2, 1);
   EXPECT_EQ(table.width, 32);
   EXPECT_EQ(table.height, 4);
-  EXPECT_EQ(table.azimuths, 4);
+  EXPECT_EQ(table.layers, 4);
   EXPECT_EQ(table.wrap, Wrap::clamp);
   EXPECT_EQ(table.originX, 0);
   EXPECT_EQ(table.originY, 0);

@@ -16,7 +16,7 @@
 #include "common/system/memory.h"
 #include "horizon/horizon_truth.h"
 #include "horizon/kernel/azimuth_plan.h"
-#include "horizon/kernel/tile_notes.h"
+#include "horizon/kernel/tile_scratch.h"
 #include "support/error_messages.h"
 
 namespace gnomon {
@@ -338,7 +338,7 @@ TEST(HorizonBake, DescribesItsTables) {
   const HorizonTables tables = bakeHorizons(noise(5, 3, Wrap::clamp), {6, 2.5});
   EXPECT_EQ(tables.width, 5);
   EXPECT_EQ(tables.height, 3);
-  EXPECT_EQ(tables.azimuths, 6);
+  EXPECT_EQ(tables.layers, 6);
   EXPECT_EQ(tables.radiusTexels, 2.5);
   EXPECT_EQ(tables.wrap, Wrap::clamp);
   EXPECT_EQ(tables.horizon.size(), 90U);
@@ -396,7 +396,7 @@ TEST(HorizonBake, MemoryCountsTheThreadsThatAreAllowed) {
     return messageOf<MemoryError>([&] { bakeHorizons(field, {1, 1e9}); });
   };
   // What each of them writes down is nearly all of it.
-  const double one = tileNotesBytes(1e9);
+  const double one = tileScratchBytes(1e9);
   EXPECT_THAT(refusal(1), HasSubstr(formatBytes(one + azimuthPlanBytes(1e9)).substr(0, 3)));
   EXPECT_THAT(refusal(3), HasSubstr(formatBytes(3 * one + azimuthPlanBytes(1e9)).substr(0, 3)));
 }

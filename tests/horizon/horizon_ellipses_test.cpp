@@ -24,12 +24,12 @@ Ellipse fitted(const Slope& slope, int azimuths, double texelsPerHeight = 1) {
   HorizonTables tables;
   tables.width = 1;
   tables.height = 1;
-  tables.azimuths = azimuths;
+  tables.layers = azimuths;
   for (int m = 0; m < azimuths; ++m) {
     tables.horizon.push_back(static_cast<float>(slope(2 * pi * m / azimuths)));
   }
   const std::vector<float> v = fitEllipses(tables, texelsPerHeight).values;
-  EXPECT_EQ(v.size(), std::size_t{EllipseTable::layers});
+  EXPECT_EQ(v.size(), std::size_t{EllipseTable::numbers});
   return {{v[0], v[1]}, v[2], v[3], v[4]};
 }
 

@@ -35,7 +35,7 @@ TEST_P(StoredBakeOf, IsTheFloatsStoredToTheByte) {
     expectSame(stored.distance, storeTable(floats.distance, GetParam()));
     EXPECT_EQ(stored.width, 150);
     EXPECT_EQ(stored.height, 70);
-    EXPECT_EQ(stored.azimuths, 9);
+    EXPECT_EQ(stored.layers, 9);
     EXPECT_EQ(stored.radiusTexels, 40);
     EXPECT_EQ(stored.wrap, wrap);
   }

@@ -28,7 +28,7 @@ StoredHorizons randomTables(int width, int height, int azimuths, TableBits bits)
   StoredHorizons tables;
   tables.width = width;
   tables.height = height;
-  tables.azimuths = azimuths;
+  tables.layers = azimuths;
   tables.radiusTexels = 100.0 / 3;
   tables.wrap = Wrap::clamp;
   tables.horizon = storeTable(values(-0.7F, 3.1F), bits);
@@ -46,7 +46,7 @@ void expectEqual(const StoredTable& a, const StoredTable& b) {
 void expectEqual(const StoredHorizons& a, const StoredHorizons& b) {
   EXPECT_EQ(a.width, b.width);
   EXPECT_EQ(a.height, b.height);
-  EXPECT_EQ(a.azimuths, b.azimuths);
+  EXPECT_EQ(a.layers, b.layers);
   EXPECT_EQ(a.radiusTexels, b.radiusTexels);
   EXPECT_EQ(a.wrap, b.wrap);
   expectEqual(a.horizon, b.horizon);
@@ -62,22 +62,22 @@ StoredHorizons readByAnother(const std::filesystem::path& path) {
   StoredHorizons tables;
   tables.width = spec.width;
   tables.height = spec.height;
-  tables.azimuths = spec.get_int_attribute("gnomon:azimuths");
+  tables.layers = spec.get_int_attribute("gnomon:azimuths");
   tables.radiusTexels = std::stod(std::string(spec.get_string_attribute("gnomon:radiusTexels")));
   tables.wrap = spec.get_string_attribute("gnomon:wrap") == "repeat" ? Wrap::repeat : Wrap::clamp;
   const auto bits = static_cast<TableBits>(spec.get_int_attribute("gnomon:bits"));
   const auto entries =
-      static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(tables.azimuths);
+      static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(tables.layers);
   tables.horizon =
       emptyTable(entries, bits, number("gnomon:horizonLow"), number("gnomon:horizonHigh"));
   tables.distance =
       emptyTable(entries, bits, number("gnomon:distanceLow"), number("gnomon:distanceHigh"));
-  EXPECT_EQ(spec.nchannels, 2 * tables.azimuths);
+  EXPECT_EQ(spec.nchannels, 2 * tables.layers);
   const auto size = static_cast<std::size_t>(bits) / 8;
   const OIIO::TypeDesc type =
       bits == TableBits::sixteen ? OIIO::TypeDesc::UINT : OIIO::TypeDesc::FLOAT;
   std::vector<std::uint32_t> words(spec.image_pixels());
-  for (int m = 0; m < tables.azimuths; ++m) {
+  for (int m = 0; m < tables.layers; ++m) {
     for (const bool isDistance : {false, true}) {
       const int c =
           spec.channelindex(fmt::format("{}.{:03}", isDistance ? "distance" : "horizon", m));
@@ -118,7 +118,7 @@ TEST_F(TableFile, HoldsEveryCode) {
     std::vector<float> values;
     for (int code = 0; code < codes; ++code) values.push_back(static_cast<float>(code));
     StoredHorizons tables{
-        codes / 16, 16, 1, 8, Wrap::repeat, storeTable(values, bits), storeTable(values, bits)};
+        {codes / 16, 16, 1}, 8, storeTable(values, bits), storeTable(values, bits)};
     writeHorizons(file("t.exr"), tables);
     expectEqual(readByAnother(file("t.exr")), tables);
   }

@@ -64,7 +64,8 @@ class Rays {
   }
 
   [[nodiscard]] Vec3 corner(std::size_t triangle, int k) const {
-    return mesh_.vertices[mesh_.triangles[3 * triangle + static_cast<std::size_t>(k)]].position;
+    return mesh_.vertices[mesh_.triangles[3 * triangle + static_cast<std::size_t>(k)]]
+        .frame.position;
   }
 
   [[nodiscard]] Shade shadeOf(const SurfaceSample& sample, const Vec3& light,

@@ -54,7 +54,7 @@ TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
     std::size_t added = 0;
     for (std::size_t i = 0; i < samples.samples.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
-      const Vec3 place = scene.surface.evaluate(sample.face, sample.s, sample.t).position;
+      const Vec3 place = scene.surface.evaluate(sample).position;
       const Vec2 slope = gradientOf(scene.relief.field, Vec2(place) + mapSide / 2.0);
       const double cosine = glm::dot(Vec3(-slope, 1), light);
       if (std::abs(cosine) < 1e-4) continue;

@@ -167,8 +167,7 @@ TEST(SloanCohen, NeverSeesALightBelowTheTangentPlane) {
       std::size_t lit = 0;
       for (std::size_t i = 0; i < mask.size(); ++i) {
         const SurfaceSample& s = samples.samples[i];
-        const double cosine =
-            glm::dot(scene.surface.evaluate(s.face, s.s, s.t).position / 40.0, light);
+        const double cosine = glm::dot(scene.surface.evaluate(s).position / 40.0, light);
         if (cosine < -1e-3) {
           ASSERT_EQ(mask.samples[i], Shade::shadowed) << method;
         }
@@ -350,7 +349,7 @@ TEST(EllipseMethod, GrooveIsLitAlongAndDarkAcross) {
     double all = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& s = samples.samples[i];
-      const double y = scene.surface.evaluate(s.face, s.s, s.t).position.y;
+      const double y = scene.surface.evaluate(s).position.y;
       if (std::abs(y) > 2) continue;
       ++all;
       dark += mask.samples[i] == Shade::shadowed ? 1 : 0;

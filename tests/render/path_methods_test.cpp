@@ -102,7 +102,7 @@ TEST(PathMethods, FollowTheRayWhereLinesOfTheMapDoNot) {
     Mask exact{view.width, view.height, std::vector<Shade>(grid.samples.size(), Shade::none)};
     for (std::size_t i = 0; i < grid.samples.size(); ++i) {
       const SurfaceSample& sample = grid.samples[i];
-      const Vec3 place = scene.surface.evaluate(sample.face, sample.s, sample.t).position;
+      const Vec3 place = scene.surface.evaluate(sample).position;
       const bool dark = rayMeetsRelief(patch, scene.relief.field, place, light);
       exact.samples[i] = dark ? Shade::shadowed : Shade::lit;
     }
@@ -144,7 +144,7 @@ TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
       patch.radius / 96 * std::sqrt(patch.width * patch.height) * relief.field.maximum();
   for (std::size_t i = 0; i < mask.size(); ++i) {
     const SurfaceSample& sample = grid.samples[i];
-    const Vec3 place = scene.surface.evaluate(sample.face, sample.s, sample.t).position;
+    const Vec3 place = scene.surface.evaluate(sample).position;
     const Vec3 start = place * (1 + heightUnder(place) / patch.radius);
     bool dark = false;
     for (double s = 0.03; s < 100 && !dark; s += 0.03) {
@@ -194,7 +194,7 @@ TEST(PathMethods, FollowTheChangeOfCurvature) {
   std::size_t differ = 0;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     const SurfaceSample& sample = grid.samples[i];
-    const LimitPoint place = scene.surface.evaluate(sample.face, sample.s, sample.t);
+    const LimitPoint place = scene.surface.evaluate(sample);
     const Vec3 start =
         place.position - above(place.position) * glm::normalize(glm::cross(place.ds, place.dt));
     bool dark = false;
@@ -422,7 +422,7 @@ TEST(PathMethods, TheNextTileOfAnOpenPatchCastsNoShadow) {
     std::size_t dark = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& at = grid.samples[i];
-      const double x = scene.surface.tangentPoint(at.face, at.s, at.t).position.x;
+      const double x = scene.surface.tangentPoint(at).position.x;
       dark += x > -20 && mask.samples[i] == Shade::shadowed ? 1 : 0;
     }
     return dark;

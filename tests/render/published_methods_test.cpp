@@ -122,8 +122,7 @@ TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
     const Mask mask = scene.answer(method, view, light);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
-      const double cosine =
-          glm::dot(scene.surface.evaluate(sample.face, sample.s, sample.t).position / 40.0, light);
+      const double cosine = glm::dot(scene.surface.evaluate(sample).position / 40.0, light);
       if (std::abs(cosine) < 1e-3) continue;
       ASSERT_EQ(mask.samples[i], cosine > 0 ? Shade::lit : Shade::shadowed) << method;
     }
@@ -137,10 +136,8 @@ bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const 
   const TexelFrame frame = texelFrame(point, scene.relief.texelsPerUv());
   const LocalLight local = localLight(frame, light);
   const double scale = worldPerHeight(scene.relief.space, frame);
-  const TableShape shape{scene.tables.width, scene.tables.height, scene.tables.azimuths,
-                         scene.tables.wrap};
   const auto entry = [&](const StoredTable& table) {
-    return filteredValue(table, shape, frame.texel, local.azimuth());
+    return filteredValue(table, scene.tables, frame.texel, local.azimuth());
   };
   const HorizonLookups at{normalCurvature(point, light), scale * scene.relief.field.at(frame.texel),
                           scale * entry(scene.horizon) / local.worldPerTexel,
@@ -165,8 +162,7 @@ void expectFormula(const Method& method, const std::map<std::string, double>& pa
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       const SurfaceSample& sample = samples.samples[i];
-      const bool dark = referenceShadowed(
-          scene, scene.surface.evaluate(sample.face, sample.s, sample.t), light, formula);
+      const bool dark = referenceShadowed(scene, scene.surface.evaluate(sample), light, formula);
       differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
     }
     EXPECT_GT(shareShadowed(mask), 0.2);
@@ -192,8 +188,8 @@ TEST(PublishedMethods, ExactShaderIsTheCirclesFormulaOnTheLimitSurface) {
 
 /// (2) with the occluder's height in the place of the pixel's.
 double smallAngleHorizonOfAll(const HorizonLookups& at) {
-  const double peak = at.height + at.slope * at.reach;
-  return at.slope * (1 - at.curvature * peak) - at.curvature * at.reach / 2;
+  const double peak = at.height + at.slope * at.arcLength;
+  return at.slope * (1 - at.curvature * peak) - at.curvature * at.arcLength / 2;
 }
 
 TEST(HorizonLadder, SwitchesAreTheirFormulasOnTheLimitSurface) {

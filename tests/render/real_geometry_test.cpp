@@ -100,7 +100,7 @@ double shadowEnd(const Mask& mask, const SampleGrid& samples, const LimitSurface
     const auto i = static_cast<std::size_t>(mask.height / 2 * mask.width + column);
     if (mask.samples[i] != Shade::shadowed) continue;
     const SurfaceSample& s = samples.samples[i];
-    end = std::max(end, surface.evaluate(s.face, s.s, s.t).position.x);
+    end = std::max(end, surface.evaluate(s).position.x);
   }
   return end;
 }

@@ -41,10 +41,8 @@ class RenderScene {
         bits_(bits),
         gpuMesh_(mesh),
         gpuHeights_(relief.field),
-        gpuHorizon_(horizon, tables.width, tables.height, tables.azimuths, tables.wrap,
-                    tables.border),
-        gpuDistance_(distance, tables.width, tables.height, tables.azimuths, tables.wrap,
-                     tables.border) {}
+        gpuHorizon_(horizon, tables),
+        gpuDistance_(distance, tables) {}
 
   [[nodiscard]] Drawing drawing(const Vec3& light) const {
     return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, light,
@@ -90,8 +88,7 @@ class RenderScene {
     if (method.tables.surfaceAngles) angles.emplace(surfaceAngles.value(), bits_);
     if (method.tables.ellipse) {
       const EllipseTable fit = fitEllipses(tables, frame);
-      ellipses.emplace(storeTable(fit.values, bits_), fit.width, fit.height, EllipseTable::layers,
-                       fit.wrap, fit.border);
+      ellipses.emplace(storeTable(fit.values, bits_), fit);
     }
     if (angles) gpu.angles = &*angles;
     if (ellipses) gpu.ellipse = &*ellipses;

@@ -133,7 +133,7 @@ TEST(ShadowVolumes, StayClosedWhereRoundingDecidesHowAFacetFaces) {
     // A light in the very plane of a facet. Its two neighbours and itself must agree on whether it
     // faces the light, or a volume without a wall would run through the picture.
     const auto corner = [&](std::size_t k) {
-      return mesh.vertices[mesh.triangles[3 * t + k]].position;
+      return mesh.vertices[mesh.triangles[3 * t + k]].frame.position;
     };
     Vec3 light = corner(1) - corner(0) + 0.3 * (corner(2) - corner(0));
     light = glm::normalize(light.z < 0 ? -light : light);

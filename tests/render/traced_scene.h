@@ -16,7 +16,8 @@ struct TracedScene {
 
   [[nodiscard]] Mask mask(const LimitSurface& surface, const Relief& relief,
                           const SampleGrid& samples, const Vec3& light) const {
-    return traceShadows(surface, relief, mesh, scene, samples, {light, 1000, standardLift}).mask;
+    return traceShadows(surface, relief, mesh, scene, samples, {light, 1000, standardRayOffset})
+        .mask;
   }
 };
 

@@ -92,9 +92,9 @@ TEST(CameraView, SamplesLieUnderTheirPixels) {
     for (int column = 0; column < camera.width; ++column) {
       const SurfaceSample& sample =
           grid.samples[static_cast<std::size_t>(row * camera.width + column)];
-      if (sample.face < 0) continue;
+      if (!sample.isOnSurface()) continue;
       ++seen;
-      const LimitPoint point = scene.surface.evaluate(sample.face, sample.s, sample.t);
+      const LimitPoint point = scene.surface.evaluate(sample);
       const Vec3 direction = pixelDirection(camera, axis, column, row);
       const Vec3 toPoint = point.position - camera.eye;
       const double beside = glm::length(toPoint - glm::dot(toPoint, direction) * direction);
@@ -154,7 +154,8 @@ TEST(CameraMatrices, PutThePixelsRaysWhereThePixelsAre) {
     }
   }
   for (const BaseVertex& vertex : mesh.vertices) {
-    const glm::dvec4 clip = matrices.projection * matrices.view * glm::dvec4(vertex.position, 1);
+    const glm::dvec4 clip =
+        matrices.projection * matrices.view * glm::dvec4(vertex.frame.position, 1);
     EXPECT_LT(std::abs(clip.z), clip.w) << "near and far hold the mesh";
   }
 }

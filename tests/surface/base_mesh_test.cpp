@@ -30,15 +30,15 @@ TEST(BaseMesh, VerticesAreTheLimitSurface) {
     const BaseVertex& vertex = mesh.vertices[i];
     const LimitPoint point = surface.evaluate(vertex.face, vertex.st.x, vertex.st.y);
     const TexelFrame frame = texelFrame(point, texels);
-    EXPECT_EQ(vertex.position, point.position);
-    EXPECT_NEAR(glm::length(vertex.normal), 1, 1e-14);
-    EXPECT_EQ(vertex.normal, frame.normal);
-    EXPECT_EQ(vertex.px, frame.px);
-    EXPECT_EQ(vertex.py, frame.py);
-    EXPECT_EQ(vertex.texel, frame.texel);
+    EXPECT_EQ(vertex.frame.position, point.position);
+    EXPECT_NEAR(glm::length(vertex.frame.normal), 1, 1e-14);
+    EXPECT_EQ(vertex.frame.normal, frame.normal);
+    EXPECT_EQ(vertex.frame.px, frame.px);
+    EXPECT_EQ(vertex.frame.py, frame.py);
+    EXPECT_EQ(vertex.frame.texel, frame.texel);
     // Curvature belongs to its own direction whatever the order.
-    EXPECT_NEAR(normalCurvature(point, vertex.v1), vertex.k1, 1e-10);
-    EXPECT_NEAR(normalCurvature(point, vertex.v2), vertex.k2, 1e-10);
+    EXPECT_NEAR(normalCurvature(point, vertex.curvatures.v1), vertex.curvatures.k1, 1e-10);
+    EXPECT_NEAR(normalCurvature(point, vertex.curvatures.v2), vertex.curvatures.k2, 1e-10);
   }
 }
 
@@ -53,8 +53,9 @@ TEST(BaseMesh, TrianglesFaceOutwardAndTileTheFace) {
     const BaseVertex& c = mesh.vertices[mesh.triangles[i + 2]];
     EXPECT_EQ(a.face, b.face);
     EXPECT_EQ(a.face, c.face);
-    const Vec3 normal = glm::cross(b.position - a.position, c.position - a.position);
-    EXPECT_GT(glm::dot(normal, a.normal), 0);
+    const Vec3 normal =
+        glm::cross(b.frame.position - a.frame.position, c.frame.position - a.frame.position);
+    EXPECT_GT(glm::dot(normal, a.frame.normal), 0);
     const Vec2 ab = b.st - a.st, ac = c.st - a.st;
     const double area = (ab.x * ac.y - ab.y * ac.x) / 2;
     EXPECT_NEAR(area, 0.5 / (cuts * cuts), 1e-15);
@@ -89,12 +90,12 @@ TEST(BaseMesh, DirectionsOfAFaceAgree) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const BaseVertex& vertex = mesh.vertices[i];
     const BaseVertex& first = mesh.vertices[i / 81 * 81];
-    EXPECT_GE(glm::dot(vertex.v1, first.v1), 0);
-    EXPECT_GE(glm::dot(vertex.v2, first.v2), 0);
-    EXPECT_GE(std::abs(glm::dot(vertex.v1, first.v1)) + 1e-12,
-              std::abs(glm::dot(vertex.v1, first.v2)));
-    EXPECT_NEAR(glm::dot(vertex.v1, vertex.v2), 0, 1e-12);
-    swapped += vertex.k1 < vertex.k2;
+    EXPECT_GE(glm::dot(vertex.curvatures.v1, first.curvatures.v1), 0);
+    EXPECT_GE(glm::dot(vertex.curvatures.v2, first.curvatures.v2), 0);
+    EXPECT_GE(std::abs(glm::dot(vertex.curvatures.v1, first.curvatures.v1)) + 1e-12,
+              std::abs(glm::dot(vertex.curvatures.v1, first.curvatures.v2)));
+    EXPECT_NEAR(glm::dot(vertex.curvatures.v1, vertex.curvatures.v2), 0, 1e-12);
+    swapped += vertex.curvatures.k1 < vertex.curvatures.k2;
   }
   EXPECT_GT(swapped, 20);  // the test would be vacuous otherwise
 }
@@ -105,8 +106,8 @@ TEST(BaseMesh, FirstVertexKeepsItsOrder) {
   for (int face = 0; face < 6; ++face) {
     const BaseVertex& first = mesh.vertices[static_cast<std::size_t>(face) * 16];
     const PrincipalCurvatures principal = principalCurvatures(surface.evaluate(face, 0, 0));
-    EXPECT_EQ(first.v1, principal.v1);
-    EXPECT_EQ(first.k1, principal.k1);
+    EXPECT_EQ(first.curvatures.v1, principal.v1);
+    EXPECT_EQ(first.curvatures.k1, principal.k1);
   }
 }
 

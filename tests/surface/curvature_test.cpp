@@ -141,7 +141,7 @@ TEST(NormalTurn, IsTheShapeOperatorAndTheNormalsOwnChange) {
     const Vec3 n = outwardNormal(point);
     const Vec3 direction = random.vector();
     const Vec3 t = glm::normalize(direction - glm::dot(direction, n) * n);
-    const Vec3 turn = normalTurn(point, direction);
+    const Vec3 turn = applyShapeOperator(point, direction);
     expectNear(turn, k.k1 * glm::dot(t, k.v1) * k.v1 + k.k2 * glm::dot(t, k.v2) * k.v2, 1e-12);
     EXPECT_NEAR(glm::dot(t, turn), normalCurvature(point, direction), 1e-12);
   }
@@ -150,8 +150,9 @@ TEST(NormalTurn, IsTheShapeOperatorAndTheNormalsOwnChange) {
   const Vec3 ahead = outwardNormal(torusPoint(5, 2, 0.3 + 2 * step, 0.8 + step, 1, 0, 0, 1));
   const Vec3 behind = outwardNormal(torusPoint(5, 2, 0.3 - 2 * step, 0.8 - step, 1, 0, 0, 1));
   const Vec3 along = 2.0 * here.ds + here.dt;
-  expectNear(normalTurn(here, along), (ahead - behind) / (2 * step) / glm::length(along), 1e-8);
-  expectNear(normalTurn(here, outwardNormal(here)), Vec3(0), 0);
+  expectNear(applyShapeOperator(here, along), (ahead - behind) / (2 * step) / glm::length(along),
+             1e-8);
+  expectNear(applyShapeOperator(here, outwardNormal(here)), Vec3(0), 0);
 }
 
 TEST(PrincipalCurvatures, ABowlIsNegative) {

@@ -80,7 +80,7 @@ TEST(TexelFrame, MirroredTextureKeepsTheOutwardNormal) {
   EXPECT_LT(localLight(frame, glm::normalize(Vec3(1, 0, 1))).direction.x, 0);
 }
 
-TEST(TexelFrame, DegenerateIsUndefinedAndZero) {
+TEST(TexelFrame, DegenerateIsUndefinedAndKeepsTheSurfacesNormal) {
   const Vec3 a(1, 0, 0), b(0, 1, 0);
   for (const LimitPoint& point :
        {flatPoint(a, b, {0, 0}, {0, 1}), flatPoint(a, b, {1, 2}, {2, 4}),
@@ -89,7 +89,7 @@ TEST(TexelFrame, DegenerateIsUndefinedAndZero) {
     EXPECT_FALSE(frame.defined);
     EXPECT_EQ(frame.px, Vec3(0));
     EXPECT_EQ(frame.py, Vec3(0));
-    EXPECT_EQ(frame.normal, Vec3(0));
+    EXPECT_EQ(frame.normal, outwardNormal(point));
     EXPECT_EQ(frame.position, Vec3(1, 2, 3));
     EXPECT_EQ(frame.texel, Vec2(16, 32));
   }

@@ -18,14 +18,15 @@ double worstError(const LimitSurface& surface, int subdivisions, double margin =
   const BaseMesh mesh = makeBaseMesh(surface, Vec2(64), subdivisions, CurvatureSource::vertices);
   double worst = 0;
   for (const BaseVertex& vertex : mesh.vertices) {
-    const Vec2 uv = vertex.texel / 64.0;
+    const Vec2 uv = vertex.frame.texel / 64.0;
     if (std::min(std::min(uv.x, uv.y), std::min(1 - uv.x, 1 - uv.y)) < margin) continue;
     const LimitPoint point = surface.evaluate(vertex.face, vertex.st.x, vertex.st.y);
     for (const double turn : {0.0, 0.25, 0.5, 0.75}) {
-      const Vec3 direction = std::cos(turn * pi) * vertex.v1 + std::sin(turn * pi) * vertex.v2;
+      const Vec3 direction =
+          std::cos(turn * pi) * vertex.curvatures.v1 + std::sin(turn * pi) * vertex.curvatures.v2;
       const double c = std::cos(turn * pi);
       const double s = std::sin(turn * pi);
-      const double estimate = vertex.k1 * c * c + vertex.k2 * s * s;
+      const double estimate = vertex.curvatures.k1 * c * c + vertex.curvatures.k2 * s * s;
       worst = std::max(worst, std::abs(estimate - normalCurvature(point, direction)));
     }
   }
@@ -59,10 +60,10 @@ TEST(EstimatedCurvatures, AreConvexPositiveWithDirectionsInTheTangentPlane) {
   const LimitSurface surface(makeTorus(30, 10, 66, 66));
   const BaseMesh mesh = makeBaseMesh(surface, Vec2(64), 1, CurvatureSource::vertices);
   for (const BaseVertex& vertex : mesh.vertices) {
-    EXPECT_NEAR(std::max(vertex.k1, vertex.k2), 0.1, 1e-3);
-    EXPECT_NEAR(glm::dot(vertex.v1, vertex.normal), 0, 1e-12);
-    EXPECT_NEAR(glm::dot(vertex.v1, vertex.v2), 0, 1e-12);
-    EXPECT_NEAR(glm::length(vertex.v1), 1, 1e-12);
+    EXPECT_NEAR(std::max(vertex.curvatures.k1, vertex.curvatures.k2), 0.1, 1e-3);
+    EXPECT_NEAR(glm::dot(vertex.curvatures.v1, vertex.frame.normal), 0, 1e-12);
+    EXPECT_NEAR(glm::dot(vertex.curvatures.v1, vertex.curvatures.v2), 0, 1e-12);
+    EXPECT_NEAR(glm::length(vertex.curvatures.v1), 1, 1e-12);
   }
 }
 
@@ -70,10 +71,10 @@ TEST(EstimatedCurvatures, FacesAgreeAtCommonVerticesAndDegenerateOnesAreZero) {
   const LimitSurface surface(cubeCage());
   const BaseMesh mesh = makeBaseMesh(surface, Vec2(64), 1, CurvatureSource::vertices);
   for (const BaseVertex& a : mesh.vertices) {
-    EXPECT_TRUE(std::isfinite(a.k1 + a.k2));
+    EXPECT_TRUE(std::isfinite(a.curvatures.k1 + a.curvatures.k2));
     for (const BaseVertex& b : mesh.vertices) {
-      if (glm::length(a.position - b.position) > 1e-6) continue;
-      EXPECT_NEAR(a.k1 + a.k2, b.k1 + b.k2, 1e-6);
+      if (glm::length(a.frame.position - b.frame.position) > 1e-6) continue;
+      EXPECT_NEAR(a.curvatures.k1 + a.curvatures.k2, b.curvatures.k1 + b.curvatures.k2, 1e-6);
     }
   }
   BaseMesh flat;

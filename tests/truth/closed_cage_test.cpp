@@ -87,9 +87,9 @@ TEST(ClosedCage, FacesOfUnequalSizeStayClosed) {
   cage.faceUvs[4 * 3 + 3] = 7;
   const MicroMesh mesh(LimitSurface(cage), randomRelief(16, 16, 1.5, 5), {0.5, 0});
   const auto hasSide = [&](int vertices) {
-    return std::any_of(mesh.grids().begin(), mesh.grids().end(), [vertices](const auto& grid) {
-      return grid.columns == vertices || grid.rows == vertices;
-    });
+    return std::any_of(
+        mesh.grids().faces().begin(), mesh.grids().faces().end(),
+        [vertices](const auto& grid) { return grid.columns == vertices || grid.rows == vertices; });
   };
   EXPECT_TRUE(hasSide(2 * 16 + 1));
   EXPECT_TRUE(hasSide(2 * 5 * 16 + 1));
@@ -132,13 +132,12 @@ TEST(ClosedCage, SamplesWithoutAFrameAreUndefinedAndCounted) {
   const MicroScene scene(mesh);
   constexpr int side = 8;
   const SampleGrid samples = samplesOfAllFaces(surface, side);
-  const Truth truth =
-      traceShadows(surface, relief, mesh, scene, samples, {lightToward(20, 30), 8, standardLift});
+  const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
+                                   {lightToward(20, 30), 8, standardRayOffset});
   std::size_t undefined = 0;
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     const SurfaceSample& sample = samples.samples[i];
-    const TexelFrame frame =
-        texelFrame(surface.evaluate(sample.face, sample.s, sample.t), relief.texelsPerUv());
+    const TexelFrame frame = texelFrame(surface.evaluate(sample), relief.texelsPerUv());
     for (const Vec3& vector : {frame.normal, frame.px, frame.py}) {
       ASSERT_TRUE(std::isfinite(glm::dot(vector, vector)));
     }

@@ -45,7 +45,7 @@ inline EdgeCount countEdges(const MicroMesh& mesh) {
     const auto high = std::max(point(a), point(b));
     if (low != high) ++edges[{low, high}];
   };
-  for (const MicroMesh::Grid& grid : mesh.grids()) {
+  for (const FaceGrid& grid : mesh.grids().faces()) {
     const auto stride = static_cast<std::size_t>(grid.columns);
     for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(grid.rows); ++j) {
       for (std::size_t i = 0; i + 1 < stride; ++i) {

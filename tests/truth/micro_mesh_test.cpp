@@ -39,10 +39,10 @@ TEST(MicroMesh, PutsGridLinesOnTexelCentres) {
   const Relief relief = flatRelief(12, 8);
   const MicroMesh mesh(surface, relief, step(0.3));
   for (int face = 0; face < surface.faceCount(); ++face) {
-    const MicroMesh::Grid& grid = mesh.grids()[static_cast<std::size_t>(face)];
+    const FaceGrid& grid = mesh.grids().faces()[static_cast<std::size_t>(face)];
     const double begin = 12.0 / 5 * (face % 5);
     const double length = 12.0 / 5;
-    const std::vector<double>& lines = mesh.lines(grid.sLines);
+    const std::vector<double>& lines = mesh.grids().sLines(grid);
     for (double centre = std::floor(begin) + 0.5; centre < begin + length; centre += 1) {
       if (centre <= begin) continue;
       const double s = (centre - begin) / length;
@@ -61,13 +61,13 @@ TEST(MicroMesh, VerticesAreDisplacedLimitPoints) {
   const LimitSurface surface(makeTorus(30, 10, 66, 66));
   const Relief relief = randomRelief(64, 32, 2, 7);
   const MicroMesh mesh(surface, relief, step(0.5));
-  const MicroMesh::Grid& grid = mesh.grids()[100];
+  const FaceGrid& grid = mesh.grids().faces()[100];
   double worst = 0;
   for (int j = 0; j < grid.rows; ++j) {
     for (int i = 0; i < grid.columns; ++i) {
       const LimitPoint point =
-          surface.evaluate(100, mesh.lines(grid.sLines)[static_cast<std::size_t>(i)],
-                           mesh.lines(grid.tLines)[static_cast<std::size_t>(j)]);
+          surface.evaluate(100, mesh.grids().sLines(grid)[static_cast<std::size_t>(i)],
+                           mesh.grids().tLines(grid)[static_cast<std::size_t>(j)]);
       const Vec3 expected = displaced(relief, texelFrame(point, relief.texelsPerUv()));
       const Vec3 found =
           vertexOf(mesh, grid.firstVertex +
@@ -90,9 +90,9 @@ TEST(MicroMesh, ReachesTheAskedNumberOfTrianglesByDefault) {
 double longestEdge(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh) {
   double longest = 0;
   for (int face = 0; face < surface.faceCount(); ++face) {
-    const MicroMesh::Grid& grid = mesh.grids()[static_cast<std::size_t>(face)];
-    const std::vector<double>& s = mesh.lines(grid.sLines);
-    const std::vector<double>& t = mesh.lines(grid.tLines);
+    const FaceGrid& grid = mesh.grids().faces()[static_cast<std::size_t>(face)];
+    const std::vector<double>& s = mesh.grids().sLines(grid);
+    const std::vector<double>& t = mesh.grids().tLines(grid);
     const auto texel = [&](double atS, double atT) {
       return surface.tangentPoint(face, atS, atT).uv * relief.texelsPerUv();
     };
@@ -134,7 +134,7 @@ TEST(MicroMesh, LargerFacesGetMorePieces) {
   int fewest = std::numeric_limits<int>::max();
   int most = 0;
   std::uint64_t triangles = 0;
-  for (const MicroMesh::Grid& grid : mesh.grids()) {
+  for (const FaceGrid& grid : mesh.grids().faces()) {
     fewest = std::min({fewest, grid.columns, grid.rows});
     most = std::max({most, grid.columns, grid.rows});
     triangles += 2 * static_cast<std::uint64_t>((grid.columns - 1) * (grid.rows - 1));
@@ -151,9 +151,9 @@ TEST(MicroMesh, HalfTheStepGivesAboutFourTimesTheTriangles) {
   const Relief relief = randomRelief(256, 256, 0.01, 5);
   const MicroMesh coarse(surface, relief, step(1));
   const MicroMesh fine(surface, relief, step(0.5));
-  for (std::size_t face = 0; face < coarse.grids().size(); ++face) {
-    const MicroMesh::Grid& half = coarse.grids()[face];
-    const MicroMesh::Grid& whole = fine.grids()[face];
+  for (std::size_t face = 0; face < coarse.grids().faces().size(); ++face) {
+    const FaceGrid& half = coarse.grids().faces()[face];
+    const FaceGrid& whole = fine.grids().faces()[face];
     EXPECT_EQ(half.columns - 1, (whole.columns - 1 + 1) / 2);
     EXPECT_EQ(half.rows - 1, (whole.rows - 1 + 1) / 2);
   }

@@ -27,7 +27,7 @@ struct OccluderScene {
 
   [[nodiscard]] std::optional<Occluder> first(const SurfaceSample& sample,
                                               const Vec3& light) const {
-    return firstOccluder(surface, relief, mesh, scene, {sample, light, standardLift});
+    return firstOccluder(surface, relief, mesh, scene, {sample, light, standardRayOffset});
   }
 };
 
@@ -63,7 +63,7 @@ TEST(FirstOccluder, IsThereExactlyWhereTheTruthIsDark) {
   for (const double elevation : {60.0, 20.0}) {
     const Vec3 light = lightToward(35, elevation);
     const Truth truth = traceShadows(on.surface, on.relief, on.mesh, on.scene, samples,
-                                     {light, 1000, standardLift});
+                                     {light, 1000, standardRayOffset});
     std::size_t dark = 0;
     for (std::size_t i = 0; i < samples.samples.size(); ++i) {
       const auto occluder = on.first(samples.samples[i], light);

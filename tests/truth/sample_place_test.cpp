@@ -36,8 +36,7 @@ TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
   const LimitSurface surface(makeSphere(40, 1, 1, 12, 12));
   const Relief relief = randomRelief(24, 24, 1, 5);
   const SurfaceSample sample{77, 0.31F, 0.64F};
-  const Vec3 exact = displaced(
-      relief, texelFrame(surface.evaluate(sample.face, sample.s, sample.t), relief.texelsPerUv()));
+  const Vec3 exact = displaced(relief, texelFrame(surface.evaluate(sample), relief.texelsPerUv()));
   double before = 1;
   for (const double step : {0.25, 0.0625}) {
     const MicroMesh mesh(surface, relief, {step, 0});

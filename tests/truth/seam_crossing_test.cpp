@@ -148,8 +148,7 @@ TEST(TextureCharts, AgreesWithASearchOfAllFacesOnSpot) {
     const SurfaceSample sample{static_cast<int>(random() % faces.size()),
                                static_cast<float>(uniform(random)),
                                static_cast<float>(uniform(random))};
-    const TexelFrame frame =
-        texelFrame(surface.evaluate(sample.face, sample.s, sample.t), relief.texelsPerUv());
+    const TexelFrame frame = texelFrame(surface.evaluate(sample), relief.texelsPerUv());
     if (!frame.defined || glm::dot(glm::cross(frame.px, frame.py), frame.normal) < 0) continue;
     const double a = 2 * pi * uniform(random);
     const Vec2 direction(std::cos(a), std::sin(a));
@@ -192,8 +191,8 @@ TEST(SeamCrossings, ArePathsFromTheSampleToWhatDecides) {
         {12 + static_cast<int>(x / 8), static_cast<float>(x / 8 - std::floor(x / 8)), 0.4F});
   }
   samples.width = static_cast<int>(places.size());
-  const std::array lights = {TraceSettings{light, 14, standardLift},
-                             TraceSettings{lightToward(180, 70), 14, standardLift}};
+  const std::array lights = {TraceSettings{light, 14, standardRayOffset},
+                             TraceSettings{lightToward(180, 70), 14, standardRayOffset}};
   const auto truths = traceShadows(surface, scaled, mesh, scene, samples, lights);
   const auto both = seamCrossings(surface, scaled, mesh, scene, charts, samples, truths, lights);
   const std::vector<std::uint8_t>& crossings = both[0];

@@ -112,7 +112,7 @@ TEST(ShadowTracer, BareSphereIsLitUpToItsTerminator) {
   std::size_t lit = 0;
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     const SurfaceSample& sample = samples.samples[i];
-    const Vec3 normal = scene.surface.evaluate(sample.face, sample.s, sample.t).position / radius;
+    const Vec3 normal = scene.surface.evaluate(sample).position / radius;
     const double elevation = glm::dot(normal, light);
     if (std::abs(elevation) < 2e-3)
       continue;  // a facet is tilted by half its angle from its samples
@@ -213,9 +213,9 @@ struct RoughTorus {
 
 TEST(ShadowTracer, SeveralLightsAtOnceAreEachLightAlone) {
   const RoughTorus torus;
-  const std::array lights = {TraceSettings{lightToward(30, 20), 12, standardLift},
-                             TraceSettings{lightToward(200, 55), 1000, standardLift},
-                             TraceSettings{lightToward(-80, 5), 12, standardLift}};
+  const std::array lights = {TraceSettings{lightToward(30, 20), 12, standardRayOffset},
+                             TraceSettings{lightToward(200, 55), 1000, standardRayOffset},
+                             TraceSettings{lightToward(-80, 5), 12, standardRayOffset}};
   const TruthScene& s = torus.scene;
   const auto together = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, lights);
   ASSERT_EQ(together.size(), lights.size());
@@ -239,7 +239,7 @@ SampleGrid rowsOf(const SampleGrid& grid, int first, int count) {
 
 TEST(ShadowTracer, PlacedSamplesAndPartsOfThemGiveTheSame) {
   const RoughTorus torus;
-  const TraceSettings light{lightToward(30, 20), 12, standardLift};
+  const TraceSettings light{lightToward(30, 20), 12, standardRayOffset};
   const TruthScene& s = torus.scene;
   const Truth whole = traceShadows(s.surface, s.relief, s.mesh, s.scene, torus.samples, light);
   const Truth placed = traceShadows(s.scene, torus.placed(torus.samples), light);
@@ -263,7 +263,7 @@ TEST(ShadowTracer, AThrowingProgressCancelsEveryStage) {
   const RoughTorus torus;
   const TruthScene& s = torus.scene;
   const Vec2 texels = s.relief.texelsPerUv();
-  const TraceSettings light{lightToward(30, 20), 12, standardLift};
+  const TraceSettings light{lightToward(30, 20), 12, standardRayOffset};
   const Progress cancel = [](double) { throw Cancelled(); };
   EXPECT_THROW(MicroMesh(s.surface, s.relief, {0.5, 0}, cancel), Cancelled);
   EXPECT_THROW(MicroScene(s.mesh, cancel), Cancelled);
@@ -280,7 +280,7 @@ TEST(ShadowTracer, ProgressRisesToOne) {
     EXPECT_GT(share, last);
     last = share;
   };
-  const TraceSettings light{lightToward(30, 20), 12, standardLift};
+  const TraceSettings light{lightToward(30, 20), 12, standardRayOffset};
   (void)traceShadows(torus.scene.scene, torus.placed(torus.samples), light, progress);
   EXPECT_EQ(last, 1);
 }

@@ -43,7 +43,7 @@ TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
                            {plane.sampleAt({31.5 + length - 0.05, 15.7}),
                             plane.sampleAt({31.5 + length + 0.05, 15.7})}};
         const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
-                                         {plane.lightOver(a, e), 1000, standardLift});
+                                         {plane.lightOver(a, e), 1000, standardRayOffset});
         EXPECT_EQ(truth.mask.samples[0], Shade::shadowed)
             << plane.px.x << " " << plane.py.x << " azimuth " << azimuth << " " << elevation;
         EXPECT_EQ(truth.mask.samples[1], Shade::lit)
@@ -76,7 +76,7 @@ TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
     for (const auto& [radius, region] :
          {std::pair{reach + 0.02, Region::cast}, {reach - 0.02, Region::distant}}) {
       const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
-                                       {plane.lightOver(a, e), radius, standardLift});
+                                       {plane.lightOver(a, e), radius, standardRayOffset});
       EXPECT_EQ(truth.regions[0], region) << plane.px.x << " " << plane.py.x;
     }
   }

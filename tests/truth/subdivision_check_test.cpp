@@ -112,7 +112,7 @@ TEST(SubdivisionCheck, EmbreesOwnDisplacedSurfaceGivesTheSameShadows) {
   std::size_t shadowed = 0;
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     const SurfaceSample& sample = samples.samples[i];
-    const Facet facet = mesh.facet(sample.face, sample.s, sample.t);
+    const Facet facet = mesh.facet(sample);
     const bool turned = glm::dot(facet.normal, light) <= 0;
     // Lifted over the difference of the two tessellations.
     const Vec3 origin = mesh.centre() + facet.point + 2e-3 * facet.normal;

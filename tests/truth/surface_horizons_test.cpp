@@ -154,9 +154,8 @@ TEST(SurfaceHorizons, InATorussHoleAreTheLowestRaysThatEscape) {
   constexpr int azimuths = 48;
   const AngleTable table = scene.shoot(20, 2, 1, 1, azimuths, pi / 2);
   const SurfaceSample sample = sampleAt(scene.surface, scene.relief, {20.5, 2.5});
-  const TexelFrame frame = texelFrame(scene.surface.evaluate(sample.face, sample.s, sample.t),
-                                      scene.relief.texelsPerUv());
-  const Facet facet = scene.mesh.facet(sample.face, sample.s, sample.t);
+  const TexelFrame frame = texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
+  const Facet facet = scene.mesh.facet(sample);
   int gaps = 0;
   for (int m = 0; m < azimuths; ++m) {
     const double azimuth = 2 * pi * m / azimuths;

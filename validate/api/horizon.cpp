@@ -22,7 +22,7 @@ HorizonMaps bakeHorizons(const HeightMap& map, int azimuths, double radius) {
   return translated([&] {
     const auto tables = std::make_shared<const HorizonTables>(
         bakeHorizons(heightFieldOf(map), BakeSettings{azimuths, radius}));
-    return HorizonMaps{tables->width,   tables->height,   tables->azimuths,
+    return HorizonMaps{tables->width,   tables->height,   tables->layers,
                        tables->horizon, tables->distance, tables};
   });
 }

@@ -98,7 +98,7 @@ Traced trace(const Task& task, std::optional<double> step) {
 
 /// The same at half the resolution and half the rays' offset, as the uncertainty of a run is found.
 std::vector<Truth> traceCoarser(Task task, const Traced& fine) {
-  for (TraceSettings& light : task.lights) light.liftShare = standardLift / 2;
+  for (TraceSettings& light : task.lights) light.rayOffset = standardRayOffset / 2;
   Traced coarse = trace(task, 2 * fine.step);
   if (2 * coarse.triangles > fine.triangles) {
     throw InputError(fmt::format(

@@ -116,7 +116,7 @@ void exportOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, S
   writeHorizons(folder.newFile("tables.exr"), tables);
   double rayLift = 0;
   StudyRecord record = traceStudy(scene, gl, [&](const TracedSurface& surface) {
-    rayLift = standardLift * surface.mesh.extent();
+    rayLift = surface.mesh.rayOffset();
     writeSampleMaps(folder, scene, surface.mesh);
   });
   record.command = request.command;

@@ -30,7 +30,7 @@ void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
   removeLeftovers(path.parent_path());
   writeHorizons(path, stored);
   printLine(fmt::format("{}: {} × {} texels, {} azimuths, {} in {} bits", path.string(),
-                        stored.width, stored.height, stored.azimuths,
+                        stored.width, stored.height, stored.layers,
                         formatBytes(static_cast<double>(stored.byteCount())),
                         static_cast<int>(study.bake.bits)));
 }

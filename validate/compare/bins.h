@@ -16,9 +16,9 @@ constexpr std::uint8_t noBin = 255;
 /// @throws InternalError for `noBin` edges or more, or edges that do not rise
 void requireEdges(std::span<const double> edges);
 
-/// The bin of a value: n edges, in rising order, make n + 1 bins, of which each holds its lower
-/// edge but not its upper one. Bin 0 is what lies below all edges, bin n what lies at the last or
-/// beyond, infinity too.
+/// The bin that holds a value: n edges, in rising order, make n + 1 bins, of which each holds its
+/// lower edge but not its upper one. Bin 0 is what lies below all edges, bin n what lies at the
+/// last or beyond, infinity too.
 /// @param edges  as requireEdges
 /// @returns 0 to n, or `noBin` for NaN: a sample without that value
 std::uint8_t binOf(double value, std::span<const double> edges);

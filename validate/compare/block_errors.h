@@ -9,9 +9,9 @@
 
 namespace gnomon {
 
-/// Where a mask is wrong, in square blocks of a view. Neighbouring samples err together, so that a
-/// sample alone is no independent observation; a block larger than the features of the error
-/// nearly is.
+/// Where a mask is wrong, in square blocks of a view. Errors of neighbouring samples are
+/// correlated, so a single sample is no independent observation; a block larger than the features
+/// of the error nearly is.
 struct BlockErrors {
   std::vector<double> wrong;  ///< weight of the samples on which mask and truth differ, one a block
   std::vector<double> weight;  ///< weight of all samples, one a block; 0 for one without any

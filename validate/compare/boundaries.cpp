@@ -13,7 +13,7 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t tolerances = boundaryTolerances.size();
-constexpr double gapShare = 0.95;
+constexpr double hausdorffShare = 0.95;
 
 bool isWithin(double distance, double tolerance) {
   return distance <= tolerance * (1 + 1e-9);
@@ -44,9 +44,9 @@ class Rooms {
 };
 
 /// A side of one contour, as the other sees it.
-struct Gap {
-  double distance;
-  double length;
+struct BoundaryDistance {
+  double distance;  ///< to the other contour
+  double length;    ///< of the side
 };
 
 /// What is added up for one tolerance.
@@ -69,11 +69,11 @@ using RowShares = std::array<Shares, tolerances>;
 /// One of the two masks, with its contour as the other sees it.
 struct Outline {
   Outline(const Mask& shown, const Mask& other, const SampleLayout& layout)
-      : mask(shown), contour(contourOf(shown, other, layout)), gaps(contour.size()) {}
+      : mask(shown), contour(contourOf(shown, other, layout)), distances(contour.size()) {}
 
   const Mask& mask;
   Contour contour;
-  std::vector<Gap> gaps;  ///< of its sides, row by row
+  std::vector<BoundaryDistance> distances;  ///< of its sides, row by row
 };
 
 class Comparison {
@@ -85,7 +85,7 @@ class Comparison {
         rooms_(layout),
         rows_(candidate_.contour.rowStarts.size() - 1) {}
 
-  /// Fills all gaps and sums. Rows are independent of each other.
+  /// Fills all distances and sums. Rows are independent of each other.
   void measure() {
     constexpr std::size_t rowsAtOnce = 64;
     parallelFor(0, (rows_.size() + rowsAtOnce - 1) / rowsAtOnce, [&](std::size_t strip) {
@@ -100,8 +100,12 @@ class Comparison {
     });
   }
 
-  [[nodiscard]] const std::vector<Gap>& candidateGaps() const { return candidate_.gaps; }
-  [[nodiscard]] const std::vector<Gap>& truthGaps() const { return truth_.gaps; }
+  [[nodiscard]] const std::vector<BoundaryDistance>& candidateDistances() const {
+    return candidate_.distances;
+  }
+  [[nodiscard]] const std::vector<BoundaryDistance>& truthDistances() const {
+    return truth_.distances;
+  }
 
   /// Over all rows, from the top down.
   [[nodiscard]] Shares shares(std::size_t tolerance) const {
@@ -119,7 +123,7 @@ class Comparison {
     const double length = row % 2 == 0 ? layout_.rowStep : layout_.columnStep;
     for (std::size_t i = contour.rowStarts[row]; i < contour.rowStarts[row + 1]; ++i) {
       const double distance = other.from(contour.columns[i]);
-      from.gaps[i] = {distance, length};
+      from.distances[i] = {distance, length};
       for (std::size_t t = 0; t < tolerances; ++t) {
         const double tolerance = boundaryTolerances.at(t);
         if (!rooms_.isRoomy(contour.columns[i], halfRow, tolerance)) continue;
@@ -169,31 +173,33 @@ class Comparison {
   std::vector<RowShares> rows_;  ///< of each half row
 };
 
-double averageGap(const std::vector<Gap>& a, const std::vector<Gap>& b) {
+double averageDistance(const std::vector<BoundaryDistance>& a,
+                       const std::vector<BoundaryDistance>& b) {
   double sum = 0;
   double length = 0;
-  for (const auto* gaps : {&a, &b}) {
-    for (const Gap& gap : *gaps) {
-      sum += gap.distance * gap.length;
-      length += gap.length;
+  for (const auto* distances : {&a, &b}) {
+    for (const BoundaryDistance& side : *distances) {
+      sum += side.distance * side.length;
+      length += side.length;
     }
   }
   return sum / length;
 }
 
 /// The smallest distance that the share of the length does not exceed.
-double percentileGap(std::vector<Gap> gaps) {
-  std::sort(gaps.begin(), gaps.end(),
-            [](const Gap& a, const Gap& b) { return a.distance < b.distance; });
+double percentileDistance(std::vector<BoundaryDistance> distances) {
+  std::sort(
+      distances.begin(), distances.end(),
+      [](const BoundaryDistance& a, const BoundaryDistance& b) { return a.distance < b.distance; });
   double all = 0;
-  for (const Gap& gap : gaps) all += gap.length;
+  for (const BoundaryDistance& side : distances) all += side.length;
   double length = 0;
-  for (const Gap& gap : gaps) {
-    length += gap.length;
+  for (const BoundaryDistance& side : distances) {
+    length += side.length;
     // Up to rounding, so that the order of the sum does not matter.
-    if (length >= gapShare * all * (1 - 1e-12)) return gap.distance;
+    if (length >= hausdorffShare * all * (1 - 1e-12)) return side.distance;
   }
-  return gaps.back().distance;
+  return distances.back().distance;
 }
 
 constexpr std::string_view facesApart = "neighbouring faces lie apart in this atlas";
@@ -206,10 +212,10 @@ constexpr std::string_view noneOnTile =
 constexpr std::string_view allAtBorder = "every boundary is nearer to a face's border";
 
 /// Why there is no distance between two contours, or empty.
-std::string_view distanceGap(const Comparison& found, const SampleLayout& layout) {
+std::string_view noDistanceReason(const Comparison& found, const SampleLayout& layout) {
   if (layout.tileSide > 0) return facesApart;
-  if (found.candidateGaps().empty()) return onlyTruth;
-  if (found.truthGaps().empty()) return onlyCandidate;
+  if (found.candidateDistances().empty()) return onlyTruth;
+  if (found.truthDistances().empty()) return onlyCandidate;
   return {};
 }
 
@@ -226,12 +232,13 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
     if (reason.empty()) metric.value = value();
     metrics.push_back(metric);
   };
-  const bool isEmpty = found.candidateGaps().empty() && found.truthGaps().empty();
+  const bool isEmpty = found.candidateDistances().empty() && found.truthDistances().empty();
   const std::string_view none = isEmpty ? noBoundary : std::string_view();
-  const std::string_view apart = isEmpty ? none : distanceGap(found, layout);
-  add(apart, [&] { return averageGap(found.candidateGaps(), found.truthGaps()); });
+  const std::string_view apart = isEmpty ? none : noDistanceReason(found, layout);
+  add(apart, [&] { return averageDistance(found.candidateDistances(), found.truthDistances()); });
   add(apart, [&] {
-    return std::max(percentileGap(found.candidateGaps()), percentileGap(found.truthGaps()));
+    return std::max(percentileDistance(found.candidateDistances()),
+                    percentileDistance(found.truthDistances()));
   });
   for (std::size_t t = 0; t < tolerances; ++t) {
     const Shares shares = found.shares(t);

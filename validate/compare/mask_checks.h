@@ -6,7 +6,7 @@
 
 namespace gnomon {
 
-/// Whether a sample was asked and has an answer.
+/// Whether a sample has an answer: lit or shadowed.
 inline bool isAnswer(Shade shade) {
   return shade == Shade::lit || shade == Shade::shadowed;
 }

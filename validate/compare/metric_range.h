@@ -48,7 +48,7 @@ std::optional<double> limitOfText(std::string_view text, const MetricRange& rang
 /// @throws InputError
 void requireInRange(double limit, std::string_view metric, const MetricRange& range);
 
-/// A gate must be one that a value can fail and another one hold: a maximum below the range's upper
+/// A gate must have values that fail it and values that pass it: a maximum below the range's upper
 /// end or a minimum above its lower one, and no minimum above the maximum.
 /// @throws InputError
 void requireMissable(std::optional<double> minimum, std::optional<double> maximum,

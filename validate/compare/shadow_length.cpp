@@ -72,7 +72,7 @@ class Walk {
     const LightStep& from = field_.steps[a];
     const LightStep& to = field_.steps[b];
     return tileOf(a) != tileOf(b) ||
-           glm::distance(from.place, to.place) > std::min(from.reach, to.reach);
+           glm::distance(from.place, to.place) > std::min(from.spacing, to.spacing);
   }
   [[nodiscard]] std::array<std::size_t, 2> tileOf(std::size_t i) const {
     if (field_.tileSide == 0) return {0, 0};

@@ -20,7 +20,8 @@ struct LightStep {
   glm::vec2 away{0};
   float length = 0;    ///< what that step measures along the surface, in any one unit
   glm::vec3 place{0};  ///< the sample's point of the surface, in that unit
-  float reach = 0;     ///< how far from it a neighbouring sample can lie, in that unit
+  /// Upper bound on the distance between neighbouring samples of a connected surface, in that unit.
+  float spacing = 0;
 };
 
 /// The steps of all samples of a view, row by row as in its masks.
@@ -76,7 +77,7 @@ constexpr std::size_t leastRunSamples = 4;
 /// view's edge, a sample without answer or direction, or a break in the surface, before they end or
 /// within their own length after that (unless the next run starts first). There a longer shadow
 /// could not be told. A break is a step over a tile's border or between samples that lie farther
-/// apart than the reach of one of them, as at the contour of a fold.
+/// apart than the spacing of one of them, as at the contour of a fold.
 ///
 /// Quartiles interpolate linearly between neighbours in order. All but `runs` are undefined where
 /// there are fewer than `leastRuns`.

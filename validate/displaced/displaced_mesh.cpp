@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 #include "common/parallel.h"
 #include "common/system/memory.h"
-#include "surface/shared_vertices.h"
+#include "surface/face_grids.h"
 
 namespace gnomon {
 namespace {
@@ -74,24 +73,13 @@ DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relie
   requireMemory(static_cast<double>(mesh.triangles.size()) * (sizeof(Side) + 12),
                 fmt::format("a displaced mesh of {} triangles", mesh.triangleCount()));
   parallelFor(0, mesh.vertices.size(), [&](std::size_t i) {
-    BaseVertex& v = mesh.vertices[i];
-    const bool defined = v.px != Vec3(0) || v.py != Vec3(0);
-    v.position = displaced(relief, {v.position, v.normal, v.px, v.py, v.texel, defined});
+    TexelFrame& frame = mesh.vertices[i].frame;
+    frame.position = displaced(relief, frame);
   });
-  std::vector<std::uint32_t> shared(mesh.vertices.size());
-  std::iota(shared.begin(), shared.end(), 0U);
-  const int lines = subdivisions + 1;
-  forEachSharedVertex(
-      surface,
-      [lines](std::size_t face) {
-        return FaceGrid{static_cast<std::uint32_t>(face) * static_cast<std::uint32_t>(lines) *
-                            static_cast<std::uint32_t>(lines),
-                        lines, lines};
-      },
-      [&](std::size_t first, std::size_t vertex) {
-        mesh.vertices[vertex].position = mesh.vertices[first].position;
-        shared[vertex] = static_cast<std::uint32_t>(first);
-      });
+  const auto shared = firstVertices(surface, FaceGrids::even(surface.faceCount(), subdivisions));
+  for (std::size_t i = 0; i < shared.size(); ++i) {
+    mesh.vertices[i].frame.position = mesh.vertices[shared[i]].frame.position;
+  }
   result.adjacency = triangleAdjacency(mesh, shared);
   return result;
 }

@@ -9,11 +9,12 @@
 
 namespace gnomon {
 
-/// The displaced surface at a polygon count that is drawn rather than traced: what the mesh of
-/// Figure 8(c) is (Onoue, Max & Nishita 2004).
+/// The displaced surface at a polygon count for drawing, not for ray tracing, as the mesh of Figure
+/// 8(c) of Onoue, Max & Nishita 2004.
 struct DisplacedMesh {
-  /// Positions are displaced, D = P + a h n; all else is the undisplaced surface's, face and (s, t)
-  /// above all. Vertices are not shared between faces, but coincide to the bit where faces meet.
+  /// Positions are displaced, D = P + a h n; everything else belongs to the undisplaced surface, as
+  /// face and (s, t) do. Vertices are not shared between faces, but coincide to the bit where faces
+  /// meet.
   BaseMesh mesh;
   std::vector<std::uint32_t> adjacency;  ///< see triangleAdjacency
 };
@@ -21,7 +22,7 @@ struct DisplacedMesh {
 /// Six vertices a triangle, as GL_TRIANGLES_ADJACENCY takes them: its corners a, b, c, and behind
 /// each its edge's opposite vertex in the neighbour: a, ab, b, bc, c, ca. An edge without a
 /// neighbour has the triangle's own third corner there: the triangle seen from behind.
-/// @param shared  for each vertex the first one that coincides with it
+/// @param shared  for each vertex the first vertex at the same place, see firstVertices
 std::vector<std::uint32_t> triangleAdjacency(const BaseMesh& mesh,
                                              const std::vector<std::uint32_t>& shared);
 

@@ -3,18 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <span>
 #include <utility>
 
 #include "common/error.h"
-#include "common/parallel.h"
 #include "common/system/memory.h"
+#include "displaced/displaced_points.h"
 #include "surface/closed_surface.h"
-#include "surface/shared_vertices.h"
-#include "surface/texel_frame.h"
+#include "surface/face_grids.h"
 
 namespace gnomon {
 namespace {
@@ -43,87 +41,36 @@ void requireRoom(const LimitSurface& surface, int subdivisions) {
                 fmt::format("{}, a displaced mesh of {:.3g} triangles", what, triangles));
 }
 
-/// All faces' vertices, each with its own, and for each the one that it is the same as.
-struct Vertices {
-  std::vector<glm::vec3> positions;
-  std::vector<std::uint32_t> same;
-};
-
-Vertices allVertices(const LimitSurface& surface, const Relief& relief, int subdivisions) {
-  const std::size_t side = static_cast<std::size_t>(subdivisions) + 1;
-  const auto faces = static_cast<std::size_t>(surface.faceCount());
-  Vertices all;
-  all.positions.resize(faces * side * side);
-  all.same.resize(all.positions.size());
-  const Vec2 texelsPerUv = relief.texelsPerUv();
-  parallelFor(0, faces, [&](std::size_t face) {
-    for (std::size_t v = 0; v < side * side; ++v) {
-      const std::size_t column = v % side;
-      const std::size_t row = v / side;
-      const double s = static_cast<double>(column) / subdivisions;
-      const double t = static_cast<double>(row) / subdivisions;
-      const LimitPoint point = surface.evaluate(static_cast<int>(face), s, t);
-      const std::size_t index = face * side * side + v;
-      all.positions[index] = glm::vec3(displaced(relief, texelFrame(point, texelsPerUv)));
-      all.same[index] = static_cast<std::uint32_t>(index);
-    }
-  });
-  forEachSharedVertex(
-      surface,
-      [side](std::size_t face) {
-        return FaceGrid{static_cast<std::uint32_t>(face * side * side), static_cast<int>(side),
-                        static_cast<int>(side)};
-      },
-      [&](std::size_t first, std::size_t vertex) {
-        all.same[vertex] = static_cast<std::uint32_t>(first);
-      });
-  return all;
-}
-
-/// Leaves each vertex once: `same` becomes its number among those, which `positions` then holds.
-void weld(Vertices& all) {
+/// Leaves each vertex once: `first` becomes its number among those that `positions` then holds.
+void weld(std::vector<glm::vec3>& positions, std::vector<std::uint32_t>& first) {
   std::uint32_t kept = 0;
-  for (std::size_t v = 0; v < all.positions.size(); ++v) {
-    // The first of vertices that are the same comes before the others.
-    if (all.same[v] == v) {
-      all.positions[kept] = all.positions[v];
-      all.same[v] = kept++;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    // The first of vertices at one place comes before the others.
+    if (first[v] == v) {
+      positions[kept] = positions[v];
+      first[v] = kept++;
     } else {
-      all.same[v] = all.same[all.same[v]];
+      first[v] = first[first[v]];
     }
   }
-  all.positions.resize(kept);
-}
-
-std::vector<std::uint32_t> trianglesOf(const std::vector<std::uint32_t>& numbers, std::size_t faces,
-                                       std::size_t pieces) {
-  const std::size_t side = pieces + 1;
-  std::vector<std::uint32_t> triangles;
-  triangles.reserve(faces * pieces * pieces * 6);
-  for (std::size_t face = 0; face < faces; ++face) {
-    for (std::size_t cell = 0; cell < pieces * pieces; ++cell) {
-      const std::size_t first = face * side * side + cell / pieces * side + cell % pieces;
-      const std::uint32_t v00 = numbers[first];
-      const std::uint32_t v10 = numbers[first + 1];
-      const std::uint32_t v01 = numbers[first + side];
-      const std::uint32_t v11 = numbers[first + side + 1];
-      triangles.insert(triangles.end(), {v00, v10, v01, v11, v01, v10});
-    }
-  }
-  return triangles;
+  positions.resize(kept);
+  positions.shrink_to_fit();
 }
 
 }  // namespace
 
 WeldedMesh makeWeldedMesh(const LimitSurface& surface, const Relief& relief, int subdivisions) {
   requireRoom(surface, subdivisions);
-  Vertices vertices = allVertices(surface, relief, subdivisions);
-  weld(vertices);
-  vertices.positions.shrink_to_fit();
-  return {std::move(vertices.positions),
-          trianglesOf(vertices.same, static_cast<std::size_t>(surface.faceCount()),
-                      static_cast<std::size_t>(subdivisions)),
-          isClosed(surface)};
+  const FaceGrids grids = FaceGrids::even(surface.faceCount(), subdivisions);
+  std::vector<glm::vec3> positions(grids.vertexCount());
+  displaceGrids(surface, relief, grids, [&](std::size_t first, std::span<const Vec3> points) {
+    std::copy(points.begin(), points.end(), positions.begin() + static_cast<std::ptrdiff_t>(first));
+  });
+  std::vector<std::uint32_t> numbers = firstVertices(surface, grids);
+  weld(positions, numbers);
+  std::vector<std::uint32_t> triangles = gridTriangles(grids, Diagonal::acrossOrigin);
+  for (std::uint32_t& vertex : triangles) vertex = numbers[vertex];
+  return {std::move(positions), std::move(triangles), isClosed(surface)};
 }
 
 int subdivisionsForTexels(const LimitSurface& surface, Vec2 texelsPerUv, double mostTriangles) {

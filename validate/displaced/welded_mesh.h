@@ -9,18 +9,18 @@
 
 namespace gnomon {
 
-/// The displaced surface as other programs take it: triangles that share their vertices.
+/// The displaced surface for other programs: triangles that share their vertices.
 struct WeldedMesh {
   std::vector<glm::vec3> vertices;       ///< world coordinates
   std::vector<std::uint32_t> triangles;  ///< three vertices each, counter-clockwise outside
-  bool closed = false;                   ///< every side of a triangle has one on its other side
+  bool closed = false;                   ///< every side of a triangle belongs to two triangles
 
   [[nodiscard]] std::size_t triangleCount() const { return triangles.size() / 3; }
 };
 
 /// Every face cut into `subdivisions` × `subdivisions` quadrilaterals of displaced limit points,
-/// D = P + a h n, and each of these into two triangles along its (1,0)-(0,1) diagonal, as the
-/// truth's micro-mesh is. The 2 N² triangles of face f begin at triangle 2 N² f. Faces that meet
+/// D = P + a h n, and each of these into two triangles as the truth's micro-mesh is
+/// (Diagonal::acrossOrigin). The 2 N² triangles of face f begin at triangle 2 N² f. Faces that meet
 /// share the vertices of their edge, so that a closed cage gives a closed mesh; across a texture
 /// seam the first face's height rules, as in the micro-mesh.
 /// @param subdivisions  1 to 8192
@@ -28,9 +28,8 @@ struct WeldedMesh {
 ///   fit
 WeldedMesh makeWeldedMesh(const LimitSurface& surface, const Relief& relief, int subdivisions);
 
-/// The subdivisions that give 4 pieces a texel on the longest side of a face, in the middle of
-/// each, or 2, or 1, where more would be over `mostTriangles`; where that is too many, as many as
-/// are not.
+/// The subdivisions that give 4 pieces a texel along the longest face, measured through its middle;
+/// 2 or 1 where 4 would exceed `mostTriangles`; and where even 1 does, the most that do not.
 int subdivisionsForTexels(const LimitSurface& surface, Vec2 texelsPerUv,
                           double mostTriangles = 4e6);
 

@@ -144,7 +144,7 @@ Json rangeJson(const StoredTable& table) {
 
 Json tablesJson(const StoredHorizons& tables) {
   return {{"file", "tables.exr"},
-          {"azimuths", tables.azimuths},
+          {"azimuths", tables.layers},
           {"radius_texels", tables.radiusTexels},
           {"bits", static_cast<int>(tables.horizon.bits)},
           {"horizon", rangeJson(tables.horizon)},

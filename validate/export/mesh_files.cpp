@@ -98,10 +98,10 @@ void writeObj(const std::filesystem::path& path, const BaseMesh& mesh, Vec2 texe
     text += fmt::format("{} {} {} {}\n", key, shortest(v.x), shortest(v.y), shortest(v.z));
   };
   for (const BaseVertex& vertex : mesh.vertices) {
-    const Vec2 uv = vertex.texel / texelsPerUv;
-    append("v", vertex.position);
+    const Vec2 uv = vertex.frame.texel / texelsPerUv;
+    append("v", vertex.frame.position);
     text += fmt::format("vt {} {}\n", shortest(uv.x), shortest(uv.y));
-    append("vn", vertex.normal);
+    append("vn", vertex.frame.normal);
   }
   for (std::size_t k = 0; k < mesh.triangles.size(); k += 3) {
     text += fmt::format("f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", mesh.triangles[k] + 1,

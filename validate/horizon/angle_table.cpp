@@ -6,13 +6,7 @@
 namespace gnomon {
 
 AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight) {
-  AngleTable result;
-  result.width = tables.width;
-  result.height = tables.height;
-  result.azimuths = tables.azimuths;
-  result.limit = limit;
-  result.wrap = tables.wrap;
-  result.angles.resize(tables.horizon.size());
+  AngleTable result{tables, limit, std::vector<float>(tables.horizon.size())};
   std::transform(
       tables.horizon.begin(), tables.horizon.end(), result.angles.begin(), [&](float slope) {
         return static_cast<float>(std::min(std::atan2(1.0, texelsPerHeight * slope), limit));

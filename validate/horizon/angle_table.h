@@ -8,18 +8,13 @@
 namespace gnomon {
 
 /// Horizon *angles* off the surface's normal, as Sloan & Cohen 2000 (§2) keep them: a light is seen
-/// where its own angle off the normal is smaller. Per texel centre and azimuth φ_m = 2πm/M.
-/// Layout: [m][y][x], index (m * height + y) * width + x.
-struct AngleTable {
-  int width = 0;
-  int height = 0;
-  int azimuths = 0;
+/// where its own angle off the normal is smaller. Per texel centre, one layer an azimuth.
+struct AngleTable : TableShape {
   /// The largest angle that is kept, radians, up to π: π/2 in their paper (§3).
   double limit = 0;
   std::vector<float> angles;  ///< radians, 0 to `limit`
-  Wrap wrap = Wrap::repeat;
-  /// Texel coordinates of the table's own (0, 0): a table over the whole surface, every texel of it
-  /// unique, starts where the surface's texture coordinates do.
+  /// Texel coordinates of the table's entry (0, 0). A table over the whole surface, whose texels
+  /// are all unique, begins where the surface's texture coordinates begin.
   int originX = 0;
   int originY = 0;
 };

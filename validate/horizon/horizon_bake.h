@@ -2,6 +2,7 @@
 
 #include "common/progress.h"
 #include "common/raw_vector.h"
+#include "horizon/table_shape.h"
 #include "relief/height_field.h"
 
 namespace gnomon {
@@ -18,14 +19,9 @@ struct BakeSettings {
 ///            the directional derivative (Onoue, Max & Nishita 2004, Fig. 1)
 /// A ray ends where the relief is no longer known (`HeightField::knownLength`), if that is nearer
 /// than D.
-/// Layout: [m][y][x], index (m * height + y) * width + x.
-struct HorizonTables {
-  int width = 0;
-  int height = 0;
-  int azimuths = 0;
+/// One layer an azimuth.
+struct HorizonTables : TableShape {
   double radiusTexels = 0;
-  Wrap wrap = Wrap::repeat;
-  Border border;  ///< past it, that is within half a texel of it, the outermost entry holds
   RawVector<float> horizon;
   RawVector<float> distance;
 };

@@ -30,7 +30,7 @@ void addSector(Moments& moments, Vec2 e, double width, double radius) {
 }
 
 /// c_x, c_y, A_xx, A_xy, A_yy.
-std::array<double, EllipseTable::layers> ellipseOf(const Moments& m) {
+std::array<double, EllipseTable::numbers> ellipseOf(const Moments& m) {
   if (!(m.area > 0)) return {};
   const Vec2 c = m.first / m.area;
   const double xx = std::max(m.xx / m.area - c.x * c.x, 0.0);
@@ -46,19 +46,16 @@ std::array<double, EllipseTable::layers> ellipseOf(const Moments& m) {
 }  // namespace
 
 EllipseTable fitEllipses(const HorizonTables& tables, double texelsPerHeight) {
-  EllipseTable result;
-  result.width = tables.width;
-  result.height = tables.height;
-  result.wrap = tables.wrap;
-  result.border = tables.border;
+  EllipseTable result{tables, {}};
+  result.layers = EllipseTable::numbers;
+  result.values.resize(result.entries());
   const auto width = static_cast<std::size_t>(tables.width);
-  const std::size_t texels = width * static_cast<std::size_t>(tables.height);
-  result.values.resize(EllipseTable::layers * texels);
-  const double sector = 2 * pi / tables.azimuths;
+  const std::size_t texels = tables.texels();
+  const double sector = 2 * pi / tables.layers;
   parallelFor(0, static_cast<std::size_t>(tables.height), [&](std::size_t row) {
     for (std::size_t texel = row * width; texel < (row + 1) * width; ++texel) {
       Moments moments;
-      for (int m = 0; m < tables.azimuths; ++m) {
+      for (int m = 0; m < tables.layers; ++m) {
         const double slope = tables.horizon[static_cast<std::size_t>(m) * texels + texel];
         const double azimuth = sector * m;
         addSector(moments, {std::cos(azimuth), std::sin(azimuth)}, sector,

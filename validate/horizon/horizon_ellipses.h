@@ -8,19 +8,16 @@ namespace gnomon {
 
 /// One elliptical cone of light a texel (Kautz, Heidrich & Daubert 2000; Heidrich, Daubert, Kautz &
 /// Seidel 2000): the unit directions from which the texel is lit, projected along the normal onto
-/// the tangent plane, fill a part of the unit disc; an ellipse stands for that part. It is kept as
+/// the tangent plane, fill a part of the unit disc; an ellipse approximates it. It is kept as
 /// centre c and the symmetric matrix A that takes the unit disc to it: l is lit where
 /// |A⁻¹ (l - c)| ≤ 1. Unlike the angle of an axis, A can be interpolated between texels.
 ///
 /// The ellipse is the one with the area's own centroid and second moments: A = 2 Σ^½, Σ the
 /// covariance of the lit part.
-struct EllipseTable {
-  static constexpr int layers = 5;  ///< c_x, c_y, A_xx, A_xy, A_yy
-  int width = 0;
-  int height = 0;
-  Wrap wrap = Wrap::repeat;
-  Border border = {};         ///< as HorizonTables
-  std::vector<float> values;  ///< [layer][y][x], each -1 to 1
+struct EllipseTable : TableShape {
+  /// The layers: c_x, c_y, A_xx, A_xy, A_yy.
+  static constexpr int numbers = 5;
+  std::vector<float> values;  ///< each -1 to 1
 };
 
 /// Fits the ellipses to a flat relief's horizons: toward azimuth φ_m the lit part reaches from the

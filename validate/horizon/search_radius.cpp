@@ -32,9 +32,9 @@ Leave leaveOf(const RayWay& way) {
   const double top = 1 + kappa * way.highest;
   const double cosine = std::cos(theta) * (1 + kappa * way.lowest) / top;
   if (!(top > 0) || !(cosine <= 1)) return {never, never};
-  const double turn = std::acos(std::max(cosine, -1.0));
-  if (kappa > 0) return {(turn - theta) / kappa, never};
-  return {(theta - turn) / -kappa, (theta + turn) / -kappa};
+  const double angle = std::acos(std::max(cosine, -1.0));
+  if (kappa > 0) return {(angle - theta) / kappa, never};
+  return {(theta - angle) / -kappa, (theta + angle) / -kappa};
 }
 
 bool isDark(const RayWay& way) {

@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-/// What decided on a search radius.
+/// Which rule determined a search radius.
 enum class RadiusBound {
   stated,       ///< the study's own `bake.radius`
   leaves,       ///< the ray to the light has left the highest bump
@@ -49,7 +49,7 @@ struct SearchRadius {
 SearchRadius searchRadius(const LimitSurface& surface, const Relief& relief,
                           std::span<const Vec3> lights);
 
-/// What is known of the way of one ray.
+/// Input of `endOf`: a ray over the relief, and the lengths that may bound it.
 struct RayWay {
   double curvature;  ///< κ toward the light, 1 / world, convex positive
   double slope;      ///< tan θ
@@ -60,8 +60,8 @@ struct RayWay {
   double tile;       ///< diagonal of the map, world
 };
 
-/// Where one ray has left the relief for good, world, and by what; `unlit` and 0 where it is dark
-/// whatever the relief is.
+/// The distance at which a ray has left the relief for good, world, and the bound that determines
+/// it; `unlit` and 0 where no light arrives whatever the relief is.
 struct RayEnd {
   double distance;
   RadiusBound bound;

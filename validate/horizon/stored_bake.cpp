@@ -34,7 +34,7 @@ TableExtremes findExtremes(const HeightField& field, const BakeSettings& setting
   std::mutex mutex;
   const auto include = [&](const HorizonTile& baked) {
     TableExtremes tile;
-    forEachRow(baked, field.width(), field.height(),
+    forEachRow(baked, TableShape::over(field, settings.azimuths),
                [&](std::size_t, std::size_t from, std::size_t count) {
                  tile.horizon.include(baked.horizon.data() + from, count);
                  tile.distance.include(baked.distance.data() + from, count);
@@ -71,22 +71,15 @@ StoredHorizons bakeStoredHorizons(const HeightField& field, const BakeSettings& 
   const bool coded = bits != TableBits::thirtyTwo;
   const TableExtremes extremes =
       coded ? findExtremes(field, settings, partOf(progress, 0, 0.5)) : TableExtremes{};
-  const auto count = static_cast<std::size_t>(entries);
-  StoredHorizons stored{field.width(),
-                        field.height(),
-                        settings.azimuths,
-                        settings.radiusTexels,
-                        field.wrap(),
-                        {},
-                        {}};
+  StoredHorizons stored{TableShape::over(field, settings.azimuths), settings.radiusTexels, {}, {}};
+  const std::size_t count = stored.entries();
   stored.horizon = emptyTable(count, bits, extremes.horizon.low, extremes.horizon.high);
   stored.distance = emptyTable(count, bits, extremes.distance.low, extremes.distance.high);
   const auto keep = [&](const HorizonTile& baked) {
-    forEachRow(baked, field.width(), field.height(),
-               [&](std::size_t entry, std::size_t from, std::size_t row) {
-                 stored.horizon.set(entry, {baked.horizon.data() + from, row});
-                 stored.distance.set(entry, {baked.distance.data() + from, row});
-               });
+    forEachRow(baked, stored, [&](std::size_t entry, std::size_t from, std::size_t row) {
+      stored.horizon.set(entry, {baked.horizon.data() + from, row});
+      stored.distance.set(entry, {baked.distance.data() + from, row});
+    });
   };
   bakeTiles(field, settings, keep, partOf(progress, coded ? 0.5 : 0, 1));
   if (!coded) {

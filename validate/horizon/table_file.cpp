@@ -60,23 +60,16 @@ std::uint32_t wordFromEntry(const std::uint8_t* entry, TableBits bits) {
   return word;
 }
 
-std::size_t entryIndex(const StoredHorizons& tables, int azimuth, int row, int x) {
-  const auto width = static_cast<std::size_t>(tables.width);
-  const auto height = static_cast<std::size_t>(tables.height);
-  return (static_cast<std::size_t>(azimuth) * height + static_cast<std::size_t>(row)) * width +
-         static_cast<std::size_t>(x);
-}
-
 void checkConsistent(const fs::path& path, const StoredHorizons& tables) {
-  const std::size_t entries = entryIndex(tables, tables.azimuths, 0, 0);
-  if (tables.width < 1 || tables.height < 1 || tables.azimuths < 1 ||
-      tables.azimuths > mostAzimuths || tables.horizon.bits != tables.distance.bits ||
-      tables.horizon.entryCount() != entries || tables.distance.entryCount() != entries) {
+  const std::size_t entries = tables.entries();
+  if (tables.width < 1 || tables.height < 1 || tables.layers < 1 || tables.layers > mostAzimuths ||
+      tables.horizon.bits != tables.distance.bits || tables.horizon.entryCount() != entries ||
+      tables.distance.entryCount() != entries) {
     refuse(path,
            fmt::format("cannot hold tables of {} x {} texels and {} azimuths with {} and {} "
                        "entries: both of width x height x azimuths entries of the same bits "
                        "and at most {} azimuths expected",
-                       tables.width, tables.height, tables.azimuths, tables.horizon.entryCount(),
+                       tables.width, tables.height, tables.layers, tables.horizon.entryCount(),
                        tables.distance.entryCount(), mostAzimuths));
   }
 }
@@ -84,11 +77,11 @@ void checkConsistent(const fs::path& path, const StoredHorizons& tables) {
 ExrDescription describe(const StoredHorizons& tables) {
   ExrDescription exr{tables.width, tables.height, {}, pixelType(tables.horizon.bits), {}};
   for (const char* table : {"distance", "horizon"}) {
-    for (int m = 0; m < tables.azimuths; ++m) {
+    for (int m = 0; m < tables.layers; ++m) {
       exr.channels.push_back(fmt::format("{}.{:03}", table, m));
     }
   }
-  exr.attributes["gnomon:azimuths"] = tables.azimuths;
+  exr.attributes["gnomon:azimuths"] = tables.layers;
   // As text, since EXR metadata of OpenImageIO holds no doubles.
   exr.attributes["gnomon:radiusTexels"] = fmt::format("{}", tables.radiusTexels);
   exr.attributes["gnomon:wrap"] = tables.wrap == Wrap::repeat ? "repeat" : "clamp";
@@ -104,13 +97,13 @@ ExrDescription describe(const StoredHorizons& tables) {
 /// the tables' last, as in a height image.
 void gatherRows(const StoredHorizons& tables, int top, int rows, std::vector<std::uint32_t>& out) {
   const TableBits bits = tables.horizon.bits;
-  const int channels = 2 * tables.azimuths;
+  const int channels = 2 * tables.layers;
   auto word = out.begin();
   for (int y = top; y < top + rows; ++y) {
     for (int x = 0; x < tables.width; ++x) {
       for (int c = 0; c < channels; ++c) {
-        const StoredTable& table = c < tables.azimuths ? tables.distance : tables.horizon;
-        const auto entry = entryIndex(tables, c % tables.azimuths, tables.height - 1 - y, x);
+        const StoredTable& table = c < tables.layers ? tables.distance : tables.horizon;
+        const auto entry = tables.entry(c % tables.layers, x, tables.height - 1 - y);
         *word++ = wordFromEntry(table.bytes.data() + entry * bytesAnEntry(bits), bits);
       }
     }
@@ -130,7 +123,7 @@ void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
   checkConsistent(path, tables);
   if (!isExrName(path)) refuse(path, "a name that ends in .exr expected");
   std::vector<std::uint32_t> buffer(static_cast<std::size_t>(tables.width) * 2 *
-                                    static_cast<std::size_t>(tables.azimuths) * rowsAtOnce);
+                                    static_cast<std::size_t>(tables.layers) * rowsAtOnce);
   const auto rows = [&](int top, int count) {
     gatherRows(tables, top, count, buffer);
     return buffer.data();

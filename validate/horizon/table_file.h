@@ -3,18 +3,14 @@
 #include <filesystem>
 
 #include "horizon/stored_table.h"
-#include "relief/height_field.h"
+#include "horizon/table_shape.h"
 
 namespace gnomon {
 
 /// The two horizon tables as they are stored, with what is needed to use them.
-struct StoredHorizons {
-  int width = 0;
-  int height = 0;
-  int azimuths = 0;
+struct StoredHorizons : TableShape {
   double radiusTexels = 0;
-  Wrap wrap = Wrap::repeat;
-  StoredTable horizon;   ///< δ, height units per texel; layout as HorizonTables
+  StoredTable horizon;   ///< δ, height units per texel; one layer an azimuth
   StoredTable distance;  ///< d, texels
 
   /// Bytes of both tables together, as a GPU would hold them.

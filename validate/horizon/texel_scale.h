@@ -6,7 +6,7 @@
 
 namespace gnomon {
 
-/// How large the texels of a surface are.
+/// The size of a surface's texels in the world.
 struct TexelScale {
   /// T, a texel's width on average, world: T² = area of the surface / area of its texture in
   /// texels, over the faces that have a texel frame. 0 if none has.

@@ -3,17 +3,9 @@
 #include <vector>
 
 #include "common/vec.h"
+#include "relief/wrap.h"
 
 namespace gnomon {
-
-/// What a height field does outside its texels.
-enum class Wrap { repeat, clamp };
-
-/// The axes of a map at whose ends the surface ends too.
-struct Border {
-  bool x = false, y = false;
-  bool operator==(const Border&) const = default;
-};
 
 /// A height map h(x, y): *the bilinear interpolant of its texels*, whose centres lie at
 /// (i + 0.5, j + 0.5). Truth, bake and shaders all use this one function. Coordinates are texels;
@@ -44,8 +36,8 @@ class HeightField {
 
   /// How far along a ray the relief is known, texels, at least 0: as far as the first line of texel
   /// centres past a border, half a texel beyond it; without end where no border lies ahead. What
-  /// the wrap rule puts there casts no shadow, since there is no surface. This is the rule for all
-  /// methods: tables are searched and height maps are marched up to there (`knownDistance` in
+  /// the wrap rule puts there casts no shadow, since there is no surface. The rule holds for all
+  /// methods: they search tables and march height maps up to this length (`knownDistance` in
   /// relief.glsl). It ends at texel centres and not at the border itself, so that a ray that leaves
   /// from an outermost texel centre has a relief to start on.
   /// @param direction  unit
@@ -69,8 +61,5 @@ class HeightField {
 /// if it was.
 /// @param height  height units of the value 1
 HeightField inverted(const HeightField& field, double height);
-
-/// The index of texel i by the wrap rule: i modulo size, or i clamped to [0, size).
-int wrappedIndex(int i, int size, Wrap wrap);
 
 }  // namespace gnomon

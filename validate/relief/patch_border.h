@@ -13,8 +13,8 @@ namespace gnomon {
 ///   the map is clamped: its author says that it ends; or
 ///   the map repeats, and the surface is a grid that is open there, as a patch is and a torus is
 ///   not.
-/// A map that is laid more than once over an open patch has no border: its tables are those of one
-/// tile and cannot know in which tile the surface ends, so that no method is told.
+/// A map that is laid more than once over an open patch has no border: its tables describe one tile
+/// and cannot know in which tile the surface ends.
 /// @param surface  of the cage
 /// @param repeats  times that the map is laid over one unit of u and of v
 Border borderOf(const Cage& cage, const LimitSurface& surface, Wrap wrap, Vec2 repeats);

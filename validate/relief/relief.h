@@ -17,7 +17,8 @@ struct Relief {
   HeightField field;
   HeightSpace space = HeightSpace::world;
   Vec2 repeats{1, 1};  ///< times that the map is laid over one unit of u and of v
-  /// Texels of `field` along a side of one of the study's: a study counts lengths in its own.
+  /// Texels of `field` along the side of one texel of the study's own map, in which a study counts
+  /// lengths.
   int resample = 1;
 
   /// Texels that one unit of u and of v spans: repeats × map size.

@@ -9,7 +9,7 @@ namespace gnomon {
 /// that the old function's kinks stay kinks of the new one, and both are the same function up to
 /// float rounding: h'(factor · p) = scale · h(p) everywhere, beyond the border too.
 /// @param factor  odd, at least 1
-/// @param scale   new height units an old one has: `factor` where heights count texels
+/// @param scale   new height units per old one: `factor` where heights are texels
 /// @throws InternalError for an even factor; MemoryError naming `relief.resample` where the finer
 ///   map cannot fit
 HeightField resampledHeights(const HeightField& field, int factor, double scale);

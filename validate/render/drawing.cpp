@@ -20,7 +20,23 @@ std::vector<std::string> surfaceDefines(Wrap wrap, DrawnMesh mesh) {
 void bindTexture(GLuint program, TextureUnit unit, GLuint texture, const char* sampler) {
   const auto index = static_cast<GLuint>(unit);
   glBindTextureUnit(index, texture);
-  glProgramUniform1i(program, glGetUniformLocation(program, sampler), static_cast<GLint>(index));
+  setUniform(program, sampler, static_cast<int>(index));
+}
+
+void setUniform(GLuint program, const char* name, int value) {
+  glProgramUniform1i(program, glGetUniformLocation(program, name), value);
+}
+
+void setUniform(GLuint program, const char* name, double value) {
+  glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<GLfloat>(value));
+}
+
+void setUniform(GLuint program, const char* name, glm::ivec2 value) {
+  glProgramUniform2i(program, glGetUniformLocation(program, name), value.x, value.y);
+}
+
+void setUniform(GLuint program, const char* name, glm::vec2 value) {
+  glProgramUniform2fv(program, glGetUniformLocation(program, name), 1, glm::value_ptr(value));
 }
 
 void setUniform(GLuint program, const char* name, const Vec3& value) {
@@ -28,8 +44,8 @@ void setUniform(GLuint program, const char* name, const Vec3& value) {
   glProgramUniform3fv(program, glGetUniformLocation(program, name), 1, glm::value_ptr(single));
 }
 
-void setUniform(GLuint program, const char* name, glm::vec2 value) {
-  glProgramUniform2fv(program, glGetUniformLocation(program, name), 1, glm::value_ptr(value));
+void setUniform(GLuint program, const char* name, const glm::vec4& value) {
+  glProgramUniform4fv(program, glGetUniformLocation(program, name), 1, glm::value_ptr(value));
 }
 
 void setUniform(GLuint program, const char* name, const glm::mat4& value) {
@@ -39,38 +55,37 @@ void setUniform(GLuint program, const char* name, const glm::mat4& value) {
 
 void setView(GLuint program, const RenderView& view) {
   setUniform(program, "clipFromWorld", view.clipFromWorld);
-  glProgramUniform2i(program, glGetUniformLocation(program, "atlasTiles"), view.atlasTiles.x,
-                     view.atlasTiles.y);
-  glProgramUniform4f(
-      program, glGetUniformLocation(program, "texelWindow"),
-      static_cast<GLfloat>(view.texelWindow.x), static_cast<GLfloat>(view.texelWindow.y),
-      static_cast<GLfloat>(view.texelWindow.z), static_cast<GLfloat>(view.texelWindow.w));
+  setUniform(program, "atlasTiles", view.atlasTiles);
+  setUniform(program, "texelWindow", glm::vec4(view.texelWindow));
 }
 
 void setDrawing(GLuint program, const Drawing& drawing) {
   setUniform(program, "lightDirection", drawing.light);
-  glProgramUniform1i(program, glGetUniformLocation(program, "heightInTexels"),
-                     drawing.heightSpace == HeightSpace::texture ? 1 : 0);
-  glProgramUniform1f(program, glGetUniformLocation(program, "texelsPerHeight"),
-                     static_cast<GLfloat>(drawing.texelsPerHeight));
+  setUniform(program, "heightInTexels", drawing.heightSpace == HeightSpace::texture ? 1 : 0);
+  setUniform(program, "texelsPerHeight", drawing.texelsPerHeight);
   setUniform(program, "heightBounds", drawing.heights.bounds());
   const Border border = drawing.heights.border();
-  glProgramUniform2i(program, glGetUniformLocation(program, "reliefBorder"), border.x ? 1 : 0,
-                     border.y ? 1 : 0);
+  setUniform(program, "reliefBorder", glm::ivec2(border.x ? 1 : 0, border.y ? 1 : 0));
   bindTexture(program, TextureUnit::heights, drawing.heights.texture(), "heightMap");
 }
 
-void drawMesh(GLuint program, const RenderView& view, const GpuMesh& mesh, Sides sides) {
-  glViewport(0, 0, view.width, view.height);
+void beginPass(const Target& target, GLuint program, Sides sides) {
+  target.bind();
+  glViewport(0, 0, target.width(), target.height());
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  if (sides == Sides::front && view.texelWindow.z == 0) {
+  if (sides == Sides::front) {
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
   } else {
     glDisable(GL_CULL_FACE);
   }
   glUseProgram(program);
+}
+
+void drawMesh(const Target& target, GLuint program, const RenderView& view, const GpuMesh& mesh,
+              Sides sides) {
+  beginPass(target, program, view.texelWindow.z == 0 ? sides : Sides::both);
   mesh.draw();
 }
 

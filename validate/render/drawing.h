@@ -8,11 +8,12 @@
 #include "render/gpu_scene.h"
 #include "render/method.h"
 #include "render/program.h"
+#include "render/target.h"
 #include "render/view.h"
 
 namespace gnomon {
 
-/// What a pass draws, lit from where.
+/// A mesh with its relief and light: the input of a pass.
 struct Drawing {
   const GpuMesh& mesh;
   const GpuHeights& heights;
@@ -23,8 +24,6 @@ struct Drawing {
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
   const RenderView* texture = nullptr;  ///< the texture's own plane, for methods that draw there
 };
-
-// What every pass shares.
 
 /// The texture units, each with one texture for all passes.
 enum class TextureUnit : GLuint {
@@ -50,8 +49,13 @@ gl::Program makeSurfaceProgram(const std::filesystem::path& shaders,
 std::vector<std::string> surfaceDefines(Wrap wrap, DrawnMesh mesh);
 
 void bindTexture(GLuint program, TextureUnit unit, GLuint texture, const char* sampler);
-void setUniform(GLuint program, const char* name, const Vec3& value);
+// A uniform that the program does not use is left out.
+void setUniform(GLuint program, const char* name, int value);
+void setUniform(GLuint program, const char* name, double value);
+void setUniform(GLuint program, const char* name, glm::ivec2 value);
 void setUniform(GLuint program, const char* name, glm::vec2 value);
+void setUniform(GLuint program, const char* name, const Vec3& value);
+void setUniform(GLuint program, const char* name, const glm::vec4& value);
 void setUniform(GLuint program, const char* name, const glm::mat4& value);
 void setView(GLuint program, const RenderView& view);
 /// Light, height space and the height map with its border.
@@ -60,9 +64,13 @@ void setDrawing(GLuint program, const Drawing& drawing);
 /// Which sides of its triangles a pass draws.
 enum class Sides { front, both };
 
-/// Draws a mesh with the nearest surface on top; in a texture's plane both sides, since charts may
-/// be mirrored.
-void drawMesh(GLuint program, const RenderView& view, const GpuMesh& mesh,
+/// Begins a pass: what is drawn next fills the whole target by this program, the nearest surface on
+/// top. Sets every state that another pass may have left otherwise, so that passes are independent.
+void beginPass(const Target& target, GLuint program, Sides sides);
+
+/// A pass that draws a mesh; in a texture's plane both sides, since charts may be mirrored.
+/// @param target  of the view's size
+void drawMesh(const Target& target, GLuint program, const RenderView& view, const GpuMesh& mesh,
               Sides sides = Sides::front);
 
 }  // namespace gnomon

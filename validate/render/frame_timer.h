@@ -5,7 +5,7 @@
 
 namespace gnomon {
 
-/// What measures the time of a frame.
+/// The clock that measures a frame's time.
 enum class FrameClock {
   wall,   ///< the wall clock between two glFinish
   query,  ///< the GPU's own, GL_TIME_ELAPSED: without the driver and the wait
@@ -19,8 +19,8 @@ FrameClock frameClockOf(std::string_view renderer);
 /// As reports say it: "wall clock" or "GL timer queries".
 std::string_view frameClockName(FrameClock clock);
 
-/// Whether the first frame of several would be slower than the others: compiled for the state that
-/// it is drawn in, and given its memory.
+/// Whether the first frame of several would be slower than the others, since the driver compiles
+/// for the state that it is drawn in and allocates memory.
 enum class FirstFrame {
   warmsUp,  ///< it is drawn before the others, and left out
   isWarm,   ///< the same has been drawn before
@@ -40,7 +40,7 @@ enum class FirstFrame {
 /// @param frame  draws one and returns its time, milliseconds
 double medianMilliseconds(const std::function<double()>& frame, int frames, FirstFrame first);
 
-/// The same of the frames that `draw` draws.
+/// The same for frames that `draw` draws.
 /// @param draw  issues the GL commands of one frame; a context is current
 /// @throws InternalError where GL recorded an error
 double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FirstFrame first,

@@ -5,7 +5,7 @@
 
 namespace gnomon {
 
-/// What a context's driver calls itself.
+/// The driver's own description.
 struct GlDriver {
   std::string vendor;    ///< GL_VENDOR
   std::string renderer;  ///< GL_RENDERER
@@ -19,7 +19,7 @@ GlDriver currentDriver();
 /// EGL's surfaceless platform is tried first, then each EGL device: no display is needed.
 class GlContext {
  public:
-  /// @throws NoGlError naming what each platform answered
+  /// @throws NoGlError with the answer of each platform
   GlContext();
   ~GlContext();
   GlContext(const GlContext&) = delete;
@@ -33,7 +33,7 @@ class GlContext {
 };
 
 /// Throws InternalError if GL recorded an error since the last call.
-/// @param task  what was being done, for the message
+/// @param task  for the message: "reading the samples of a view"
 void throwOnGlError(const char* task);
 
 }  // namespace gnomon

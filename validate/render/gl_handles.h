@@ -59,21 +59,6 @@ using Query = Handle<DeleteQuery>;
 using Shader = Handle<DeleteShader>;
 using Program = Handle<DeleteProgram>;
 
-inline Texture makeTexture(GLenum target) {
-  GLuint name = 0;
-  glCreateTextures(target, 1, &name);
-  return Texture(name);
-}
-inline Buffer makeBuffer() {
-  GLuint name = 0;
-  glCreateBuffers(1, &name);
-  return Buffer(name);
-}
-inline VertexArray makeVertexArray() {
-  GLuint name = 0;
-  glCreateVertexArrays(1, &name);
-  return VertexArray(name);
-}
 inline Query makeTimeQuery() {
   GLuint name = 0;
   glCreateQueries(GL_TIME_ELAPSED, 1, &name);

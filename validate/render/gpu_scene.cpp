@@ -8,11 +8,13 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
+#include "render/gl_objects.h"
 
 namespace gnomon {
 namespace {
@@ -26,20 +28,40 @@ struct GpuVertex {
   glm::vec2 st;
 };
 
+constexpr std::array gpuVertexLayout = {
+    gl::Attribute{0, 3, 0 * sizeof(glm::vec3)},
+    gl::Attribute{1, 3, 1 * sizeof(glm::vec3)},
+    gl::Attribute{2, 3, 2 * sizeof(glm::vec3)},
+    gl::Attribute{3, 3, 3 * sizeof(glm::vec3)},
+    gl::Attribute{4, 3, 4 * sizeof(glm::vec3)},
+    gl::Attribute{5, 3, 5 * sizeof(glm::vec3)},
+    gl::Attribute{6, 2, offsetof(GpuVertex, curvatures)},
+    gl::Attribute{7, 2, offsetof(GpuVertex, texel)},
+    gl::Attribute{8, 1, offsetof(GpuVertex, face), GL_INT},
+    gl::Attribute{9, 2, offsetof(GpuVertex, st)},
+};
+
 GpuVertex gpuVertex(const BaseVertex& v) {
-  return {{glm::vec3(v.position), glm::vec3(v.normal), glm::vec3(v.px), glm::vec3(v.py),
-           glm::vec3(v.v1), glm::vec3(v.v2)},
-          glm::vec2(v.k1, v.k2),
-          glm::vec2(v.texel),
-          v.face,
-          glm::vec2(v.st)};
+  const auto& [frame, principal, face, st] = v;
+  return {{glm::vec3(frame.position), glm::vec3(frame.normal), glm::vec3(frame.px),
+           glm::vec3(frame.py), glm::vec3(principal.v1), glm::vec3(principal.v2)},
+          glm::vec2(principal.k1, principal.k2),
+          glm::vec2(frame.texel),
+          face,
+          glm::vec2(st)};
 }
 
-void describe(GLuint layout, GLuint location, GLint components, std::size_t offset) {
-  glEnableVertexArrayAttrib(layout, location);
-  glVertexArrayAttribFormat(layout, location, components, GL_FLOAT, GL_FALSE,
-                            static_cast<GLuint>(offset));
-  glVertexArrayAttribBinding(layout, location, 0);
+/// How textures keep the values of tables.
+struct PixelFormat {
+  GLenum red, rgba;  ///< sized internal formats of one and of four channels
+  GLenum type;       ///< of a value in main memory
+  double steps;      ///< 2^bits - 1; 0 for floats
+};
+
+PixelFormat pixelFormat(TableBits bits) {
+  if (bits == TableBits::eight) return {GL_R8, GL_RGBA8, GL_UNSIGNED_BYTE, 255};
+  if (bits == TableBits::sixteen) return {GL_R16, GL_RGBA16, GL_UNSIGNED_SHORT, 65535};
+  return {GL_R32F, GL_RGBA32F, GL_FLOAT, 0};
 }
 
 /// Past a border the outermost entries hold.
@@ -51,49 +73,27 @@ void setWrap(GLuint texture, Wrap wrap, Border border = {}) {
   glTextureParameteri(texture, GL_TEXTURE_WRAP_T, mode(border.y));
 }
 
-GLint glLimit(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
-
 }  // namespace
 
 Sphere boundingSphere(const BaseMesh& mesh) {
   Vec3 low(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
   for (const BaseVertex& vertex : mesh.vertices) {
-    low = glm::min(low, vertex.position);
-    high = glm::max(high, vertex.position);
+    low = glm::min(low, vertex.frame.position);
+    high = glm::max(high, vertex.frame.position);
   }
   return {(low + high) / 2.0, glm::length(high - low) / 2};
 }
 
 GpuMesh::GpuMesh(const BaseMesh& mesh)
-    : vertices_(gl::makeBuffer()),
-      indices_(gl::makeBuffer()),
-      layout_(gl::makeVertexArray()),
-      triangleCount_(mesh.triangleCount()),
-      bounds_(boundingSphere(mesh)) {
+    : triangleCount_(mesh.triangleCount()), bounds_(boundingSphere(mesh)) {
   std::vector<GpuVertex> vertices;
   vertices.reserve(mesh.vertices.size());
   for (const BaseVertex& vertex : mesh.vertices) vertices.push_back(gpuVertex(vertex));
-  glNamedBufferStorage(vertices_.name(),
-                       static_cast<GLsizeiptr>(vertices.size() * sizeof(GpuVertex)),
-                       vertices.data(), 0);
-  glNamedBufferStorage(indices_.name(),
-                       static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(std::uint32_t)),
-                       mesh.triangles.data(), 0);
-  const GLuint layout = layout_.name();
-  glVertexArrayVertexBuffer(layout, 0, vertices_.name(), 0, sizeof(GpuVertex));
-  glVertexArrayElementBuffer(layout, indices_.name());
-  for (GLuint k = 0; k < 6; ++k) describe(layout, k, 3, k * sizeof(glm::vec3));
-  describe(layout, 6, 2, offsetof(GpuVertex, curvatures));
-  describe(layout, 7, 2, offsetof(GpuVertex, texel));
-  describe(layout, 9, 2, offsetof(GpuVertex, st));
-  glEnableVertexArrayAttrib(layout, 8);
-  glVertexArrayAttribIFormat(layout, 8, 1, GL_INT, offsetof(GpuVertex, face));
-  glVertexArrayAttribBinding(layout, 8, 0);
+  vertices_ = gl::makeBuffer(std::as_bytes(std::span(vertices)));
+  indices_ = gl::makeBuffer(std::as_bytes(std::span(mesh.triangles)));
+  layout_ = gl::makeVertexArray(vertices_, sizeof(GpuVertex), gpuVertexLayout);
+  glVertexArrayElementBuffer(layout_.name(), indices_.name());
   throwOnGlError("taking the base mesh");
 }
 
@@ -102,23 +102,15 @@ void GpuMesh::draw() const {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangleCount_), GL_UNSIGNED_INT, nullptr);
 }
 
-GpuVolumes::GpuVolumes(const DisplacedMesh& mesh)
-    : positions_(gl::makeBuffer()),
-      indices_(gl::makeBuffer()),
-      layout_(gl::makeVertexArray()),
-      indexCount_(mesh.adjacency.size()) {
+GpuVolumes::GpuVolumes(const DisplacedMesh& mesh) : indexCount_(mesh.adjacency.size()) {
   std::vector<glm::vec3> positions;
   positions.reserve(mesh.mesh.vertices.size());
-  for (const BaseVertex& vertex : mesh.mesh.vertices) positions.emplace_back(vertex.position);
-  glNamedBufferStorage(positions_.name(),
-                       static_cast<GLsizeiptr>(positions.size() * sizeof(glm::vec3)),
-                       positions.data(), 0);
-  glNamedBufferStorage(indices_.name(),
-                       static_cast<GLsizeiptr>(mesh.adjacency.size() * sizeof(std::uint32_t)),
-                       mesh.adjacency.data(), 0);
-  glVertexArrayVertexBuffer(layout_.name(), 0, positions_.name(), 0, sizeof(glm::vec3));
+  for (const BaseVertex& vertex : mesh.mesh.vertices) positions.emplace_back(vertex.frame.position);
+  positions_ = gl::makeBuffer(std::as_bytes(std::span(positions)));
+  indices_ = gl::makeBuffer(std::as_bytes(std::span(mesh.adjacency)));
+  const std::array position = {gl::Attribute{0, 3, 0}};
+  layout_ = gl::makeVertexArray(positions_, sizeof(glm::vec3), position);
   glVertexArrayElementBuffer(layout_.name(), indices_.name());
-  describe(layout_.name(), 0, 3, 0);
   throwOnGlError("taking the displaced mesh");
 }
 
@@ -129,70 +121,41 @@ void GpuVolumes::draw() const {
 }
 
 GpuHeights::GpuHeights(const HeightField& field)
-    : texture_(gl::makeTexture(GL_TEXTURE_2D)),
-      byteCount_(field.texels().size() * sizeof(float)),
+    : byteCount_(field.texels().size() * sizeof(float)),
       bounds_(field.minimum(), field.maximum()),
       border_(field.border()) {
-  const GLint largest = glLimit(GL_MAX_TEXTURE_SIZE);
+  const int largest = gl::limit(GL_MAX_TEXTURE_SIZE);
   if (field.width() > largest || field.height() > largest) {
     throw InputError(fmt::format("relief: a height map of {} × {} texels, OpenGL takes at most {}",
                                  field.width(), field.height(), largest));
   }
-  glTextureStorage2D(texture_.name(), 1, GL_R32F, field.width(), field.height());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(texture_.name(), 0, 0, 0, field.width(), field.height(), GL_RED, GL_FLOAT,
-                      field.texels().data());
-  glTextureParameteri(texture_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(texture_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  const gl::TextureSize size{field.width(), field.height()};
+  texture_ = gl::makeTexture(GL_TEXTURE_2D, GL_R32F, size, GL_LINEAR);
+  gl::fill(texture_, size, GL_RED, GL_FLOAT, field.texels().data());
   setWrap(texture_.name(), field.wrap());
   throwOnGlError("taking the height map");
 }
 
-GpuTable::GpuTable(const StoredTable& table, int width, int height, int azimuths, Wrap wrap,
-                   Border border)
-    : texture_(gl::makeTexture(GL_TEXTURE_3D)),
-      range_(table.low, table.high - table.low),
-      byteCount_(table.bytes.size()) {
-  const GLint largest = glLimit(GL_MAX_3D_TEXTURE_SIZE);
-  if (width > largest || height > largest || azimuths > largest) {
+GpuTable::GpuTable(const StoredTable& table, const TableShape& shape)
+    : range_(table.low, table.high - table.low), byteCount_(table.bytes.size()) {
+  const auto [width, height, layers, wrap, border] = shape;
+  const int largest = gl::limit(GL_MAX_3D_TEXTURE_SIZE);
+  if (width > largest || height > largest || layers > largest) {
     throw InputError(
         fmt::format("bake: tables of {} × {} texels × {} azimuths, OpenGL takes at most {} a side",
-                    width, height, azimuths, largest));
+                    width, height, layers, largest));
   }
-  GLenum internal = GL_R8;
-  GLenum type = GL_UNSIGNED_BYTE;
-  if (table.bits == TableBits::sixteen) {
-    internal = GL_R16;
-    type = GL_UNSIGNED_SHORT;
-  } else if (table.bits == TableBits::thirtyTwo) {
-    internal = GL_R32F;
-    type = GL_FLOAT;
-    range_ = {0, 1};
-  }
-  glTextureStorage3D(texture_.name(), 1, internal, width, height, azimuths);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage3D(texture_.name(), 0, 0, 0, 0, width, height, azimuths, GL_RED, type,
-                      table.bytes.data());
-  glTextureParameteri(texture_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(texture_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  if (table.bits == TableBits::thirtyTwo) range_ = {0, 1};
+  const PixelFormat format = pixelFormat(table.bits);
+  const gl::TextureSize size{width, height, layers};
+  texture_ = gl::makeTexture(GL_TEXTURE_3D, format.red, size, GL_LINEAR);
+  gl::fill(texture_, size, GL_RED, format.type, table.bytes.data());
   setWrap(texture_.name(), wrap, border);
   glTextureParameteri(texture_.name(), GL_TEXTURE_WRAP_R, GL_REPEAT);
   throwOnGlError("taking a horizon table");
 }
 
 namespace {
-
-struct PixelFormat {
-  GLenum internal;
-  GLenum type;
-  double steps;
-};
-
-PixelFormat rgbaFormat(TableBits bits) {
-  if (bits == TableBits::eight) return {GL_RGBA8, GL_UNSIGNED_BYTE, 255};
-  if (bits == TableBits::sixteen) return {GL_RGBA16, GL_UNSIGNED_SHORT, 65535};
-  return {GL_RGBA32F, GL_FLOAT, 0};
-}
 
 /// Values from 0 to 1 as codes of the format, rounded to nearest.
 std::vector<std::uint8_t> encode(const std::vector<float>& shares, TableBits bits) {
@@ -220,16 +183,12 @@ gl::Texture rgbaMaps(const std::vector<float>& shares, int width, int height, in
       packed[(layer / 4 * texels + i) * 4 + layer % 4] = shares[layer * texels + i];
     }
   }
-  const PixelFormat format = rgbaFormat(bits);
   const std::vector<std::uint8_t> bytes = encode(packed, bits);
   byteCount = bytes.size();
-  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D_ARRAY);
-  glTextureStorage3D(texture.name(), 1, format.internal, width, height, maps);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage3D(texture.name(), 0, 0, 0, 0, width, height, maps, GL_RGBA, format.type,
-                      bytes.data());
-  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  const PixelFormat format = pixelFormat(bits);
+  const gl::TextureSize size{width, height, maps};
+  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D_ARRAY, format.rgba, size, GL_NEAREST);
+  gl::fill(texture, size, GL_RGBA, format.type, bytes.data());
   return texture;
 }
 
@@ -278,23 +237,23 @@ std::vector<float> shareOf(const AngleTable& table) {
 }  // namespace
 
 GpuAngles::GpuAngles(const AngleTable& table, TableBits bits)
-    : azimuths_(table.azimuths),
+    : azimuths_(table.layers),
       limit_(table.limit),
-      steps_(rgbaFormat(bits).steps),
+      steps_(pixelFormat(bits).steps),
       bits_(bits),
       origin_(table.originX, table.originY),
       byteCount_(0) {
-  const GLint largest = glLimit(GL_MAX_TEXTURE_SIZE);
+  const int largest = gl::limit(GL_MAX_TEXTURE_SIZE);
   if (table.width > largest || table.height > largest) {
     throw InputError(fmt::format("bake: horizon angles of {} × {} texels, OpenGL takes at most {}",
                                  table.width, table.height, largest));
   }
-  const int maps = (table.azimuths + 3) / 4;
+  const int maps = (table.layers + 3) / 4;
   requireMemory(4.0 * 4 * maps * table.width * table.height * 2,
                 fmt::format("bake: horizon angles of {} × {} texels × {} azimuths", table.width,
-                            table.height, table.azimuths));
-  angles_ = rgbaMaps(shareOf(table), table.width, table.height, table.azimuths, bits, byteCount_);
-  basis_ = basisMaps(table.azimuths, bits);
+                            table.height, table.layers));
+  angles_ = rgbaMaps(shareOf(table), table.width, table.height, table.layers, bits, byteCount_);
+  basis_ = basisMaps(table.layers, bits);
   arccos_ = arccosMap(table.limit, bits);
   throwOnGlError("taking horizon angles");
 }

@@ -11,6 +11,7 @@
 
 namespace gnomon {
 
+/// A ball in the world.
 struct Sphere {
   Vec3 centre;
   double radius;
@@ -35,8 +36,7 @@ class GpuMesh {
   Sphere bounds_;
 };
 
-/// A displaced mesh in GL buffers, every triangle with its neighbours: what shadow volumes are made
-/// of.
+/// A displaced mesh in GL buffers, every triangle with its neighbours, for shadow volumes.
 class GpuVolumes {
  public:
   explicit GpuVolumes(const DisplacedMesh& mesh);
@@ -49,7 +49,7 @@ class GpuVolumes {
   std::size_t indexCount_;
 };
 
-/// The height map as a 32-bit float texture: what truth and bake use, to the bit.
+/// The height map as a 32-bit float texture: the same numbers as truth and bake use.
 class GpuHeights {
  public:
   /// @throws InputError if the map is larger than GL's largest texture
@@ -67,12 +67,11 @@ class GpuHeights {
   Border border_;
 };
 
-/// A horizon or distance table as a 3-D texture of one layer an azimuth, in its stored bits.
+/// A table as a 3-D texture in its stored bits.
 class GpuTable {
  public:
   /// @throws InputError if a side is larger than GL's largest 3-D texture
-  GpuTable(const StoredTable& table, int width, int height, int azimuths, Wrap wrap,
-           Border border = {});
+  GpuTable(const StoredTable& table, const TableShape& shape);
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
   /// low and high - low: a normalised code c stands for low + c · (high - low).

@@ -7,10 +7,9 @@ LightDepthPass::LightDepthPass(const std::filesystem::path& shaders)
 
 void LightDepthPass::draw(const RenderView& light, const GpuMesh& mesh,
                           const Target& target) const {
-  target.bind();
   target.clearDepth();
   setView(program_.name(), light);
-  drawMesh(program_.name(), light, mesh, Sides::both);
+  drawMesh(target, program_.name(), light, mesh, Sides::both);
 }
 
 }  // namespace gnomon

@@ -167,13 +167,14 @@ std::map<std::string, MethodParameter> readParameters(const Declaration& declara
     if (table == nullptr) declaration.fail(node, "a table with default, minimum, maximum expected");
     declaration.allowOnly(*table, {"default", "minimum", "maximum", "about"});
     MethodParameter parameter;
-    parameter.standard = declaration.number(*table, "default");
+    parameter.defaultValue = declaration.number(*table, "default");
     parameter.minimum = declaration.number(*table, "minimum");
     parameter.maximum = declaration.number(*table, "maximum");
     if (const toml::node* about = table->get("about")) {
       parameter.about = declaration.textOf(*about, "about");
     }
-    if (!(parameter.minimum <= parameter.standard && parameter.standard <= parameter.maximum)) {
+    if (!(parameter.minimum <= parameter.defaultValue &&
+          parameter.defaultValue <= parameter.maximum)) {
       declaration.fail(node, "the default lies outside minimum … maximum");
     }
     parameters.emplace(name.str(), parameter);

@@ -10,9 +10,9 @@
 
 namespace gnomon {
 
-/// A number that a method's quality hangs on, a uniform of the same name in its GLSL.
+/// A number that a method's quality depends on: a uniform of the same name in its GLSL.
 struct MethodParameter {
-  double standard = 0;  ///< the authors' value
+  double defaultValue = 0;  ///< the authors' value
   double minimum = 0;
   double maximum = 0;
   std::string about;
@@ -45,7 +45,7 @@ struct MethodPasses {
   }
 };
 
-/// What a method draws.
+/// Which mesh a method draws.
 enum class DrawnMesh {
   base,       ///< the bump-mapped base mesh
   displaced,  ///< the displaced mesh, as real geometry
@@ -55,7 +55,7 @@ enum class DrawnMesh {
 /// `gnomon-method` and holds TOML:
 ///   title, citation
 ///   tables        list of "height", "horizon", "distance", "angles", "surface-angles", "ellipse"
-///   passes        list of "texture", "light-depth", "shadow-volumes": what comes before the answer
+///   passes        list of "texture", "light-depth", "shadow-volumes": drawn before the answer
 ///   mesh          "base" (default) or "displaced"
 ///   subdivisions  pieces of every face's side, where the authors state them
 ///   azimuths      of its tables, where the authors state them

@@ -42,7 +42,7 @@ double parameterValue(const Method& method, const std::string& name,
                       const std::map<std::string, double>& values) {
   const MethodParameter& parameter = method.parameters.at(name);
   const auto chosen = values.find(name);
-  if (chosen == values.end()) return parameter.standard;
+  if (chosen == values.end()) return parameter.defaultValue;
   if (!(chosen->second >= parameter.minimum && chosen->second <= parameter.maximum)) {
     throw InputError(fmt::format("method {}: parameter {} = {}, {} to {} expected", method.name,
                                  name, chosen->second, parameter.minimum, parameter.maximum));
@@ -145,8 +145,7 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap,
   for (const auto& [name, value] : values_) {
     for (const gl::Program* program : {&answer_, resolve_ ? &*resolve_ : nullptr}) {
       if (program == nullptr) continue;
-      glProgramUniform1f(program->name(), glGetUniformLocation(program->name(), name.c_str()),
-                         static_cast<GLfloat>(value));
+      setUniform(program->name(), name.c_str(), value);
     }
   }
 }
@@ -202,14 +201,13 @@ class MethodPass::Frame {
     if (resolved_) drawResolved();
     if (depth_) pass_.lightDepth_->draw(light_, drawing_.mesh, *depth_);
     if (counts_) pass_.volumes_->draw(view_, drawing_, *counts_);
-    answers_.bind();
     const std::array<GLuint, 4> none = {noAnswer, 0, 0, 0};
     glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 0, none.data());
     answers_.clearDepth();
     const GLuint program = pass_.answer_.name();
     setInputs(program, view_);
     bindPasses(program);
-    drawMesh(program, view_, drawing_.mesh);
+    drawMesh(answers_, program, view_, drawing_.mesh);
   }
 
   [[nodiscard]] std::vector<std::uint8_t> answers() const {
@@ -218,19 +216,17 @@ class MethodPass::Frame {
 
  private:
   void drawResolved() const {
-    resolved_->bind();
     const std::array<GLfloat, 4> nothing = {0, 0, 0, 0};
     glClearNamedFramebufferfv(resolved_->framebuffer(), GL_COLOR, 0, nothing.data());
     resolved_->clearDepth();
     setInputs(pass_.resolve_->name(), *drawing_.texture);
-    drawMesh(pass_.resolve_->name(), *drawing_.texture, drawing_.mesh);
+    drawMesh(*resolved_, pass_.resolve_->name(), *drawing_.texture, drawing_.mesh);
   }
 
   void setInputs(GLuint program, const RenderView& view) const {
     setView(program, view);
     setDrawing(program, drawing_);
-    glProgramUniform1f(program, glGetUniformLocation(program, "searchRadius"),
-                       static_cast<GLfloat>(tables_.searchRadius));
+    setUniform(program, "searchRadius", tables_.searchRadius);
     if (pass_.tables_.horizon) {
       bindTable(program, tables_.horizon, TextureUnit::horizon, "horizonTable", "horizonRange");
     }
@@ -262,25 +258,17 @@ class MethodPass::Frame {
     bindTexture(program, TextureUnit::angles, angles.texture(), "angleMaps");
     bindTexture(program, TextureUnit::basis, angles.basis(), "basisMaps");
     bindTexture(program, TextureUnit::arccos, angles.arccos(), "arccosMap");
-    const auto integer = [program](const char* name, int value) {
-      glProgramUniform1i(program, glGetUniformLocation(program, name), value);
-    };
-    const auto number = [program](const char* name, double value) {
-      glProgramUniform1f(program, glGetUniformLocation(program, name), static_cast<GLfloat>(value));
-    };
-    integer("angleAzimuths", angles.azimuths());
-    number("angleLimit", angles.limit());
-    number("angleSteps", angles.steps());
-    glProgramUniform2i(program, glGetUniformLocation(program, "angleOrigin"), angles.origin().x,
-                       angles.origin().y);
+    setUniform(program, "angleAzimuths", angles.azimuths());
+    setUniform(program, "angleLimit", angles.limit());
+    setUniform(program, "angleSteps", angles.steps());
+    setUniform(program, "angleOrigin", angles.origin());
   }
 
   /// What the earlier passes of the frame left.
   void bindPasses(GLuint program) const {
     if (resolved_) {
       bindTexture(program, TextureUnit::resolved, resolved_->colourTexture(0), "resolvedMap");
-      glProgramUniform2i(program, glGetUniformLocation(program, "resolvedOrigin"),
-                         drawing_.texture->texelWindow.x, drawing_.texture->texelWindow.y);
+      setUniform(program, "resolvedOrigin", glm::ivec2(drawing_.texture->texelWindow));
     }
     if (depth_) {
       bindTexture(program, TextureUnit::lightDepth, depth_->depthTexture(), "lightDepthMap");

@@ -19,7 +19,7 @@ namespace gnomon {
 /// How tables are filtered.
 enum class TableFilter {
   exact,     ///< by hand from single texels, in float: masks do not depend on the GPU's filter
-  hardware,  ///< by the GPU's own trilinear filter: what a product ships
+  hardware,  ///< by the GPU's own trilinear filter, as products do
 };
 
 /// The tables of a bake on the GPU, and how far it searched. A method reads only what it declares.
@@ -37,11 +37,11 @@ struct MethodAnswers {
   /// picture is shaded with is turned from the light (shading.glsl), as every published method
   /// multiplies its shadows with diffuse light.
   Mask drawn;
-  /// What `isShadowed` alone says: what the method's tables know.
+  /// The result of `isShadowed` alone.
   Mask test;
 };
 
-/// One method's shader, with the passes that it declares.
+/// A method ready to render: its shaders and the passes that it declares.
 class MethodPass {
  public:
   /// @param values  of the method's parameters; others have the authors' values

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/gl_context.h"
+#include "render/gl_objects.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -18,14 +19,10 @@ gl::Texture maskTexture(const Mask& mask) {
       upward.push_back(mask.samples[i] == Shade::shadowed ? 1 : 0);
     }
   }
-  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D);
-  glTextureStorage2D(texture.name(), 1, GL_R8UI, mask.width, mask.height);
-  // With the default filters an integer texture is incomplete, and reads as zero.
-  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(texture.name(), 0, 0, 0, mask.width, mask.height, GL_RED_INTEGER,
-                      GL_UNSIGNED_BYTE, upward.data());
+  const gl::TextureSize size{mask.width, mask.height};
+  // With linear filters an integer texture is incomplete, and reads as zero.
+  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D, GL_R8UI, size, GL_NEAREST);
+  gl::fill(texture, size, GL_RED_INTEGER, GL_UNSIGNED_BYTE, upward.data());
   return texture;
 }
 
@@ -43,7 +40,7 @@ SampleGrid SamplesPass::render(const RenderView& view, const GpuMesh& mesh) cons
   glClearNamedFramebufferiv(target.framebuffer(), GL_COLOR, 0, nothing.data());
   target.clearDepth();
   setView(program_.name(), view);
-  drawMesh(program_.name(), view, mesh);
+  drawMesh(target, program_.name(), view, mesh);
   const auto faces = target.read<std::int32_t>(0, GL_RED_INTEGER, GL_INT, 1);
   const auto parameters = target.read<glm::vec2>(1, GL_RG, GL_FLOAT, 1);
   throwOnGlError("reading the samples of a view");
@@ -73,7 +70,6 @@ std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawin
 
 void ShadePass::draw(const RenderView& view, const Drawing& drawing, const Mask& mask,
                      const Target& target) const {
-  target.bind();
   const std::array<GLfloat, 4> white = {1, 1, 1, 1};
   glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, white.data());
   target.clearDepth();
@@ -81,7 +77,7 @@ void ShadePass::draw(const RenderView& view, const Drawing& drawing, const Mask&
   setDrawing(program_.name(), drawing);
   const gl::Texture shadows = maskTexture(mask);
   bindTexture(program_.name(), TextureUnit::mask, shadows.name(), "shadowMask");
-  drawMesh(program_.name(), view, drawing.mesh);
+  drawMesh(target, program_.name(), view, drawing.mesh);
 }
 
 }  // namespace gnomon

@@ -27,7 +27,7 @@ class SamplesPass {
 /// 8 bits, row 0 at the top; background white.
 class ShadePass {
  public:
-  /// @param mesh  what is drawn: bump-mapped, or displaced and shaded facet by facet
+  /// @param mesh  whether the drawn mesh is bump-mapped, or displaced and shaded facet by facet
   ShadePass(const std::filesystem::path& shaders, Wrap wrap, DrawnMesh mesh);
   [[nodiscard]] std::vector<std::uint8_t> render(const RenderView& view, const Drawing& drawing,
                                                  const Mask& mask) const;

@@ -1,7 +1,5 @@
 #include "render/shadow_volume_pass.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "common/error.h"
 
 namespace gnomon {
@@ -35,28 +33,19 @@ void ShadowVolumePass::draw(const RenderView& view, const Drawing& drawing,
   if (drawing.volumes == nullptr || view.atlasTiles.x > 0) {
     throw InternalError("shadow volumes need a displaced mesh and a camera");
   }
-  target.bind();
   target.clearDepth();
-  glViewport(0, 0, view.width, view.height);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glEnable(GL_CULL_FACE);
-  glCullFace(GL_BACK);
   setUniform(depth_.name(), "clipFromWorld", view.clipFromWorld);
-  glUseProgram(depth_.name());
+  beginPass(target, depth_.name(), Sides::front);
   drawing.volumes->draw();
 
   const glm::vec4 away(-glm::vec3(drawing.light), 0);
-  const glm::vec4 infinity = view.clipFromWorld * away;
   setUniform(volumes_.name(), "clipFromWorld", view.clipFromWorld);
   setUniform(volumes_.name(), "lightDirection", drawing.light);
-  glProgramUniform4fv(volumes_.name(), glGetUniformLocation(volumes_.name(), "clipOfInfinity"), 1,
-                      glm::value_ptr(infinity));
-  glDisable(GL_CULL_FACE);
+  setUniform(volumes_.name(), "clipOfInfinity", view.clipFromWorld * away);
+  beginPass(target, volumes_.name(), Sides::both);
   glDepthMask(GL_FALSE);
   glEnable(GL_DEPTH_CLAMP);  // volumes reach beyond the far plane and, maybe, the near one
   countBehind();
-  glUseProgram(volumes_.name());
   drawing.volumes->draw();
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_DEPTH_CLAMP);

@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 
 #include "common/error.h"
+#include "render/gl_objects.h"
 
 namespace gnomon {
 namespace {
 
 void requireSize(int width, int height) {
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const int largest = gl::limit(GL_MAX_TEXTURE_SIZE);
   if (width > largest || height > largest) {
     throw InputError(fmt::format("view: {} × {} samples, OpenGL takes at most {} a side", width,
                                  height, largest));
@@ -19,42 +19,30 @@ void requireSize(int width, int height) {
 }  // namespace
 
 Target::Target(int width, int height, const std::vector<GLenum>& formats, Stencil stencil)
-    : width_(width),
-      height_(height),
-      stencil_(stencil),
-      framebuffer_(gl::makeFramebuffer()),
-      depth_(gl::makeTexture(GL_TEXTURE_2D)) {
+    : width_(width), height_(height), stencil_(stencil) {
   requireSize(width, height);
+  framebuffer_ = gl::makeFramebuffer();
   std::vector<GLenum> attachments;
   for (const GLenum format : formats) {
-    colours_.push_back(gl::makeTexture(GL_TEXTURE_2D));
-    glTextureStorage2D(colours_.back().name(), 1, format, width, height);
+    colours_.push_back(gl::makeTexture(GL_TEXTURE_2D, format, {width, height}, GL_NEAREST));
     attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
-    glTextureParameteri(colours_.back().name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(colours_.back().name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glNamedFramebufferTexture(framebuffer_.name(), attachments.back(), colours_.back().name(), 0);
   }
   const bool counts = stencil == Stencil::eightBits;
-  glTextureStorage2D(depth_.name(), 1, counts ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, width,
-                     height);
+  depth_ = gl::makeTexture(GL_TEXTURE_2D, counts ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
+                           {width, height}, GL_NEAREST);
   if (counts) {
     glTextureParameteri(depth_.name(), GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX);
   }
-  glTextureParameteri(depth_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(depth_.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glNamedFramebufferTexture(framebuffer_.name(),
                             counts ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                             depth_.name(), 0);
   glNamedFramebufferDrawBuffers(framebuffer_.name(), static_cast<GLsizei>(attachments.size()),
                                 attachments.data());
-  bind();
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+  if (glCheckNamedFramebufferStatus(framebuffer_.name(), GL_DRAW_FRAMEBUFFER) !=
+      GL_FRAMEBUFFER_COMPLETE) {
     throw InternalError(fmt::format("no framebuffer of {} × {} pixels", width, height));
   }
-}
-
-Target::~Target() {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void Target::bind() const {
@@ -70,11 +58,11 @@ void Target::clearDepth() const {
   }
 }
 
-void Target::readUpward(int attachment, GLenum format, GLenum type, void* values) const {
+void Target::readUpward(std::size_t attachment, GLenum format, GLenum type, std::size_t bytes,
+                        void* values) const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glNamedFramebufferReadBuffer(framebuffer_.name(),
-                               GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachment));
-  glReadPixels(0, 0, width_, height_, format, type, values);
+  glGetTextureImage(colourTexture(attachment), 0, format, type, static_cast<GLsizei>(bytes),
+                    values);
 }
 
 }  // namespace gnomon

@@ -7,7 +7,8 @@
 
 namespace gnomon {
 
-/// A framebuffer of textures of one size, with 32-bit depth and, where asked for, a stencil.
+/// A framebuffer of textures of one size, with 32-bit depth and, where asked for, a stencil. To
+/// make one binds nothing: a pass binds the target that it draws into (beginPass).
 class Target {
  public:
   enum class Stencil { none, eightBits };
@@ -16,9 +17,6 @@ class Target {
   /// @throws InputError if a side is larger than GL's largest texture
   Target(int width, int height, const std::vector<GLenum>& formats,
          Stencil stencil = Stencil::none);
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
-  ~Target();
 
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
@@ -37,12 +35,12 @@ class Target {
   /// The content of one attachment, row 0 at the top (GL's own row 0 is the bottom).
   /// @param components  values of type Value that a pixel has in this format and type
   template <typename Value>
-  [[nodiscard]] std::vector<Value> read(int attachment, GLenum format, GLenum type,
+  [[nodiscard]] std::vector<Value> read(std::size_t attachment, GLenum format, GLenum type,
                                         int components) const {
     const std::size_t stride =
         static_cast<std::size_t>(width_) * static_cast<std::size_t>(components);
     std::vector<Value> values(stride * static_cast<std::size_t>(height_));
-    readUpward(attachment, format, type, values.data());
+    readUpward(attachment, format, type, values.size() * sizeof(Value), values.data());
     for (auto top = values.begin(), bottom = values.end(); bottom - top > std::ptrdiff_t(stride);) {
       bottom -= static_cast<std::ptrdiff_t>(stride);
       std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(stride), bottom);
@@ -52,7 +50,8 @@ class Target {
   }
 
  private:
-  void readUpward(int attachment, GLenum format, GLenum type, void* values) const;
+  void readUpward(std::size_t attachment, GLenum format, GLenum type, std::size_t bytes,
+                  void* values) const;
 
   int width_;
   int height_;

@@ -60,8 +60,8 @@ RenderView textureView(const BaseMesh& mesh) {
   Vec2 low(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
   for (const BaseVertex& vertex : mesh.vertices) {
-    low = glm::min(low, vertex.texel);
-    high = glm::max(high, vertex.texel);
+    low = glm::min(low, vertex.frame.texel);
+    high = glm::max(high, vertex.frame.texel);
   }
   // Rounding must not add a row of texels that only a border touches.
   constexpr double slack = 1e-6;

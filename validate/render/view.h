@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-/// How the base mesh is laid out in a picture: which samples the view chooses.
+/// The projection of a mesh into a picture, which determines the view's samples.
 struct RenderView {
   int width = 0;   ///< pixels
   int height = 0;  ///< pixels

@@ -1,20 +1,14 @@
 #include "surface/closed_surface.h"
 
-#include <algorithm>
 #include <array>
-#include <map>
-#include <utility>
+#include <cstddef>
+
+#include "surface/shared_sides.h"
 
 namespace gnomon {
 
 bool isClosed(const LimitSurface& surface) {
-  std::map<std::pair<int, int>, int> faces;
-  for (int face = 0; face < surface.faceCount(); ++face) {
-    const std::array<int, 4> corners = surface.corners(face);
-    for (std::size_t k = 0; k < 4; ++k)
-      ++faces[std::minmax(corners.at(k), corners.at((k + 1) % 4))];
-  }
-  return std::all_of(faces.begin(), faces.end(), [](const auto& edge) { return edge.second == 2; });
+  return 2 * sharedSides(surface).size() == 4 * static_cast<std::size_t>(surface.faceCount());
 }
 
 double enclosedVolume(const LimitSurface& surface) {

@@ -8,8 +8,8 @@ namespace gnomon {
 bool isClosed(const LimitSurface& surface);
 
 /// The volume inside a closed surface, cubic world units, below 0 where its faces run clockwise
-/// seen from outside, so that its normals point inward: a surface turned inside out. It is that of
-/// the polyhedron whose triangles join each face's middle to its four edges.
+/// seen from outside, so that its normals point inward: a surface inside out. Computed for the
+/// polyhedron whose triangles join each face's middle to its four edges.
 double enclosedVolume(const LimitSurface& surface);
 
 }  // namespace gnomon

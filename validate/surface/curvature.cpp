@@ -6,18 +6,10 @@
 namespace gnomon {
 namespace {
 
-/// An orthonormal frame of the tangent plane, e1 along P_s, and minus the second fundamental form
-/// in it: a symmetric matrix whose eigenvalues are the principal curvatures, convex positive. In
-/// this frame H and √(H² - K) need no difference of large numbers.
-struct ShapeOperator {
-  Vec3 e1, e2;
-  double l11, l12, l22;
-  bool defined;
-};
-
+/// With e1 along P_s: in this frame H and √(H² - K) need no difference of large numbers.
 ShapeOperator shapeOperator(const LimitPoint& point) {
   const Vec3 n = outwardNormal(point);
-  if (n == Vec3(0)) return {Vec3(0), Vec3(0), 0, 0, 0, false};
+  if (n == Vec3(0)) return {};
   const double length = glm::length(point.ds);
   const Vec3 e1 = point.ds / length;
   const Vec3 e2 = glm::cross(n, e1);
@@ -31,8 +23,8 @@ ShapeOperator shapeOperator(const LimitPoint& point) {
   const double l12 = (f - a * e) / (length * b);
   const double l22 = (g - 2 * a * f + a * a * e) / (b * b);
   const bool finite = std::isfinite(l11) && std::isfinite(l12) && std::isfinite(l22);
-  if (!finite) return {Vec3(0), Vec3(0), 0, 0, 0, false};
-  return {e1, e2, l11, l12, l22, true};
+  if (!finite) return {};
+  return {e1, e2, l11, l12, l22};
 }
 
 /// The unit tangential part of a vector, along e1 and e2; zero where that vanishes.
@@ -44,19 +36,21 @@ Vec2 tangentOf(const ShapeOperator& shape, const Vec3& direction) {
 
 }  // namespace
 
-PrincipalCurvatures principalCurvatures(const LimitPoint& point) {
-  const ShapeOperator shape = shapeOperator(point);
-  if (!shape.defined) return {0, 0, Vec3(0), Vec3(0)};
-  const double mean = (shape.l11 + shape.l22) / 2;
-  const double difference = (shape.l11 - shape.l22) / 2;
-  const double radius = std::hypot(difference, shape.l12);
-  // Where the curvatures differ by less than a turn of 1e-10 over a face, the directions are
-  // rounding: an umbilic.
-  const double turn = radius * std::max(glm::length(point.ds), glm::length(point.dt));
-  const double angle = turn > 1e-10 ? std::atan2(shape.l12, difference) / 2 : 0;
+PrincipalCurvatures ShapeOperator::principal(double umbilic) const {
+  const double mean = (l11 + l22) / 2;
+  const double difference = (l11 - l22) / 2;
+  const double radius = std::hypot(difference, l12);
+  const double angle = radius > umbilic ? std::atan2(l12, difference) / 2 : 0;
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  return {mean + radius, mean - radius, c * shape.e1 + s * shape.e2, c * shape.e2 - s * shape.e1};
+  return {mean + radius, mean - radius, c * e1 + s * e2, c * e2 - s * e1};
+}
+
+PrincipalCurvatures principalCurvatures(const LimitPoint& point) {
+  // Where the curvatures differ by less than an angle of 1e-10 over a face, the directions are
+  // rounding.
+  return shapeOperator(point).principal(1e-10 /
+                                        std::max(glm::length(point.ds), glm::length(point.dt)));
 }
 
 double normalCurvature(const LimitPoint& point, const Vec3& direction) {
@@ -65,7 +59,7 @@ double normalCurvature(const LimitPoint& point, const Vec3& direction) {
   return shape.l11 * t.x * t.x + 2 * shape.l12 * t.x * t.y + shape.l22 * t.y * t.y;
 }
 
-Vec3 normalTurn(const LimitPoint& point, const Vec3& direction) {
+Vec3 applyShapeOperator(const LimitPoint& point, const Vec3& direction) {
   const ShapeOperator shape = shapeOperator(point);
   const Vec2 t = tangentOf(shape, direction);
   return (shape.l11 * t.x + shape.l12 * t.y) * shape.e1 +

@@ -10,8 +10,8 @@ namespace gnomon {
 /// Which edges of a surface's faces must be cut into the same number of pieces, if every face is to
 /// be a grid and neighbours are to share the vertices of their common edge. An edge ring is an
 /// edge, the edge opposite to it in each face that it belongs to, the edges opposite to those in
-/// the next faces, and so on: it ends at a border of the surface or closes, and may run through a
-/// face twice.
+/// the next faces, and so on. A ring ends at a border of the surface or closes on itself, and it
+/// may run through a face twice.
 struct EdgeRings {
   /// The rings of one face.
   struct Face {
@@ -19,7 +19,7 @@ struct EdgeRings {
     int t;  ///< of the edges along t: s = 0 and s = 1
   };
   std::vector<Face> faces;
-  int count = 0;  ///< rings are numbered from 0, in the order of the first face that has them
+  int count = 0;  ///< number of rings; they are numbered by the first face that has them
 };
 
 EdgeRings makeEdgeRings(const LimitSurface& surface);

@@ -11,7 +11,7 @@ struct FaceTexels {
   double area;  ///< square texels
 };
 
-/// Texture coordinates are bilinear on a face, so that its longest lines are edges.
+/// Texture coordinates are bilinear on a face, so that the longest line along s or t is an edge.
 /// @param texelsPerUv  as in texelFrame
 FaceTexels faceTexels(const LimitSurface& surface, Vec2 texelsPerUv, int face);
 

@@ -14,12 +14,11 @@ Vec3 valueAt(const std::array<Vec3, 4>& cubic, double x) {
   return cubic[0] + x * (cubic[1] + x * (cubic[2] + x * cubic[3]));
 }
 
-Vec3 slopeAt(const std::array<Vec3, 4>& cubic, double x) {
+Vec3 firstDerivative(const std::array<Vec3, 4>& cubic, double x) {
   return cubic[1] + x * (2.0 * cubic[2] + x * (3.0 * cubic[3]));
 }
 
-/// The second derivative.
-Vec3 bendAt(const std::array<Vec3, 4>& cubic, double x) {
+Vec3 secondDerivative(const std::array<Vec3, 4>& cubic, double x) {
   return 2.0 * cubic[2] + x * (6.0 * cubic[3]);
 }
 
@@ -55,10 +54,10 @@ LimitPoint LimitFace::evaluate(double s, double t) const {
   for (std::size_t i = 0; i < 4; ++i) {
     const Cubic alongT = {rows_[0][i], rows_[1][i], rows_[2][i], rows_[3][i]};
     curve[i] = valueAt(alongT, t);
-    curveDt[i] = slopeAt(alongT, t);
-    curveDtt[i] = bendAt(alongT, t);
+    curveDt[i] = firstDerivative(alongT, t);
+    curveDtt[i] = secondDerivative(alongT, t);
   }
-  return {at(s, t), bendAt(curve, s), slopeAt(curveDt, s), valueAt(curveDtt, s)};
+  return {at(s, t), secondDerivative(curve, s), firstDerivative(curveDt, s), valueAt(curveDtt, s)};
 }
 
 void LimitFace::row(double t, std::span<const double> s, std::span<TangentPoint> points) const {
@@ -72,14 +71,14 @@ void LimitFace::row(double t, std::span<const double> s, std::span<TangentPoint>
   for (std::size_t i = 0; i < 4; ++i) {
     const Cubic alongT = {rows_[0][i], rows_[1][i], rows_[2][i], rows_[3][i]};
     curve[i] = valueAt(alongT, t);
-    curveDt[i] = slopeAt(alongT, t);
+    curveDt[i] = firstDerivative(alongT, t);
   }
   const auto& [uv0, uv1, uv2, uv3] = uvs_;
   const Vec2 uvDs = (1 - t) * (uv1 - uv0) + t * (uv2 - uv3);
   for (std::size_t k = 0; k < s.size(); ++k) {
     const double x = s[k];
     points[k] = {valueAt(curve, x),
-                 slopeAt(curve, x),
+                 firstDerivative(curve, x),
                  valueAt(curveDt, x),
                  (1 - t) * ((1 - x) * uv0 + x * uv1) + t * ((1 - x) * uv3 + x * uv2),
                  uvDs,

@@ -9,16 +9,16 @@
 
 namespace gnomon {
 
-/// One face of a limit surface, made ready to be evaluated at many points.
+/// One face of a limit surface, prepared for evaluation at many points.
 ///
 /// A face that is one bicubic polynomial, P(s, t) = Σ c_ij s^i t^j, is evaluated as that. Its
 /// position, first derivatives and mixed second derivative at the four corners determine it (the
-/// bicubic Hermite patch; Ferguson 1964). Agrees with LimitSurface::tangentPoint to rounding. Other
-/// faces are evaluated by it.
+/// bicubic Hermite patch; Ferguson 1964). It agrees with LimitSurface::tangentPoint to rounding,
+/// which evaluates all other faces.
 class LimitFace {
  public:
   /// @param surface  outlives this
-  /// @param points   how many will be asked for: the polynomial pays from some ten on
+  /// @param points   expected number of evaluations: the polynomial pays off above ten
   LimitFace(const LimitSurface& surface, int face, std::size_t points);
 
   /// The point at (s, t).
@@ -41,9 +41,9 @@ class LimitFace {
   std::array<Vec2, 4> uvs_{};    ///< at the corners (0,0), (1,0), (1,1), (0,1)
 };
 
-/// All faces of a surface, as they are numbered.
+/// All faces of a surface, in order.
 /// @param surface  outlives them
-/// @param points   how many will be asked for, of all faces together
+/// @param points   expected number of evaluations, of all faces together
 std::vector<LimitFace> limitFaces(const LimitSurface& surface, std::size_t points);
 
 }  // namespace gnomon

@@ -257,16 +257,16 @@ LimitSurface::LimitSurface(const Cage& cage) : implementation_(std::make_unique<
   requireMemory(bytesPerFace * static_cast<double>(count),
                 fmt::format("limit surface of {} faces", count));
   const std::vector<int> faceSizes(count, static_cast<int>(cage.faceSize()));
-  const auto refiner = connect({.positions = cage.positions,
-                                .faceSizes = faceSizes,
-                                .faceVertices = cage.faceVertices,
-                                .uvs = cage.uvs,
-                                .faceUvs = cage.faceUvs,
-                                .creases = cage.creases,
-                                .sharpVertices = cage.sharpVertices,
-                                .border = cage.border,
-                                .scheme = cage.scheme},
-                               PartNames{}, false);
+  const auto refiner = makeTopologyRefiner({.positions = cage.positions,
+                                            .faceSizes = faceSizes,
+                                            .faceVertices = cage.faceVertices,
+                                            .uvs = cage.uvs,
+                                            .faceUvs = cage.faceUvs,
+                                            .creases = cage.creases,
+                                            .sharpVertices = cage.sharpVertices,
+                                            .border = cage.border,
+                                            .scheme = cage.scheme},
+                                           PartNames{}, false);
   Implementation& self = *implementation_;
   self.initialise(Factory(*refiner, factoryOptions()), cage);
   self.preparePatchPoints(cage);

@@ -7,11 +7,12 @@
 
 #include "common/vec.h"
 #include "surface/cage.h"
+#include "surface/surface_sample.h"
 
 namespace gnomon {
 
 /// One point of the limit surface with its first derivatives by the face's own parameters (s, t) in
-/// [0, 1]²: what a tangent plane and a texture frame need. Positions in world units.
+/// [0, 1]²: enough for a tangent plane and a texture frame. Positions in world units.
 struct TangentPoint {
   Vec3 position;
   Vec3 ds, dt;          ///< first derivatives
@@ -23,9 +24,8 @@ struct LimitPoint : TangentPoint {
   Vec3 dss, dst, dtt;
 };
 
-/// P_s × P_t normalised: the surface's outward side, since faces run counter-clockwise seen from
-/// outside. Zero where P_s and P_t span no area: less than 1e-12 of the square of the
-/// longer.
+/// P_s × P_t normalised: the outward normal, since faces run counter-clockwise seen from outside.
+/// Zero where P_s and P_t span no area (less than 1e-12 of the square of the longer one).
 Vec3 outwardNormal(const TangentPoint& point);
 
 /// The limit surface of a cage by its scheme, evaluated at any parameter by OpenSubdiv's Bfr at
@@ -55,19 +55,25 @@ class LimitSurface {
   LimitSurface& operator=(const LimitSurface&) = delete;
 
   [[nodiscard]] int faceCount() const;
-  /// The grid that the faces form, if they do.
+  /// The regular grid that the faces form, if they form one.
   [[nodiscard]] std::optional<GridChart> grid() const;
   /// The vertices at (s, t) = (0,0), (1,0), (1,1), (0,1): faces that share two of them in opposite
   /// order share that edge. Those of the cage, and on a Loop cage also middles of sides and
   /// centroids, numbered after them.
   [[nodiscard]] std::array<int, 4> corners(int face) const;
-  /// All that `corners` may name.
+  /// Number of vertices that `corners` refers to.
   [[nodiscard]] int vertexCount() const;
   /// Position and derivatives at (s, t) of a face. 0 ≤ s, t ≤ 1.
   [[nodiscard]] LimitPoint evaluate(int face, double s, double t) const;
+  [[nodiscard]] LimitPoint evaluate(const SurfaceSample& sample) const {
+    return evaluate(sample.face, sample.s, sample.t);
+  }
   /// The same without second derivatives, to the bit, in about half the time; on a Loop cage it is
   /// `evaluate` itself.
   [[nodiscard]] TangentPoint tangentPoint(int face, double s, double t) const;
+  [[nodiscard]] TangentPoint tangentPoint(const SurfaceSample& sample) const {
+    return tangentPoint(sample.face, sample.s, sample.t);
+  }
   /// Whether the face is one polynomial, cubic in s and in t: a Catmull-Clark face without
   /// extraordinary vertices and creases is.
   [[nodiscard]] bool isBicubic(int face) const;

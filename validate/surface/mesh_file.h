@@ -6,8 +6,8 @@
 
 namespace gnomon {
 
-/// Reads a control cage by the file's ending: `.obj` as readObj does, `.ply` as readPly, in
-/// capitals too.
+/// Reads a control cage by readObj or readPly, chosen by the file's extension: `.obj` or `.ply`, in
+/// either case.
 /// @throws InputError for another ending, and as they do
 Cage readMeshFile(const std::filesystem::path& path,
                   SubdivisionScheme scheme = SubdivisionScheme::catmullClark);

@@ -32,7 +32,7 @@ std::vector<double> sampleAreas(const LimitSurface& surface, const SampleGrid& g
       0, areas.size(),
       [&](std::size_t i) {
         const SurfaceSample& sample = grid.samples[i];
-        if (sample.face < 0) return;
+        if (!sample.isOnSurface()) return;
         const TangentPoint point = surface.tangentPoint(sample.face, gridCoordinate(sample.s, side),
                                                         gridCoordinate(sample.t, side));
         areas[i] = rounded(glm::length(glm::cross(point.ds, point.dt)) / (side * side));

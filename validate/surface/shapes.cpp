@@ -249,9 +249,9 @@ Cage makeTorus(double major, double minor, int columns, int rows) {
   const double around = arcScale(columnStep);
   return makeGrid("torus", {columns, true}, {rows, true}, [&](int i, int j) {
     const double longitude = columnStep * i - pi;
-    const double turn = rowStep * j - pi;
-    const double distance = around * (major + tube * std::cos(turn));
-    return Vec3(distance * std::sin(longitude), tube * std::sin(turn),
+    const double psi = rowStep * j - pi;
+    const double distance = around * (major + tube * std::cos(psi));
+    return Vec3(distance * std::sin(longitude), tube * std::sin(psi),
                 distance * std::cos(longitude));
   });
 }

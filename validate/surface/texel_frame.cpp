@@ -14,7 +14,7 @@ TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv) {
   const Vec3 normal = outwardNormal(point);
   const double longer = std::max(glm::length(xyS), glm::length(xyT));
   const bool flat = !(std::abs(determinant) > 1e-12 * longer * longer);
-  if (flat || normal == Vec3(0)) return {point.position, Vec3(0), Vec3(0), Vec3(0), texel, false};
+  if (flat || normal == Vec3(0)) return {point.position, normal, Vec3(0), Vec3(0), texel, false};
   // The inverse of P_s = P_x x_s + P_y y_s, P_t = P_x x_t + P_y y_t.
   const Vec3 px = (xyT.y * point.ds - xyS.y * point.dt) / determinant;
   const Vec3 py = (xyS.x * point.dt - xyT.x * point.ds) / determinant;

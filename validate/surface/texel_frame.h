@@ -9,11 +9,12 @@ namespace gnomon {
 /// the world vectors per texel, by the chain rule P_s = P_x x_s + P_y y_s (and so for t).
 struct TexelFrame {
   Vec3 position;  ///< P, world
-  Vec3 normal;    ///< n, unit, the surface's outward side whatever the texture's handedness
-  Vec3 px, py;    ///< P_x, P_y: world length per texel
-  Vec2 texel;     ///< (x, y) in texels: uv × texelsPerUv
+  /// n, unit, the surface's outward side whatever the texture's handedness; see outwardNormal.
+  Vec3 normal;
+  Vec3 px, py;  ///< P_x, P_y: world length per texel
+  Vec2 texel;   ///< (x, y) in texels: uv × texelsPerUv
   /// False where the surface or the texture map is degenerate (directions within 1e-12 of parallel,
-  /// or one 1e12 times as long as the other): normal, P_x and P_y are then zero.
+  /// or one 1e12 times as long as the other): P_x and P_y are then zero.
   bool defined;
 };
 

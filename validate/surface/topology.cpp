@@ -214,8 +214,8 @@ std::string PartNames::sharpVertex(std::size_t index) const {
   return part(*this, sharpVertexLines, index, "corner");
 }
 
-std::unique_ptr<Far::TopologyRefiner> connect(const Polygons& polygons, const PartNames& names,
-                                              bool withUvs) {
+std::unique_ptr<Far::TopologyRefiner> makeTopologyRefiner(const Polygons& polygons,
+                                                          const PartNames& names, bool withUvs) {
   requireSizes(polygons, names);
   requireCoordinates(polygons.positions, "vertex", names);
   requireCoordinates(polygons.uvs, "texture coordinate", names);

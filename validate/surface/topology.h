@@ -14,7 +14,7 @@
 
 namespace gnomon {
 
-/// Faces of any size, as OpenSubdiv is to connect them. Faces follow each other in `faceVertices`
+/// Faces of any size, the input of makeTopologyRefiner. Faces follow each other in `faceVertices`
 /// and, corner by corner, in `faceUvs`.
 struct Polygons {
   std::span<const Vec3> positions;
@@ -41,14 +41,15 @@ struct PartNames {
   [[nodiscard]] std::string sharpVertex(std::size_t index) const;
 };
 
-/// Checks the polygons and connects them for their scheme of subdivision.
+/// Checks the polygons and makes the OpenSubdiv refiner of their scheme.
 /// @param withUvs  adds the texture coordinates as face-varying channel 0, linear everywhere
 /// @throws InputError naming the part: an index out of range, a coordinate that is not finite or
 ///   beyond 1e12, a vertex of more than 256 faces, a face with fewer than three corners or with a
 ///   repeated vertex, an edge that more than two faces share or that two traverse in the same
 ///   direction, a vertex whose faces form more than one fan, a crease where no edge is, a sharpness
 ///   that is negative or not finite
-std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> connect(const Polygons& polygons,
-                                                          const PartNames& names, bool withUvs);
+std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeTopologyRefiner(const Polygons& polygons,
+                                                                      const PartNames& names,
+                                                                      bool withUvs);
 
 }  // namespace gnomon

@@ -47,13 +47,7 @@ struct Fit {
     const Matrix toUmbilic(1, 0, -1, 0, 4, 0, -1, 0, 1);
     const Vec3 form = glm::inverse(matrix + weight * toUmbilic) * right;
     const double mean = (form.x + form.z) / 2;
-    const double difference = (form.x - form.z) / 2;
-    const double radius = std::hypot(difference, form.y);
-    const double angle =
-        radius > 1e-7 * std::abs(mean) ? std::atan2(form.y, difference) / 2 : 0;  // an umbilic
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    return {mean + radius, mean - radius, c * e1 + s * e2, c * e2 - s * e1};
+    return ShapeOperator{e1, e2, form.x, form.y, form.z}.principal(1e-7 * std::abs(mean));
   }
 };
 
@@ -63,12 +57,12 @@ std::vector<PrincipalCurvatures> estimatedCurvatures(const BaseMesh& mesh,
                                                      std::span<const std::uint32_t> shared) {
   std::vector<Fit> fits;
   fits.reserve(mesh.vertices.size());
-  for (const std::uint32_t first : shared) fits.emplace_back(mesh.vertices[first].normal);
+  for (const std::uint32_t first : shared) fits.emplace_back(mesh.vertices[first].frame.normal);
   for (std::size_t corner = 0; corner < mesh.triangles.size(); ++corner) {
     const std::size_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
     const std::uint32_t a = shared[mesh.triangles[corner]];
     const std::uint32_t b = shared[mesh.triangles[next]];
-    const Vec3 edge = mesh.vertices[b].position - mesh.vertices[a].position;
+    const Vec3 edge = mesh.vertices[b].frame.position - mesh.vertices[a].frame.position;
     fits[a].addEdge(edge);
     fits[b].addEdge(-edge);
   }

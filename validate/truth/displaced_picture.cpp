@@ -15,8 +15,8 @@ std::vector<float> displacedPicture(const MicroMesh& mesh, const MicroScene& sce
   const auto height = static_cast<std::size_t>(camera.height);
   const CameraAxes axis = axes(camera);
   const Vec3 eye = camera.eye - mesh.centre();
-  // Primary hits are found by a float ray: the lift covers its rounding at the eye's distance.
-  const double lift = 4e-6 * std::max(mesh.extent(), glm::length(eye));
+  // Primary hits are found by a float ray: the offset covers its rounding at the eye's distance.
+  const double rayOffset = 4e-6 * std::max(mesh.extent(), glm::length(eye));
   std::vector<float> picture(width * height, -1.0F);
   CountedProgress rows(progress, height);
   parallelFor(0, height, [&](std::size_t row) {
@@ -26,10 +26,11 @@ std::vector<float> displacedPicture(const MicroMesh& mesh, const MicroScene& sce
           pixelDirection(camera, axis, static_cast<int>(column), static_cast<int>(row));
       const auto hit = scene.nearest(eye, direction);
       if (!hit) continue;
-      const double cosine = glm::dot(hit->normal, light);
-      const Vec3 point = eye + hit->distance * direction + lift * hit->normal;
-      const bool lit = cosine > 0 && !scene.occluded(point, light);
-      picture[row * width + column] = lit ? static_cast<float>(cosine) : 0.0F;
+      const Facet facet{eye + hit->distance * direction, hit->normal};
+      const bool lit =
+          !facet.facesAwayFrom(light) && !scene.occluded(facet.rayOrigin(rayOffset), light);
+      picture[row * width + column] =
+          lit ? static_cast<float>(glm::dot(facet.normal, light)) : 0.0F;
     }
     rows.advance();
   });

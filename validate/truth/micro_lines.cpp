@@ -63,12 +63,6 @@ Lines alignedLines(double begin, double end, double step) {
   return lines;
 }
 
-std::vector<double> evenLines(int pieces) {
-  std::vector<double> lines(static_cast<std::size_t>(pieces) + 1);
-  for (int i = 0; i <= pieces; ++i) lines[static_cast<std::size_t>(i)] = double(i) / pieces;
-  return lines;
-}
-
 /// Faces that form a regular grid with affine texture coordinates.
 class Chart {
  public:

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/vec.h"
+#include "surface/face_grids.h"
 #include "surface/limit_surface.h"
 
 namespace gnomon {
@@ -22,19 +23,14 @@ struct MicroMeshSettings {
 /// among them: the kinks of the bilinear relief then lie on micro-edges. Elsewhere lines are evenly
 /// spaced, so many that no micro-edge along s or t is longer than the step: each edge ring (see
 /// edge_rings.h) has the pieces that its longest edge needs, so that a large face gets more than a
-/// small one and neighbours still share vertices. No ring has less than a quarter of the pieces
-/// that the average face would get, so that the surface's own curvature is followed where the map
-/// puts next to no texels on it.
+/// small one and neighbours still share vertices. No ring has less than a quarter of the pieces of
+/// an average face, so that the mesh follows the surface's curvature even where few texels lie on
+/// it.
 struct MicroLines {
-  struct Face {
-    int s;  ///< index into `lines`: parameters s of the columns of vertices
-    int t;  ///< index into `lines`: parameters t of the rows
-  };
-
-  double askedTexels = 0;    ///< the step that lines were placed by
-  double longestTexels = 0;  ///< the longest micro-edge along s or t that there is, on the map
+  double askedTexels = 0;                  ///< the step that lines were placed by
+  double longestTexels = 0;                ///< the longest micro-edge along s or t, on the map
   std::vector<std::vector<double>> lines;  ///< rising parameters from 0 to 1
-  std::vector<Face> faces;
+  std::vector<FaceLines> faces;            ///< which of them cross each face
 };
 
 /// @param texelsPerUv  as in texelFrame

@@ -1,21 +1,33 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "common/progress.h"
 #include "common/raw_vector.h"
 #include "relief/relief.h"
+#include "surface/face_grids.h"
 #include "surface/limit_surface.h"
 #include "truth/micro_lines.h"
 
 namespace gnomon {
 
+/// How far over its facet a shadow ray starts, as a share of the mesh's largest coordinate.
+constexpr double standardRayOffset = 1e-6;
+
 /// A flat piece of the displaced surface.
 struct Facet {
   Vec3 point;   ///< the asked point on it, in the mesh's own (centred) coordinates
   Vec3 normal;  ///< unit, outward; zero where the facet has no area
+
+  /// Whether the facet is turned from a light, so that the point is in attached shadow and needs no
+  /// ray.
+  /// @param light  unit vector toward the light
+  [[nodiscard]] bool facesAwayFrom(const Vec3& light) const { return glm::dot(normal, light) <= 0; }
+  /// Where a shadow ray from the point starts: off the facet along its normal, so that rounding
+  /// does not let the ray meet the facet itself.
+  /// @param offset  world length, see MicroMesh::rayOffset
+  [[nodiscard]] Vec3 rayOrigin(double offset) const { return point + offset * normal; }
 };
 
 /// The displaced limit surface as one grid of vertices a face. Vertices that faces share (corners,
@@ -37,49 +49,42 @@ class MicroMesh {
   MicroMesh(const LimitSurface& surface, const Relief& relief, const MicroMeshSettings& settings,
             const Progress& progress = {});
 
-  /// Grid of one face: vertex (i, j) is `firstVertex + j * columns + i`.
-  struct Grid {
-    std::uint32_t firstVertex;
-    int sLines;   ///< index into lines(): parameters s of the columns
-    int tLines;   ///< index into lines(): parameters t of the rows
-    int columns;  ///< vertices along s
-    int rows;     ///< vertices along t
-  };
-
-  [[nodiscard]] const std::vector<Grid>& grids() const { return grids_; }
-  /// Rising parameters from 0 to 1.
-  [[nodiscard]] const std::vector<double>& lines(int index) const {
-    return lines_.lines[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] const FaceGrids& grids() const { return grids_; }
   /// x, y, z of each vertex relative to `centre()`, and one float of padding at the end.
   [[nodiscard]] std::span<const float> coordinates() const { return coordinates_; }
-  [[nodiscard]] std::size_t vertexCount() const { return vertexCount_; }
-  [[nodiscard]] std::uint64_t triangleCount() const { return triangleCount_; }
+  [[nodiscard]] std::size_t vertexCount() const { return grids_.vertexCount(); }
+  [[nodiscard]] std::size_t triangleCount() const { return grids_.triangleCount(); }
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   /// Largest absolute coordinate, world units: the scale of float rounding.
   [[nodiscard]] double extent() const { return extent_; }
+  /// How far over their facets rays start, world length: a share of the extent.
+  [[nodiscard]] double rayOffset(double share = standardRayOffset) const { return share * extent_; }
   /// Longest micro-edge along s or t of any face, texels on the map.
-  [[nodiscard]] double stepTexels() const { return lines_.longestTexels; }
+  [[nodiscard]] double stepTexels() const { return longestTexels_; }
   /// The step that lines were placed by: a micro-edge may be shorter, none is longer.
-  [[nodiscard]] double askedStepTexels() const { return lines_.askedTexels; }
+  [[nodiscard]] double askedStepTexels() const { return askedTexels_; }
 
   /// The facet above (s, t) of a face, and the point on it: no search, no ray.
   [[nodiscard]] Facet facet(int face, double s, double t) const;
+  [[nodiscard]] Facet facet(const SurfaceSample& sample) const {
+    return facet(sample.face, sample.s, sample.t);
+  }
 
  private:
-  void makeGrids();
+  MicroMesh(MicroLines lines, const LimitSurface& surface, const Relief& relief,
+            const Progress& progress);
+  void reserve();
   void displace(const LimitSurface& surface, const Relief& relief, const Progress& progress);
   void weld(const LimitSurface& surface);
   void measureExtent();
   [[nodiscard]] Vec3 vertex(std::size_t index) const;
 
-  MicroLines lines_;
-  std::vector<Grid> grids_;
+  double askedTexels_;
+  double longestTexels_;
+  FaceGrids grids_;
   RawVector<float> coordinates_;
-  std::size_t vertexCount_ = 0;
   Vec3 centre_{0, 0, 0};
   double extent_ = 0;
-  std::uint64_t triangleCount_ = 0;
 };
 
 }  // namespace gnomon

@@ -41,9 +41,9 @@ embree::Geometry makeGrids(RTCDevice device, const MicroMesh& mesh) {
                              mesh.coordinates().data(), 0, 3 * sizeof(float), mesh.vertexCount());
   auto* grids = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_GRID,
                                                               0, RTC_FORMAT_GRID, sizeof(RTCGrid),
-                                                              mesh.grids().size()));
+                                                              mesh.grids().faces().size()));
   throwOnError(device, "taking the micro-mesh");
-  for (const MicroMesh::Grid& grid : mesh.grids()) {
+  for (const FaceGrid& grid : mesh.grids().faces()) {
     const auto columns = static_cast<unsigned short>(grid.columns);
     *grids++ = {grid.firstVertex, columns, columns, static_cast<unsigned short>(grid.rows)};
   }

@@ -11,10 +11,10 @@ std::optional<Occluder> firstOccluder(const LimitSurface& surface, const Relief&
   const SamplePlace place = placer.place(query.sample);
   if (!place.defined) return std::nullopt;
   const Facet& facet = place.facet;
-  if (glm::dot(facet.normal, query.light) <= 0) {
+  if (facet.facesAwayFrom(query.light)) {
     return Occluder{mesh.centre() + facet.point, 0, true};
   }
-  const Vec3 origin = facet.point + query.liftShare * mesh.extent() * facet.normal;
+  const Vec3 origin = facet.rayOrigin(mesh.rayOffset(query.rayOffset));
   const auto hit = scene.nearest(origin, query.light);
   if (!hit) return std::nullopt;
   return Occluder{mesh.centre() + origin + hit->distance * query.light, hit->distance, false};

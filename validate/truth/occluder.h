@@ -11,7 +11,7 @@
 
 namespace gnomon {
 
-/// What hides the light from one sample.
+/// The point that blocks the light of one sample.
 struct Occluder {
   Vec3 point;       ///< world; where the ray first meets the displaced surface
   double distance;  ///< world length of the ray from where it starts to there
@@ -21,8 +21,8 @@ struct Occluder {
 /// The shadow ray that `traceShadows` traces for a sample.
 struct OccluderQuery {
   SurfaceSample sample;
-  Vec3 light{0, 0, 1};  ///< unit vector toward the directional light
-  double liftShare = standardLift;
+  Vec3 light{0, 0, 1};                   ///< unit vector toward the directional light
+  double rayOffset = standardRayOffset;  ///< as in TraceSettings
 };
 
 /// The first occluder of a sample's shadow ray; none where it is lit, or has no frame. There is one

@@ -13,14 +13,14 @@ namespace gnomon {
 
 SamplePlace SamplePlacer::place(const SurfaceSample& sample) {
   SamplePlace place{sample, false, {}, {}};
-  if (sample.face < 0) return place;
+  if (!sample.isOnSurface()) return place;
   if (sample.face != lastFace_) {
     // Always its polynomial, so that an answer does not depend on which samples come before it.
     face_.emplace(surface_, sample.face, std::numeric_limits<std::size_t>::max());
     lastFace_ = sample.face;
   }
   place.frame = texelFrame(face_->at(sample.s, sample.t), texelsPerUv_);
-  place.facet = mesh_.facet(sample.face, sample.s, sample.t);
+  place.facet = mesh_.facet(sample);
   place.defined = place.frame.defined && place.facet.normal != Vec3(0);
   return place;
 }

@@ -13,17 +13,16 @@
 
 namespace gnomon {
 
-/// Where the truth answers for one sample: its shadow rays start on `facet`, which is turned from a
-/// light where its normal · L ≤ 0. Nothing here depends on a light.
+/// A sample on the displaced surface, whatever the light: its shadow rays start on `facet`.
 struct SamplePlace {
   SurfaceSample sample;
-  bool defined = false;  ///< false where the truth has no answer: then what follows means nothing
+  bool defined = false;  ///< false where the truth has no answer: frame and facet mean nothing then
   TexelFrame frame;      ///< of the undisplaced limit surface, world coordinates
   Facet facet;           ///< of the micro-mesh above it, coordinates relative to the mesh's centre
 };
 
-/// Finds the places of samples, one after the other. It keeps the last sample's face ready, since
-/// neighbours are mostly on the same: for one thread alone.
+/// Finds the places of samples, one after the other, on one thread. It keeps the last sample's face
+/// prepared, since neighbours mostly lie on the same face.
 class SamplePlacer {
  public:
   /// @param surface, mesh  outlive this
@@ -41,32 +40,32 @@ class SamplePlacer {
   std::optional<LimitFace> face_;
 };
 
-/// What every shadow ray of a sample needs, whatever the light.
+/// The part of a SamplePlace that every shadow ray needs.
 struct RayStart {
   Facet facet;   ///< see SamplePlace
   Vec3 normal;   ///< n of the undisplaced surface, unit, outward
   bool defined;  ///< see SamplePlace
 };
 
-/// P_x and P_y at a sample: what tells how far a ray reaches over the texture.
+/// P_x and P_y at a sample, to measure the length of a ray in texels.
 struct TexelAxes {
   Vec3 px, py;
 };
 
-/// The samples of a view, or of a part of one, placed on a micro-mesh: what all lights share. 128
-/// bytes a sample, row by row as in the SampleGrid that they were made from.
+/// The samples of a view placed on a micro-mesh, for any number of lights. 128 bytes a sample, in
+/// the order of the SampleGrid.
 struct PlacedSamples {
   int width = 0;
   int height = 0;
   RawVector<RayStart> starts;
   RawVector<TexelAxes> axes;
   double extent = 0;          ///< of the mesh, see MicroMesh::extent
-  std::size_t undefined = 0;  ///< samples that are there, but where the truth has no answer
+  std::size_t undefined = 0;  ///< samples on the surface for which the truth has no answer
 };
 
-/// Fills what the rays of samples need, on this thread.
+/// Places samples on this thread.
 /// @param starts, axes  as many as there are samples
-/// @returns how many of them are there, but where the truth has no answer
+/// @returns how many of them lie on the surface but have no answer of the truth
 std::size_t placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
                          std::span<RayStart> starts, std::span<TexelAxes> axes);
 

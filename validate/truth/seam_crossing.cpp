@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
-#include <utility>
 
 #include "common/parallel.h"
 #include "surface/texel_frame.h"
@@ -28,80 +26,60 @@ bool isPeriod(Vec2 difference, const Relief& relief) {
   return glm::length(difference) < sameTexel;
 }
 
-double turnOf(const std::array<Vec2, 4>& corners) {
+double orientationOf(const std::array<Vec2, 4>& corners) {
   const double area = cross(corners[2] - corners[0], corners[3] - corners[1]);
   const double longest =
       std::max(glm::length(corners[2] - corners[0]), glm::length(corners[3] - corners[1]));
   return std::abs(area) > 1e-12 * longest * longest ? std::copysign(1.0, area) : 0.0;
 }
 
-/// A side between two cage vertices, found on one face.
-struct SharedSide {
-  int low, high;
-  int face, side;
-  friend bool operator<(const SharedSide& a, const SharedSide& b) {
-    return std::tie(a.low, a.high, a.face, a.side) < std::tie(b.low, b.high, b.face, b.side);
-  }
-};
-
 }  // namespace
 
 TextureCharts::TextureCharts(const LimitSurface& surface, const Relief& relief) {
   const Vec2 texelsPerUv = relief.texelsPerUv();
-  std::vector<SharedSide> sides;
   faces_.resize(static_cast<std::size_t>(surface.faceCount()));
-  sides.reserve(4 * faces_.size());
   for (int face = 0; face < surface.faceCount(); ++face) {
     Face& own = faces_[static_cast<std::size_t>(face)];
     constexpr std::array places = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
-    const std::array<int, 4> vertices = surface.corners(face);
-    for (int k = 0; k < 4; ++k) {
-      const auto corner = static_cast<std::size_t>(k);
+    for (std::size_t corner = 0; corner < 4; ++corner) {
       own.corners.at(corner) =
           surface.evaluate(face, places.at(corner).x, places.at(corner).y).uv * texelsPerUv;
-      const auto [low, high] = std::minmax(vertices.at(corner), vertices.at((corner + 1) % 4));
-      sides.push_back({low, high, face, k});
     }
-    own.turn = turnOf(own.corners);
+    own.orientation = orientationOf(own.corners);
   }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const SharedSide& a = sides[i];
-    const SharedSide& b = sides[i + 1];
-    if (a.low != b.low || a.high != b.high) continue;
-    connect(relief, a.face, a.side, b.face, b.side);
-    connect(relief, b.face, b.side, a.face, a.side);
-    seams_ += faces_[static_cast<std::size_t>(a.face)]
-                          .neighbours.at(static_cast<std::size_t>(a.side))
-                          .kind == Side::seam
-                  ? 1
-                  : 0;
+  for (const auto& [first, second] : sharedSides(surface)) {
+    const Side kind = connect(relief, first, second);
+    connect(relief, second, first);
+    seams_ += kind == Side::seam ? 1 : 0;
   }
 }
 
-void TextureCharts::connect(const Relief& relief, int face, int side, int otherFace,
-                            int otherSide) {
-  Face& own = faces_[static_cast<std::size_t>(face)];
-  const Face& other = faces_[static_cast<std::size_t>(otherFace)];
+TextureCharts::Side TextureCharts::connect(const Relief& relief, const FaceSide& side,
+                                           const FaceSide& otherSide) {
+  Face& own = faces_[static_cast<std::size_t>(side.face)];
+  const Face& other = faces_[static_cast<std::size_t>(otherSide.face)];
   // Neighbours run along their common edge in opposite directions.
   const auto corner = [](int k) { return static_cast<std::size_t>(k % 4); };
-  const Vec2 atBegin = other.corners.at(corner(otherSide + 1)) - own.corners.at(corner(side));
-  const Vec2 atEnd = other.corners.at(corner(otherSide)) - own.corners.at(corner(side + 1));
+  const Vec2 atBegin =
+      other.corners.at(corner(otherSide.side + 1)) - own.corners.at(corner(side.side));
+  const Vec2 atEnd =
+      other.corners.at(corner(otherSide.side)) - own.corners.at(corner(side.side + 1));
   const bool continued = glm::length(atBegin - atEnd) < sameTexel && isPeriod(atBegin, relief) &&
-                         own.turn != 0 && own.turn == other.turn;
-  own.neighbours.at(corner(side)) = {continued ? Side::continued : Side::seam, otherFace, otherSide,
-                                     atBegin};
+                         own.orientation != 0 && own.orientation == other.orientation;
+  const Side kind = continued ? Side::continued : Side::seam;
+  own.neighbours.at(corner(side.side)) = {kind, otherSide, atBegin};
+  return kind;
 }
 
-bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, double reach) const {
-  const Face* face = &faces_[static_cast<std::size_t>(sample.face)];
+bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, double length) const {
+  const Face* face = &faces_[sample.faceIndex()];
   const auto& [c0, c1, c2, c3] = face->corners;
   const double s = sample.s;
   const double t = sample.t;
   Vec2 origin = (1 - t) * ((1 - s) * c0 + s * c1) + t * ((1 - s) * c3 + s * c2);
   int entered = -1;
   double place = 0;  // along the line, texels
-  for (std::size_t step = 0; step < 2 * faces_.size() + 8 && face->turn != 0; ++step) {
+  for (std::size_t step = 0; step < 2 * faces_.size() + 8 && face->orientation != 0; ++step) {
     // The next side that the line leaves by. By its end points where it meets one between them; in
     // a corner rounding may miss both sides, and the nearest side's line decides (Cyrus & Beck
     // 1978).
@@ -113,7 +91,7 @@ bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, dou
       const Vec2 begin = face->corners.at(static_cast<std::size_t>(k));
       const Vec2 along = face->corners.at(static_cast<std::size_t>((k + 1) % 4)) - begin;
       const double outward = cross(direction, along);
-      if (k == entered || !(face->turn * outward > 0)) continue;
+      if (k == entered || !(face->orientation * outward > 0)) continue;
       const double at = cross(begin - origin, along) / outward;
       const double share = cross(begin - origin, direction) / outward;  // of the side
       if (at < nearest) {
@@ -130,12 +108,12 @@ bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, dou
       side = nearestSide;
     }
     place = std::max(place, left);
-    if (side < 0 || place >= reach) return false;
+    if (side < 0 || place >= length) return false;
     const Neighbour& next = face->neighbours.at(static_cast<std::size_t>(side));
     if (next.kind != Side::continued) return next.kind == Side::seam;
     origin += next.shift;
-    entered = next.side;
-    face = &faces_[static_cast<std::size_t>(next.face)];
+    entered = next.across.side;
+    face = &faces_[static_cast<std::size_t>(next.across.face)];
   }
   return false;
 }
@@ -156,8 +134,7 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
                            (relief.field.maximum() - relief.field.at(place.frame.texel));
       world = local.slope > 0 ? below / local.slope : std::numeric_limits<double>::infinity();
     } else if (const auto hit = scene.nearest(
-                   place.facet.point + light.liftShare * mesh.extent() * place.facet.normal,
-                   light.light)) {
+                   place.facet.rayOrigin(mesh.rayOffset(light.rayOffset)), light.light)) {
       world = hit->distance / std::hypot(1.0, local.slope);
     }
     return std::min(light.radiusTexels, world / local.worldPerTexel);
@@ -170,11 +147,11 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
       const SamplePlace place = placer.place(samples.samples[i]);
       if (!place.defined) continue;
       for (std::size_t l = 0; l < lights.size(); ++l) {
-        if (glm::dot(place.facet.normal, lights[l].light) <= 0) continue;
+        if (place.facet.facesAwayFrom(lights[l].light)) continue;
         const LocalLight local = localLight(place.frame, lights[l].light);
         const bool lit = truths[l].mask.samples[i] == Shade::lit;
-        const double reach = pathTexels(place, lit, local, lights[l]);
-        crosses[l][i] = charts.crossesSeam(place.sample, local.direction, reach) ? 1 : 0;
+        const double length = pathTexels(place, lit, local, lights[l]);
+        crosses[l][i] = charts.crossesSeam(place.sample, local.direction, length) ? 1 : 0;
       }
     }
   });

@@ -10,13 +10,14 @@
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
+#include "surface/shared_sides.h"
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon {
 
-/// As reports and thresholds spell the region of samples whose path crosses a seam. It overlaps
-/// those of `Region`: such a sample is lit or shadowed as well.
+/// The name, in reports and thresholds, of the region of samples whose path crosses a seam. It
+/// overlaps the regions of `Region`: such a sample is also lit or shadowed.
 constexpr std::string_view seamRegion = "seam";
 
 /// Which faces continue each other's texture coordinates. Two faces that share an edge do where
@@ -32,34 +33,34 @@ class TextureCharts {
   /// Whether the straight line of the map from a sample meets a seam before its end: the line that
   /// tables and marches take the relief from.
   /// @param direction  unit vector in the texture plane
-  /// @param reach      length of the line, texels
-  [[nodiscard]] bool crossesSeam(const SurfaceSample& sample, Vec2 direction, double reach) const;
+  /// @param length     of the line, texels
+  [[nodiscard]] bool crossesSeam(const SurfaceSample& sample, Vec2 direction, double length) const;
 
  private:
   enum class Side : std::uint8_t { border, seam, continued };
   /// What lies across one side of a face.
   struct Neighbour {
     Side kind = Side::border;
-    int face = -1;
-    int side = -1;     ///< the common side as the neighbour counts it
-    Vec2 shift{0, 0};  ///< the neighbour's texture coordinates less this face's, texels
+    FaceSide across{-1, -1};  ///< the common side as the neighbour counts it
+    Vec2 shift{0, 0};         ///< the neighbour's texture coordinates less this face's, texels
   };
   struct Face {
     std::array<Vec2, 4> corners;  ///< texels
     std::array<Neighbour, 4> neighbours;
-    double turn = 0;  ///< 1 counter-clockwise in the texture plane, -1 mirrored, 0 without area
+    /// 1 counter-clockwise in the texture plane, -1 mirrored, 0 without area.
+    double orientation = 0;
   };
 
-  void connect(const Relief& relief, int face, int side, int otherFace, int otherSide);
+  /// Sets what lies across one side of a face.
+  Side connect(const Relief& relief, const FaceSide& side, const FaceSide& otherSide);
 
   std::vector<Face> faces_;
   std::size_t seams_ = 0;
 };
 
-/// For every light one byte a sample: 1 where the path that decides whether it is lit crosses a
-/// seam, so that part of a method's error there is the parametrisation's. The path starts at the
-/// sample and runs straight over the map toward the light, `TraceSettings::radiusTexels` at most,
-/// and no farther
+/// For every light one byte a sample: 1 where the path to the light crosses a seam, so that part of
+/// a method's error there is due to the parametrisation. The path starts at the sample and runs
+/// straight over the map toward the light, `TraceSettings::radiusTexels` at most, and no farther
 /// - than to the truth's occluder, where there is one: texels along the light's azimuth at the
 ///   sample's own metric;
 /// - than to where the ray stands higher over the sample's tangent plane than the relief's highest

@@ -45,7 +45,7 @@ class BandTracer {
              const Band& band, Truth& truth)
       : scene_(scene),
         settings_(settings),
-        lift_(settings.liftShare * extent),
+        rayOffset_(settings.rayOffset * extent),
         band_(band),
         truth_(truth) {}
 
@@ -66,11 +66,11 @@ class BandTracer {
     const RayStart& start = band_.starts[i];
     if (!start.defined) return;  // stays Shade::none
     const bool beyond = glm::dot(start.normal, settings_.light) <= 0;
-    const bool turned = glm::dot(start.facet.normal, settings_.light) <= 0;
+    const bool turned = start.facet.facesAwayFrom(settings_.light);
     region(i) = beyond ? Region::beyondTerminator : turned ? Region::attached : Region::lit;
     shade(i) = turned ? Shade::shadowed : Shade::lit;
     if (turned) return;
-    const Vec3 origin = start.facet.point + lift_ * start.facet.normal;
+    const Vec3 origin = start.facet.rayOrigin(rayOffset_);
     const auto f = [](double value) { return static_cast<float>(value); };
     add(far_, i, {f(origin.x), f(origin.y), f(origin.z)}, std::numeric_limits<float>::infinity());
     if (far_.rays.count == RayPacket::size) traceFar();
@@ -128,7 +128,7 @@ class BandTracer {
 
   const MicroScene& scene_;
   const TraceSettings& settings_;
-  double lift_;
+  double rayOffset_;  ///< world length
   Band band_;
   Truth& truth_;
   Waiting far_, near_;

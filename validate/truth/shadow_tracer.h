@@ -16,8 +16,8 @@
 
 namespace gnomon {
 
-/// Why a sample is as it is. Every sample of a view is in exactly one of these regions; the region
-/// `seam` overlaps them (see seam_crossing.h).
+/// Why a sample is lit or shadowed. Every sample of a view is in exactly one of these regions; the
+/// region `seam` overlaps them (see seam_crossing.h).
 enum class Region : std::uint8_t {
   none,              ///< no sample, or no frame there
   lit,               ///< the light reaches it
@@ -39,26 +39,23 @@ struct Truth {
   Mask mask;
   std::vector<Region> regions;       ///< one a sample
   std::size_t undefinedSamples = 0;  ///< samples without a frame: Shade::none in the mask
-  /// One a sample, 1 where its path to the light crosses a texture seam; empty unless
-  /// `seamCrossings` has been asked.
+  /// One a sample, 1 where its path to the light crosses a texture seam; empty before
+  /// `seamCrossings` fills it.
   std::vector<std::uint8_t> crossesSeam = {};
 };
-
-/// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.
-constexpr double standardLift = 1e-6;
 
 /// Light and range of one trace.
 struct TraceSettings {
   Vec3 light{0, 0, 1};        ///< unit vector toward the directional light
   double radiusTexels = 128;  ///< D: farther occluders are `distant`
-  /// Height of a ray's origin over its facet, as a share of the mesh's largest coordinate.
-  double liftShare = standardLift;
+  /// How far over its facet a ray starts, as a share of the mesh's largest coordinate.
+  double rayOffset = standardRayOffset;
 };
 
 /// Traces one shadow ray a sample. A ray starts on the facet that holds the sample's displaced
-/// point (known from (s, t)), lifted along the facet's normal; a facet turned from the light is
-/// shadowed without a ray. The horizontal reach of an occluder is measured as the horizon tables
-/// do: texels along the light's azimuth, at the sample's own metric.
+/// point (known from (s, t)), a little off it (Facet::rayOrigin); a facet turned from the light is
+/// shadowed without a ray. How far away an occluder stands is measured as the horizon tables do:
+/// texels along the light's azimuth, at the sample's own metric.
 /// Results do not depend on the number of threads, nor on which other samples are traced with one.
 /// @param placed    on the mesh of the scene
 /// @param progress  may throw to cancel, see common/progress.h

@@ -10,7 +10,6 @@
 #include "common/system/memory.h"
 #include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"
-#include "truth/shadow_tracer.h"
 
 namespace gnomon {
 namespace {
@@ -48,29 +47,22 @@ AngleTable shootHorizons(const LimitSurface& surface, const Relief& relief, cons
   requireMemory(sizeof(float) * static_cast<double>(count) * azimuths,
                 fmt::format("bake: horizons of {} × {} texels × {} azimuths on the surface",
                             texels.width, texels.height, azimuths));
-  AngleTable table;
-  table.width = texels.width;
-  table.height = texels.height;
-  table.azimuths = azimuths;
-  table.limit = limit;
-  table.wrap = Wrap::clamp;
-  table.angles.assign(count * static_cast<std::size_t>(azimuths), static_cast<float>(limit));
+  AngleTable table{{texels.width, texels.height, azimuths, Wrap::clamp}, limit, {}};
+  table.angles.assign(table.entries(), static_cast<float>(limit));
   const Vec2 texelsPerUv = relief.texelsPerUv();
-  const double lift = standardLift * mesh.extent();
   const auto shoot = [&](const SurfaceSample& sample, std::size_t texel) {
-    if (sample.face < 0) return;
-    const TexelFrame frame =
-        texelFrame(surface.evaluate(sample.face, sample.s, sample.t), texelsPerUv);
-    const Facet facet = mesh.facet(sample.face, sample.s, sample.t);
+    if (!sample.isOnSurface()) return;
+    const TexelFrame frame = texelFrame(surface.evaluate(sample), texelsPerUv);
+    const Facet facet = mesh.facet(sample);
     if (!frame.defined || facet.normal == Vec3(0)) return;
-    const Vec3 origin = facet.point + lift * facet.normal;
+    const Vec3 origin = facet.rayOrigin(mesh.rayOffset());
     for (int m = 0; m < azimuths; ++m) {
       const double azimuth = 2 * pi * m / azimuths;
       const Vec3 tangent =
           glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
       const double angle = horizonAngle(limit, [&](double off) {
         const Vec3 direction = std::cos(off) * frame.normal + std::sin(off) * tangent;
-        return glm::dot(direction, facet.normal) > 0 && !scene.occluded(origin, direction);
+        return !facet.facesAwayFrom(direction) && !scene.occluded(origin, direction);
       });
       table.angles[static_cast<std::size_t>(m) * count + texel] = static_cast<float>(angle);
     }

@@ -12,14 +12,14 @@ namespace gnomon {
 /// Horizon angles of the real displaced geometry, one texel a sample (Sloan & Cohen 2000, §3): from
 /// every texel's displaced point rays are shot toward each azimuth of the texture plane, starting
 /// at `limit` off the undisplaced surface's normal and moving toward the normal until one meets
-/// nothing. Curvature, and all else that shades the texel, is then in the table.
+/// nothing. The table then includes the shadows of the surface's own curvature.
 ///
 /// The rise is by 4° at a time, then by bisection between the last two rays to a thousandth of a
 /// radian; light that slips through a gap narrower than 4° is not seen. A texel without a sample or
 /// without a frame gets `limit`.
 /// @param texels    the samples at the texel centres of the whole surface; row 0 is the *highest*
 /// v,
-///   as views have it. The table's row 0 is the lowest.
+///   as in views. The table's row 0 is the lowest.
 /// @param azimuths  M ≥ 1
 /// @param limit     largest angle off the normal, radians, 0 to π
 /// @throws MemoryError if the table cannot fit

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "image/images.h"
+#include "render/gl_objects.h"
 #include "viewer/panes/gui.h"
 
 namespace gnomon {
@@ -151,10 +152,7 @@ void PaneView::upload(const CurvaturePicture& picture) {
   if (width_ != picture.image.width || height_ != picture.image.height) {
     width_ = picture.image.width;
     height_ = picture.image.height;
-    curvature_ = gl::makeTexture(GL_TEXTURE_2D);
-    glTextureStorage2D(curvature_.name(), 1, GL_RGBA8, width_, height_);
-    glTextureParameteri(curvature_.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(curvature_.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    curvature_ = gl::makeTexture(GL_TEXTURE_2D, GL_RGBA8, {width_, height_}, GL_NEAREST);
   }
   constexpr std::uint8_t opacity = 165;
   std::vector<std::uint8_t> rgba(4 * picture.defined.size());
@@ -162,9 +160,7 @@ void PaneView::upload(const CurvaturePicture& picture) {
     std::copy_n(&picture.image.rgb[3 * i], 3, &rgba[4 * i]);
     rgba[4 * i + 3] = picture.defined[i] != 0 ? opacity : 0;
   }
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(curvature_.name(), 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
-                      rgba.data());
+  gl::fill(curvature_, {width_, height_}, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
 void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int activePane) {

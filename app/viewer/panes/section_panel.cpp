@@ -184,17 +184,14 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
   for (const auto& [label, method] : scene->methods) {
     if (!method->tables || tables) continue;
     const TableImage& image = method->tables->horizon;
-    tables.emplace(
-        SectionTables{image.values,
-                      method->tables->distance.values,
-                      {image.width, image.height, image.layers, image.wrap, image.border}});
+    tables.emplace(SectionTables{image.values, method->tables->distance.values, image.shape});
   }
   section_ = crossSection(*scene->surface, scene->study->relief, sample, light, {radius, 8},
                           tables ? &*tables : nullptr);
   occluder_.reset();
   if (traced != nullptr) {
     occluder_ = firstOccluder(*scene->surface, scene->study->relief, traced->mesh, traced->scene,
-                              {sample, light, standardLift});
+                              {sample, light, standardRayOffset});
   }
 }
 

@@ -11,7 +11,7 @@ namespace gnomon {
 namespace {
 
 GpuTable gpuTable(const TableImage& image) {
-  return GpuTable(image.values, image.width, image.height, image.layers, image.wrap, image.border);
+  return GpuTable(image.values, image.shape);
 }
 
 std::optional<GpuVolumes> volumesOf(const MeshData& data) {

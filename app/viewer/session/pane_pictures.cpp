@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "image/images.h"
+#include "render/gl_objects.h"
 
 namespace gnomon {
 namespace {
@@ -127,19 +128,13 @@ void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& s
 }
 
 void PanePictures::showImage(Pane& pane, const Image& image) {
+  const gl::TextureSize size{image.width, image.height};
   if (pane.imageWidth != image.width || pane.imageHeight != image.height) {
-    pane.image = gl::makeTexture(GL_TEXTURE_2D);
-    glTextureStorage2D(pane.image.name(), 1, GL_RGB8, image.width, image.height);
-    glTextureParameteri(pane.image.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(pane.image.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTextureParameteri(pane.image.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(pane.image.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    pane.image = gl::makeTexture(GL_TEXTURE_2D, GL_RGB8, size, GL_NEAREST);
     pane.imageWidth = image.width;
     pane.imageHeight = image.height;
   }
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(pane.image.name(), 0, 0, 0, image.width, image.height, GL_RGB,
-                      GL_UNSIGNED_BYTE, image.rgb.data());
+  gl::fill(pane.image, size, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
   pane.shown.texture = pane.image.name();
   pane.shown.topDown = true;
 }

@@ -16,8 +16,7 @@ namespace gnomon {
 namespace {
 
 TableImage imageOf(std::span<const float> values, const HorizonTables& baked, TableBits bits) {
-  return {storeTable(values, bits), baked.width, baked.height,
-          baked.azimuths,           baked.wrap,  baked.border};
+  return {storeTable(values, bits), baked};
 }
 
 /// The entry of a cache, made by `make` where it is not there yet.
@@ -71,8 +70,7 @@ std::shared_ptr<const TableImage> SceneMaker::ellipses(const SceneData& scene, c
     progress("Fitting ellipses")(0);
     const EllipseTable fitted = fitEllipses(*baked, scene.texelsPerHeight);
     return std::make_shared<const TableImage>(
-        TableImage{storeTable(fitted.values, spec.bits), fitted.width, fitted.height,
-                   EllipseTable::layers, fitted.wrap, fitted.border});
+        TableImage{storeTable(fitted.values, spec.bits), fitted});
   });
 }
 

@@ -38,11 +38,7 @@ struct SceneRequest {
 /// A table as a texture holds it.
 struct TableImage {
   StoredTable values;
-  int width = 0;
-  int height = 0;
-  int layers = 0;
-  Wrap wrap = Wrap::repeat;
-  Border border = {};
+  TableShape shape;
 };
 
 struct TableImagePair {

@@ -65,7 +65,7 @@ class GrowingTruth {
     const Truth found =
         traceShadows(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
                      packedGrid(*truth_.samples, asked),
-                     {request_.light, scene.study->bake.settings.radiusTexels, standardLift});
+                     {request_.light, scene.study->bake.settings.radiusTexels, standardRayOffset});
     for (std::size_t i = 0; i < count; ++i) {
       truth_.mask.samples[asked[i]] = found.mask.samples[i];
       truth_.traced[asked[i]] = 1;

@@ -206,7 +206,7 @@ void ControlPanel::parameters(ViewSession& session) {
     ImGui::PushID(label.c_str());
     for (const auto& [name, parameter] : method->method.parameters) {
       const auto& own = method->spec.parameters;
-      const double standard = own.contains(name) ? own.at(name) : parameter.standard;
+      const double standard = own.contains(name) ? own.at(name) : parameter.defaultValue;
       auto& changed = session.state().changes.methods[label].parameters;
       double value = changed.contains(name) ? changed.at(name) : standard;
       const double range = parameter.maximum - parameter.minimum;

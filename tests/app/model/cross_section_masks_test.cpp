@@ -24,10 +24,7 @@ using LitInSection = std::function<bool(const SectionHorizons&)>;
 /// Share of a view's samples where the section and the shader differ.
 double differingShare(const RenderScene& scene, const RenderView& view, const std::string& method,
                       const LitInSection& verdict) {
-  const SectionTables tables{
-      scene.horizon,
-      scene.distance,
-      {scene.tables.width, scene.tables.height, scene.tables.azimuths, scene.tables.wrap}};
+  const SectionTables tables{scene.horizon, scene.distance, scene.tables};
   const Vec3 light = lightToward(50, 30);
   const SampleGrid samples = scene.samples(view);
   const Mask mask = scene.test(method, view, light);

@@ -75,7 +75,7 @@ TEST(CrossSection, MeasuresHeightsInTexelsWhereTheReliefDoes) {
   EXPECT_NEAR(section.worldPerTexel, 0.5, 1e-6);
   EXPECT_NEAR(section.worldPerHeight, 0.5, 1e-6);
   EXPECT_NEAR(section.here.flat.slope, 6 / 28.5, 1e-6);
-  EXPECT_NEAR(section.here.lookups.reach, 28.5 / 2, 1e-4);
+  EXPECT_NEAR(section.here.lookups.arcLength, 28.5 / 2, 1e-4);
   EXPECT_NEAR(section.bentRelief.back().x, 64, 1e-3);  // 128 texels
 }
 

@@ -62,7 +62,7 @@ TEST(CurvatureField, FollowsEulersFormulaOnACylinder) {
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     ASSERT_EQ(field.defined[i], 1);
     const SurfaceSample& sample = samples.samples[i];
-    const Vec3 at = surface.evaluate(sample.face, sample.s, sample.t).position;
+    const Vec3 at = surface.evaluate(sample).position;
     const Vec3 round = glm::normalize(Vec3(at.z, 0, -at.x));
     const double along = light.y;
     const double across = glm::dot(light, round);

@@ -91,9 +91,9 @@ Mask randomTruth(const SampleGrid& grid) {
   std::mt19937 random(4);
   Mask truth{grid.width, grid.height, {}};
   for (const SurfaceSample& sample : grid.samples) {
-    truth.samples.push_back(sample.face < 0     ? Shade::none
-                            : random() % 2 == 0 ? Shade::lit
-                                                : Shade::shadowed);
+    truth.samples.push_back(!sample.isOnSurface() ? Shade::none
+                            : random() % 2 == 0   ? Shade::lit
+                                                  : Shade::shadowed);
   }
   return truth;
 }

@@ -12,7 +12,7 @@ constexpr TableShape shape{5, 4, 6, Wrap::repeat};
 
 std::vector<float> entries(const TableShape& of) {
   std::mt19937 random(3);
-  std::vector<float> values(static_cast<std::size_t>(of.width * of.height * of.azimuths));
+  std::vector<float> values(static_cast<std::size_t>(of.width * of.height * of.layers));
   for (float& value : values) value = static_cast<float>(random() % 1000) / 100;
   return values;
 }
@@ -24,11 +24,11 @@ double entry(const std::vector<float>& values, int x, int y, int m) {
 TEST(FilteredTable, IsTheEntryAtATexelCentreInItsAzimuth) {
   const std::vector<float> values = entries(shape);
   const StoredTable table = storeTable(values, TableBits::thirtyTwo);
-  for (int m = 0; m < shape.azimuths; ++m) {
+  for (int m = 0; m < shape.layers; ++m) {
     for (int y = 0; y < shape.height; ++y) {
       for (int x = 0; x < shape.width; ++x) {
         const Vec2 centre(x + 0.5, y + 0.5);
-        const double azimuth = 2 * pi * m / shape.azimuths;
+        const double azimuth = 2 * pi * m / shape.layers;
         EXPECT_NEAR(filteredValue(table, shape, centre, azimuth), entry(values, x, y, m), 1e-12);
         // A turn and a whole map on.
         EXPECT_NEAR(filteredValue(table, shape, centre - Vec2(10, 8), azimuth - 4 * pi),

@@ -44,11 +44,11 @@ Vec2 onCircle(double curvature, double arc, double height) {
 TEST(OsculatingHorizon, IsTheSlopeBetweenTwoPlacesOnTheCircle) {
   for (const HorizonLookups& at : lookups()) {
     const Vec2 eye = onCircle(at.curvature, 0, at.height);
-    const Vec2 occluder = onCircle(at.curvature, at.reach, at.height + at.slope * at.reach);
+    const Vec2 occluder = onCircle(at.curvature, at.arcLength, at.height + at.slope * at.arcLength);
     const double slope = (occluder.y - eye.y) / (occluder.x - eye.x);
     // 1/κ up to 1e6: the construction itself loses ten digits there.
     EXPECT_NEAR(osculatingHorizon(at), slope, at.curvature == 1e-6 ? 1e-6 : 1e-11)
-        << at.curvature << " " << at.height << " " << at.slope << " " << at.reach;
+        << at.curvature << " " << at.height << " " << at.slope << " " << at.arcLength;
   }
 }
 
@@ -56,11 +56,11 @@ TEST(OsculatingHorizon, IsTheSlopeBetweenTwoPlacesOnTheCircle) {
 TEST(UnreducedHorizon, IsThePapersFigure) {
   for (const HorizonLookups& at : lookups()) {
     const double radius = 1 / at.curvature;
-    const double angle = at.reach / radius;
+    const double angle = at.arcLength / radius;
     const double ca = 2 * (radius + at.height) * std::sin(angle / 2);
     const double bc = ca * std::cos(angle / 2);
     const double ab = ca * std::sin(angle / 2);
-    const double ea = at.reach * at.slope * std::cos(angle);
+    const double ea = at.arcLength * at.slope * std::cos(angle);
     EXPECT_NEAR(unreducedHorizon(at), (ea - ab) / bc, 1e-9 * (1 + std::abs(at.slope)));
   }
 }

@@ -91,8 +91,9 @@ Mask truthOf(const StudySpec& study, double coarser = 1) {
   settings.stepTexels = coarser * settings.stepTexels.value();
   const MicroMesh mesh(surface, study.relief, settings);
   const MicroScene scene(mesh);
-  return traceShadows(surface, study.relief, mesh, scene, samples,
-                      {test::lightToward(20, 25), study.bake.settings.radiusTexels, standardLift})
+  return traceShadows(
+             surface, study.relief, mesh, scene, samples,
+             {test::lightToward(20, 25), study.bake.settings.radiusTexels, standardRayOffset})
       .mask;
 }
 

@@ -14,9 +14,10 @@ struct BoxSize {
   auto operator<=>(const BoxSize&) const = default;
 };
 
-/// For each texel of a padded map the highest of the box of nodes whose lower left one it is: a
-/// bound on what a part of a ray meets, for many neighbouring rays in one load. Of 2^rowShift rows
-/// one is kept, whose boxes are as much higher and so hold those of all these rows.
+/// For each texel of a padded map the highest node of the box of nodes whose lower left one it is:
+/// an upper bound on the heights that a part of a ray meets, for many neighbouring rays in one
+/// load. One of 2^rowShift rows is kept; its boxes are so much taller that they contain those of
+/// the rows left out.
 struct BoxMaxima {
   BoxSize box;
   int rowShift = 0;

@@ -103,8 +103,8 @@ std::vector<Task> tasksOf(const std::vector<std::size_t>& azimuths,
 
 /// What a thread bakes its tiles with. It is the same from its first strip to its last, for fresh
 /// memory costs more than what is written to it.
-struct Workplace {
-  TileNotes notes;
+struct BakeScratch {
+  TileScratch search;
   HorizonTile baked;
 };
 
@@ -115,7 +115,7 @@ void checkBake(const HeightField& field, const BakeSettings& settings, double ta
   checkHeights(field);
   const double bytes = tableBytes + boundedMapBytes * paddedMapBytes(field, settings.radiusTexels) +
                        azimuthPlanBytes(settings.radiusTexels) * settings.azimuths +
-                       tileNotesBytes(settings.radiusTexels) * static_cast<double>(threadCount());
+                       tileScratchBytes(settings.radiusTexels) * static_cast<double>(threadCount());
   requireMemory(
       bytes, fmt::format("bake.azimuths = {} and bake.radius = {} on a map of {} x {} "
                          "texels",
@@ -136,7 +136,7 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
     strips.emplace_back(field.width(), field.height(), plan.direction);
   }
   CountedProgress counted(progress, strips.front().count() * strips.front().tiles() * plans.size());
-  tbb::enumerable_thread_specific<Workplace> workplaces;
+  tbb::enumerable_thread_specific<BakeScratch> scratch;
   for (const auto& [boxes, members] : classesOf(plans)) {
     const BoxMaxima groups = boxMaxima(map, boxes.first, 0);
     const BoxMaxima bundles = boxMaxima(map, groups, boxes.second, bundleRowShift);
@@ -144,11 +144,11 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
     parallelFor(0, tasks.size(), [&](std::size_t index) {
       const auto [m, strip] = tasks[index];
       const AzimuthBake bake{map, plans[m], groups, bundles};
-      auto& [notes, baked] = workplaces.local();
+      auto& [search, baked] = scratch.local();
       baked.azimuth = static_cast<int>(m);
       for (std::size_t t = 0; t < strips[m].tiles(); ++t) {
         baked.tile = strips[m].tile(strip, t);
-        bakeTile(bake, baked.tile, notes, TexelTile::width, baked.horizon.data(),
+        bakeTile(bake, baked.tile, search, TexelTile::width, baked.horizon.data(),
                  baked.distance.data());
         sink(baked);
         counted.advance();

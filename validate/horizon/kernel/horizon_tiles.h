@@ -6,12 +6,12 @@
 
 #include "common/progress.h"
 #include "horizon/horizon_bake.h"
-#include "horizon/kernel/tile_notes.h"
+#include "horizon/kernel/tile_scratch.h"
 #include "relief/height_field.h"
 
 namespace gnomon {
 
-/// The horizons of a part of one azimuth: what a thread bakes at once.
+/// The horizons of a tile of texels for one azimuth: the unit of work of a thread.
 struct HorizonTile {
   int azimuth = 0;
   TexelTile tile;
@@ -20,20 +20,18 @@ struct HorizonTile {
 };
 
 /// Calls `take(entry, from, count)` for each row of a tile: `count` values from index `from` of the
-/// tile on belong at `entry` and after it in tables of the layout of HorizonTables.
+/// tile on belong at `entry` and after it in the table.
 template <typename Take>
-void forEachRow(const HorizonTile& baked, int mapWidth, int mapHeight, const Take& take) {
+void forEachRow(const HorizonTile& baked, const TableShape& table, const Take& take) {
   const TexelTile& tile = baked.tile;
   for (int y = tile.bottom; y < tile.top; ++y) {
-    const auto row = static_cast<std::size_t>(baked.azimuth) * static_cast<std::size_t>(mapHeight) +
-                     static_cast<std::size_t>(y);
-    take(row * static_cast<std::size_t>(mapWidth) + static_cast<std::size_t>(tile.left),
+    take(table.entry(baked.azimuth, tile.left, y),
          static_cast<std::size_t>(y - tile.bottom) * TexelTile::width,
          static_cast<std::size_t>(tile.right - tile.left));
   }
 }
 
-/// Takes each tile of each azimuth once, on whatever thread baked it.
+/// Receives each tile of each azimuth once, on the thread that baked it.
 using TileSink = std::function<void(const HorizonTile&)>;
 
 /// Refuses a bake that is out of range or cannot fit, before anything is allocated.

@@ -36,9 +36,9 @@ Axis axisY(const HeightField& field) {
 
 /// Also of the four nodes of a cell, whose lower left one was folded.
 double marginOf(const Axis& axis, double radius) {
-  const double reach = std::ceil(radius) + 2;
+  const double margin = std::ceil(radius) + 2;
   const int half = axis.side / 2;
-  return axis.repeats() ? std::min(reach, half + 2.0) : reach;
+  return axis.repeats() ? std::min(margin, half + 2.0) : margin;
 }
 
 /// The representative of an offset, modulo a side, from -side/2 on.

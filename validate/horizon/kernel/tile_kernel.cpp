@@ -24,7 +24,7 @@ namespace gnomon {
 namespace HWY_NAMESPACE {
 namespace {
 
-Tile openTile(const AzimuthBake& bake, const TexelTile& tile, TileNotes& notes) {
+Tile openTile(const AzimuthBake& bake, const TexelTile& tile, TileScratch& scratch) {
   const PaddedMap& map = bake.map;
   const std::size_t vector = hn::Lanes(lanes);
   const auto width = static_cast<std::size_t>(tile.right - tile.left);
@@ -35,14 +35,14 @@ Tile openTile(const AzimuthBake& bake, const TexelTile& tile, TileNotes& notes) 
       const std::ptrdiff_t row = map.marginY + y;
       const std::ptrdiff_t column =
           map.marginX + tile.left + static_cast<std::ptrdiff_t>(x * vector);
-      notes.row[v] = static_cast<std::int32_t>(row);
-      notes.column[v] = static_cast<std::int32_t>(column);
-      notes.offset[v] = row * map.stride + column;
+      scratch.row[v] = static_cast<std::int32_t>(row);
+      scratch.column[v] = static_cast<std::int32_t>(column);
+      scratch.offset[v] = row * map.stride + column;
     }
   }
-  notes.winners.clear();
-  notes.foreseen.assign(v * bake.plan.bundles.size(), 0);
-  return {bake, bake.plan, notes, across, static_cast<std::size_t>(tile.top - tile.bottom)};
+  scratch.winners.clear();
+  scratch.foreseen.assign(v * bake.plan.bundles.size(), 0);
+  return {bake, bake.plan, scratch, across, static_cast<std::size_t>(tile.top - tile.bottom)};
 }
 
 /// The limit r → 0⁺: the directional derivative.
@@ -55,37 +55,37 @@ HWY_INLINE Floats derivative(const Tile& at, const float* heights, Floats height
                  hn::Mul(hn::Set(lanes, static_cast<float>(std::abs(e.y))), y));
 }
 
-/// Vectors of a turn with the slopes that they start from.
+/// Vectors of a batch with the slopes that they start from.
 void openTurn(Tile& at, std::size_t firstRow, std::size_t step) {
-  TileNotes& notes = at.notes;
-  notes.turnCount = 0;
+  TileScratch& scratch = at.scratch;
+  scratch.batchCount = 0;
   for (std::size_t y = firstRow; y < at.rows; y += step) {
     for (std::size_t x = 0; x < at.across; ++x) {
       const std::size_t v = y * at.across + x;
       const float* heights = at.heights(v);
       const Floats height = hn::LoadU(lanes, heights);
       const Floats start = derivative(at, heights, height);
-      store(height, notes.height.data(), v);
-      store(start, notes.start.data(), v);
-      store(start, notes.best.data(), v);
-      notes.turn[notes.turnCount++] = static_cast<Index>(v);
+      store(height, scratch.height.data(), v);
+      store(start, scratch.start.data(), v);
+      store(start, scratch.best.data(), v);
+      scratch.batch[scratch.batchCount++] = static_cast<Index>(v);
     }
   }
-  notes.keptCount = 0;
-  notes.peakCount = 0;
+  scratch.keptCount = 0;
+  scratch.peakCount = 0;
 }
 
 // --- groups of taps -----------------------------------------------------------------------------
 
 /// Finds the slopes of groups, and keeps those that may attain a horizon at a tap or beside one.
 HWY_NOINLINE void takeGroups(Tile& at, std::size_t count) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   const std::size_t vector = hn::Lanes(lanes);
-  const Visit* visits = notes.visits.data();
-  Visit* kept = roomFor(notes.kept, notes.keptCount + count);
-  float* allSlopes = roomFor(notes.slopes, (notes.keptCount + count) * groupTaps * vector);
-  float* allHighest = roomFor(notes.highest, (notes.keptCount + count) * vector);
-  std::size_t keptCount = notes.keptCount;
+  const Visit* visits = scratch.visits.data();
+  Visit* kept = roomFor(scratch.kept, scratch.keptCount + count);
+  float* allSlopes = roomFor(scratch.slopes, (scratch.keptCount + count) * groupTaps * vector);
+  float* allHighest = roomFor(scratch.highest, (scratch.keptCount + count) * vector);
+  std::size_t keptCount = scratch.keptCount;
   for (std::size_t i = 0; i < count; ++i) {
     const Visit visit = visits[i];
     const Stretch& group = at.plan.groups[visit.group];
@@ -100,73 +100,73 @@ HWY_NOINLINE void takeGroups(Tile& at, std::size_t count) {
       highest = hn::Max(highest, slope);
     }
     const Floats best = hn::Max(at.best(visit.vector), highest);
-    store(best, notes.best.data(), visit.vector);
+    store(best, scratch.best.data(), visit.vector);
     store(highest, allHighest, keptCount);
     kept[keptCount] = visit;
     const Floats least = hn::Sub(best, hn::Set(lanes, group.tolerance + group.peakRoom));
     keptCount += hn::AllFalse(lanes, hn::Ge(highest, least)) ? 0 : 1;
   }
-  notes.keptCount = keptCount;
+  scratch.keptCount = keptCount;
 }
 
 /// Takes the groups that won in rows at some distance below, so that most others need no look.
 HWY_INLINE void takeForeseen(Tile& at, std::size_t rowsBelow) {
-  TileNotes& notes = at.notes;
-  Visit* visits = roomFor(notes.visits, notes.winners.size());
+  TileScratch& scratch = at.scratch;
+  Visit* visits = roomFor(scratch.visits, scratch.winners.size());
   std::size_t count = 0;
-  for (const Visit& winner : notes.winners) {
+  for (const Visit& winner : scratch.winners) {
     const std::size_t v = winner.vector + rowsBelow * at.across;
     if (v >= at.rows * at.across) continue;
     visits[count++] = {static_cast<Index>(v), winner.group};
-    notes.foreseen[v * at.plan.bundles.size() + winner.group / bundleGroups] |=
+    scratch.foreseen[v * at.plan.bundles.size() + winner.group / bundleGroups] |=
         static_cast<std::uint8_t>(1U << (winner.group % bundleGroups));
   }
   takeGroups(at, count);
 }
 
 /// Whether a height up to `highest` between two distances could equal or exceed any horizon.
-HWY_INLINE bool canRaise(Floats reach, Floats best, Floats highest, float enter, float leave) {
-  const Floats near = hn::MulAdd(best, hn::Set(lanes, enter), reach);
-  const Floats far = hn::MulAdd(best, hn::Set(lanes, leave), reach);
+HWY_INLINE bool canRaise(Floats height, Floats best, Floats highest, float enter, float leave) {
+  const Floats near = hn::MulAdd(best, hn::Set(lanes, enter), height);
+  const Floats far = hn::MulAdd(best, hn::Set(lanes, leave), height);
   return !hn::AllFalse(lanes, hn::Gt(highest, hn::Min(near, far)));
 }
 
 HWY_INLINE const float* boundsAt(const Tile& at, const BoxMaxima& maxima, std::size_t vector,
                                  Node corner) {
-  const std::ptrdiff_t row = (at.notes.row[vector] + corner.y) >> maxima.rowShift;
-  return maxima.highest.data() + row * at.bake.map.stride + at.notes.column[vector] + corner.x;
+  const std::ptrdiff_t row = (at.scratch.row[vector] + corner.y) >> maxima.rowShift;
+  return maxima.highest.data() + row * at.bake.map.stride + at.scratch.column[vector] + corner.x;
 }
 
 /// Leaves those of the active vectors whose horizon the map's highest texel could still raise from
 /// some distance on.
 HWY_INLINE std::size_t keepActive(Tile& at, std::size_t count, float enter) {
-  Index* active = at.notes.active.data();
+  Index* active = at.scratch.active.data();
   const Floats top = hn::Set(lanes, at.bake.map.maximum);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Index v = active[i];
     active[kept] = v;
-    kept += canRaise(at.reach(v), at.best(v), top, enter, farthest) ? 1 : 0;
+    kept += canRaise(at.loweredHeight(v), at.best(v), top, enter, farthest) ? 1 : 0;
   }
   return kept;
 }
 
 /// Lists the active vectors whose horizons a bundle could raise.
 HWY_NOINLINE std::size_t openBundle(Tile& at, const Stretch& bundle, std::size_t active) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   std::size_t open = 0;
   for (std::size_t i = 0; i < active; ++i) {
-    const Index v = notes.active[i];
+    const Index v = scratch.active[i];
     const Floats highest = hn::LoadU(lanes, boundsAt(at, at.bake.bundles, v, bundle.corner));
-    notes.open[open] = v;
-    open += canRaise(at.reach(v), at.best(v), highest, bundle.enter, bundle.leave) ? 1 : 0;
+    scratch.open[open] = v;
+    open += canRaise(at.loweredHeight(v), at.best(v), highest, bundle.enter, bundle.leave) ? 1 : 0;
   }
   return open;
 }
 
 /// Lists the groups of a bundle that could raise horizons of its open vectors.
 HWY_NOINLINE std::size_t openGroups(Tile& at, std::size_t bundle, std::size_t open) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   const std::size_t first = bundle * bundleGroups;
   const std::size_t groups = std::min(bundleGroups, at.plan.groups.size() - first);
   const Stretch* stretches = at.plan.groups.data() + first;
@@ -175,16 +175,16 @@ HWY_NOINLINE std::size_t openGroups(Tile& at, std::size_t bundle, std::size_t op
     bounds[k] = at.bake.groups.highest.data() + stretches[k].corner.y * at.bake.map.stride +
                 stretches[k].corner.x;
   }
-  Visit* visits = roomFor(notes.visits, open * groups);
+  Visit* visits = roomFor(scratch.visits, open * groups);
   std::size_t count = 0;
   for (std::size_t i = 0; i < open; ++i) {
-    const Index v = notes.open[i];
-    const Floats reach = at.reach(v);
+    const Index v = scratch.open[i];
+    const Floats height = at.loweredHeight(v);
     const Floats best = at.best(v);
-    const std::uint32_t foreseen = notes.foreseen[v * at.plan.bundles.size() + bundle];
+    const std::uint32_t foreseen = scratch.foreseen[v * at.plan.bundles.size() + bundle];
     for (std::size_t k = 0; k < groups; ++k) {
-      const Floats highest = hn::LoadU(lanes, bounds[k] + notes.offset[v]);
-      const bool raises = canRaise(reach, best, highest, stretches[k].enter, stretches[k].leave);
+      const Floats highest = hn::LoadU(lanes, bounds[k] + scratch.offset[v]);
+      const bool raises = canRaise(height, best, highest, stretches[k].enter, stretches[k].leave);
       visits[count] = {v, static_cast<Index>(first + k)};
       count += std::uint32_t{raises} & ~(foreseen >> k);
     }
@@ -195,9 +195,9 @@ HWY_NOINLINE std::size_t openGroups(Tile& at, std::size_t bundle, std::size_t op
 /// Takes every other group, from near to far, that could raise a horizon.
 HWY_INLINE void sweep(Tile& at) {
   constexpr std::size_t bundlesBetween = 4;  // looks at whether anything farther off matters
-  TileNotes& notes = at.notes;
-  std::copy_n(notes.turn.begin(), notes.turnCount, notes.active.begin());
-  std::size_t active = notes.turnCount;
+  TileScratch& scratch = at.scratch;
+  std::copy_n(scratch.batch.begin(), scratch.batchCount, scratch.active.begin());
+  std::size_t active = scratch.batchCount;
   for (std::size_t b = 0; b < at.plan.bundles.size(); ++b) {
     const Stretch& bundle = at.plan.bundles[b];
     if (b % bundlesBetween == 0) active = keepActive(at, active, bundle.enter);
@@ -216,7 +216,7 @@ HWY_INLINE Floats slopeAtEnd(const Tile& at, std::size_t vector) {
   const Floats twist = hn::LoadU(lanes, at.twists(vector) + path.cell);
   if (plan.taps.empty()) {  // the first cell: the slope is linear, without a peak
     const Floats change = hn::Mul(twist, hn::Set(lanes, path.bend * path.length));
-    return hn::Sub(load(at.notes.start.data(), vector), change);
+    return hn::Sub(load(at.scratch.start.data(), vector), change);
   }
   const float* corner = at.heights(vector) + path.cell;
   const Floats u = hn::Set(lanes, path.u + path.length * static_cast<float>(plan.direction.x));
@@ -234,19 +234,20 @@ HWY_INLINE Floats slopeAtEnd(const Tile& at, std::size_t vector) {
 /// raise.
 /// @returns how many these are; `open` lists them
 HWY_INLINE std::size_t takeEnds(Tile& at) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   const AzimuthPlan& plan = at.plan;
   if (!plan.endsInCell) return 0;
-  roomForPeaks(notes, notes.turnCount);
+  roomForPeaks(scratch, scratch.batchCount);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < notes.turnCount; ++i) {
-    const Index v = notes.turn[i];
+  for (std::size_t i = 0; i < scratch.batchCount; ++i) {
+    const Index v = scratch.batch[i];
     const Floats highest = hn::LoadU(lanes, boundsAt(at, at.bake.groups, v, plan.end.corner));
-    if (!canRaise(at.reach(v), at.best(v), highest, plan.end.enter, plan.end.leave)) continue;
+    if (!canRaise(at.loweredHeight(v), at.best(v), highest, plan.end.enter, plan.end.leave))
+      continue;
     const Floats slope = slopeAtEnd(at, v);
-    store(slope, notes.end.data(), v);
+    store(slope, scratch.end.data(), v);
     at.raise(v, slope);
-    notes.open[count++] = v;
+    scratch.open[count++] = v;
     if (plan.taps.empty()) continue;
     const Floats before = slopeBefore(at, v, plan.taps.size());
     const Floats least = hn::Sub(at.best(v), hn::Set(lanes, plan.end.tolerance));
@@ -258,41 +259,41 @@ HWY_INLINE std::size_t takeEnds(Tile& at) {
 // --- distances ----------------------------------------------------------------------------------
 
 HWY_INLINE void offerStartsAndEnds(Tile& at, std::size_t ends) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   const Floats startTolerance = hn::Set(lanes, at.bake.map.tolerance);
-  for (std::size_t i = 0; i < notes.turnCount; ++i) {
-    const Index v = notes.turn[i];
+  for (std::size_t i = 0; i < scratch.batchCount; ++i) {
+    const Index v = scratch.batch[i];
     Floats distance = hn::Set(lanes, never);
-    offer(load(notes.start.data(), v), hn::Zero(lanes), hn::Sub(at.best(v), startTolerance),
+    offer(load(scratch.start.data(), v), hn::Zero(lanes), hn::Sub(at.best(v), startTolerance),
           distance);
-    store(distance, notes.distance.data(), v);
+    store(distance, scratch.distance.data(), v);
   }
   for (std::size_t i = 0; i < ends; ++i) {
-    const Index v = notes.open[i];
-    Floats distance = load(notes.distance.data(), v);
-    offer(load(notes.end.data(), v), hn::Set(lanes, at.plan.end.leave),
+    const Index v = scratch.open[i];
+    Floats distance = load(scratch.distance.data(), v);
+    offer(load(scratch.end.data(), v), hn::Set(lanes, at.plan.end.leave),
           hn::Sub(at.best(v), hn::Set(lanes, at.plan.end.tolerance)), distance);
-    store(distance, notes.distance.data(), v);
+    store(distance, scratch.distance.data(), v);
   }
 }
 
 /// Offers the taps of the groups that attain a horizon, and adds these to the winners.
 HWY_NOINLINE void offerTaps(Tile& at) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   const std::size_t count = findHigh(at, [](const Stretch& group) { return group.tolerance; });
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t index = notes.high[i];
-    const Visit visit = notes.kept[index];
-    notes.winners.push_back(visit);
+    const std::size_t index = scratch.high[i];
+    const Visit visit = scratch.kept[index];
+    scratch.winners.push_back(visit);
     const Tap* taps = at.plan.taps.data() + visit.group * groupTaps;
-    const float* slopes = notes.slopes.data() + index * groupTaps * hn::Lanes(lanes);
+    const float* slopes = scratch.slopes.data() + index * groupTaps * hn::Lanes(lanes);
     const Floats best = at.best(visit.vector);
-    Floats distance = load(notes.distance.data(), visit.vector);
+    Floats distance = load(scratch.distance.data(), visit.vector);
     for (std::size_t k = 0; k < groupTaps; ++k) {
       offer(load(slopes, k), hn::Set(lanes, taps[k].distance),
             hn::Sub(best, hn::Set(lanes, taps[k].tolerance)), distance);
     }
-    store(distance, notes.distance.data(), visit.vector);
+    store(distance, scratch.distance.data(), visit.vector);
   }
 }
 
@@ -310,10 +311,10 @@ void bakeRows(Tile& at, std::size_t firstRow, std::size_t step, std::size_t rows
   offerPeaks(at);
 }
 
-/// The lowest row first, then in every turn those half way between rows that are done.
-void bakeTile(const AzimuthBake& bake, const TexelTile& tile, TileNotes& notes,
+/// The lowest row first, then in every batch those half way between rows that are done.
+void bakeTile(const AzimuthBake& bake, const TexelTile& tile, TileScratch& scratch,
               std::ptrdiff_t stride, float* horizon, float* distance) {
-  Tile at = openTile(bake, tile, notes);
+  Tile at = openTile(bake, tile, scratch);
   const std::size_t whole = std::bit_ceil(at.rows);
   bakeRows(at, 0, whole, 0);
   for (std::size_t half = whole / 2; half > 0; half /= 2) bakeRows(at, half, 2 * half, half);
@@ -321,8 +322,8 @@ void bakeTile(const AzimuthBake& bake, const TexelTile& tile, TileNotes& notes,
   for (std::size_t y = 0; y < at.rows; ++y) {
     const std::size_t from = y * at.across * hn::Lanes(lanes);
     const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(y) * stride;
-    std::copy_n(notes.best.data() + from, width, horizon + to);
-    std::copy_n(notes.distance.data() + from, width, distance + to);
+    std::copy_n(scratch.best.data() + from, width, horizon + to);
+    std::copy_n(scratch.distance.data() + from, width, distance + to);
   }
 }
 
@@ -340,9 +341,9 @@ namespace gnomon {
 HWY_EXPORT(bakeTile);
 HWY_EXPORT(instructionSet);
 
-void bakeTile(const AzimuthBake& bake, const TexelTile& tile, TileNotes& notes,
+void bakeTile(const AzimuthBake& bake, const TexelTile& tile, TileScratch& scratch,
               std::ptrdiff_t stride, float* horizon, float* distance) {
-  HWY_DYNAMIC_DISPATCH(bakeTile)(bake, tile, notes, stride, horizon, distance);
+  HWY_DYNAMIC_DISPATCH(bakeTile)(bake, tile, scratch, stride, horizon, distance);
 }
 
 const char* bakeInstructionSet() {

@@ -30,7 +30,7 @@ HWY_INLINE Floats slopeBefore(const Tile& at, std::size_t vector, std::size_t ta
 /// of the height there, C = -c its bend and w = a - s₀, x = r - r₀ solves c x² + 2 c r₀ x = r₀ w,
 /// and the slope at it is s₀ + c x² / r₀.
 HWY_INLINE void takePeak(Tile& at, const CellPath& path, Floats before, std::size_t vector) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   const float* corner = at.heights(vector) + path.cell;
   const Vec2 e = at.plan.direction;
   const Floats h00 = hn::LoadU(lanes, corner);
@@ -53,10 +53,10 @@ HWY_INLINE void takePeak(Tile& at, const CellPath& path, Floats before, std::siz
   const Floats peak =
       hn::Add(before, hn::Mul(hn::Mul(bend, hn::Mul(x, x)), hn::Set(lanes, path.inverseEnter)));
   const Floats slope = hn::IfThenElse(inside, peak, hn::Set(lanes, -never));
-  const std::size_t p = notes.peakCount++;
-  notes.peakVectors[p] = static_cast<Index>(vector);
-  store(slope, notes.peaks.data(), 2 * p);
-  store(hn::IfThenElse(inside, hn::Add(enter, x), enter), notes.peaks.data(), 2 * p + 1);
+  const std::size_t p = scratch.peakCount++;
+  scratch.peakVectors[p] = static_cast<Index>(vector);
+  store(slope, scratch.peaks.data(), 2 * p);
+  store(hn::IfThenElse(inside, hn::Add(enter, x), enter), scratch.peaks.data(), 2 * p + 1);
   at.raise(vector, slope);
 }
 
@@ -74,15 +74,15 @@ HWY_INLINE bool mayPeak(const Tile& at, const CellPath& path, std::size_t vector
 
 /// Lists the cells of high groups that may hold a peak.
 HWY_NOINLINE inline std::size_t findPeakCells(Tile& at, std::size_t high) {
-  TileNotes& notes = at.notes;
-  CellVisit* cells = roomFor(notes.cells, high * groupTaps);
+  TileScratch& scratch = at.scratch;
+  CellVisit* cells = roomFor(scratch.cells, high * groupTaps);
   std::size_t count = 0;
   for (std::size_t i = 0; i < high; ++i) {
-    const std::size_t index = notes.high[i];
-    const Visit visit = notes.kept[index];
+    const std::size_t index = scratch.high[i];
+    const Visit visit = scratch.kept[index];
     const std::size_t tap = visit.group * groupTaps;
     const CellPath* paths = at.plan.cells.data() + tap;
-    const float* slopes = notes.slopes.data() + index * groupTaps * hn::Lanes(lanes);
+    const float* slopes = scratch.slopes.data() + index * groupTaps * hn::Lanes(lanes);
     const Floats tolerance = hn::Set(lanes, at.plan.groups[visit.group].tolerance);
     const Floats least = hn::Sub(at.best(visit.vector), tolerance);
     Floats before = slopeBefore(at, visit.vector, tap);
@@ -96,9 +96,9 @@ HWY_NOINLINE inline std::size_t findPeakCells(Tile& at, std::size_t high) {
   return count;
 }
 
-HWY_INLINE void roomForPeaks(TileNotes& notes, std::size_t count) {
-  roomFor(notes.peakVectors, notes.peakCount + count);
-  roomFor(notes.peaks, 2 * (notes.peakCount + count) * hn::Lanes(lanes));
+HWY_INLINE void roomForPeaks(TileScratch& scratch, std::size_t count) {
+  roomFor(scratch.peakVectors, scratch.peakCount + count);
+  roomFor(scratch.peaks, 2 * (scratch.peakCount + count) * hn::Lanes(lanes));
 }
 
 HWY_INLINE void takePeaks(Tile& at) {
@@ -107,24 +107,24 @@ HWY_INLINE void takePeaks(Tile& at) {
     return group.peakRoom > 0 ? group.tolerance + group.peakRoom : -never;
   });
   const std::size_t count = findPeakCells(at, high);
-  roomForPeaks(at.notes, count);
+  roomForPeaks(at.scratch, count);
   for (std::size_t i = 0; i < count; ++i) {
-    const CellVisit cell = at.notes.cells[i];
+    const CellVisit cell = at.scratch.cells[i];
     takePeak(at, at.plan.cells[cell.tap], slopeBefore(at, cell.vector, cell.tap), cell.vector);
   }
 }
 
 HWY_INLINE void offerPeaks(Tile& at) {
-  TileNotes& notes = at.notes;
+  TileScratch& scratch = at.scratch;
   const Floats tolerance = hn::Set(lanes, at.bake.map.tolerance);
-  for (std::size_t p = 0; p < notes.peakCount; ++p) {
-    const std::size_t v = notes.peakVectors[p];
-    const Floats slope = load(notes.peaks.data(), 2 * p);
-    const Floats r = load(notes.peaks.data(), 2 * p + 1);
+  for (std::size_t p = 0; p < scratch.peakCount; ++p) {
+    const std::size_t v = scratch.peakVectors[p];
+    const Floats slope = load(scratch.peaks.data(), 2 * p);
+    const Floats r = load(scratch.peaks.data(), 2 * p + 1);
     const Floats room = hn::Div(tolerance, hn::Max(r, hn::Set(lanes, 1.F)));
-    Floats distance = load(notes.distance.data(), v);
+    Floats distance = load(scratch.distance.data(), v);
     offer(slope, r, hn::Sub(at.best(v), room), distance);
-    store(distance, notes.distance.data(), v);
+    store(distance, scratch.distance.data(), v);
   }
 }
 

@@ -30,7 +30,7 @@ inline constexpr Lanes lanes;
 
 inline constexpr std::size_t groupTaps = AzimuthPlan::groupTaps;
 inline constexpr std::size_t bundleGroups = AzimuthPlan::bundleGroups;
-static_assert(bundleGroups == 8, "TileNotes::foreseen has a bit for each");
+static_assert(bundleGroups == 8, "TileScratch::foreseen has a bit for each");
 inline constexpr float never = std::numeric_limits<float>::infinity();
 inline constexpr float farthest = std::numeric_limits<float>::max();  ///< times 0 it is still 0
 
@@ -53,27 +53,27 @@ HWY_INLINE void store(Floats value, float* values, std::size_t vector) {
 struct Tile {
   const AzimuthBake& bake;
   const AzimuthPlan& plan;
-  TileNotes& notes;
+  TileScratch& scratch;
   std::size_t across, rows;  ///< vectors in a row, rows
 
   [[nodiscard]] HWY_INLINE const float* heights(std::size_t vector) const {
-    return bake.map.heights.data() + notes.offset[vector];
+    return bake.map.heights.data() + scratch.offset[vector];
   }
   [[nodiscard]] HWY_INLINE const float* twists(std::size_t vector) const {
-    return bake.map.twists.data() + notes.offset[vector];
+    return bake.map.twists.data() + scratch.offset[vector];
   }
   [[nodiscard]] HWY_INLINE Floats height(std::size_t vector) const {
-    return load(notes.height.data(), vector);
+    return load(scratch.height.data(), vector);
   }
-  /// Height less what keeps roundings from hiding an equal.
-  [[nodiscard]] HWY_INLINE Floats reach(std::size_t vector) const {
+  /// The texel's height less the tolerance, so that rounding does not hide an equal slope.
+  [[nodiscard]] HWY_INLINE Floats loweredHeight(std::size_t vector) const {
     return hn::Sub(height(vector), hn::Set(lanes, 2 * bake.map.tolerance));
   }
   [[nodiscard]] HWY_INLINE Floats best(std::size_t vector) const {
-    return load(notes.best.data(), vector);
+    return load(scratch.best.data(), vector);
   }
   HWY_INLINE void raise(std::size_t vector, Floats slope) {
-    store(hn::Max(best(vector), slope), notes.best.data(), vector);
+    store(hn::Max(best(vector), slope), scratch.best.data(), vector);
   }
 };
 
@@ -88,15 +88,15 @@ HWY_INLINE Floats slopeAt(const float* heights, Floats height, const Tap& tap) {
 /// Indices of the kept groups that come within some room of a horizon.
 template <typename Room>
 HWY_INLINE std::size_t findHigh(Tile& at, const Room& roomOf) {
-  TileNotes& notes = at.notes;
-  Index* high = roomFor(notes.high, notes.keptCount);
+  TileScratch& scratch = at.scratch;
+  Index* high = roomFor(scratch.high, scratch.keptCount);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < notes.keptCount; ++i) {
-    const Visit visit = notes.kept[i];
+  for (std::size_t i = 0; i < scratch.keptCount; ++i) {
+    const Visit visit = scratch.kept[i];
     const Floats room = hn::Set(lanes, roomOf(at.plan.groups[visit.group]));
     const Floats least = hn::Sub(at.best(visit.vector), room);
     high[count] = static_cast<Index>(i);
-    count += hn::AllFalse(lanes, hn::Ge(load(notes.highest.data(), i), least)) ? 0 : 1;
+    count += hn::AllFalse(lanes, hn::Ge(load(scratch.highest.data(), i), least)) ? 0 : 1;
   }
   return count;
 }

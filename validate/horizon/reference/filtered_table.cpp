@@ -1,9 +1,6 @@
 #include "horizon/reference/filtered_table.h"
 
-#include "relief/neighbours.h"
-
 #include <cmath>
-#include <cstddef>
 
 namespace gnomon {
 namespace {
@@ -14,11 +11,7 @@ double layerValue(const StoredTable& table, const TableShape& shape, Vec2 texel,
   const Neighbours row =
       neighbours(texel.y, shape.height, shape.border.y ? Wrap::clamp : shape.wrap);
   const auto entry = [&](int x, int y) {
-    const std::size_t line =
-        static_cast<std::size_t>(azimuth) * static_cast<std::size_t>(shape.height) +
-        static_cast<std::size_t>(y);
-    return static_cast<double>(
-        table.value(line * static_cast<std::size_t>(shape.width) + static_cast<std::size_t>(x)));
+    return static_cast<double>(table.value(shape.entry(azimuth, x, y)));
   };
   const double low = (1 - column.share) * entry(column.first, row.first) +
                      column.share * entry(column.second, row.first);
@@ -32,11 +25,11 @@ double layerValue(const StoredTable& table, const TableShape& shape, Vec2 texel,
 double filteredValue(const StoredTable& table, const TableShape& shape, Vec2 texel,
                      double azimuth) {
   const double turns = azimuth / (2 * pi);
-  const double place = (turns - std::floor(turns)) * shape.azimuths;
+  const double place = (turns - std::floor(turns)) * shape.layers;
   const int below = static_cast<int>(place);
   const double share = place - below;
-  return (1 - share) * layerValue(table, shape, texel, below % shape.azimuths) +
-         share * layerValue(table, shape, texel, (below + 1) % shape.azimuths);
+  return (1 - share) * layerValue(table, shape, texel, below % shape.layers) +
+         share * layerValue(table, shape, texel, (below + 1) % shape.layers);
 }
 
 }  // namespace gnomon

@@ -20,11 +20,11 @@ constexpr double leastGround = 1e-3;
 }  // namespace
 
 double smallAngleHorizon(const HorizonLookups& at) {
-  return at.slope * (1 - at.curvature * at.height) - at.curvature * at.reach / 2;
+  return at.slope * (1 - at.curvature * at.height) - at.curvature * at.arcLength / 2;
 }
 
 double unreducedHorizon(const HorizonLookups& at) {
-  const double angle = at.curvature * at.reach;
+  const double angle = at.curvature * at.arcLength;
   if (std::abs(angle) > pi / 2) return nothing;
   // Above and below divided by R + h = (1 + κh) / κ; 2 sin(γ/2) cos(γ/2) = sin γ.
   const double ground = std::max(1 + at.curvature * at.height, leastGround);
@@ -33,10 +33,11 @@ double unreducedHorizon(const HorizonLookups& at) {
 }
 
 double osculatingHorizon(const HorizonLookups& at) {
-  const double angle = at.curvature * at.reach;
+  const double angle = at.curvature * at.arcLength;
   if (std::abs(angle) > pi / 2) return nothing;
   // With cos γ = 1 - 2 sin²(γ/2), to have no difference of two numbers near 1.
-  const double peak = std::max(1 + at.curvature * (at.height + at.slope * at.reach), leastGround);
+  const double peak =
+      std::max(1 + at.curvature * (at.height + at.slope * at.arcLength), leastGround);
   const double stretch = std::abs(angle) < smallAngle ? 1 : angle / std::sin(angle);
   return at.slope / peak * stretch - std::tan(angle / 2);
 }

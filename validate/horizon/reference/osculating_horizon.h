@@ -7,7 +7,7 @@ struct HorizonLookups {
   double curvature;  ///< κ of the surface in that direction, 1 / world, convex positive
   double height;     ///< h₀: the relief at the point
   double slope;      ///< tan β: the flat relief's horizon
-  double reach;      ///< d ≥ 0: arc length to the horizon point; 0 where the horizon is attached
+  double arcLength;  ///< d ≥ 0: arc length to the horizon point; 0 where the horizon is attached
 };
 
 /// The corrected horizons below are slopes, tan β′, over the tangent plane at the point; γ = κd. On

@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-/// The kinds of what is drawn, each of which a driver may get wrong by itself.
+/// The kinds of passes, each of which a driver may draw wrongly.
 enum class PassKind {
   cameraSamples,
   atlasSamples,
@@ -24,14 +24,13 @@ enum class PassKind {
   pictures,
 };
 
-/// What a message calls it: "shadow volumes".
+/// The kind's name in messages: "shadow volumes".
 std::string_view passName(PassKind kind);
 
 /// The kinds that a method's answers are made by, beside the samples of the views.
 std::vector<PassKind> passesOf(const Method& method, TableFilter filter);
 
-/// Draws a small scene with the shaders and compares it with what it must show, which is known in
-/// closed form:
+/// Draws a small scene with the shaders and compares the result with its closed form:
 ///   cameraSamples   a floor and a box over it: the nearest rectangle, and the place on it
 ///   atlasSamples    two faces side by side: every sample's face, s and t, exactly
 ///   tables          heights, horizons and distances of random zeros and ones, in 8, 16 and 32
@@ -45,7 +44,7 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter);
 ///   shadowVolumes   the same, and a camera inside the shadow, from counts
 ///   pictures        a chequered mask: dark where it is shadowed, brighter elsewhere
 /// Pixels beside an edge of anything are left out.
-/// @return  empty if all pixels are right, else which are not: "37 of 5124 pixels are wrong"
+/// @return  empty if all pixels are right, else how many are not: "37 of 5124 pixels are wrong"
 /// @throws InputError for a shader that does not compile
 std::string passFault(PassKind kind, const std::filesystem::path& shaders);
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <tuple>
 
+#include "surface/face_grids.h"
+
 namespace gnomon {
 namespace {
 
@@ -72,32 +74,13 @@ SeenPoint seenFrom(const Vec3& eye, const Vec3& direction, const Vec3& light) {
   return seen;
 }
 
-void addRectangle(BaseMesh& mesh, const Rectangle& r, int face, int cuts) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  const auto lines = static_cast<std::uint32_t>(cuts + 1);
-  for (int j = 0; j <= cuts; ++j) {
-    for (int i = 0; i <= cuts; ++i) {
-      const Vec2 st(static_cast<double>(i) / cuts, static_cast<double>(j) / cuts);
-      BaseVertex vertex{};
-      vertex.position = r.corner + st.x * r.along + st.y * r.across;
-      vertex.normal = outside(r);
-      vertex.px = r.along / static_cast<double>(texelsPerSide);
-      vertex.py = r.across / static_cast<double>(texelsPerSide);
-      vertex.v1 = glm::normalize(r.along);
-      vertex.v2 = glm::normalize(r.across);
-      vertex.texel = static_cast<double>(texelsPerSide) * st;
-      vertex.face = face;
-      vertex.st = st;
-      mesh.vertices.push_back(vertex);
-    }
-  }
-  for (std::uint32_t j = 0; j + 1 < lines; ++j) {
-    for (std::uint32_t i = 0; i + 1 < lines; ++i) {
-      const std::uint32_t a = first + j * lines + i;
-      mesh.triangles.insert(mesh.triangles.end(),
-                            {a, a + 1, a + lines + 1, a, a + lines + 1, a + lines});
-    }
-  }
+BaseVertex vertexOf(const Rectangle& r, int face, Vec2 st) {
+  constexpr double texels = texelsPerSide;
+  return {{r.corner + st.x * r.along + st.y * r.across, outside(r), r.along / texels,
+           r.across / texels, texels * st, true},
+          {0, 0, glm::normalize(r.along), glm::normalize(r.across)},
+          face,
+          st};
 }
 
 }  // namespace
@@ -108,14 +91,25 @@ const std::array<Rectangle, 7>& boxOverFloor() {
 }
 
 DisplacedMesh boxOverFloorMesh() {
+  // The floor has four pieces a side, the box's sides have two.
+  std::vector<FaceLines> lines(boxOverFloor().size(), FaceLines{1, 1});
+  lines.front() = {0, 0};
+  const FaceGrids grids({evenLines(4), evenLines(2)}, lines);
   DisplacedMesh result;
-  for (int k = 0; k < static_cast<int>(boxOverFloor().size()); ++k) {
-    addRectangle(result.mesh, boxOverFloor().at(static_cast<std::size_t>(k)), k, k == 0 ? 4 : 2);
+  for (std::size_t k = 0; k < boxOverFloor().size(); ++k) {
+    const FaceGrid& grid = grids.faces()[k];
+    for (const double t : grids.tLines(grid)) {
+      for (const double s : grids.sLines(grid)) {
+        result.mesh.vertices.push_back(
+            vertexOf(boxOverFloor().at(k), static_cast<int>(k), Vec2(s, t)));
+      }
+    }
   }
+  result.mesh.triangles = gridTriangles(grids, Diagonal::fromOrigin);
   std::map<std::tuple<double, double, double>, std::uint32_t> places;
   std::vector<std::uint32_t> shared;
   for (const BaseVertex& vertex : result.mesh.vertices) {
-    const Vec3& p = vertex.position;
+    const Vec3& p = vertex.frame.position;
     shared.push_back(
         places.emplace(std::tuple(p.x, p.y, p.z), static_cast<std::uint32_t>(shared.size()))
             .first->second);

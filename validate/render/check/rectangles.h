@@ -8,8 +8,7 @@
 
 namespace gnomon {
 
-/// A flat scene that is known in closed form: seven rectangles, a floor and a box that floats over
-/// it.
+// A flat scene whose picture is known in closed form: a floor, and a box that floats over it.
 
 /// corner + s along + t across, s and t from 0 to 1; `along` and `across` are at right angles, and
 /// the outside is where along × across points.
@@ -24,14 +23,14 @@ const std::array<Rectangle, 7>& boxOverFloor();
 /// with the neighbours across the box's edges.
 DisplacedMesh boxOverFloorMesh();
 
-/// What a pixel shows.
+/// The surface point that a pixel shows.
 struct SeenPoint {
   int face = -1;          ///< -1 for none
   Vec2 st{0, 0};          ///< its place there
   bool isTurned = false;  ///< outside turned from the light
   bool isHidden = false;  ///< another rectangle, or its own from behind, is before the light
-  /// Whether it and its eight neighbours show the same face and are lit alike: then rounding cannot
-  /// have decided.
+  /// Whether it and its eight neighbours show the same face and are lit alike, so that rounding
+  /// cannot change the answer.
   bool isClear = false;
 };
 

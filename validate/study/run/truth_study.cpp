@@ -33,12 +33,7 @@ StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progr
     return bakeStoredHorizons(field, settings, study.bake.bits, progress);
   }
   const HorizonTables tables = keptHorizons(cache, field, settings, progress);
-  return {tables.width,
-          tables.height,
-          tables.azimuths,
-          tables.radiusTexels,
-          tables.wrap,
-          storeTable(tables.horizon, study.bake.bits),
+  return {tables, tables.radiusTexels, storeTable(tables.horizon, study.bake.bits),
           storeTable(tables.distance, study.bake.bits)};
 }
 

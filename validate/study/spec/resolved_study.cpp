@@ -67,7 +67,8 @@ toml::table lightTable(const LightSpec& light) {
 /// All that the shader declares, as the study sets them.
 toml::table parameterTable(const MethodSpec& spec, const Method& method) {
   toml::table table;
-  for (const auto& [name, parameter] : method.parameters) table.insert(name, parameter.standard);
+  for (const auto& [name, parameter] : method.parameters)
+    table.insert(name, parameter.defaultValue);
   for (const auto& [name, value] : spec.parameters) table.insert_or_assign(name, value);
   return table;
 }

@@ -170,7 +170,7 @@ void MeshReader::takeVertices(const std::vector<double>& indices) {
   mesh_.faceSizes.push_back(static_cast<int>(indices.size()));
   if (body_.line() > 0) names_.faceLines.push_back(body_.line());
   for (const double index : indices) {
-    // `connect` knows how many vertices there are; here only what an index cannot be.
+    // `makeTopologyRefiner` knows how many vertices there are; here only what an index cannot be.
     if (!(index >= 0 && index <= std::numeric_limits<int>::max() && index == std::floor(index))) {
       body_.fail(fmt::format("vertex index {}, expected a whole number from 0", index));
     }
@@ -221,7 +221,7 @@ void MeshReader::joinVertices() {
     first[vertex] = same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
   }
   for (int& vertex : mesh_.faceVertices) {
-    // One that there is none of is for `connect` to refuse.
+    // One that there is none of is for `makeTopologyRefiner` to refuse.
     if (static_cast<std::size_t>(vertex) < first.size()) {
       vertex = first[static_cast<std::size_t>(vertex)];
     }

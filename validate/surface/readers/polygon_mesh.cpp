@@ -29,16 +29,16 @@ void giveMissingUvs(PolygonMesh& mesh, const PartNames& names) {
 
 std::unique_ptr<Far::TopologyRefiner> connectMesh(const PolygonMesh& mesh, const PartNames& names,
                                                   SubdivisionScheme scheme) {
-  return connect({.positions = mesh.positions,
-                  .faceSizes = mesh.faceSizes,
-                  .faceVertices = mesh.faceVertices,
-                  .uvs = mesh.uvs,
-                  .faceUvs = mesh.faceUvs,
-                  .creases = mesh.creases,
-                  .sharpVertices = mesh.sharpVertices,
-                  .border = CageBorder::edgesAndCorners,
-                  .scheme = scheme},
-                 names, true);
+  return makeTopologyRefiner({.positions = mesh.positions,
+                              .faceSizes = mesh.faceSizes,
+                              .faceVertices = mesh.faceVertices,
+                              .uvs = mesh.uvs,
+                              .faceUvs = mesh.faceUvs,
+                              .creases = mesh.creases,
+                              .sharpVertices = mesh.sharpVertices,
+                              .border = CageBorder::edgesAndCorners,
+                              .scheme = scheme},
+                             names, true);
 }
 
 /// A vector as OpenSubdiv's refiner wants to add it up.

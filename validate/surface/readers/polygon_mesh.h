@@ -30,7 +30,8 @@ struct PolygonMesh {
 /// texture coordinates are halved linearly. Faces without texture coordinates get some without
 /// area, so that no frame exists on them.
 /// @throws InputError naming the part: no face, or none with texture coordinates; for Loop's scheme
-///   a face that is no triangle; and all that `connect` refuses
+///   a face that is no triangle; and all that
+///   `makeTopologyRefiner` refuses
 Cage toCage(PolygonMesh mesh, const PartNames& names, SubdivisionScheme scheme);
 
 }  // namespace gnomon

@@ -20,7 +20,7 @@ TEST_F(SceneMakerTest, MakesWhatTheShownMethodsRead) {
   const MethodData& horizons = *scene->methods.at("max-forsyth");
   ASSERT_TRUE(horizons.tables);
   EXPECT_FALSE(horizons.ellipses);
-  EXPECT_EQ(horizons.tables->horizon.layers, 8);
+  EXPECT_EQ(horizons.tables->horizon.shape.layers, 8);
   // The same bytes as a run stores.
   const HorizonTables baked = bakeHorizons(scene->study->relief.field, horizons.spec.bake.settings);
   EXPECT_EQ(horizons.tables->horizon.values.bytes,
@@ -89,7 +89,7 @@ TEST_F(SceneMakerTest, AMeshThatChangesIsAnotherSurface) {
 TEST_F(SceneMakerTest, ChangingTheTablesBakesAgain) {
   const auto first = made(maker_, {}, {"max-forsyth"});
   const auto finer = made(maker_, {"bake.azimuths=16"}, {"max-forsyth"});
-  EXPECT_EQ(finer->methods.at("max-forsyth")->tables->horizon.layers, 16);
+  EXPECT_EQ(finer->methods.at("max-forsyth")->tables->horizon.shape.layers, 16);
   EXPECT_EQ(finer->keys.truth, first->keys.truth);
 }
 

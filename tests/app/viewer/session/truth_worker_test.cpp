@@ -67,7 +67,7 @@ TEST_F(TruthTracerTest, EndsWithTheMaskThatARunTraces) {
   const MicroScene scene(mesh);
   const Truth truth =
       traceShadows(*scene_->surface, scene_->study->relief, mesh, scene, *asked.views[0].samples,
-                   {asked.light, scene_->study->bake.settings.radiusTexels, standardLift});
+                   {asked.light, scene_->study->bake.settings.radiusTexels, standardRayOffset});
   EXPECT_EQ(found.back().mask.samples, truth.mask.samples);
   EXPECT_EQ(found.back().share(), 1);
 }

@@ -82,7 +82,7 @@ TEST(LightField, IsTheMotionOfThePictureInACamera) {
   for (std::size_t i = 0; i < field.steps.size(); ++i) {
     const LightStep& step = field.steps[i];
     const SurfaceSample& sample = samples.samples[i];
-    const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+    const LimitPoint point = surface.evaluate(sample);
     if (step.away == glm::vec2(0)) continue;
     ++defined;
     EXPECT_NEAR(glm::length(step.away), 1, 1e-6);
@@ -109,7 +109,7 @@ TEST(LightField, IsTheMotionOfTheParametersInAnAtlas) {
     if (step.away == glm::vec2(0)) continue;
     ++defined;
     const SurfaceSample& sample = samples.samples[i];
-    const LimitPoint point = surface.evaluate(sample.face, sample.s, sample.t);
+    const LimitPoint point = surface.evaluate(sample);
     // A hundredth of a step there and back: columns along s, rows against t.
     const Vec2 move = 0.01 * Vec2(step.away.x, -step.away.y) / double{side};
     const auto at = [&](double sign) {
@@ -133,8 +133,8 @@ TEST(LightField, HasNoDirectionWhereShadowsHaveNone) {
   int turned = 0;
   for (std::size_t i = 0; i < field.steps.size(); ++i) {
     const SurfaceSample& sample = samples.samples[i];
-    if (sample.face < 0) continue;
-    const Vec3 normal = outwardNormal(surface.evaluate(sample.face, sample.s, sample.t));
+    if (!sample.isOnSurface()) continue;
+    const Vec3 normal = outwardNormal(surface.evaluate(sample));
     EXPECT_EQ(field.steps[i].away == glm::vec2(0), glm::dot(normal, light) <= 0);
     turned += glm::dot(normal, light) <= 0 ? 1 : 0;
   }
@@ -153,7 +153,7 @@ TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
   const RenderView view = atlasView(plane, 4);  // samples 1 apart along x, ½ along y
   const SampleGrid samples = atlasSamples(plane, view);
   for (const LightStep& step : makeLightField(plane, view, samples, lightToward(30, 45)).steps) {
-    EXPECT_NEAR(step.reach, 3 * (1 + 0.5), 1e-5);
+    EXPECT_NEAR(step.spacing, 3 * (1 + 0.5), 1e-5);
   }
   Camera camera;
   camera.eye = {0, 0, 100};
@@ -161,7 +161,7 @@ TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
   const double pixel = 2 * 100 * std::tan(camera.verticalFov / 2) / camera.height;
   const RenderView above = cameraView(camera, makeBaseMesh(plane, Vec2(1), 1));
   for (const LightStep& step : makeLightField(plane, above, samples, lightToward(30, 45)).steps) {
-    EXPECT_NEAR(step.reach, 3 * 2 * pixel, 1e-4);
+    EXPECT_NEAR(step.spacing, 3 * 2 * pixel, 1e-4);
     EXPECT_NEAR(step.length, pixel, 1e-5);
   }
 }

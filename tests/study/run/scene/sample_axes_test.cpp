@@ -91,7 +91,7 @@ TEST(SampleAxes, OnACylinderFollowTheLight) {
   forPoints(surface, relief, lightToward(0, 30),
             [&](const LimitPoint& point, const AxisSample& sample) {
               const Vec3 n = outwardNormal(point);
-              EXPECT_NEAR(sample.turn, curvature, 1e-5);
+              EXPECT_NEAR(sample.normalChange, curvature, 1e-5);
               EXPECT_NEAR(curvatureHeight(sample), 4 * curvature, 1e-4);
               const double elevation = std::asin(glm::dot(n, lightToward(0, 30)));
               EXPECT_NEAR(terminatorDistance(sample) * sample.texel, elevation / curvature, 0.05);
@@ -103,7 +103,7 @@ TEST(SampleAxes, OnACylinderFollowTheLight) {
               const Vec3 t = glm::normalize(light - glm::dot(light, n) * n);
               const Vec3 across = glm::normalize(glm::cross(Vec3(0, 1, 0), n));
               EXPECT_NEAR(sample.curvature, curvature * std::pow(glm::dot(t, across), 2), 1e-5);
-              EXPECT_NEAR(sample.turn, curvature * std::abs(glm::dot(t, across)), 1e-5);
+              EXPECT_NEAR(sample.normalChange, curvature * std::abs(glm::dot(t, across)), 1e-5);
             });
 }
 

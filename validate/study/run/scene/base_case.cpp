@@ -36,7 +36,7 @@ void requireRoom(const StudySpec& study, int width, int height, const std::strin
 
 bool isEmpty(const SampleGrid& grid) {
   return std::all_of(grid.samples.begin(), grid.samples.end(),
-                     [](const SurfaceSample& sample) { return sample.face < 0; });
+                     [](const SurfaceSample& sample) { return !sample.isOnSurface(); });
 }
 
 /// What is kept of a view.

@@ -67,18 +67,19 @@ void fields(Stream& stream, T& tiling) {
 
 template <typename Stream, SameAs<HorizonTables> T>
 void fields(Stream& stream, T& tables) {
-  stream(tables.width, tables.height, tables.azimuths, tables.radiusTexels, tables.wrap,
+  stream(tables.width, tables.height, tables.layers, tables.radiusTexels, tables.wrap,
          tables.border.x, tables.border.y, tables.horizon, tables.distance);
 }
 
 template <typename Stream, SameAs<EllipseTable> T>
 void fields(Stream& stream, T& table) {
   stream(table.width, table.height, table.wrap, table.border.x, table.border.y, table.values);
+  if constexpr (!std::is_const_v<T>) table.layers = EllipseTable::numbers;
 }
 
 template <typename Stream, SameAs<AngleTable> T>
 void fields(Stream& stream, T& table) {
-  stream(table.width, table.height, table.azimuths, table.limit, table.angles, table.wrap,
+  stream(table.width, table.height, table.layers, table.limit, table.angles, table.wrap,
          table.originX, table.originY);
 }
 

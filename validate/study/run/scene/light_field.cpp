@@ -20,10 +20,10 @@ LightStep lightStep(const ViewMap& map, const TangentPoint& point, const Vec3& l
   const Vec2 image = map.image(point, along);
   const Vec2 imageAcross = map.image(point, across);
   const double speed = glm::length(image);
-  const double reach = sampleReach(image, imageAcross);
-  if (!std::isfinite(reach) || !(speed > 0)) return {};
+  const double spacing = sampleSpacing(image, imageAcross);
+  if (!std::isfinite(spacing) || !(speed > 0)) return {};
   return {glm::vec2(image / speed), static_cast<float>(1 / speed), glm::vec3(point.position),
-          static_cast<float>(reach)};
+          static_cast<float>(spacing)};
 }
 
 }  // namespace
@@ -37,9 +37,8 @@ LightField makeLightField(const LimitSurface& surface, const RenderView& view,
       0, field.steps.size(),
       [&](std::size_t i) {
         const SurfaceSample& sample = samples.samples[i];
-        if (sample.face < 0) return;
-        field.steps[i] =
-            lightStep(map, surface.tangentPoint(sample.face, sample.s, sample.t), light);
+        if (!sample.isOnSurface()) return;
+        field.steps[i] = lightStep(map, surface.tangentPoint(sample), light);
       },
       1024);
   return field;

@@ -19,7 +19,7 @@ namespace gnomon {
 /// (n·L ≤ 0: there a shadow has no end that an occluder gave it), the light is within 1e-6 of n,
 /// the frame is degenerate, or the surface is seen edge-on.
 ///
-/// `reach` is `sampleReach`.
+/// `spacing` is `sampleSpacing`.
 /// @param light  unit vector toward the light
 LightField makeLightField(const LimitSurface& surface, const RenderView& view,
                           const SampleGrid& samples, const Vec3& light);

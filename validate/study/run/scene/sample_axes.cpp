@@ -22,11 +22,11 @@ AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Re
   const double sine = std::clamp(glm::dot(frame.normal, light), -1.0, 1.0);
   const Vec3 tangential = light - sine * frame.normal;
   const double cosine = glm::length(tangential);
-  const Vec3 turn = normalTurn(point, light);
+  const Vec3 change = applyShapeOperator(point, light);
   return {frame,
           std::atan2(sine, cosine),
-          cosine > 1e-12 ? glm::dot(tangential, turn) / cosine : 0,
-          glm::length(turn),
+          cosine > 1e-12 ? glm::dot(tangential, change) / cosine : 0,
+          glm::length(change),
           worldPerHeight(relief.space, frame) * relief.field.at(frame.texel),
           std::sqrt(glm::length(glm::cross(frame.px, frame.py)))};
 }
@@ -41,7 +41,7 @@ double lightElevation(const AxisSample& sample) {
 
 double terminatorDistance(const AxisSample& sample) {
   if (sample.elevation == 0) return 0;
-  return sample.elevation / sample.turn / sample.texel;
+  return sample.elevation / sample.normalChange / sample.texel;
 }
 
 double uvStretch(const AxisSample& sample) {
@@ -85,9 +85,8 @@ SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const S
       0, samples.samples.size(),
       [&](std::size_t i) {
         const SurfaceSample& sample = samples.samples[i];
-        if (sample.face < 0) return;
-        const LimitPoint point =
-            faces[static_cast<std::size_t>(sample.face)].evaluate(sample.s, sample.t);
+        if (!sample.isOnSurface()) return;
+        const LimitPoint point = faces[sample.faceIndex()].evaluate(sample.s, sample.t);
         const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
         if (!frame.defined) return;
         const AxisSample seen = axisSample(point, frame, relief, light);

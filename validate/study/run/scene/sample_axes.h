@@ -21,9 +21,9 @@ struct AxisSample {
   const TexelFrame& frame;  ///< defined
   double elevation;         ///< asin(n·L): of the light over the tangent plane, radians
   double curvature;         ///< κ(T), 1 / world length, convex positive; 0 for a light along n
-  double turn;    ///< |S T|: by how much n turns along T, radians a world length, 0 or more
-  double height;  ///< a h: of the relief above the sample, world length
-  double texel;   ///< |P_x × P_y|^½: world length of a texel
+  double normalChange;      ///< |S T|: how much n turns along T, radians a world length, 0 or more
+  double height;            ///< a h: of the relief above the sample, world length
+  double texel;             ///< |P_x × P_y|^½: world length of a texel
 };
 
 /// @param frame  of the same point, defined

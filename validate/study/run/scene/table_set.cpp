@@ -41,8 +41,7 @@ const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
   const HorizonTables& baked = bake(spec.settings, clock);
   return clock.measure("tables", [&](const Progress&) -> const TablePair& {
     const auto store = [&](std::span<const float> values) {
-      return GpuTable(storeTable(values, spec.bits), baked.width, baked.height, baked.azimuths,
-                      baked.wrap, baked.border);
+      return GpuTable(storeTable(values, spec.bits), baked);
     };
     return stored_.emplace(key, TablePair{store(baked.horizon), store(baked.distance)})
         .first->second;
@@ -80,10 +79,7 @@ const GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
     const EllipseTable fitted = cache_.remember(keys_.ellipses(spec, texelsPerHeight_), [&] {
       return fitEllipses(baked, texelsPerHeight_);
     });
-    return ellipses_
-        .try_emplace(key, storeTable(fitted.values, spec.bits), fitted.width, fitted.height,
-                     EllipseTable::layers, fitted.wrap, fitted.border)
-        .first->second;
+    return ellipses_.try_emplace(key, storeTable(fitted.values, spec.bits), fitted).first->second;
   });
 }
 

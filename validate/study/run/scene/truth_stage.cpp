@@ -20,10 +20,10 @@ namespace gnomon {
 namespace {
 
 /// One a light.
-std::vector<TraceSettings> settingsOf(const RunScene& scene, double liftShare) {
+std::vector<TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
   std::vector<TraceSettings> settings;
   for (const LightSpec& light : scene.study.lights) {
-    settings.push_back({light.direction(), scene.study.bake.settings.radiusTexels, liftShare});
+    settings.push_back({light.direction(), scene.study.bake.settings.radiusTexels, rayOffset});
   }
   return settings;
 }
@@ -37,8 +37,9 @@ std::vector<Truth> trace(const RunScene& scene, const TracedSurface& surface,
 }
 
 void requireFrames(const SampleGrid& samples, const Truth& truth) {
-  const auto shown = std::count_if(samples.samples.begin(), samples.samples.end(),
-                                   [](const SurfaceSample& sample) { return sample.face >= 0; });
+  const auto shown =
+      std::count_if(samples.samples.begin(), samples.samples.end(),
+                    [](const SurfaceSample& sample) { return sample.isOnSurface(); });
   if (truth.undefinedSamples == static_cast<std::size_t>(shown)) {
     throw InputError(
         "no sample of a view has a frame: the surface or its texture coordinates have no area");
@@ -128,8 +129,9 @@ std::vector<Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, const Bas
   const auto keyOf = [&](std::size_t light) { return scene.keys.truth(base.choice, view, light); };
   KeptLights<Truth> kept = findLights<Truth>(scene, keyOf);
   if (!kept.missing.empty()) {
-    std::vector<Truth> traced = traceWithSeams(scene, surface.get(), base.views[view].samples,
-                                               some(settingsOf(scene, standardLift), kept.missing));
+    std::vector<Truth> traced =
+        traceWithSeams(scene, surface.get(), base.views[view].samples,
+                       some(settingsOf(scene, standardRayOffset), kept.missing));
     for (std::size_t i = 0; i < traced.size(); ++i) {
       scene.cache.keep(keyOf(kept.missing[i]), traced[i]);
       kept.values[kept.missing[i]] = std::move(traced[i]);
@@ -162,7 +164,7 @@ std::vector<Flips> flipsOf(RunScene& scene, SurfaceOnDemand& half, const TruthRe
     scene.clock.measure("uncertainty", [&](const Progress& progress) {
       const std::vector<Truth> coarse =
           trace(scene, half.get(), base.views[view].samples,
-                some(settingsOf(scene, standardLift / 2), kept.missing), progress);
+                some(settingsOf(scene, standardRayOffset / 2), kept.missing), progress);
       for (std::size_t i = 0; i < coarse.size(); ++i) {
         const std::size_t light = kept.missing[i];
         kept.values[light] = flipsOf(scene, coarse[i], base, view, light);
@@ -223,9 +225,9 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface) {
   return undefined;
 }
 
-ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double liftShare,
+ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double rayOffset,
                              std::string_view stage) {
-  const std::vector<TraceSettings> lights = settingsOf(scene, liftShare);
+  const std::vector<TraceSettings> lights = settingsOf(scene, rayOffset);
   ViewTruths truths;
   for (const ViewCase& view : scene.standardBase().views) {
     truths.push_back(scene.clock.measure(stage, [&](const Progress& progress) {

@@ -30,7 +30,7 @@ using ViewTruths = std::vector<std::vector<Truth>>;
 
 /// Traces the standard base's samples under every light.
 /// @param stage  of the run's clock
-ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double liftShare,
+ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double rayOffset,
                              std::string_view stage);
 
 /// A displaced surface that is built when it is first asked for: a run whose truth is in the cache

@@ -14,20 +14,21 @@ namespace {
 /// Where a sample is, and how far a neighbour can be.
 struct Surrounding {
   glm::vec3 place{0};
-  float reach = 0;
+  float spacing = 0;
 };
 
 Surrounding surroundingOf(const ViewMap& map, const TangentPoint& point) {
   const Vec3 normal = outwardNormal(point);
   const Vec3 along = glm::normalize(point.ds);
   const Vec3 across = glm::cross(normal, along);
-  const double reach = sampleReach(map.image(point, along), map.image(point, across));
-  return {glm::vec3(point.position), std::isfinite(reach) ? static_cast<float>(reach)
-                                                          : std::numeric_limits<float>::infinity()};
+  const double spacing = sampleSpacing(map.image(point, along), map.image(point, across));
+  return {glm::vec3(point.position), std::isfinite(spacing)
+                                         ? static_cast<float>(spacing)
+                                         : std::numeric_limits<float>::infinity()};
 }
 
 bool isBreak(const Surrounding& a, const Surrounding& b) {
-  return glm::distance(a.place, b.place) > std::min(a.reach, b.reach);
+  return glm::distance(a.place, b.place) > std::min(a.spacing, b.spacing);
 }
 
 std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const ViewMap& map,
@@ -39,8 +40,8 @@ std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const View
       0, surroundings.size(),
       [&](std::size_t i) {
         const SurfaceSample& sample = grid.samples[i];
-        if (sample.face < 0) return;
-        const LimitFace& face = faces[static_cast<std::size_t>(sample.face)];
+        if (!sample.isOnSurface()) return;
+        const LimitFace& face = faces[sample.faceIndex()];
         surroundings[i] = surroundingOf(map, face.at(sample.s, sample.t));
       },
       grain);

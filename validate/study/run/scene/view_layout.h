@@ -11,7 +11,7 @@ namespace gnomon {
 /// How a view's samples lie beside each other, for boundary metrics.
 ///
 /// In a camera the unit is the pixel, and the surface breaks between two neighbours that lie
-/// farther apart in the world than the `sampleReach` of one of them: at the contour of a fold, or
+/// farther apart in the world than the `sampleSpacing` of one of them: at the contour of a fold, or
 /// of a bump of a displaced mesh.
 ///
 /// In an atlas the unit is the texel: a step to the next column is |∂(x, y)/∂s| over a face's

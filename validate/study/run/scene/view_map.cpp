@@ -32,7 +32,7 @@ Vec2 ViewMap::imageInCamera(const Vec3& position, const Vec3& tangent) const {
   return device * Vec2(view_.width, -view_.height) / 2.0;
 }
 
-double sampleReach(Vec2 image, Vec2 imageAcross) {
+double sampleSpacing(Vec2 image, Vec2 imageAcross) {
   // The inverse of the matrix with these two columns: what a column and a row are in the world.
   const double area = image.x * imageAcross.y - image.y * imageAcross.x;
   const double column = std::hypot(imageAcross.y, image.y) / std::abs(area);

@@ -39,6 +39,6 @@ class ViewMap {
 /// rounding to the nearest sample at both ends moves a step by less than 2 of either. Not finite
 /// where the surface is seen edge-on.
 /// @param image, imageAcross  of two unit tangents at right angles
-double sampleReach(Vec2 image, Vec2 imageAcross);
+double sampleSpacing(Vec2 image, Vec2 imageAcross);
 
 }  // namespace gnomon

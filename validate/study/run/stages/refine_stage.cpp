@@ -55,10 +55,10 @@ class Refinement {
       path_.push_back({step, triangles, std::nullopt});
       if (isFiner) {
         path_.back().flipRate =
-            largestFlipRate(traceStandardBase(scene_, *surface, standardLift, stage), coarse_);
+            largestFlipRate(traceStandardBase(scene_, *surface, standardRayOffset, stage), coarse_);
         if (*path_.back().flipRate <= wanted_) return {std::move(surface), std::move(path_)};
       }
-      coarse_ = traceStandardBase(scene_, *surface, standardLift / 2, stage);
+      coarse_ = traceStandardBase(scene_, *surface, standardRayOffset / 2, stage);
     }
   }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "render/method_pass.h"
+
+// One function a kind of pass: see passFault for what each compares.
+
+namespace gnomon::check {
+
+using Shaders = std::filesystem::path;
+
+// samples_check.cpp
+std::string cameraFault(const Shaders& shaders);
+std::string atlasFault(const Shaders& shaders);
+
+// table_check.cpp
+std::string tableFault(const Shaders& shaders, TableFilter filter);
+std::string angleFault(const Shaders& shaders);
+std::string ellipseFault(const Shaders& shaders);
+
+// texture_check.cpp
+std::string textureFault(const Shaders& shaders);
+
+// geometry_check.cpp
+std::string facetFault(const Shaders& shaders);
+std::string lightDepthFault(const Shaders& shaders);
+std::string volumeFault(const Shaders& shaders);
+
+// picture_check.cpp
+std::string pictureFault(const Shaders& shaders);
+
+}  // namespace gnomon::check

@@ -1,0 +1,137 @@
+#include "render/check/tile_scene.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "horizon/horizon_ellipses.h"
+#include "render/check/tally.h"
+#include "surface/face_grids.h"
+
+namespace gnomon::check {
+namespace {
+
+using tile::azimuths;
+using tile::columns;
+using tile::side;
+
+const Vec3 tileLight = glm::normalize(Vec3(0.6, 0.25, 0.2));
+
+/// Random zeros and ones, [layer][y][x].
+std::vector<float> randomBits(int layers, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<float> bits(static_cast<std::size_t>(layers * columns * side));
+  for (float& bit : bits) bit = static_cast<float>(random() >> 16 & 1U);
+  return bits;
+}
+
+/// The maps on the GPU, in one number of bits.
+class TileScene {
+ public:
+  TileScene(const TileValues& tiles, TableBits bits)
+      : mesh_(tileMesh()),
+        gpu_(mesh_),
+        texture_(textureView(mesh_)),
+        heights_(HeightField(columns, side, tiles.heights, Wrap::repeat)),
+        horizon_(table(tiles.horizon, azimuths, bits)),
+        distance_(table(tiles.distance, azimuths, bits)),
+        ellipse_(table(tiles.ellipse, EllipseTable::numbers, bits)),
+        angles_(angleTable(tiles.angles), bits) {}
+
+  [[nodiscard]] MethodAnswers answers(const MethodPass& pass) const {
+    const Drawing drawing{gpu_, heights_,  Wrap::repeat, HeightSpace::world,
+                          1,    tileLight, nullptr,      &texture_};
+    return pass.render(tileView(), drawing, {&horizon_, &distance_, &angles_, &ellipse_});
+  }
+
+ private:
+  static GpuTable table(const std::vector<float>& values, int layers, TableBits bits) {
+    return {storeTable(values, bits), {columns, side, layers, Wrap::repeat}};
+  }
+  static AngleTable angleTable(const std::vector<float>& shares) {
+    AngleTable table{{columns, side, 2 * azimuths}, pi / 2, shares};
+    for (float& angle : table.angles) angle *= static_cast<float>(table.limit);
+    return table;
+  }
+
+  BaseMesh mesh_;
+  GpuMesh gpu_;
+  RenderView texture_;
+  GpuHeights heights_;
+  GpuTable horizon_, distance_, ellipse_;
+  GpuAngles angles_;
+};
+
+void compareTiles(Tally& tally, const MethodAnswers& answers, const TileValues& tiles,
+                  const std::function<bool(const TileValues&, int x, int y)>& isDark) {
+  for (int row = 0; row < side; ++row) {
+    for (int x = 0; x < columns; ++x) {
+      const int y = side - 1 - row;
+      const auto i = static_cast<std::size_t>(row * columns + x);
+      const auto shade = [](bool dark) { return dark ? Shade::shadowed : Shade::lit; };
+      const bool isHidden = isDark(tiles, x, y);
+      const double cosine = tiles.cosine(x, y);
+      const bool isSure = std::abs(cosine) > 1e-3;
+      tally.add(answers.test.samples.at(i) == shade(isHidden) &&
+                (!isSure || answers.drawn.samples.at(i) == shade(isHidden || cosine <= 0)));
+    }
+  }
+}
+
+}  // namespace
+
+TileValues::TileValues()
+    : heights(randomBits(1, 1)),
+      horizon(randomBits(azimuths, 2)),
+      distance(randomBits(azimuths, 3)),
+      ellipse(randomBits(EllipseTable::numbers, 4)),
+      angles(randomBits(2 * azimuths, 5)) {}
+
+double TileValues::cosine(int x, int y) const {
+  const auto between = [](double a, double b) { return 0.75 * a + 0.25 * b; };
+  const double h00 = height(x, y);
+  const double h10 = height(x + 1, y);
+  const double h01 = height(x, y + 1);
+  const double h11 = height(x + 1, y + 1);
+  return glm::dot(tileLight,
+                  Vec3(-between(h10 - h00, h11 - h01), -between(h01 - h00, h11 - h10), 1));
+}
+
+BaseMesh tileMesh() {
+  constexpr double beyond = 0.25;
+  const FaceGrids grids = FaceGrids::even(2, 1);
+  const Vec3 x(1, 0, 0);
+  const Vec3 y(0, 1, 0);
+  BaseMesh mesh;
+  for (int face = 0; face < 2; ++face) {
+    for (const Vec2& st : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
+      const Vec2 place = static_cast<double>(side) * (st + Vec2(face, 0));
+      mesh.vertices.push_back(
+          {{Vec3(place, 0), Vec3(0, 0, 1), x, y, place + beyond, true}, {0, 0, x, y}, face, st});
+    }
+  }
+  mesh.triangles = gridTriangles(grids, Diagonal::fromOrigin);
+  return mesh;
+}
+
+RenderView tileView() {
+  RenderView view;
+  view.width = columns;
+  view.height = side;
+  view.atlasTiles = {2, 1};
+  return view;
+}
+
+std::string tileFault(const std::filesystem::path& shaders, const Method& method,
+                      TableFilter filter,
+                      const std::function<bool(const TileValues&, int x, int y)>& isDark) {
+  const MethodPass pass(shaders, method, Wrap::repeat, filter, {});
+  const TileValues tiles;
+  Tally tally;
+  for (const TableBits bits : {TableBits::eight, TableBits::sixteen, TableBits::thirtyTwo}) {
+    compareTiles(tally, TileScene(tiles, bits).answers(pass), tiles, isDark);
+  }
+  return tally.fault();
+}
+
+}  // namespace gnomon::check
