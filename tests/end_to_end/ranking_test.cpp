@@ -72,7 +72,8 @@ TEST_F(RankingOverStudies, AFailedRunLeavesNoOlderOne) {
   ASSERT_EQ(gnomon({"run", "low.toml", "high.toml"}).status, 0);
   // Fails while it runs: the micro-mesh cannot be halved.
   ASSERT_EQ(gnomon({"run", "low.toml", "high.toml", "--set", "truth.step=100"}).status, 3);
-  for (const char* name : {"out/ranking.json", "out/ranking.csv", "out/ranking.html"}) {
+  for (const char* name :
+       {"out/ranking.json", "out/ranking.csv", "out/ranking.md", "out/ranking.html"}) {
     EXPECT_FALSE(std::filesystem::exists(file(name))) << name;
   }
 }

@@ -16,7 +16,7 @@ bool isIndex(const std::string& name) {
 /// Or the command, which names a folder.
 bool holdsTimes(const std::string& name) {
   const std::string file = fs::path(name).filename().string();
-  return isIndex(name) || file == "report.html" || file == "table.csv" || file == "table.tex" ||
+  return isIndex(name) || file == "report.html" || file.starts_with("table.") ||
          file == "ranking.json" || file == "ranking.html" || file.ends_with(".pdf") ||
          file.ends_with("frame-time.svg");
 }

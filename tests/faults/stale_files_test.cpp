@@ -132,7 +132,8 @@ TEST_F(StaleFiles, NoSummaryIsLeftOfAStudyThatFails) {
 
 TEST_F(StaleFiles, ARankingGoesWithAStudyOfItAndWithNoOther) {
   for (const char* name : {"a", "b", "c"}) write(std::string(name) + ".toml", named(name));
-  const std::vector<std::string> ranking = {"ranking.csv", "ranking.html", "ranking.json"};
+  const std::vector<std::string> ranking = {"ranking.csv", "ranking.md", "ranking.html",
+                                            "ranking.json"};
   ASSERT_EQ(gnomon({"run", "a.toml", "b.toml"}, environment()).status, 0);
   ASSERT_EQ(gnomon({"run", "c.toml"}, environment()).status, 0);
   for (const std::string& name : ranking) EXPECT_TRUE(fs::exists(file("out") / name)) << name;

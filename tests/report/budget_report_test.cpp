@@ -2,17 +2,21 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "report/json/summary_json.h"
 #include "report/page/budget_html.h"
 #include "report/page/report_html.h"
-#include "report/plots/budget_bars.h"
+#include "report/page/terminal_report.h"
+#include "report/plots/budget_plot.h"
+#include "report/plots/study_plots.h"
 #include "report/sample_record.h"
-#include "report/tables/budget_files.h"
-#include "report/tables/terminal_table.h"
+#include "report/tables/budget_table.h"
+#include "report/tables/csv_format.h"
 #include "report/text/budget_text.h"
 #include "report/text/text_width.h"
 
@@ -20,6 +24,7 @@ namespace gnomon {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -91,77 +96,93 @@ TEST(BudgetFiles, HoldEveryFigure) {
 }
 
 TEST(BudgetFiles, CsvHasARowAPart) {
-  const std::string csv = budgetCsv(recordWithBudgets());
+  const std::string csv = csvTable(budgetPartsTable(recordWithBudgets()));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 6);
   EXPECT_THAT(csv, HasSubstr("\nclose,atlas,all,total,0.05,0.049,0.052000000000000005,1,0.05,"));
   EXPECT_THAT(csv, HasSubstr("\n\"rough, \"\"old\"\"\",atlas,low,formula,0.005,"));
   EXPECT_THAT(csv, HasSubstr(",0,0.01,0.009000000000000001,0.012,1,0.0004\n"));
 }
 
-struct Rectangle {
-  double left, width;
-};
-
-std::vector<Rectangle> rectangles(const std::string& svg) {
-  static const std::regex pattern("<rect x=\"([0-9.]+)\" y=\"[0-9.]+\" width=\"([0-9.]+)\"");
-  std::vector<Rectangle> found;
-  for (std::sregex_iterator at(svg.begin(), svg.end(), pattern), end; at != end; ++at) {
-    found.push_back({std::stod((*at)[1]), std::stod((*at)[2])});
+/// What one part's rectangles span in the plot's data, a bar each: left and right, percent.
+std::vector<std::pair<double, double>> spans(const std::string& script, const std::string& part) {
+  const std::size_t begin = script.find('\n', script.find("$" + part + " << EOD")) + 1;
+  std::istringstream rows(script.substr(begin, script.find("EOD", begin) - begin));
+  std::vector<std::pair<double, double>> found;
+  double middle{};
+  double y{};
+  double left{};
+  double right{};
+  double bottom{};
+  double top{};
+  while (rows >> middle >> y >> left >> right >> bottom >> top) {
+    EXPECT_NEAR(middle, (left + right) / 2, 1e-9);
+    found.emplace_back(left, right);
   }
   return found;
 }
 
-/// Shares in one scale: what is above 0 stands to the right of the zero line without a gap, what is
-/// below it to its left.
-TEST(BudgetBars, DrawEveryShareWhereItBelongs) {
+/// What is above 0 stands to the right of the zero line without a gap, what is below it to its
+/// left.
+TEST(BudgetPlot, DrawsEveryShareWhereItBelongs) {
   const std::vector<BudgetRecord> budgets = {budgetOf("close", "all")};
-  const std::vector<BudgetPart> parts = budgetParts(budgets);
-  ASSERT_EQ(parts.size(), 5U);
-  const std::vector<Rectangle> bars = rectangles(budgetBars(budgets, parts));
-  ASSERT_EQ(bars.size(), 10U);
-  const double zero = bars[0].left;
-  const double scale = bars[0].width / 0.03;
-  EXPECT_NEAR(bars[1].left, zero - 0.01 * scale, 0.05);
-  EXPECT_NEAR(bars[1].width, 0.01 * scale, 0.05);
-  EXPECT_NEAR(bars[2].left, zero + 0.03 * scale, 0.05);
-  EXPECT_NEAR(bars[3].left, zero + 0.035 * scale, 0.05);
-  EXPECT_NEAR(bars[4].left + bars[4].width, zero + 0.06 * scale, 0.05);
-  EXPECT_NEAR(bars[5].width, 0.025 * scale, 0.05);
-  EXPECT_NEAR(bars[9].left + bars[9].width, zero + 0.06 * scale, 0.05);
+  const std::string script = budgetPlot(budgets).commands;
+  const auto near = [](double left, double right) {
+    return ::testing::Pair(::testing::DoubleNear(left, 1e-9), ::testing::DoubleNear(right, 1e-9));
+  };
+  // Forward 3, -1, 0.5, then 0.5 and 2 that are left; backward 2.5, -1 and 1.
+  EXPECT_THAT(spans(script, "p0"), ElementsAre(near(0, 3), near(0, 2.5)));
+  EXPECT_THAT(spans(script, "p1"), ElementsAre(near(-1, 0), near(-1, 0)));
+  EXPECT_THAT(spans(script, "p2"), ElementsAre(near(3, 3.5), near(2.5, 3.5)));
+  EXPECT_THAT(spans(script, "p3"), ElementsAre(near(3.5, 4), near(3.5, 4)));
+  EXPECT_THAT(spans(script, "p4"), ElementsAre(near(4, 6), near(4, 6)));
+  EXPECT_THAT(script, HasSubstr("set arrow from 5,-0.48 to 5,1.48"));
 }
 
-TEST(BudgetBars, KeyNamesEveryPartOnceWithAColourOfItsOwn) {
-  const StudyRecord made = recordWithBudgets();
-  const std::vector<BudgetPart> parts = budgetParts(made.budgets);
-  ASSERT_EQ(parts.size(), 5U);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(parts[i].colour, parts[j].colour);
+TEST(BudgetPlot, NamesEveryPartOnceWithAColourOfItsOwn) {
+  const std::string script = budgetPlot(budgetsOf(recordWithBudgets(), "all")).commands;
+  static const std::regex legend("rgb '(#[0-9a-f]{6})' title '([^']*)'");
+  std::set<std::string> colours;
+  std::vector<std::string> names;
+  for (std::sregex_iterator at(script.begin(), script.end(), legend), end; at != end; ++at) {
+    colours.insert((*at)[1]);
+    names.push_back((*at)[2]);
   }
-  EXPECT_THAT(budgetKey(parts),
-              AllOf(HasSubstr("1 map &lt;interpolation&gt;"), HasSubstr("5 left: other")));
+  EXPECT_THAT(names, ElementsAre("map <interpolation>", "bits", "formula",
+                                 "left: distant occluders", "left: other"));
+  EXPECT_EQ(colours.size(), names.size());
 }
 
-TEST(BudgetBars, DrawAMethodWithoutErrors) {
+TEST(BudgetPlot, DrawsAMethodWithoutErrors) {
   BudgetRecord none;
   none.method = "perfect";
-  const std::vector<BudgetRecord> budgets = {none};
-  EXPECT_THAT(budgetBars(budgets, budgetParts(budgets)),
-              AllOf(HasSubstr("perfect"), Not(HasSubstr("nan"))));
+  EXPECT_THAT(svgOf(budgetPlot(std::array{none})),
+              AllOf(HasSubstr("perfect"), HasSubstr("</svg>")));
+}
+
+TEST(BudgetPlot, IsOneForAllLightsTogetherAndOneForEach) {
+  std::vector<std::string> names;
+  for (const PlotSheet& sheet : studyPlots(recordWithBudgets())) {
+    if (sheet.section == "budget") names.push_back(sheet.name);
+  }
+  EXPECT_THAT(names, ElementsAre("budget", "budget_low", "budget_high"));
 }
 
 TEST(BudgetHtml, IsASectionOfTheReport) {
-  const std::string html = reportHtml(recordWithBudgets(), ".");
+  const std::vector<DrawnPlot> plots = {
+      {budgetPlot(budgetsOf(recordWithBudgets(), "all")), "<svg/>"}};
+  const std::string html = reportHtml(recordWithBudgets(), ".", plots).text();
+  EXPECT_THAT(html, HasSubstr("base64,PHN2Zy8+"));
   EXPECT_THAT(html,
               AllOf(HasSubstr("<section id=\"budget\">"), HasSubstr("Where the error comes from"),
                     HasSubstr("map &lt;interpolation&gt;"), HasSubstr("float &amp; all"),
                     HasSubstr("+0.50 ≈"), HasSubstr("<b>−1.00</b>"),
                     HasSubstr("<details><summary>low</summary>")));
   EXPECT_THAT(html, Not(HasSubstr("map <interpolation>")));
-  EXPECT_THAT(reportHtml(test::sampleRecord(), "."), Not(HasSubstr("id=\"budget\"")));
+  EXPECT_THAT(reportHtml(test::sampleRecord(), ".").text(), Not(HasSubstr("id=\"budget\"")));
   // One light only: no second set of bars.
   StudyRecord single = test::sampleRecord();
   single.budgets = {budgetOf("close", "noon")};
-  EXPECT_THAT(budgetSection(single),
+  EXPECT_THAT(budgetSection(single, {}).text(),
               AllOf(HasSubstr("view atlas, noon"), Not(HasSubstr("<details>"))));
 }
 
@@ -169,13 +190,13 @@ TEST(BudgetTerminal, FitsTheTerminal) {
   StudyRecord made = recordWithBudgets();
   made.budgets[0].causes[0].name = std::string(80, 'x');
   made.budgets[0].causes[0].forward.interval = {-0.123, -0.111};
-  const std::string table = resultTable(made, false);
+  const std::string table = terminalReport(made, false);
   EXPECT_THAT(table, AllOf(HasSubstr("Where the error comes from"), HasSubstr("+0.50 ≈"),
                            HasSubstr("left: distant occluders")));
   EXPECT_THAT(table, Not(HasSubstr("low, ")));
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
-  EXPECT_THAT(resultTable(test::sampleRecord(), false), Not(HasSubstr("Where the error")));
+  EXPECT_THAT(terminalReport(test::sampleRecord(), false), Not(HasSubstr("Where the error")));
 }
 
 }  // namespace

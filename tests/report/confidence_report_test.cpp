@@ -10,9 +10,10 @@
 #include "report/json/summary_json.h"
 #include "report/page/confidence_html.h"
 #include "report/page/report_html.h"
+#include "report/page/terminal_report.h"
 #include "report/sample_record.h"
-#include "report/tables/bin_files.h"
-#include "report/tables/terminal_table.h"
+#include "report/tables/case_tables.h"
+#include "report/tables/csv_format.h"
 #include "report/text/confidence_text.h"
 #include "report/text/interval_text.h"
 #include "report/text/text_width.h"
@@ -116,7 +117,7 @@ TEST(ConfidenceJson, HoldsEveryFigure) {
 }
 
 TEST(BinsCsv, HasARowABin) {
-  EXPECT_EQ(binsCsv(recordOfThree()),
+  EXPECT_EQ(csvTable(binsTable(recordOfThree())),
             "study,method,view,light,axis,low,high,samples,tp,fp,fn,tn,error_rate,false_shadow,"
             "false_light\n"
             "sample,best,camera,all,elevation,,10,10,1,2,3,4,0.5,0.2,0.3\n"
@@ -124,7 +125,7 @@ TEST(BinsCsv, HasARowABin) {
 }
 
 TEST(TerminalConfidence, RanksMethodsWithTheirIntervals) {
-  const std::string text = resultTable(recordOfThree(), false);
+  const std::string text = terminalReport(recordOfThree(), false);
   EXPECT_THAT(text, HasSubstr("Verdict · camera\n"));
   EXPECT_LT(text.find("Verdict"), text.find("camera · elevation 15°")) << "the verdict first";
   std::istringstream lines(text);
@@ -135,21 +136,21 @@ TEST(TerminalConfidence, RanksMethodsWithTheirIntervals) {
   }
   EXPECT_THAT(text, HasSubstr("1.20     0.90 to 1.60      +0.20                – ≈\n"));
   EXPECT_THAT(text, HasSubstr("10.00    8.00 to 13.00      +9.00    7.20 to 11.50\n"));
-  EXPECT_THAT(resultTable(test::sampleRecord(), false), Not(HasSubstr("Verdict")));
+  EXPECT_THAT(terminalReport(test::sampleRecord(), false), Not(HasSubstr("Verdict")));
   StudyRecord wide = recordOfThree();
   wide.confidence[3].method = std::string(300, 'x');
-  std::istringstream wideLines(resultTable(wide, false));
+  std::istringstream wideLines(terminalReport(wide, false));
   for (std::string line; std::getline(wideLines, line);) EXPECT_LE(displayWidth(line), 100U);
 }
 
 TEST(ConfidenceHtml, HasATableAView) {
-  const std::string html = confidenceSection(recordOfThree());
+  const std::string html = confidenceSection(recordOfThree()).text();
   EXPECT_THAT(html, HasSubstr("rough, &quot;old&quot;"));
   EXPECT_THAT(html, HasSubstr("0.90 to 1.60"));
   EXPECT_THAT(html, HasSubstr("too few blocks"));
   EXPECT_THAT(html, HasSubstr("close ≈"));
-  EXPECT_THAT(reportHtml(recordOfThree(), "/none"), HasSubstr(html));
-  EXPECT_EQ(confidenceSection(test::sampleRecord()), "");
+  EXPECT_THAT(reportHtml(recordOfThree(), "/none").text(), HasSubstr(html));
+  EXPECT_TRUE(confidenceSection(test::sampleRecord()).empty());
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 #include "report/ci/terminal_check.h"
 #include "report/json/json_values.h"
 #include "report/plots/gnuplot.h"
-#include "report/tables/csv_text.h"
-#include "report/tables/latex_text.h"
+#include "report/tables/csv_format.h"
+#include "report/tables/latex_format.h"
+#include "report/tables/markdown_format.h"
 #include "report/text/terminal_page.h"
 #include "report/text/utf8_text.h"
 #include "sample_check.h"
@@ -20,16 +21,29 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(CsvLine, MakesTextOfWhatASpreadsheetWouldCompute) {
+/// A line of a CSV file that holds these texts.
+std::string csvLine(const std::vector<std::string>& texts) {
+  Table table{.kind = "test", .columns = {}};
+  Row row;
+  for (const std::string& text : texts) {
+    table.columns.push_back({"c"});
+    row.cells.push_back(textCell(text));
+  }
+  table.rows.push_back(row);
+  const std::string csv = csvTable(table);
+  return csv.substr(csv.find('\n') + 1);
+}
+
+TEST(CsvTable, MakesTextOfWhatASpreadsheetWouldCompute) {
   EXPECT_EQ(csvLine({"=1+1", "+x", "-x", "@x", "＝x", "a=b"}), "'=1+1,'+x,'-x,'@x,'＝x,a=b\n");
   EXPECT_EQ(csvLine({"\t=1", "\r=1", "=\"a\",b"}), "'\t=1,\"'\r=1\",\"'=\"\"a\"\",b\"\n");
 }
 
-TEST(CsvLine, LeavesNumbersNumbers) {
+TEST(CsvTable, LeavesNumbersNumbers) {
   EXPECT_EQ(csvLine({"-0.5", "-1e-05", "0", "", "-5 %"}), "-0.5,-1e-05,0,,'-5 %\n");
 }
 
-TEST(CsvLine, HoldsUtf8Alone) {
+TEST(CsvTable, HoldsUtf8Alone) {
   EXPECT_EQ(csvLine({"\xff=1", "a\x1b[2J\u202e"}), "\uFFFD=1,a\uFFFD[2J\uFFFD\n");
 }
 
@@ -45,6 +59,14 @@ TEST(EscapeLatex, KeepsARowsBeginningFromTheRowBefore) {
 TEST(EscapeLatex, HoldsWhatLatexKnows) {
   EXPECT_EQ(escapeLatex("a\nb\x1b[0m\xff\u202e"), "a b [0m??");
   EXPECT_EQ(escapeLatex("--fast"), "-{}-{}fast") << "no dash of another kind";
+}
+
+TEST(EscapeMarkdown, LeavesNothingThatMarksUpOrNotifies) {
+  EXPECT_EQ(escapeMarkdown("a|b\nc"), "a\\|b c") << "a row stays a row";
+  EXPECT_EQ(escapeMarkdown("*a* _b_ `c` [d](e)"), "\\*a\\* \\_b\\_ \\`c\\` \\[d\\]\\(e\\)");
+  EXPECT_EQ(escapeMarkdown("<img src=x>&lt;"), "\\<img src=x\\>\\&lt;");
+  EXPECT_EQ(escapeMarkdown("@team #12 \\"), "@<!-- -->team #<!-- -->12 \\\\");
+  EXPECT_EQ(escapeMarkdown("κ ≥ 30°\x1b[0m\xff"), "κ ≥ 30° \\[0m\uFFFD");
 }
 
 TEST(PlainJson, ReadsBackAsTheSameString) {

@@ -8,8 +8,10 @@
 #include "common/error.h"
 #include "report/json/ranking_json.h"
 #include "report/page/ranking_html.h"
+#include "report/page/terminal_report.h"
 #include "report/sample_record.h"
-#include "report/tables/terminal_ranking.h"
+#include "report/tables/csv_format.h"
+#include "report/tables/means_table.h"
 #include "report/text/text_width.h"
 
 namespace gnomon {
@@ -123,10 +125,10 @@ TEST(StudyRanking, AMethodThatLacksACaseOfAStudyHasNoRankHoweverSmallItsError) {
 }
 
 TEST(StudyRanking, ACellOverFewerCasesIsMarked) {
-  const std::string html = rankingHtml(studiesWithAnEasyCase(), "");
+  const std::string html = rankingHtml(studiesWithAnEasyCase(), "").text();
   EXPECT_THAT(html, HasSubstr("false light 0.00 %, 1 of 2 cases\">0.10*<"));
   EXPECT_THAT(html, HasSubstr(fewerCasesMeaning));
-  EXPECT_THAT(rankingHtml(threeStudies(), ""), Not(HasSubstr(fewerCasesMeaning)));
+  EXPECT_THAT(rankingHtml(threeStudies(), "").text(), Not(HasSubstr(fewerCasesMeaning)));
 }
 
 TEST(StudyRanking, MoreStudiesComeFirstAmongThoseWithoutARank) {
@@ -177,8 +179,9 @@ TEST(StudyRanking, SaysWhichStudiesHaveNoInterval) {
   const std::vector<StudyMeans> studies = {studyMeans(studyOf("plain")), studyMeans(sweep)};
   const std::string reason = "no interval of the difference on bumps (at 2: too few blocks)";
   EXPECT_EQ(rankOverStudies(studies)[1].closeToBest, reason);
-  EXPECT_THAT(rankingHtml(studies, ""), HasSubstr("not distinguishable from best: " + reason));
-  EXPECT_THAT(rankingOverStudies(studies, false), HasSubstr("no interval of the difference on"));
+  EXPECT_THAT(rankingHtml(studies, "").text(),
+              HasSubstr("not distinguishable from best: " + reason));
+  EXPECT_THAT(terminalReport(studies, false), HasSubstr("no interval of the difference on"));
 }
 
 TEST(StudyRanking, MarksWhatTheIntervalsCannotTellFromTheBest) {
@@ -212,11 +215,11 @@ TEST(StudyRanking, NothingIsNotRanked) {
 // ---- as text
 
 TEST(RankingTerminal, SaysWhatTheRankingHolds) {
-  const std::string text = rankingOverStudies(threeStudies(), false);
+  const std::string text = terminalReport(threeStudies(), false);
   EXPECT_THAT(text, HasSubstr("Methods over 3 studies\n"));
   EXPECT_THAT(text, HasSubstr("  1   curved    2.00    3.00  a           6 of 6      0.30\n"));
   EXPECT_THAT(text, HasSubstr("  –   new       1.50    1.50  b           2 of 6      0.20\n"));
-  EXPECT_THAT(text, HasSubstr("curved has a mean of 2.00 over the same cases"));
+  EXPECT_THAT(text, HasSubstr("      in 2 of 6 cases: no rank; curved has 2.00 % on the same\n"));
   EXPECT_LT(text.find("2   flat"), text.find("Not in every case"));
   EXPECT_LT(text.find("Not in every case"), text.find("–   new"));
 }
@@ -226,7 +229,7 @@ TEST(RankingTerminal, FitsWhateverTheNames) {
   const std::string name(90, 's');
   for (const auto& [l, n] : {std::pair(label, std::string("s")), std::pair(std::string("m"), name),
                              std::pair(label, name)}) {
-    const std::string text = rankingOverStudies(
+    const std::string text = terminalReport(
         meansOf({study(n, {{l, {10, 10}}, {"close", {10, 11}}}), study("b", {{l, {1, 1}}})}),
         false);
     std::istringstream lines(text);
@@ -268,13 +271,13 @@ TEST(RankingJson, RefusesFiguresThatAreNotFinite) {
   std::vector<StudyMeans> studies = threeStudies();
   studies[0].methods[0].uncertainty = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(rankingJson(studies, ""), InternalError);
-  EXPECT_THROW(rankingCsv(studies), InternalError);
+  EXPECT_THROW(csvTable(studyMeansTable(studies)), InternalError);
 }
 
 TEST(RankingCsv, HasARowAMethodAndStudy) {
   std::vector<StudyMeans> studies = threeStudies();
   studies[2].methods[1].uncertainty.reset();
-  const std::string csv = rankingCsv(studies);
+  const std::string csv = csvTable(studyMeansTable(studies));
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "study,method,error_rate,false_shadow,false_light,uncertainty,cases,all_cases");
   EXPECT_THAT(csv, HasSubstr("\na,flat,0.02,0.005,0.015,0.001,2,2\n"));
@@ -286,7 +289,7 @@ TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
   std::vector<StudyMeans> studies = threeStudies();
   studies[0].claims = {{"First <claim>", "§4", Verdict::held, ""}};
   studies[2].claims = {{"Second claim", "§5", Verdict::failed, ""}};
-  const std::string html = rankingHtml(studies, "gnomon run a & b");
+  const std::string html = rankingHtml(studies, "gnomon run a & b").text();
   for (const char* part :
        {"href=\"a/report.html\"", "href=\"b/report.html\"", "href=\"c/report.html\"",
         "First &lt;claim&gt;", "Second claim", "tag failed\">failed<", "gnomon run a &amp; b",
@@ -300,7 +303,7 @@ TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
 }
 
 TEST(RankingHtml, ShadesTheWorstCellMost) {
-  const std::string html = rankingHtml(threeStudies(), "");
+  const std::string html = rankingHtml(threeStudies(), "").text();
   // Of 10.00, the worst, and 2.00: √(0.02 / 0.1).
   EXPECT_THAT(html,
               HasSubstr("--heat:1.000\" title=\"false shadow 5.00 %, false light 5.00 %\">10.00<"));

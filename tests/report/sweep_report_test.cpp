@@ -10,12 +10,14 @@
 #include "common/error.h"
 #include "report/json/sweep_json.h"
 #include "report/page/sweep_html.h"
+#include "report/page/terminal_report.h"
 #include "report/plots/sweep_cost_plots.h"
 #include "report/plots/sweep_plot.h"
 #include "report/sample_record.h"
-#include "report/tables/sweep_files.h"
-#include "report/tables/terminal_sweep.h"
+#include "report/tables/csv_format.h"
+#include "report/tables/means_table.h"
 #include "report/text/text_width.h"
+#include "study/judge/gates.h"
 #include "study/judge/study_ranking.h"
 
 namespace gnomon {
@@ -126,10 +128,11 @@ TEST(SweepMeans, SayWhereTheyAreOverFewerCases) {
   EXPECT_EQ(labelWithCases(study.methods[0]), "flat");
   EXPECT_EQ(labelWithCases(study.methods[1]), "curved (5 of 6 cases)");
   EXPECT_THAT(sweepPlot(sweep).commands, HasSubstr("'curved (5 of 6 cases)'"));
-  EXPECT_THAT(sweepTable(sweep, false), HasSubstr("  curved      1.00    1.00*     3.00\n"));
-  EXPECT_THAT(sweepTable(sweep, false), HasSubstr(fewerCasesMeaning));
-  EXPECT_THAT(sweepTable(sampleSweep(), false), Not(HasSubstr(fewerCasesMeaning)));
-  EXPECT_THAT(sweepCsv(sweep), HasSubstr("\n0.25,curved,0.01,0.01,0,0.001,,1,2\n"));
+  EXPECT_THAT(terminalReport(sweep, false), HasSubstr("  curved      1.00    1.00*     3.00\n"));
+  EXPECT_THAT(terminalReport(sweep, false), HasSubstr(fewerCasesMeaning));
+  EXPECT_THAT(terminalReport(sampleSweep(), false), Not(HasSubstr(fewerCasesMeaning)));
+  EXPECT_THAT(csvTable(sweepMeansTable(sweep)),
+              HasSubstr("\n0.25,curved,0.01,0.01,0,0.001,,1,2\n"));
   const auto json = nlohmann::json::parse(sweepJson(sweep));
   EXPECT_EQ(json["results"][3]["cases"], 1);
   EXPECT_EQ(json["results"][3]["all_cases"], 2);
@@ -142,12 +145,13 @@ TEST(SweepMeans, SayWhereTheyAreOverFewerCases) {
 // ---- files
 
 TEST(SweepCsv, HasARowAMethodAndValue) {
-  EXPECT_EQ(sweepCsv(sampleSweep()),
+  EXPECT_EQ(csvTable(sweepMeansTable(sampleSweep())),
             "value,method,error_rate,false_shadow,false_light,uncertainty,bytes,cases,all_cases\n"
             "0.5,flat,0.02,0.01,0.01,0.002,,2,2\n0.5,curved,0.01,0.005,0.005,0.002,,2,2\n"
             "0.25,flat,0.04,0.02,0.02,0.001,,2,2\n0.25,curved,0.01,0.005,0.005,0.001,,2,2\n"
             "1,flat,0.08,0.04,0.04,0.003,,2,2\n1,curved,0.03,0.015,0.015,0.003,,2,2\n");
-  EXPECT_THAT(sweepCsv(costlySweep()), HasSubstr("0.25,flat,0.04,0.02,0.02,0.001,1500000,2,2\n"));
+  EXPECT_THAT(csvTable(sweepMeansTable(costlySweep())),
+              HasSubstr("0.25,flat,0.04,0.02,0.02,0.001,1500000,2,2\n"));
 }
 
 TEST(SweepJson, HoldsTheSweep) {
@@ -175,7 +179,7 @@ TEST(SweepJson, HoldsTheSweep) {
   EXPECT_TRUE(costly["results"][3]["frame_ms"].is_null());
   sweep.values[0] = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)sweepJson(sweep), InternalError);
-  EXPECT_THROW((void)sweepCsv(sweep), InternalError);
+  EXPECT_THROW((void)csvTable(sweepMeansTable(sweep)), InternalError);
 }
 
 // ---- plot
@@ -326,7 +330,7 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   PlotSheet cost;
   cost.title = "Time & money";
   const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}, {cost, "<svg />"}};
-  const std::string html = sweepHtml(sweep, plots);
+  const std::string html = sweepHtml(sweep, plots).text();
   for (const char* part :
        {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "data:image/svg+xml;base64,PHN2Zy8+",
         "data:image/svg+xml;base64,PHN2ZyAvPg==", "<h3>Time &amp; money</h3>",
@@ -345,8 +349,8 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
 TEST(SweepTable, HasAColumnAValue) {
   SweepRecord sweep = sampleSweep();
   sweep.steps[2].judgements = {judgedAtMost(0.05)};
-  const std::string text = sweepTable(sweep, false);
-  EXPECT_THAT(text, HasSubstr("               0.5     0.25        1\n"
+  const std::string text = terminalReport(sweep, false);
+  EXPECT_THAT(text, HasSubstr("  Method       0.5     0.25        1\n"
                               "  flat        2.00     4.00     8.00\n"
                               "  curved      1.00     1.00     3.00\n"
                               "  truth ±     0.20     0.10     0.30\n"));
@@ -362,7 +366,7 @@ TEST(SweepTable, FitsHoweverManyTheValues) {
     sweep.values.push_back(-1.0 / (3 + i) * 1e-300);
     sweep.steps.push_back(step({{std::string(80, 'm'), 5}}, 0.001));
   }
-  const std::string text = sweepTable(sweep, false);
+  const std::string text = terminalReport(sweep, false);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
   for (const double value : sweep.values) {

@@ -13,10 +13,13 @@
 #include "report/folder_writer.h"
 #include "report/json/ranking_json.h"
 #include "report/page/ranking_html.h"
+#include "report/page/terminal_report.h"
 #include "report/plots/gnuplot.h"
 #include "report/run_files.h"
-#include "report/tables/terminal_sweep.h"
-#include "report/tables/terminal_table.h"
+#include "report/tables/csv_format.h"
+#include "report/tables/markdown_format.h"
+#include "report/tables/means_table.h"
+#include "report/tables/ranked_table.h"
 #include "study/judge/claims.h"
 #include "study/judge/radius_check.h"
 #include "study/judge/sweep_result.h"
@@ -175,8 +178,8 @@ StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache&
 void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records) {
   const StudyPlan& plan = *part.plan;
   const std::string table = plan.sweep
-                                ? sweepTable(sweepOf(part, records, request), coloursWanted())
-                                : resultTable(records.all[part.first], coloursWanted());
+                                ? terminalReport(sweepOf(part, records, request), coloursWanted())
+                                : terminalReport(records.all[part.first], coloursWanted());
   printText(table + "\n");
   printLine("Report: " + (request.out / plan.name / "report.html").string());
   printText("\n");
@@ -193,8 +196,10 @@ bool isRanked(const StudyPlan& plan) {
 void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request,
                    RunFolder& folder) {
   for (const StudyMeans& study : studies) folder.add(study.name + "/");
-  folder.write("ranking.csv", rankingCsv(studies));
-  folder.write("ranking.html", rankingHtml(studies, request.command));
+  folder.write("ranking.csv", csvTable(studyMeansTable(studies)));
+  folder.write("ranking.md",
+               markdownTable(rankedOverStudiesTable(studies, rankOverStudies(studies))));
+  folder.write("ranking.html", rankingHtml(studies, request.command).text());
   folder.finish(rankingJson(studies, request.command));
 }
 

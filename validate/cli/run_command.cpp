@@ -14,8 +14,8 @@
 #include "common/files/part_file.h"
 #include "common/system/memory.h"
 #include "horizon/table_file.h"
+#include "report/page/terminal_report.h"
 #include "report/plots/gnuplot.h"
-#include "report/tables/terminal_ranking.h"
 #include "study/run/truth_study.h"
 
 namespace gnomon {
@@ -70,7 +70,7 @@ ExitStatus runStudies(const RunRequest& request) {
   if (ranked.size() > 1) {
     failures.attempt([&] {
       reportRanking(ranked, request, records.folders.ranking());
-      printText(rankingOverStudies(ranked, coloursWanted()) + "\n");
+      printText(terminalReport(ranked, coloursWanted()) + "\n");
       printLine("Report: " + (request.out / "ranking.html").string());
     });
   }

@@ -30,7 +30,7 @@ struct RunRequest {
 /// A study that fails does not keep the others from their tables, nor what is whole from its
 /// ranking; but all studies are read before the first is run. Two studies or more are followed by a
 /// ranking of the methods over all of them: printed, and written as `out/ranking.csv`,
-/// `ranking.html` and last `ranking.json`.
+/// `ranking.md`, `ranking.html` and last `ranking.json`.
 /// Before the first study is run, what earlier runs of these studies left is removed, as the lists
 /// of their files (`files.txt`, `ranking.txt`) name it, and nothing else: see RunFolder. Meanwhile
 /// the folders are locked; a second run into one of them is refused. Thresholds are judged and

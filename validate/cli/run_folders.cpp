@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const FolderKind runKind{"summary.json", {"report.html"}};
-const FolderKind rankingKind{"ranking.json", {"ranking.csv", "ranking.html"}, "ranking.txt"};
+const FolderKind rankingKind{
+    "ranking.json", {"ranking.csv", "ranking.md", "ranking.html"}, "ranking.txt"};
 
 /// The part of a step's name that is its folder in its sweep's, with a slash: "0.5/".
 std::string subfolderOf(const std::string& step) {

@@ -15,16 +15,17 @@
 #include "report/json/sweep_json.h"
 #include "report/page/report_html.h"
 #include "report/page/sweep_html.h"
-#include "report/plots/frontier.h"
 #include "report/plots/gnuplot.h"
 #include "report/plots/study_plots.h"
 #include "report/plots/sweep_cost_plots.h"
 #include "report/plots/sweep_plot.h"
-#include "report/tables/bin_files.h"
-#include "report/tables/budget_files.h"
-#include "report/tables/metrics_csv.h"
-#include "report/tables/sweep_files.h"
-#include "report/tables/table_files.h"
+#include "report/tables/budget_table.h"
+#include "report/tables/case_tables.h"
+#include "report/tables/csv_format.h"
+#include "report/tables/formats.h"
+#include "report/tables/frontier_table.h"
+#include "report/tables/means_table.h"
+#include "report/tables/ranked_table.h"
 
 namespace gnomon {
 namespace {
@@ -110,25 +111,29 @@ std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, RunFolder& fold
 
 void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache) {
   folder.removeIndex();
-  folder.write("metrics.csv", metricsCsv(record));
-  folder.write("table.csv", tableCsv(record));
-  folder.write("table.tex", tableTex(record));
-  if (!record.bins.empty()) folder.write("bins.csv", binsCsv(record));
-  const std::vector<FrontierPoint> points = frontier(record);
-  if (!points.empty()) folder.write("frontier.csv", frontierCsv(points));
-  if (!record.budgets.empty()) folder.write("budget.csv", budgetCsv(record));
+  folder.write("metrics.csv", csvTable(metricsTable(record)));
+  const Table ranked = rankedTable(record, rankMethods(record));
+  for (const TableFormat& format : tableFormats()) {
+    if (format.isFile) folder.write(fmt::format("table.{}", format.name), format.print(ranked));
+  }
+  const auto writeRows = [&](const char* name, const Table& table) {
+    if (!table.rows.empty()) folder.write(name, csvTable(table));
+  };
+  writeRows("bins.csv", binsTable(record));
+  writeRows("frontier.csv", frontierTable(frontier(record)));
+  writeRows("budget.csv", budgetPartsTable(record));
   const std::vector<DrawnPlot> plots = writePlots(studyPlots(record), folder, cache);
-  folder.write("report.html", reportHtml(record, folder.path(), plots));
+  folder.write("report.html", reportHtml(record, folder.path(), plots).text());
   folder.finish(summaryJson(record));
 }
 
 void writeSweepFiles(const SweepRecord& sweep, RunFolder& folder, Cache& cache) {
   folder.removeIndex();
-  folder.write("sweep.csv", sweepCsv(sweep));
+  folder.write("sweep.csv", csvTable(sweepMeansTable(sweep)));
   std::vector<PlotSheet> sheets = sweepCostPlots(sweep);
   sheets.insert(sheets.begin(), sweepPlot(sweep));
   const std::vector<DrawnPlot> plots = writePlots(std::move(sheets), folder, cache);
-  folder.write("report.html", sweepHtml(sweep, plots));
+  folder.write("report.html", sweepHtml(sweep, plots).text());
   folder.finish(sweepJson(sweep));
 }
 

@@ -9,9 +9,9 @@ namespace gnomon {
 
 /// The files of a run beside its pictures. Each is written whole or not at all.
 
-/// Writes a study's: metrics.csv, bins.csv, frontier.csv, budget.csv (where there are any),
-/// table.csv, table.tex, plots/NAME.svg and .pdf, report.html, and last summary.json, so that its
-/// presence says that the run is whole. An older one goes first.
+/// Writes a study's: metrics.csv, bins.csv, frontier.csv, budget.csv (where there are any), its
+/// ranked table as table.csv, .tex and .md, plots/NAME.svg and .pdf, report.html, and last
+/// summary.json, so that its presence says that the run is whole. An older one goes first.
 /// @param cache  keeps plots
 /// @throws InputError for a file that cannot be written or a picture that cannot be read;
 ///   InternalError as the writers

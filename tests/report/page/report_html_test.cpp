@@ -14,7 +14,6 @@
 #include "image/images.h"
 #include "report/page/page.h"
 #include "report/sample_record.h"
-#include "report/text/html_text.h"
 
 namespace gnomon {
 namespace {
@@ -49,6 +48,10 @@ std::string fromBase64(const std::string& text) {
     bytes += static_cast<char>((bits >> held) & 0xFF);
   }
   return bytes;
+}
+
+std::string reportText(const StudyRecord& record, const fs::path& folder) {
+  return reportHtml(record, folder).text();
 }
 
 class ReportHtml : public testing::Test {
@@ -89,14 +92,14 @@ class ReportHtml : public testing::Test {
 };
 
 TEST_F(ReportHtml, LoadsNothing) {
-  const std::string html = reportHtml(recordWithPanel(), folder_);
+  const std::string html = reportText(recordWithPanel(), folder_);
   EXPECT_FALSE(holds(html, "http://"));
   EXPECT_FALSE(holds(html, "https://"));
   EXPECT_FALSE(holds(html, "<link"));
   EXPECT_EQ(count(html, "<script"), 1U);
-  EXPECT_EQ(count(html, "<script>" + std::string(viewerScript()) + "</script>"), 1U);
-  EXPECT_TRUE(holds(html, "script-src " + std::string(viewerScriptHash())));
-  EXPECT_FALSE(holds(reportHtml(sampleRecord(), folder_), "<script"))
+  EXPECT_EQ(count(html, "<script>" + viewerScript().text() + "</script>"), 1U);
+  EXPECT_TRUE(holds(html, "script-src " + viewerScriptHash().text()));
+  EXPECT_FALSE(holds(reportText(sampleRecord(), folder_), "<script"))
       << "without pictures there is nothing to compare";
   EXPECT_FALSE(holds(html, "@import"));
   EXPECT_FALSE(holds(html, "url("));
@@ -118,7 +121,7 @@ std::vector<std::string> embedded(const std::string& html, const std::string& ty
 
 TEST_F(ReportHtml, EmbedsEveryDifferenceByteForByteAndAnyOtherPictureOnce) {
   const StudyRecord record = recordWithPanel();
-  const std::string html = reportHtml(record, folder_);
+  const std::string html = reportText(record, folder_);
   const auto exact = embedded(html, "png");
   EXPECT_EQ(exact.size(), 2U);
   for (const PictureRecord& picture : record.panels[0].pictures) {
@@ -140,7 +143,7 @@ TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
   panel.pictures[1].layers = 1;
   panel.pictures[3].layers = 0;
   panel.pictures[3].mask = "shadowed.png";
-  const std::string html = reportHtml(record, folder_);
+  const std::string html = reportText(record, folder_);
   EXPECT_EQ(count(html, "<img class=\"truth\" data-mesh=\"0\""), 1U);
   EXPECT_TRUE(holds(html,
                     "data-name=\"Caption &lt;best&gt;\" data-rate=\"error 1.00\u202f%\" "
@@ -160,14 +163,14 @@ TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
 }
 
 TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
-  const std::string html = reportHtml(sampleRecord(1), folder_);
-  EXPECT_TRUE(holds(html, "<th class=\"n\">Shadow length</th>"));
+  const std::string html = reportText(sampleRecord(1), folder_);
+  EXPECT_TRUE(holds(html, "<th class=\"n\">Length</th>"));
   EXPECT_TRUE(holds(html, "title=\"quartiles 0.50 and 2.00 over 400 runs\">1.80</td>"));
   EXPECT_TRUE(holds(html, "title=\"fewer than 30 cast shadows with both ends in view\">–</td>"));
 }
 
 TEST_F(ReportHtml, OneLetteredFigureAMethod) {
-  const std::string html = reportHtml(recordWithPanel(), folder_);
+  const std::string html = reportText(recordWithPanel(), folder_);
   EXPECT_EQ(count(html, "<figure"), 3U);
   EXPECT_TRUE(holds(html, "<b>(a)</b> Caption &lt;rough, &quot;old&quot;&gt;"));
   EXPECT_TRUE(holds(html, "<b>(c)</b> Caption &lt;truth&gt;"));
@@ -187,7 +190,7 @@ TEST_F(ReportHtml, LetteringGoesOnAfterZ) {
     record.panels[0].pictures.push_back(
         picture(PictureRecord::Kind::shaded, "method " + std::to_string(i)));
   }
-  const std::string html = reportHtml(record, folder_);
+  const std::string html = reportText(record, folder_);
   EXPECT_TRUE(holds(html, "<b>(z)</b>"));
   EXPECT_TRUE(holds(html, "<b>(aa)</b>"));
   EXPECT_TRUE(holds(html, "<b>(ab)</b>"));
@@ -222,21 +225,21 @@ TEST_F(ReportHtml, EscapesAllText) {
                             &e.glVersion, &e.embreeVersion, &e.openSubdivVersion, &e.frameClock}) {
     spoil(*text);
   }
-  const std::string html = reportHtml(record, folder_);
+  const std::string html = reportText(record, folder_);
   EXPECT_EQ(count(html, "<script"), 1U) << "the page's own";
   EXPECT_FALSE(holds(html, "'\"&"));
   EXPECT_GT(count(html, "&lt;script&gt;&#39;&quot;&amp;"), 40U);
 }
 
 TEST_F(ReportHtml, TheTitleOfTheSampleIsEscaped) {
-  const std::string html = reportHtml(sampleRecord(), folder_);
+  const std::string html = reportText(sampleRecord(), folder_);
   EXPECT_TRUE(holds(html, "<h1>Columns on a sphere &lt;script&gt;alert(&quot;1&quot;)"));
 }
 
 TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
   StudyRecord record = sampleRecord();
   test::addDifferences(record, 1e-6);
-  const std::string html = reportHtml(record, folder_);
+  const std::string html = reportText(record, folder_);
   EXPECT_TRUE(holds(html, "<b>best</b> is closest to the truth: it gets <b>1.00&#8239;%</b>"));
   EXPECT_TRUE(holds(html, "1 of 2 thresholds met"));
   EXPECT_TRUE(holds(html, "not distinguishable from close"));
@@ -245,12 +248,12 @@ TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
 }
 
 TEST_F(ReportHtml, UndefinedCellsCarryTheirReason) {
-  const std::string html = reportHtml(sampleRecord(), folder_);
+  const std::string html = reportText(sampleRecord(), folder_);
   EXPECT_TRUE(holds(html, "<td class=\"n\" title=\"no samples\">–</td>"));
 }
 
 TEST_F(ReportHtml, TagsAreBalanced) {
-  const std::string html = reportHtml(recordWithPanel(), folder_);
+  const std::string html = reportText(recordWithPanel(), folder_);
   for (const std::string tag :
        {"table",      "thead",  "tbody",    "tr",     "td",     "section", "figure", "div",
         "figcaption", "ul",     "li",       "dl",     "dt",     "dd",      "span",   "small",
@@ -264,7 +267,7 @@ TEST_F(ReportHtml, TagsAreBalanced) {
 }
 
 TEST_F(ReportHtml, LegendAndPicturesShareTheirColours) {
-  const std::string html = reportHtml(recordWithPanel(), folder_);
+  const std::string html = reportText(recordWithPanel(), folder_);
   EXPECT_TRUE(holds(html, "--false-shadow:rgb(230 97 0)"));
   EXPECT_EQ(DifferenceColours::falseShadow, (Rgb{230, 97, 0}));
   EXPECT_TRUE(holds(html, "--false-light:rgb(26 133 255)"));
@@ -272,42 +275,34 @@ TEST_F(ReportHtml, LegendAndPicturesShareTheirColours) {
 }
 
 TEST_F(ReportHtml, HasBothSchemesAndPrint) {
-  const std::string html = reportHtml(sampleRecord(), folder_);
+  const std::string html = reportText(sampleRecord(), folder_);
   EXPECT_TRUE(holds(html, "prefers-color-scheme: dark"));
   EXPECT_TRUE(holds(html, "@media print"));
   EXPECT_TRUE(holds(html, "name=\"viewport\""));
 }
 
 TEST_F(ReportHtml, SmallRecordsDoNotStopIt) {
-  EXPECT_TRUE(holds(reportHtml(StudyRecord{}, folder_), "No result has an error rate."));
+  EXPECT_TRUE(holds(reportText(StudyRecord{}, folder_), "No result has an error rate."));
   StudyRecord record = recordWithPanel();
   record.results.clear();
-  EXPECT_TRUE(holds(reportHtml(record, folder_), "<figure"));
+  EXPECT_TRUE(holds(reportText(record, folder_), "<figure"));
 }
 
 TEST_F(ReportHtml, RefusesWhatItCannotShow) {
   StudyRecord record = recordWithPanel();
   const fs::path difference = folder_ / record.panels[0].pictures[4].path;
   fs::remove(difference);
-  EXPECT_THROW(reportHtml(record, folder_), InputError);
+  EXPECT_THROW(reportText(record, folder_), InputError);
   writeTextAtomically(difference, "GIF89a");
-  EXPECT_THROW(reportHtml(record, folder_), InternalError);
+  EXPECT_THROW(reportText(record, folder_), InternalError);
   record = sampleRecord();
   record.cost[0].frameMs = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(reportHtml(record, folder_), InternalError);
+  EXPECT_THROW(reportText(record, folder_), InternalError);
 }
 
 TEST_F(ReportHtml, SameRecordSameBytes) {
   const StudyRecord record = recordWithPanel();
-  EXPECT_EQ(reportHtml(record, folder_), reportHtml(record, folder_));
-}
-
-TEST(EscapeHtml, LeavesUtf8AndShowsWhereElseWas) {
-  EXPECT_EQ(escapeHtml("30° ≥ κ"), "30° ≥ κ");
-  EXPECT_EQ(escapeHtml(std::string("a\0b\x1b\tc\n", 7)), "a\uFFFDb\uFFFD\tc\n");
-  EXPECT_EQ(escapeHtml("\xff|\xc3(|\u202e|\xc2\x85"), "\uFFFD|\uFFFD(|\uFFFD|\uFFFD");
-  EXPECT_EQ(escapeHtml("<a href='x' title=\"y\">&"),
-            "&lt;a href=&#39;x&#39; title=&quot;y&quot;&gt;&amp;");
+  EXPECT_EQ(reportText(record, folder_), reportText(record, folder_));
 }
 
 }  // namespace

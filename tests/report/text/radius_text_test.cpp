@@ -24,7 +24,7 @@ TEST(RadiusText, TerminalPageAndFilesSayTheSame) {
   const ClaimRecord claim = turningClaim();
   const std::string note = radiusNote(claim);
   EXPECT_EQ(note, "depends on the radius: failed at half of it, held at twice");
-  EXPECT_THAT(htmlClaims({claim}), HasSubstr(note));
+  EXPECT_THAT(htmlClaim(claim).text(), HasSubstr(note));
   TerminalPage page(false);
   page.claims({claim});
   EXPECT_THAT(page.text(), HasSubstr(note));
@@ -39,7 +39,7 @@ TEST(RadiusText, NothingIsSaidOfVerdictsThatStay) {
   claim.radius = {Verdict::held, Verdict::held};
   EXPECT_EQ(radiusNote(claim), "");
   EXPECT_EQ(jsonClaim(claim).at("radius").at("depends"), false);
-  EXPECT_THAT(htmlClaims({claim}), Not(HasSubstr("radius")));
+  EXPECT_THAT(htmlClaim(claim).text(), Not(HasSubstr("radius")));
   claim.radius.reset();
   EXPECT_EQ(radiusNote(claim), "");
   EXPECT_TRUE(jsonClaim(claim).at("radius").is_null());

@@ -2,9 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "report/page/terminal_report.h"
 #include "report/sample_record.h"
-#include "report/tables/html_tables.h"
-#include "report/tables/terminal_table.h"
+#include "report/tables/html_format.h"
+#include "report/tables/run_tables.h"
 
 namespace gnomon {
 namespace {
@@ -28,18 +29,18 @@ TEST(RefinementText, NamesEveryLevel) {
 
 TEST(RefinementText, IsEmptyWhereNothingWasAskedFor) {
   EXPECT_EQ(refinementText(TruthRecord{}), "");
-  EXPECT_THAT(resultTable(test::sampleRecord(), false), Not(HasSubstr("Refined")));
+  EXPECT_THAT(terminalReport(test::sampleRecord(), false), Not(HasSubstr("Refined")));
 }
 
 TEST(RefinementText, StandsInTheTerminalsTable) {
   StudyRecord record = test::sampleRecord();
   record.truth.wantedUncertainty = refinedTruth().wantedUncertainty;
   record.truth.refinement = refinedTruth().refinement;
-  EXPECT_THAT(resultTable(record, false), HasSubstr("Refined until at most 0.1 %"));
+  EXPECT_THAT(terminalReport(record, false), HasSubstr("Refined until at most 0.1 %"));
 }
 
 TEST(RefinementText, TheTableHasARowALevel) {
-  const std::string table = refinementTable(refinedTruth().refinement);
+  const std::string table = htmlTable(refinementTable(refinedTruth().refinement)).text();
   EXPECT_THAT(table, HasSubstr("0.083"));
   EXPECT_THAT(table, HasSubstr("–"));
   EXPECT_THAT(table, HasSubstr("983\u202f040"));

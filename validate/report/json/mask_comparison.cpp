@@ -6,9 +6,9 @@
 
 #include "common/error.h"
 #include "report/json/json_values.h"
+#include "report/tables/terminal_format.h"
 #include "report/text/number_text.h"
 #include "report/text/terminal_page.h"
-#include "report/text/text_width.h"
 
 namespace gnomon {
 namespace {
@@ -57,18 +57,20 @@ std::string figureText(double value) {
   return text == "1" && value != 1 ? exactText(value) : text;
 }
 
-void appendMetrics(TerminalPage& page, const std::vector<Metric>& metrics) {
-  constexpr std::size_t nameWidth = 18;
-  constexpr std::size_t valueWidth = 12;
-  page.line(std::string(terminalIndent, ' ') + fitLeft("metric", nameWidth) +
-            fitRight("value", valueWidth));
+Table metricsFound(const std::vector<Metric>& metrics) {
+  Table table{.kind = "metrics",
+              .columns = {{"Metric", "metric", Quantity::name},
+                          {"Value", "value", Quantity::exact},
+                          {"", "reason"}}};
+  table.columns[0].width = 18;
+  table.columns[1].width = 12;
   for (const Metric& metric : metrics) {
-    const std::string value = metric.value ? figureText(*metric.value) : "–";
-    std::string row = std::string(terminalIndent, ' ') + fitLeft(metric.name, nameWidth) +
-                      fitRight(value, valueWidth);
-    if (!metric.value) row += fmt::format("  {}", metric.reason);
-    page.line(row);
+    Row row{{textCell(std::string(metric.name)), metricCell(metric),
+             textCell(std::string(metric.reason))}};
+    if (metric.value) row.cells[1].text = figureText(*metric.value);
+    table.rows.push_back(std::move(row));
   }
+  return table;
 }
 
 std::string failureText(const Judgement& judgement) {
@@ -81,12 +83,12 @@ std::string failureText(const Judgement& judgement) {
   return text;
 }
 
-void appendGates(TerminalPage& page, const std::vector<Judgement>& judgements) {
-  std::vector<std::string> failed;
+std::vector<std::string> failureTexts(const std::vector<Judgement>& judgements) {
+  std::vector<std::string> texts;
   for (const Judgement& judgement : judgements) {
-    if (judgement.isFault()) failed.push_back(failureText(judgement));
+    if (judgement.isFault()) texts.push_back(failureText(judgement));
   }
-  page.met("Gates", judgements.size(), failed);
+  return texts;
 }
 
 }  // namespace
@@ -132,8 +134,8 @@ std::string maskComparisonTable(const MaskComparison& c, bool colours) {
   page.paragraph(pixelsLine(c));
   page.paragraph(countsLine(c.counts));
   page.blank();
-  appendMetrics(page, c.metrics);
-  appendGates(page, c.judgements);
+  appendTable(page, metricsFound(c.metrics));
+  page.met("Gates", c.judgements.size(), failureTexts(c.judgements));
   return page.text();
 }
 

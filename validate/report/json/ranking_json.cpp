@@ -1,10 +1,6 @@
 #include "report/json/ranking_json.h"
 
-#include <algorithm>
-
 #include "report/json/json_values.h"
-#include "report/tables/csv_text.h"
-#include "report/text/number_text.h"
 
 namespace gnomon {
 namespace {
@@ -65,20 +61,6 @@ std::string rankingJson(std::span<const StudyMeans> studies, std::string_view co
                      {"results", resultsJson(studies)},
                      {"claims", claimsJson(studies)}};
   return jsonText(json);
-}
-
-std::string rankingCsv(std::span<const StudyMeans> studies) {
-  std::string csv = csvLine({"study", "method", "error_rate", "false_shadow", "false_light",
-                             "uncertainty", "cases", "all_cases"});
-  for (const StudyMeans& study : studies) {
-    for (const MethodMeans& method : study.methods) {
-      csv += csvLine({study.name, method.label, exactText(method.errorRate),
-                      exactText(method.falseShadow), exactText(method.falseLight),
-                      exactText(method.uncertainty), std::to_string(method.cases()),
-                      std::to_string(method.caseErrors.size())});
-    }
-  }
-  return csv;
 }
 
 }  // namespace gnomon

@@ -15,7 +15,4 @@ constexpr std::string_view rankingSchema = "gnomon-ranking/2";
 /// @throws InternalError naming the key for a number that is not finite
 std::string rankingJson(std::span<const StudyMeans> studies, std::string_view command);
 
-/// The same results as a tidy table: one row a study × method; an unknown figure is an empty cell.
-std::string rankingCsv(std::span<const StudyMeans> studies);
-
 }  // namespace gnomon

@@ -3,7 +3,7 @@
 #include "report/json/budget_json.h"
 #include "report/json/confidence_json.h"
 #include "report/json/json_values.h"
-#include "report/tables/cost.h"
+#include "report/tables/cost_table.h"
 #include "report/text/names.h"
 #include "study/record/result_metrics.h"
 

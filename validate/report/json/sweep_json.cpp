@@ -1,7 +1,7 @@
 #include "report/json/sweep_json.h"
 
 #include "report/json/json_values.h"
-#include "report/tables/cost.h"
+#include "report/tables/cost_table.h"
 #include "study/judge/study_ranking.h"
 #include "study/spec/sweep.h"
 

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <string>
-
+#include "report/text/html.h"
 #include "study/record/record.h"
 
 namespace gnomon {
 
-/// For each view its verdict and a table: the methods ranked, each with its interval, and the
-/// difference to the best with its own. Empty if the record has no intervals.
-std::string confidenceSection(const StudyRecord& record);
+/// For each view its verdict and a table of its methods, ranked with their intervals. Empty if the
+/// record has no intervals.
+Html confidenceSection(const StudyRecord& record);
 
 }  // namespace gnomon

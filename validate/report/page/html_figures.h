@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
+#include "report/text/html.h"
 #include "study/record/record.h"
 
 namespace gnomon {
@@ -13,15 +13,15 @@ namespace gnomon {
 /// mean. Pictures are embedded as base64; `folder` is where their paths start.
 /// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
 ///   PNG
-std::string panelFigures(const StudyRecord& record, const PanelRecord& panel,
-                         const std::filesystem::path& folder);
+Html panelFigures(const StudyRecord& record, const PanelRecord& panel,
+                  const std::filesystem::path& folder);
 
 /// A picture's file as an address that a page embeds, byte for byte.
 /// @throws InputError if it cannot be read, InternalError if it is no PNG
-std::string pngAddress(const std::filesystem::path& path);
+Html pngAddress(const std::filesystem::path& path);
 
 /// CSS properties --false-shadow, --false-light, --both-lit, --both-shadowed: the colours that the
 /// difference pictures hold.
-std::string differenceProperties();
+Html differenceProperties();
 
 }  // namespace gnomon

@@ -5,41 +5,51 @@
 #include <string_view>
 #include <vector>
 
+#include "report/plots/study_plots.h"
+#include "report/text/html.h"
+#include "study/record/gate.h"
 #include "study/record/record.h"
 
 namespace gnomon {
 
-/// Parts that the pages of a run share, as HTML.
+/// Parts that the pages of a run share.
 
-/// All before the body: the style is inside, and the page's own content policy forbids it to load
-/// anything but pictures that it holds.
-/// @param title  as text
-/// @param script  the hash of a script that it may run; of none, if empty
-std::string htmlHead(std::string_view title, std::string_view script = "");
+/// A whole page. Its style is inside, and its own content policy forbids it to load anything but
+/// pictures that it holds.
+/// @param script  its hash is in the policy, so that it alone may run; none, if empty
+Html htmlPage(std::string_view title, const Html& header, const Html& main,
+              const Html& script = {});
 
 /// A section with its heading; nothing, if it has no content.
-/// @param title  as HTML
-std::string htmlSection(std::string_view id, std::string_view title, const std::string& content);
+Html htmlSection(std::string_view id, const Html& title, const Html& content);
+Html htmlSection(std::string_view id, std::string_view title, const Html& content);
+
+/// A paragraph in small letters; nothing, if there is no text.
+Html htmlNote(std::string_view text);
 
 /// A plot inside the page.
-/// @param svg  the document
-/// @param alt  what it shows, as text
-std::string htmlPlot(const std::string& svg, std::string_view alt);
+Html htmlPlot(const DrawnPlot& plot);
 
 /// A term and what it is, for a list <dl>; nothing, if there is no text.
-std::string htmlFact(std::string_view term, std::string_view text);
+Html htmlFact(std::string_view term, std::string_view text);
 
 /// "1 method", "2 methods".
 std::string plural(std::size_t count, std::string_view noun);
 
+/// The tag that names the status of a run.
+Html htmlStatus(RunStatus status);
+
 /// One claim with its verdict, for the list of a section of claims.
-/// @param study  whose claim it is, as HTML; empty where that is clear
-std::string htmlClaim(const ClaimRecord& claim, std::string_view study = "");
+/// @param study  whose claim it is; empty where that is clear
+Html htmlClaim(const ClaimRecord& claim, const Html& study = {});
+
+/// A section of claims as htmlClaim makes them; nothing, if there are none.
+Html htmlClaims(const Html& claims);
 
 /// What is to be read before the figures, a paragraph each.
-std::string htmlNotices(const std::vector<std::string>& notices);
+Html htmlNotices(const std::vector<std::string>& notices);
 
-/// A section of claims with their verdicts; nothing, if there are none.
-std::string htmlClaims(const std::vector<ClaimRecord>& claims);
+/// How a run is done again: its command, and facts about it.
+Html htmlReproduction(std::string_view command, const Html& facts = {});
 
 }  // namespace gnomon

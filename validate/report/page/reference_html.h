@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "report/text/html.h"
 #include "study/record/record.h"
 
 namespace gnomon {
@@ -12,11 +13,11 @@ namespace gnomon {
 /// old and new value and their pictures, then how many hold. Nothing, if there were none.
 /// @param folder  the run's, where its pictures are
 /// @throws InputError for a picture that cannot be read
-std::string referenceSection(const StudyRecord& record, const std::filesystem::path& folder);
+Html referenceSection(const StudyRecord& record, const std::filesystem::path& folder);
 
 /// "3 of 4 thresholds met, 118 of 120 references hold, 1 error" with the tag of the status.
 /// @param more  "over all values", say; may be empty
-std::string statusHtml(RunStatus status, std::span<const Judgement> judgements,
-                       std::size_t problems, const std::string& more = "");
+Html statusHtml(RunStatus status, std::span<const Judgement> judgements, std::size_t problems,
+                const std::string& more = "");
 
 }  // namespace gnomon

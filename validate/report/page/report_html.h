@@ -2,9 +2,9 @@
 
 #include <filesystem>
 #include <span>
-#include <string>
 
 #include "report/plots/study_plots.h"
+#include "report/text/html.h"
 #include "study/record/record.h"
 
 namespace gnomon {
@@ -17,7 +17,7 @@ namespace gnomon {
 /// @param plots   embedded, in this order
 /// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
 ///   PNG, or for a number that is not finite
-std::string reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
-                       std::span<const DrawnPlot> plots = {});
+Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
+                std::span<const DrawnPlot> plots = {});
 
 }  // namespace gnomon

@@ -3,79 +3,109 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
-#include "report/plots/budget_bars.h"
 #include "report/plots/plot_style.h"
+#include "report/text/budget_text.h"
 #include "report/text/number_text.h"
 
 namespace gnomon {
 namespace {
 
-/// The rectangles of one part in all bars, one bar a unit of y, the first on top.
-std::string partData(std::span<const BudgetRecord> budgets, const std::vector<BudgetPart>& parts,
-                     std::size_t part) {
-  std::string rows;
-  double y = 0;
+/// Paul Tol's "muted" scheme in an order that sets light beside dark, and one of his oranges: the
+/// common colour vision deficiencies keep them apart.
+constexpr std::array<const char*, 10> causeColours = {"#332288", "#88ccee", "#117733", "#ddcc77",
+                                                      "#cc6677", "#44aa99", "#882255", "#999933",
+                                                      "#aa4499", "#ee7733"};
+
+/// A part of the errors: what the legend calls it, and its rectangles in all bars.
+struct BudgetPart {
+  std::string name;
+  std::string colour;
+  std::string rectangles = {};  ///< lines of gnuplot's data
+};
+
+BudgetPart& partNamed(std::vector<BudgetPart>& parts, const std::string& name) {
+  return *std::find_if(parts.begin(), parts.end(),
+                       [&](const BudgetPart& part) { return part.name == name; });
+}
+
+/// The causes in the order in which they first appear, then what is left.
+std::vector<BudgetPart> partsOf(std::span<const BudgetRecord> budgets) {
+  std::vector<BudgetPart> parts;
   for (const BudgetRecord& budget : budgets) {
-    for (const auto way : {&BudgetCause::forward, &BudgetCause::backward}) {
-      for (const BudgetBox& box : budgetBoxes(budget, parts, way)) {
-        if (box.part != part || !(box.from < box.to)) continue;
-        rows += fmt::format("{} {} {} {} {} {}\n", exactText(50 * (box.from + box.to)),
-                            exactText(y), exactText(100 * box.from), exactText(100 * box.to),
-                            exactText(y - 0.4), exactText(y + 0.4));
-      }
-      y += 1;
+    for (const BudgetCause& cause : budget.causes) {
+      const bool isThere = std::any_of(parts.begin(), parts.end(), [&](const BudgetPart& part) {
+        return part.name == cause.name;
+      });
+      if (isThere) continue;
+      parts.push_back({cause.name, causeColours.at(parts.size() % causeColours.size())});
     }
-    y += 0.5;
   }
-  // A part that no bar has still stands in the legend.
-  return rows.empty() ? "NaN NaN NaN NaN NaN NaN\n" : rows;
+  parts.push_back({distantName, "#5f5f5f"});
+  parts.push_back({otherName, "#bbbbbb"});
+  return parts;
 }
 
-std::string barNames(std::span<const BudgetRecord> budgets) {
-  std::string names;
-  double y = 0;
-  for (const BudgetRecord& budget : budgets) {
-    names += fmt::format("{}{} {}, 'backward' {}", names.empty() ? "" : ", ",
-                         plotLegend(budget.method + ", forward"), exactText(y), exactText(y + 1));
-    y += 2.5;
-  }
-  return "set ytics scale 0 (" + names + ")\n";
-}
-
-/// A mark at the method's error over both of its bars.
-std::string totals(std::span<const BudgetRecord> budgets) {
-  std::string commands;
-  double y = 0;
-  for (const BudgetRecord& budget : budgets) {
-    const std::string total = exactText(100 * budget.total.value);
-    commands +=
-        fmt::format("set arrow from {0},{1} to {0},{2} nohead front lw 2 lc rgb '#000000'\n", total,
-                    exactText(y - 0.48), exactText(y + 1.48));
-    y += 2.5;
-  }
-  return commands;
+/// Adds the bar of one order at a height: shares above 0 stand to the right of zero one after the
+/// other, those below it to its left.
+void addBar(std::vector<BudgetPart>& parts, const BudgetRecord& budget,
+            BudgetShare BudgetCause::*way, double y) {
+  double below = 0;
+  double above = 0;
+  const auto add = [&](const std::string& name, double share) {
+    double& end = share < 0 ? below : above;
+    const double from = std::min(end, end + share);
+    const double to = std::max(end, end + share);
+    end += share;
+    if (!(from < to)) return;
+    partNamed(parts, name).rectangles += fmt::format(
+        "{} {} {} {} {} {}\n", exactText(50 * (from + to)), exactText(y), exactText(100 * from),
+        exactText(100 * to), exactText(y - 0.4), exactText(y + 0.4));
+  };
+  for (const BudgetCause& cause : budget.causes) add(cause.name, (cause.*way).value);
+  add(distantName, budget.distant.value);
+  add(otherName, budget.other.value);
 }
 
 }  // namespace
 
 PlotSheet budgetPlot(std::span<const BudgetRecord> budgets) {
-  const std::vector<BudgetPart> parts = budgetParts(budgets);
+  std::vector<BudgetPart> parts = partsOf(budgets);
+  std::string names;
+  std::string totals;
+  double y = 0;
+  for (const BudgetRecord& budget : budgets) {
+    addBar(parts, budget, &BudgetCause::forward, y);
+    addBar(parts, budget, &BudgetCause::backward, y + 1);
+    names += fmt::format("{}{} {}, 'backward' {}", names.empty() ? "" : ", ",
+                         plotLegend(budget.method + ", forward"), exactText(y), exactText(y + 1));
+    // A mark at the method's error over both of its bars.
+    totals +=
+        fmt::format("set arrow from {0},{1} to {0},{2} nohead front lw 2 lc rgb '#000000'\n",
+                    exactText(100 * budget.total.value), exactText(y - 0.48), exactText(y + 1.48));
+    y += 2.5;
+  }
   std::string data;
   std::string plot = "plot ";
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    data += fmt::format("$p{} << EOD\n{}EOD\n", p, partData(budgets, parts, p));
+    // A part that no bar has still stands in the legend.
+    data += fmt::format(
+        "$p{} << EOD\n{}EOD\n", p,
+        parts[p].rectangles.empty() ? "NaN NaN NaN NaN NaN NaN\n" : parts[p].rectangles);
     plot += fmt::format(
         "{}$p{} using 1:2:3:4:5:6 with boxxyerror fs solid noborder lc rgb '{}' title {}",
         p > 0 ? ", \\\n  " : "", p, parts[p].colour, plotLegend(parts[p].name));
   }
-  const auto bars = static_cast<double>(budgets.size());
+  // gnuplot finds no range of its own without a rectangle.
+  const bool isEmpty = std::all_of(parts.begin(), parts.end(),
+                                   [](const BudgetPart& part) { return part.rectangles.empty(); });
   const int lines = static_cast<int>(parts.size()) + 4;
   return {"budget",
           "Where the error comes from",
-          "Each method's error by cause, forward and backward",
+          "Each method's error by cause, forward and backward; the tables hold the same figures",
           1000,
           std::max({320, 24 * lines, 70 + 75 * static_cast<int>(budgets.size())}),
           data +
@@ -83,11 +113,13 @@ PlotSheet budgetPlot(std::span<const BudgetRecord> budgets) {
               "set tics nomirror out textcolor rgb '#1a1d21'\n"
               "set grid xtics lc rgb '#dde1e6' lw 1 dt 1\n"
               "set yzeroaxis lt 1 lc rgb '#5b626b'\n" +
-              fmt::format("set yrange [{}:-0.75]\n", exactText(2.5 * bars - 0.75)) +
-              barNames(budgets) + totals(budgets) +
+              (isEmpty ? "set xrange [0:1]\n" : "") +
+              fmt::format("set yrange [{}:-0.75]\n", exactText(y - 0.75)) + "set ytics scale 0 (" +
+              names + ")\n" + totals +
               "set xlabel 'percent of the samples; black line: all of the error'\n"
               "set key outside right top Left reverse samplen 1 spacing 1.1\n" +
-              plot + "\n"};
+              plot + "\n",
+          "budget"};
 }
 
 }  // namespace gnomon

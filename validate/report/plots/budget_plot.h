@@ -7,8 +7,9 @@
 
 namespace gnomon {
 
-/// The bars of budgetBars as a plot for a paper: two a budget, forward and backward, in percent of
-/// the samples, with the names of the parts beside them.
+/// Error budgets as bars, two a budget, forward and backward, in percent of the samples: shares
+/// above 0 stand to the right of the zero line one after the other, those below it to its left, and
+/// a mark where both together end, at the method's error.
 /// @param budgets  of one light, at least one
 /// @throws InternalError for a number that is not finite
 PlotSheet budgetPlot(std::span<const BudgetRecord> budgets);

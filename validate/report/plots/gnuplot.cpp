@@ -19,7 +19,7 @@
 #include "common/error.h"
 #include "common/system/interruption.h"
 #include "common/text/one_line.h"
-#include "report/text/html_text.h"
+#include "report/text/html.h"
 
 namespace gnomon {
 namespace {
@@ -252,7 +252,7 @@ std::string cleanSvg(const std::string& svg, const std::string& title) {
   if (from == std::string::npos || to == std::string::npos || to < from) {
     fail("its SVG has no title and description");
   }
-  std::string clean = svg.substr(0, from) + "<title>" + escapeHtml(title) + "</title>" +
+  std::string clean = svg.substr(0, from) + "<title>" + escapeHtml(title).text() + "</title>" +
                       svg.substr(to + end.size());
   // gnuplot writes a label's > as it is, which XML does not take behind ]].
   constexpr std::string_view sign = "]]>";

@@ -9,10 +9,11 @@ namespace gnomon {
 struct PlotSheet {
   std::string name;  ///< of its files
   std::string title;
-  std::string about;     ///< what it shows, for whoever cannot see it
-  int width = 1000;      ///< of the SVG, pixels; on paper 144 of them are an inch
-  int height = 560;      ///< likewise
-  std::string commands;  ///< gnuplot's, without the terminal
+  std::string about;              ///< what it shows, for whoever cannot see it
+  int width = 1000;               ///< of the SVG, pixels; on paper 144 of them are an inch
+  int height = 560;               ///< likewise
+  std::string commands;           ///< gnuplot's, without the terminal
+  std::string section = "plots";  ///< of the page that shows it
 };
 
 /// The plot as an SVG document, by a gnuplot of its own: the last colour of one SVG reaches into

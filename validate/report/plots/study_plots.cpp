@@ -2,7 +2,8 @@
 
 #include "report/plots/bin_plot.h"
 #include "report/plots/budget_plot.h"
-#include "report/plots/frontier.h"
+#include "report/plots/frontier_plot.h"
+#include "report/text/budget_text.h"
 #include "study/spec/file_names.h"
 
 namespace gnomon {
@@ -19,13 +20,14 @@ void addBins(std::vector<PlotSheet>& plots, const StudyRecord& record) {
   }
 }
 
-/// The budgets of all lights together.
-void addBudget(std::vector<PlotSheet>& plots, const StudyRecord& record) {
-  std::vector<BudgetRecord> budgets;
-  for (const BudgetRecord& budget : record.budgets) {
-    if (budget.light == record.budgets.front().light) budgets.push_back(budget);
+/// A plot for all lights together, then one for each of several.
+void addBudgets(std::vector<PlotSheet>& plots, const StudyRecord& record) {
+  const std::vector<std::string> lights = budgetLights(record);
+  const std::vector<std::string> files = fileNames(lights);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    plots.push_back(budgetPlot(budgetsOf(record, lights[i])));
+    if (i > 0) plots.back().name += "_" + files[i];
   }
-  if (!budgets.empty()) plots.push_back(budgetPlot(budgets));
 }
 
 }  // namespace
@@ -35,7 +37,7 @@ std::vector<PlotSheet> studyPlots(const StudyRecord& record) {
   addBins(plots, record);
   const std::vector<FrontierPoint> points = frontier(record);
   if (!points.empty()) plots.push_back(frontierPlot(points));
-  addBudget(plots, record);
+  addBudgets(plots, record);
   return plots;
 }
 

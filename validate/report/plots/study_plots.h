@@ -14,7 +14,8 @@ struct DrawnPlot {
 };
 
 /// All plots of a study: error against memory, where there is something to trade; error by the bins
-/// of every axis in every view; the error budget of all lights. Names are distinct.
+/// of every axis in every view; the error budgets of all lights together and of each of several.
+/// Names are distinct.
 /// @throws InternalError as the plots
 std::vector<PlotSheet> studyPlots(const StudyRecord& record);
 

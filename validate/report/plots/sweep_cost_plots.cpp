@@ -9,7 +9,7 @@
 
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
-#include "report/tables/cost.h"
+#include "report/tables/cost_table.h"
 #include "report/text/number_text.h"
 #include "study/judge/study_ranking.h"
 

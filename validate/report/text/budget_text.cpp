@@ -40,4 +40,12 @@ std::vector<std::string> budgetLights(const StudyRecord& record) {
   return lights;
 }
 
+std::vector<BudgetRecord> budgetsOf(const StudyRecord& record, const std::string& light) {
+  std::vector<BudgetRecord> budgets;
+  for (const BudgetRecord& budget : record.budgets) {
+    if (budget.light == light) budgets.push_back(budget);
+  }
+  return budgets;
+}
+
 }  // namespace gnomon

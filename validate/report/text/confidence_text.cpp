@@ -10,24 +10,11 @@
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "report/text/radius_text.h"
+#include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
 
 namespace gnomon {
 namespace {
-
-/// "a", "a and b", "a; b; c and 2 more": labels may hold commas.
-std::string listText(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 3;
-  std::vector<std::string> parts(
-      names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
-  if (names.size() > most) parts.push_back(fmt::format("{} more", names.size() - most));
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) text += i + 1 == parts.size() ? " and " : "; ";
-    text += parts[i];
-  }
-  return text;
-}
 
 /// What several rows say of one figure: "0.30", or "0.30 to 0.55" where they differ.
 class Range {

@@ -1,0 +1,159 @@
+#include "report/page/terminal_report.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "report/sample_record.h"
+#include "support/lines.h"
+
+namespace gnomon {
+namespace {
+
+using test::sampleRecord;
+
+/// Columns of a line whose only characters are narrow or CJK: counted from the lead bytes.
+std::size_t columnsOf(const std::string& line) {
+  std::size_t columns = 0;
+  for (const char c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80) continue;              // continues a character
+    columns += byte >= 0xE3 && byte <= 0xE9 ? 2 : 1;  // U+3000 to U+9FFF are wide
+  }
+  return columns;
+}
+
+void expectFits(const std::string& text) {
+  for (const std::string& line : test::linesOf(text)) {
+    EXPECT_LE(columnsOf(line), 100U) << line;
+  }
+}
+
+std::string lineWith(const std::string& text, const std::string& part) {
+  for (const std::string& line : test::linesOf(text)) {
+    if (line.find(part) != std::string::npos) return line;
+  }
+  return "(no line with " + part + ")";
+}
+
+TEST(TerminalReport, ShowsWhatTheRecordHolds) {
+  const std::string text = terminalReport(sampleRecord(), false);
+  EXPECT_NE(text.find("camera · elevation 15° (truth ± 0.20)"), std::string::npos) << text;
+  EXPECT_NE(text.find("camera · elevation 30° (truth ± 0.40)"), std::string::npos);
+  EXPECT_EQ(lineWith(text, "rough"),
+            "  rough, \"old\"  10.00  12.00          8.00         2.00  69.70   9.33    1.80");
+  EXPECT_EQ(lineWith(text, "  best"),
+            "  best           1.00   3.00          0.50         0.50  96.08   1.33    1.05");
+}
+
+TEST(TerminalReport, TellsWhereTheTimeWent) {
+  StudyRecord record = sampleRecord();
+  record.timings.push_back({"compare", 0.004});
+  EXPECT_EQ(lineWith(terminalReport(record, false), "Time"),
+            "Time 1.75 s: truth 1.50, render 0.25");
+}
+
+TEST(TerminalReport, MarksWhatTheTruthCannotTellApart) {
+  // 1.20 and 1.00 are 0.20 apart: within the second light's 0.40. (The first is at its very limit.)
+  StudyRecord record = sampleRecord();
+  test::addDifferences(record, 1e-6);
+  const std::string text = terminalReport(record, false);
+  const std::string second = text.substr(text.find("elevation 30°"));
+  EXPECT_TRUE(lineWith(second, "close").ends_with(" ≈"));
+  EXPECT_FALSE(lineWith(second, "  best").ends_with("≈"));
+  EXPECT_FALSE(lineWith(second, "rough").ends_with("≈"));
+}
+
+TEST(TerminalReport, UndefinedIsADash) {
+  StudyRecord record = sampleRecord(1);
+  record.results = {{"m", "noon", "camera", "all", Counts{0, 0, 0, 50, 50}},
+                    {"n", "noon", "camera", "all", Counts{}}};
+  const std::string text = terminalReport(record, false);
+  EXPECT_EQ(lineWith(text, "  m  "),
+            "  m        0.00      –          0.00         0.00      –      –       –");
+  EXPECT_EQ(lineWith(text, "  n  "),
+            "  n           –      –             –            –      –      –       –");
+}
+
+TEST(TerminalReport, ManyLightsMakeOneBlockAView) {
+  const std::string few = terminalReport(sampleRecord(3), false);
+  const std::string many = terminalReport(sampleRecord(4), false);
+  EXPECT_NE(few.find("camera · elevation 45° (truth ± 0.40)"), std::string::npos) << few;
+  EXPECT_NE(many.find("camera · 4 lights (truth ± 0.40 at most)"), std::string::npos) << many;
+  EXPECT_EQ(many.find("camera · elevation"), std::string::npos);
+  EXPECT_NE(lineWith(many, "elevation 60°").find("rough"), std::string::npos);
+  expectFits(few);
+  expectFits(many);
+}
+
+TEST(TerminalReport, FitsWhateverTheLabels) {
+  for (const int lights : {1, 3, 5}) {
+    StudyRecord record = sampleRecord(lights);
+    std::string label = "影の長さ";
+    while (label.size() < 300) label += " 影 and a very long label";
+    record.title = record.source = label;
+    for (ResultRecord& result : record.results) {
+      if (result.method == "best") result.method = label;
+      result.light += label;
+      result.view = label;
+    }
+    record.claims[0].text = record.claims[0].detail = label + std::string(150, 'x');
+    record.judgements[1].gate.method = label;
+    expectFits(terminalReport(record, false));
+  }
+}
+
+TEST(TerminalReport, ColumnsStayAlignedUnderWideLabels) {
+  StudyRecord record = sampleRecord(1);
+  for (ResultRecord& result : record.results) {
+    if (result.method == "best") result.method = "影の長さ";
+  }
+  record.truth.flips[0].flipRate = 0;  // no mark at the line's end
+  const std::string text = terminalReport(record, false);
+  EXPECT_EQ(columnsOf(lineWith(text, "影の")), columnsOf(lineWith(text, "close")));
+  EXPECT_EQ(columnsOf(lineWith(text, "影の")), columnsOf(lineWith(text, "IoU  ")));
+}
+
+TEST(TerminalReport, ClaimsAndFailedThresholds) {
+  const std::string text = terminalReport(sampleRecord(), false);
+  EXPECT_EQ(lineWith(text, "displaced mesh"),
+            "  held                 As long as in <i>the</i> displaced mesh");
+  EXPECT_EQ(lineWith(text, "No worse"), "  not distinguishable  No worse at noon");
+  EXPECT_NE(text.find("ratio 0.99"), std::string::npos);
+  EXPECT_NE(text.find("Thresholds: 1 of 2 met"), std::string::npos);
+  EXPECT_NE(
+      text.find("close, iou ≥ 0.5, camera, elevation 15°, region distant: undefined: no samples"),
+      std::string::npos);
+  EXPECT_EQ(text.find("≤ 0.02"), std::string::npos) << "a met threshold needs no line";
+}
+
+TEST(TerminalReport, ColoursOnlyWhenAsked) {
+  EXPECT_EQ(terminalReport(sampleRecord(), false).find('\x1b'), std::string::npos);
+  std::string coloured = terminalReport(sampleRecord(), true);
+  EXPECT_NE(coloured.find("\x1b[32mheld"), std::string::npos);
+  // Without its escape sequences it is the plain table.
+  for (std::size_t at = 0; (at = coloured.find('\x1b', at)) != std::string::npos;) {
+    coloured.erase(at, coloured.find('m', at) - at + 1);
+  }
+  EXPECT_EQ(coloured, terminalReport(sampleRecord(), false));
+}
+
+TEST(TerminalReport, SmallRecordsDoNotStopIt) {
+  EXPECT_EQ(terminalReport(StudyRecord{}, false), "");
+  StudyRecord record = sampleRecord();
+  record.results.clear();
+  EXPECT_NE(terminalReport(record, false).find("Claims"), std::string::npos);
+}
+
+TEST(TerminalReport, RefusesCountsThatAreNotFinite) {
+  StudyRecord record = sampleRecord();
+  record.results[0].counts.falsePositive = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(terminalReport(record, false), InternalError);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,105 @@
+#include "report/tables/frontier_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/plots/frontier_plot.h"
+#include "report/sample_record.h"
+#include "report/tables/csv_format.h"
+
+namespace gnomon {
+namespace {
+
+/// A study of one light and view: entries of a method, its memory and wrong samples of a thousand.
+struct Entry {
+  std::string label, name;
+  std::uint64_t tables, heights;
+  double wrong;
+};
+
+StudyRecord recordOf(const std::vector<Entry>& entries) {
+  StudyRecord record;
+  for (const Entry& entry : entries) {
+    record.methods.push_back({entry.label, entry.name, "", ""});
+    ResultRecord result{entry.label, "one light", "one view", "all", {}};
+    result.counts.samples = 1000;
+    result.counts.truePositive = 400;
+    result.counts.trueNegative = 600 - entry.wrong;
+    result.counts.falsePositive = entry.wrong;
+    record.results.push_back(result);
+    CostRecord cost;
+    cost.method = entry.label;
+    cost.tableBytes = entry.tables;
+    cost.heightBytes = entry.heights;
+    record.cost.push_back(cost);
+  }
+  return record;
+}
+
+TEST(Frontier, KeepsWhatNoSmallerTableBeats) {
+  const auto points = frontier(recordOf({{"a 8", "a", 800, 0, 50},
+                                         {"a 16", "a", 1600, 0, 20},
+                                         {"b", "b", 800, 100, 60},
+                                         {"c", "c", 1600, 400, 20},
+                                         {"d", "d", 0, 400, 70}}));
+  ASSERT_EQ(points.size(), 5U);
+  std::vector<std::string> efficient;
+  for (const FrontierPoint& point : points) {
+    if (point.efficient) efficient.push_back(point.label);
+  }
+  EXPECT_EQ(efficient, (std::vector<std::string>{"d", "a 8", "a 16"}));
+  EXPECT_TRUE(std::is_sorted(points.begin(), points.end(),
+                             [](const auto& p, const auto& q) { return p.bytes < q.bytes; }));
+  EXPECT_DOUBLE_EQ(points.back().bytes, 2000);
+  EXPECT_DOUBLE_EQ(points.front().errorRate, 0.07);
+}
+
+TEST(Frontier, OfEqualMemoryTheBetterOneIsEfficient) {
+  const auto points =
+      frontier(recordOf({{"a", "a", 800, 0, 50}, {"b", "b", 800, 0, 30}, {"a2", "a", 900, 0, 40}}));
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points[0].label, "b");
+  EXPECT_TRUE(points[0].efficient);
+  EXPECT_FALSE(points[1].efficient);
+  EXPECT_FALSE(points[2].efficient);
+}
+
+TEST(Frontier, IsEmptyWhereThereIsNothingToTrade) {
+  EXPECT_TRUE(frontier(recordOf({{"a", "a", 800, 0, 50}, {"b", "b", 900, 0, 30}})).empty());
+  EXPECT_TRUE(frontier(StudyRecord{}).empty());
+  // Without tables there is no memory to draw.
+  EXPECT_EQ(
+      frontier(recordOf({{"n", "n", 0, 0, 9}, {"a", "a", 8, 0, 5}, {"a2", "a", 9, 0, 4}})).size(),
+      2U);
+}
+
+TEST(Frontier, LeavesOutWhatAnswersInFewerCases) {
+  // "a 16" would win, but was asked only under one of two lights.
+  StudyRecord record = recordOf({{"a 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 1}});
+  record.methods.push_back({"a 32", "a", "", ""});
+  record.cost.push_back({"a 32", 960, 3200, 0, std::nullopt});
+  for (const char* light : {"one light", "other light"}) {
+    record.results.push_back(record.results.front());
+    record.results.back().method = "a 32";
+    record.results.back().light = light;
+  }
+  record.results.push_back(record.results.front());
+  record.results.back().light = "other light";
+  const auto points = frontier(record);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].label, "a 8");
+  EXPECT_EQ(points[1].label, "a 32");
+}
+
+TEST(Frontier, PlotAndRowsHoldEveryEntry) {
+  const auto points = frontier(recordOf({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}}));
+  const std::string svg = svgOf(frontierPlot(points));
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  EXPECT_EQ(svg, svgOf(frontierPlot(points)));
+  EXPECT_EQ(csvTable(frontierTable(points)),
+            "method,shader,bytes,error_rate,efficient\n\"a, 8\",a,800,0.05,1\na 16,a,1600,0,1\n");
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,222 @@
+#include "report/page/terminal_report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "report/tables/budget_table.h"
+#include "report/tables/case_tables.h"
+#include "report/tables/confidence_table.h"
+#include "report/tables/cost_table.h"
+#include "report/tables/means_table.h"
+#include "report/tables/ranked_table.h"
+#include "report/tables/terminal_format.h"
+#include "report/text/budget_text.h"
+#include "report/text/confidence_text.h"
+#include "report/text/gate_text.h"
+#include "report/text/number_text.h"
+#include "report/text/refinement_text.h"
+#include "report/text/terminal_page.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::size_t lightsInOwnBlocks = 3;
+
+void appendConfidence(TerminalPage& page, const StudyRecord& record) {
+  const std::vector<std::string> views = confidenceViews(record);
+  if (!views.empty()) page.blank();
+  for (const std::string& view : views) {
+    const Table table = confidenceTable(record, view);
+    if (table.rows.empty()) continue;
+    page.heading("Verdict · " + view);
+    page.paragraph(verdictText(record, view), terminalIndent);
+    page.paragraph(confidenceNote(record, view), terminalIndent);
+    appendTable(page, table);
+    page.blank();
+  }
+}
+
+std::string uncertaintyText(std::optional<double> uncertainty) {
+  return uncertainty ? "truth ± " + percentText(uncertainty) : "truth's uncertainty not measured";
+}
+
+/// A block of its own for each light.
+void appendLightBlocks(TerminalPage& page, const StudyRecord& record,
+                       const std::vector<Case>& cases) {
+  for (const Case& which : cases) {
+    page.blank();
+    page.heading(fmt::format("{} · {} ({})", which.view, which.light,
+                             uncertaintyText(uncertaintyOf(record, which))));
+    appendTable(page, caseTable(record, std::array{which}));
+  }
+}
+
+/// One block for all lights of a view.
+void appendViewBlock(TerminalPage& page, const StudyRecord& record,
+                     const std::vector<Case>& cases) {
+  std::optional<double> largest;
+  for (const Case& which : cases) {
+    if (const auto u = uncertaintyOf(record, which)) largest = std::max(largest.value_or(0), *u);
+  }
+  page.blank();
+  page.heading(fmt::format("{} · {} lights ({}{})", cases.front().view, cases.size(),
+                           uncertaintyText(largest), largest ? " at most" : ""));
+  appendTable(page, caseTable(record, cases));
+}
+
+void appendResults(TerminalPage& page, const StudyRecord& record) {
+  std::vector<Case> left = casesOf(record);
+  if (left.empty()) return;
+  page.paragraph(
+      "Rates in percent of the samples, of the drawn picture: shadow test and shading. Test: the "
+      "error of the shadow test alone. Length: of the cast shadows over the truth's, the median. "
+      "≈ not distinguishable from the best of its light.");
+  while (!left.empty()) {
+    const std::string view = left.front().view;
+    const auto rest = std::stable_partition(left.begin(), left.end(),
+                                            [&](const Case& c) { return c.view == view; });
+    const std::vector<Case> ofView(left.begin(), rest);
+    left.erase(left.begin(), rest);
+    if (ofView.size() > lightsInOwnBlocks) {
+      appendViewBlock(page, record, ofView);
+    } else {
+      appendLightBlocks(page, record, ofView);
+    }
+  }
+}
+
+void appendBudgets(TerminalPage& page, const StudyRecord& record) {
+  if (record.budgets.empty()) return;
+  const BudgetRecord& first = record.budgets.front();
+  page.blank();
+  page.heading("Where the error comes from");
+  page.paragraph(budgetNote(first));
+  for (const BudgetRecord& budget : budgetsOf(record, first.light)) {
+    page.blank();
+    page.paragraph(budget.method + ": " + orderText(budget));
+    appendTable(page, budgetTable(budget));
+  }
+}
+
+/// What became of a record's thresholds that are not met.
+/// @param study  named as the one that was judged; of a sweep, whose value is told already
+std::vector<std::string> thresholdFaults(const StudyRecord& record, const std::string& study) {
+  std::vector<std::string> faults;
+  for (Judgement& judgement : withOrigin<Threshold>(record.judgements)) {
+    judgement.gate.step = study;
+    if (judgement.isFault()) faults.push_back(gateFaultText(judgement));
+  }
+  return faults;
+}
+
+std::size_t thresholdsOf(const StudyRecord& record) {
+  return withOrigin<Threshold>(record.judgements).size();
+}
+
+void appendCost(TerminalPage& page, const StudyRecord& record) {
+  if (record.cost.empty()) return;
+  page.blank();
+  page.heading(record.environment.frameClock.empty()
+                   ? "Cost"
+                   : fmt::format("Cost, frames by {}", record.environment.frameClock));
+  appendTable(page, costTable(record));
+  page.paragraph(keptFrames(record));
+}
+
+/// How far tables and marches look.
+void appendRadius(TerminalPage& page, const StudyRecord& record) {
+  if (record.methods.empty()) return;
+  page.blank();
+  page.paragraph("Search radius " + radiusText(record.radius));
+}
+
+/// How the truth's resolution was found, where the study asks for an uncertainty.
+void appendRefinement(TerminalPage& page, const StudyRecord& record) {
+  const std::string text = refinementText(record.truth);
+  if (text.empty()) return;
+  page.blank();
+  page.heading("The truth");
+  page.paragraph(text, terminalIndent);
+}
+
+/// Where the time went: the stages that took a hundredth of a second or more.
+void appendTimings(TerminalPage& page, const StudyRecord& record) {
+  if (record.timings.empty()) return;
+  double total = 0;
+  std::string stages;
+  for (const TimingRecord& timing : record.timings) {
+    total += timing.seconds;
+    if (timing.seconds < 0.01) continue;
+    stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", timing.stage, timing.seconds);
+  }
+  page.blank();
+  page.paragraph(fmt::format("Time {:.2f} s{}{}", total, stages.empty() ? "" : ": ", stages));
+}
+
+/// What the run did not have to compute.
+void appendCache(TerminalPage& page, const StudyRecord& record) {
+  if (!record.cache) return;
+  const CacheCounts& cache = *record.cache;
+  page.paragraph(fmt::format(
+      "Cache: {} results of earlier runs, {} computed{}", cache.hits, cache.misses,
+      cache.damaged > 0 ? fmt::format(" ({} of them were damaged there)", cache.damaged) : ""));
+}
+
+}  // namespace
+
+std::string terminalReport(const StudyRecord& record, bool colours) {
+  TerminalPage page(colours);
+  page.heading(record.title.empty() ? record.name : record.title);
+  page.paragraph(record.source);
+  page.notices(record.notices);
+  appendConfidence(page, record);
+  appendResults(page, record);
+  page.claims(record.claims);
+  appendBudgets(page, record);
+  page.met("Thresholds", thresholdsOf(record), thresholdFaults(record, record.name));
+  appendCost(page, record);
+  appendRadius(page, record);
+  appendRefinement(page, record);
+  appendTimings(page, record);
+  appendCache(page, record);
+  return page.text();
+}
+
+std::string terminalReport(const SweepRecord& sweep, bool colours) {
+  TerminalPage page(colours);
+  page.heading(sweep.title.empty() ? sweep.name : sweep.title);
+  page.paragraph(sweep.source);
+  page.notices(sweep.notices());
+  page.paragraph(
+      fmt::format("Error rate in percent, mean over lights and views, by {}", sweep.axis));
+  page.blank();
+  appendTable(page, sweepErrorsTable(sweep));
+  page.paragraph(fewerCasesNote(std::array{studyMeans(sweep)}), terminalIndent);
+  page.claims(sweep.claims);
+  std::size_t thresholds = 0;
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    thresholds += thresholdsOf(sweep.steps[i]);
+    for (const std::string& fault : thresholdFaults(sweep.steps[i], sweep.name)) {
+      faults.push_back(
+          fmt::format("{} = {}: {}", sweep.key, sweepValueText(sweep.values.at(i)), fault));
+    }
+  }
+  page.met("Thresholds", thresholds, faults);
+  return page.text();
+}
+
+std::string terminalReport(std::span<const StudyMeans> studies, bool colours) {
+  TerminalPage page(colours);
+  page.heading(fmt::format("Methods over {} studies", studies.size()));
+  page.paragraph(
+      "Error rate in percent, each study with the same weight. ≈ not distinguishable from the "
+      "best.");
+  appendTable(page, rankedOverStudiesTable(studies, rankOverStudies(studies)));
+  return page.text();
+}
+
+}  // namespace gnomon

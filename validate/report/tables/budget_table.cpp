@@ -1,0 +1,94 @@
+#include "report/tables/budget_table.h"
+
+#include "report/text/budget_text.h"
+
+namespace gnomon {
+namespace {
+
+void appendShare(Row& row, const BudgetShare& share) {
+  Cell cell = valueCell(share.value, share.distinguishable ? "" : "not distinguishable from none");
+  cell.emphasis = share.distinguishable ? Emphasis::strong : Emphasis::quiet;
+  if (!share.distinguishable) cell.mark = " ≈";
+  row.cells.push_back(std::move(cell));
+  row.cells.push_back(intervalCell(share.interval, share.reason));
+}
+
+Row budgetRow(const std::string& name, const BudgetShare& forward, const BudgetShare& backward) {
+  Row row{{textCell(name)}};
+  appendShare(row, forward);
+  appendShare(row, backward);
+  return row;
+}
+
+Row causeRow(const BudgetCause& cause) {
+  Row row = budgetRow(cause.name, cause.forward, cause.backward);
+  if (!cause.change.empty()) row.cells.front().note = "→ " + cause.change;
+  row.cells.push_back(valueCell(cause.backward.value - cause.forward.value));
+  return row;
+}
+
+/// What both orders give alike.
+Row restRow(const std::string& name, const BudgetShare& share) {
+  Row row = budgetRow(name, share, share);
+  row.cells.push_back(textCell(""));
+  return row;
+}
+
+Row partRow(const BudgetRecord& budget, const std::string& part, const BudgetShare& forward,
+            const BudgetShare& backward) {
+  Row row{{textCell(budget.method), textCell(budget.view), textCell(budget.light), textCell(part)}};
+  for (const BudgetShare* share : {&forward, &backward}) {
+    row.cells.push_back(valueCell(share->value));
+    row.cells.push_back(intervalCell(share->interval));
+    row.cells.push_back(flagCell(share->distinguishable));
+  }
+  row.cells.push_back(valueCell(budget.uncertainty));
+  return row;
+}
+
+}  // namespace
+
+Table budgetTable(const BudgetRecord& budget) {
+  using Q = Quantity;
+  Table table{.kind = "budget",
+              .columns = {{"Cause", "cause", Q::name},
+                          {"Forward", "forward", Q::signedPercent},
+                          {"95 %", "forward", Q::interval},
+                          {"Backward", "backward", Q::signedPercent},
+                          {"95 %", "backward", Q::interval},
+                          {"Difference", "difference", Q::signedPercent, byAll & ~onTerminal}}};
+  table.columns[0].width = 38;
+  for (const std::size_t i : {1U, 3U}) table.columns[i].markWidth = 2;
+  for (const BudgetCause& cause : budget.causes) table.rows.push_back(causeRow(cause));
+  table.rows.push_back(restRow(distantName, budget.distant));
+  table.rows.push_back(restRow(otherName, budget.other));
+  table.rows.push_back(restRow("all of the error", budget.total));
+  return table;
+}
+
+Table budgetPartsTable(const StudyRecord& record) {
+  using Q = Quantity;
+  Table table{.kind = "budget",
+              .columns = {{"method"},
+                          {"view"},
+                          {"light"},
+                          {"part"},
+                          {"forward", "", Q::exact},
+                          {"95 %", "forward", Q::interval},
+                          {"forward_distinguishable", "", Q::exact},
+                          {"backward", "", Q::exact},
+                          {"95 %", "backward", Q::interval},
+                          {"backward_distinguishable", "", Q::exact},
+                          {"uncertainty", "", Q::exact}}};
+  for (const BudgetRecord& budget : record.budgets) {
+    table.rows.push_back(partRow(budget, "total", budget.total, budget.total));
+    for (const BudgetCause& cause : budget.causes) {
+      table.rows.push_back(partRow(budget, cause.name, cause.forward, cause.backward));
+    }
+    table.rows.push_back(partRow(budget, "distant", budget.distant, budget.distant));
+    table.rows.push_back(partRow(budget, "other", budget.other, budget.other));
+  }
+  return table;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,228 @@
+#include "report/tables/case_tables.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
+#include "study/judge/distinguish.h"
+#include "study/record/result_metrics.h"
+
+namespace gnomon {
+namespace {
+
+struct CaseMetric {
+  const char* metric;
+  const char* name;
+  Quantity quantity = Quantity::percent;
+  unsigned readers = byAll;
+  Answer answer = Answer::drawn;
+};
+
+constexpr std::array<CaseMetric, 9> caseMetrics = {
+    {{"error_rate", "Error"},
+     {"error_rate", "Test", Quantity::percent, byAll, Answer::test},
+     {"false_shadow", "False shadow"},
+     {"false_light", "False light"},
+     {"iou", "IoU"},
+     {"f1", "F1", Quantity::percent, byAll & ~onTerminal},
+     {"ber", "BER"},
+     {"mcc", "MCC", Quantity::correlation, byAll & ~onTerminal},
+     {"shadow_length_ratio", "Length", Quantity::ratio}}};
+
+/// The median, with the quartiles and the count for whoever points at it.
+Cell lengthCell(const ResultRecord& row, const Metric& ratio) {
+  Cell cell = metricCell(ratio);
+  if (!ratio.value) return cell;
+  const auto text = [&](std::string_view name) { return ratioText(metricOf(row, name).value); };
+  cell.about = fmt::format("quartiles {} and {} over {:.0f} runs", text("shadow_length_q1"),
+                           text("shadow_length_q3"), row.lengths->runs);
+  return cell;
+}
+
+Cell caseCell(const StudyRecord& record, const ResultRecord& drawn, const CaseMetric& column) {
+  const ResultRecord* of =
+      findResult(record, drawn.method, {drawn.view, drawn.light}, wholeRegion, column.answer);
+  if (of == nullptr) return {};
+  const Metric metric = metricOf(*of, column.metric);
+  return column.quantity == Quantity::ratio ? lengthCell(*of, metric) : metricCell(metric);
+}
+
+bool isAlike(const StudyRecord& record, const Case& which, const std::string& first,
+             const std::string& second) {
+  const auto difference = differenceOf(record, which.view, which.light, first, second);
+  return difference && difference->verdict == DifferenceVerdict::notDistinguishable;
+}
+
+/// One case's results, and the one whose error is the smallest.
+struct CaseResults {
+  std::vector<const ResultRecord*> all;
+  const ResultRecord* best = nullptr;
+};
+
+CaseResults resultsOf(const StudyRecord& record, const std::vector<std::string>& methods,
+                      const Case& which) {
+  const auto errorOf = [](const ResultRecord& result) {
+    return metricOf(result, "error_rate").value;
+  };
+  CaseResults results;
+  for (const std::string& method : methods) {
+    const ResultRecord* row = findResult(record, method, which);
+    if (row == nullptr) continue;
+    results.all.push_back(row);
+    const auto error = errorOf(*row);
+    const auto least = results.best != nullptr ? errorOf(*results.best) : std::nullopt;
+    if (results.best == nullptr || (error && (!least || *error < *least))) results.best = row;
+  }
+  return results;
+}
+
+Cell methodCell(const StudyRecord& record, const std::vector<std::string>& methods,
+                const Case& which, const std::string& method) {
+  std::vector<std::string> alike;
+  for (const std::string& other : methods) {
+    if (isAlike(record, which, method, other)) alike.push_back(other);
+  }
+  Cell cell = textCell(method);
+  cell.note = indistinguishableText(alike);
+  return cell;
+}
+
+Cell regionCell(const ResultRecord* row, double worst) {
+  if (row == nullptr) return valueCell({}, "not evaluated");
+  const Metric error = rate(row->counts, "error_rate");
+  if (!error.value) return metricCell(error);
+  return heatCell(*error.value, worst,
+                  fmt::format("{} samples, false shadow {} %, false light {} %",
+                              groupedText(row->counts.samples),
+                              percentText(rate(row->counts, "false_shadow").value),
+                              percentText(rate(row->counts, "false_light").value)));
+}
+
+/// The samples of a region, where all methods were asked at the same ones.
+std::string regionSamples(const StudyRecord& record, const std::vector<std::string>& methods,
+                          const Case& which, std::string_view region) {
+  std::optional<std::size_t> samples;
+  for (const std::string& method : methods) {
+    const ResultRecord* row = findResult(record, method, which, region);
+    if (row == nullptr) continue;
+    if (samples && *samples != row->counts.samples) return "differing samples";
+    samples = row->counts.samples;
+  }
+  return samples ? groupedText(*samples) + " samples" : "";
+}
+
+/// samples, tp, fp, fn, tn.
+void appendCounts(Row& row, const Counts& counts) {
+  row.cells.push_back(countCell(counts.samples));
+  for (const double value :
+       {counts.truePositive, counts.falsePositive, counts.falseNegative, counts.trueNegative}) {
+    row.cells.push_back(valueCell(value));
+  }
+}
+
+void addTexts(Table& table, std::initializer_list<const char*> names) {
+  for (const char* name : names) table.columns.push_back({name});
+}
+
+template <typename Names>
+void addValues(Table& table, const Names& names) {
+  for (const auto& name : names) {
+    table.columns.push_back({std::string(name), "", Quantity::exact});
+  }
+}
+
+constexpr std::array<const char*, 5> countNames = {"samples", "tp", "fp", "fn", "tn"};
+constexpr std::array<const char*, 3> binRates = {"error_rate", "false_shadow", "false_light"};
+
+}  // namespace
+
+Table caseTable(const StudyRecord& record, std::span<const Case> cases) {
+  Table table{.kind = "metrics", .columns = {{"Method", "method", Quantity::name}}};
+  const bool namesLights = cases.size() > 1;
+  if (namesLights) table.columns.insert(table.columns.begin(), Column{"Light", "light"});
+  for (const CaseMetric& metric : caseMetrics) {
+    table.columns.push_back({metric.name, metric.metric, metric.quantity, metric.readers});
+    if (metric.quantity == Quantity::correlation) table.columns.back().note = "−1 to 1";
+  }
+  const std::vector<std::string> methods = methodsOf(record);
+  for (const Case& which : cases) {
+    const CaseResults results = resultsOf(record, methods, which);
+    for (const ResultRecord* result : results.all) {
+      Row row;
+      // A light's name stands once, in its first row.
+      if (namesLights)
+        row.cells.push_back(textCell(result == results.all.front() ? which.light : ""));
+      row.cells.push_back(methodCell(record, methods, which, result->method));
+      for (const CaseMetric& metric : caseMetrics) {
+        row.cells.push_back(caseCell(record, *result, metric));
+      }
+      if (isAlike(record, which, result->method, results.best->method)) row.mark = " ≈";
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table regionTable(const StudyRecord& record, const Case& which) {
+  Table table{.kind = "regions", .columns = {{"Method", "method", Quantity::name}}};
+  const std::vector<std::string> regions = regionsOf(record, which);
+  if (regions.size() < 2) return table;
+  const std::vector<std::string> methods = methodsOf(record);
+  double worst = 0;
+  for (const std::string& region : regions) {
+    Column column{region, region, Quantity::percent};
+    column.note = regionSamples(record, methods, which, region);
+    table.columns.push_back(std::move(column));
+    for (const std::string& method : methods) {
+      const ResultRecord* row = findResult(record, method, which, region);
+      if (row == nullptr) continue;
+      worst = std::max(worst, rate(row->counts, "error_rate").value.value_or(0));
+    }
+  }
+  for (const std::string& method : methods) {
+    if (findResult(record, method, which) == nullptr) continue;
+    Row row{{textCell(method)}};
+    for (const std::string& region : regions) {
+      row.cells.push_back(regionCell(findResult(record, method, which, region), worst));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table metricsTable(const StudyRecord& record) {
+  Table table{.kind = "metrics", .columns = {}};
+  addTexts(table, {"study", "method", "light", "view", "answer", "region"});
+  addValues(table, countNames);
+  addValues(table, metricNames());
+  for (const ResultRecord& result : record.results) {
+    Row row{{textCell(record.name), textCell(result.method), textCell(result.light),
+             textCell(result.view), textCell(std::string(answerName(result.answer))),
+             textCell(result.region)}};
+    appendCounts(row, result.counts);
+    for (const Metric& metric : metricsOf(result)) row.cells.push_back(valueCell(metric.value));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table binsTable(const StudyRecord& record) {
+  Table table{.kind = "bins", .columns = {}};
+  addTexts(table, {"study", "method", "view", "light", "axis"});
+  addValues(table, std::array{"low", "high"});
+  addValues(table, countNames);
+  addValues(table, binRates);
+  for (const BinRecord& bin : record.bins) {
+    Row row{{textCell(record.name), textCell(bin.method), textCell(bin.view), textCell(bin.light),
+             textCell(bin.axis), valueCell(bin.low), valueCell(bin.high)}};
+    appendCounts(row, bin.counts);
+    for (const char* name : binRates) row.cells.push_back(valueCell(rate(bin.counts, name).value));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace gnomon

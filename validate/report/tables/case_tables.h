@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "report/tables/table.h"
+#include "study/record/cases.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// The main metrics of each method over all samples, case by case; ≈ marks what is not
+/// distinguishable from the best of its case.
+/// @param cases  of one view; of several, each row names its light
+Table caseTable(const StudyRecord& record, std::span<const Case> cases);
+
+/// Error rates of one case, methods × regions, tinted by size. Without rows if there is no region
+/// but "all".
+Table regionTable(const StudyRecord& record, const Case& which);
+
+/// All results for programs, a row a method × light × view × answer × region, in the record's
+/// order: study, method, light, view, answer, region, samples, tp, fp, fn, tn, then every metric by
+/// name.
+Table metricsTable(const StudyRecord& record);
+
+/// The bins for programs, a row each, in the record's order: study, method, view, light, axis, low,
+/// high (none where the bin has no end), samples, tp, fp, fn, tn, error_rate, false_shadow,
+/// false_light.
+Table binsTable(const StudyRecord& record);
+
+}  // namespace gnomon

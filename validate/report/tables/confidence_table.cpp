@@ -1,0 +1,41 @@
+#include "report/tables/confidence_table.h"
+
+#include "report/text/confidence_text.h"
+#include "study/judge/distinguish.h"
+
+namespace gnomon {
+namespace {
+
+Row confidenceRow(const StudyRecord& record, const ConfidenceRecord& row, const std::string& best) {
+  Row cells{{textCell(row.method), valueCell(row.rate), intervalCell(row.interval, row.reason)}};
+  const auto worse = differenceOf(record, row.view, row.light, row.method, best);
+  if (row.method == best || !worse) {
+    cells.cells.push_back(textCell(""));
+    cells.cells.push_back(textCell(""));
+    return cells;
+  }
+  cells.cells.push_back(valueCell(worse->difference));
+  cells.cells.push_back(intervalCell(worse->interval, worse->reason));
+  cells.mark = differenceMark(*worse);
+  return cells;
+}
+
+}  // namespace
+
+Table confidenceTable(const StudyRecord& record, const std::string& view) {
+  using Q = Quantity;
+  Table table{.kind = "confidence",
+              .columns = {{"Method", "method", Q::name},
+                          {"Error", "error_rate", Q::percent},
+                          {"95 %", "", Q::interval},
+                          {"To best", "to_best", Q::signedPercent},
+                          {"95 %", "to_best", Q::interval}}};
+  table.columns[0].width = 44;
+  const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
+  for (const ConfidenceRecord& row : ranked) {
+    table.rows.push_back(confidenceRow(record, row, ranked.front().method));
+  }
+  return table;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,105 @@
+#include "report/tables/cost_table.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <vector>
+
+#include <algorithm>
+
+#include "report/text/number_text.h"
+
+namespace gnomon {
+
+const CostRecord* costOf(const StudyRecord& record, std::string_view label) {
+  const auto found = std::find_if(record.cost.begin(), record.cost.end(),
+                                  [&](const CostRecord& cost) { return cost.method == label; });
+  return found == record.cost.end() ? nullptr : &*found;
+}
+
+std::uint64_t memoryBytes(const CostRecord& cost) {
+  return cost.tableBytes + cost.heightBytes;
+}
+
+namespace {
+
+/// The cost of the method of that name, of several as `frameRatio` chooses.
+const CostRecord* costOfNamed(const StudyRecord& record, std::string_view name) {
+  const CostRecord* first = nullptr;
+  for (const MethodRecord& method : record.methods) {
+    if (method.name != name) continue;
+    if (method.label == name) return costOf(record, method.label);
+    if (first == nullptr) first = costOf(record, method.label);
+  }
+  return first;
+}
+
+/// None for a time of nothing too: no ratio to it exists.
+std::optional<double> timeOf(const CostRecord* cost) {
+  if (cost == nullptr || !cost->frameMs) return std::nullopt;
+  const double time = requireFinite(*cost->frameMs, "cost.frame_ms");
+  return time > 0 ? std::optional(time) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> frameRatio(const StudyRecord& record, const CostRecord& cost) {
+  const auto time = timeOf(&cost);
+  const auto reference = timeOf(costOfNamed(record, costReference));
+  if (!time || !reference) return std::nullopt;
+  return *time / *reference;
+}
+
+Table costTable(const StudyRecord& record) {
+  using Q = Quantity;
+  Table table{.kind = "cost",
+              .columns = {{"Method", "method", Q::name},
+                          {"Triangles", "polygons", Q::count},
+                          {"Tables", "table_bytes", Q::bytes},
+                          {"Height map", "height_bytes", Q::bytes, byAll & ~onTerminal},
+                          {"Passes", "passes", Q::exact},
+                          {"Frame", "frame_ms", Q::decimals, byAll, "ms"},
+                          {fmt::format("To {}", costReference), "frame_ratio", Q::times}}};
+  for (const CostRecord& cost : record.cost) {
+    const auto ratio = frameRatio(record, cost);
+    table.rows.push_back(
+        {{textCell(cost.method), countCell(cost.polygons), countCell(cost.tableBytes),
+          countCell(cost.heightBytes), valueCell(cost.passes),
+          valueCell(cost.frameMs, cost.frameMs ? "" : "not measured"),
+          valueCell(ratio, ratio ? "" : fmt::format("{} was not timed", costReference))}});
+  }
+  return table;
+}
+
+std::string publishedRates(const StudyRecord& record) {
+  const auto flat = timeOf(costOfNamed(record, "max-forsyth"));
+  const auto curved = timeOf(costOfNamed(record, "onoue-2004"));
+  const auto volumes = timeOf(costOfNamed(record, "shadow-volume"));
+  if (!flat || !curved || !volumes) return "";
+  // Rates are the inverses of times.
+  return fmt::format(
+      "Onoue, Max & Nishita 2004, section 4, state equal frame rates for the flat and the "
+      "curvature-aware method, and a fifth of it (0.20) for the displaced mesh with shadow "
+      "volumes. Here, drawn by {}, the curvature-aware method has {:.2f} of the flat one's frame "
+      "rate and shadow volumes {:.2f} of it.",
+      record.environment.glRenderer, *flat / *curved, *flat / *volumes);
+}
+
+std::string keptFrames(const StudyRecord& record) {
+  std::set<std::string> days;
+  std::vector<std::string> measured;
+  for (const CostRecord& cost : record.cost) {
+    if (!cost.keptSince.empty()) days.insert(cost.keptSince);
+    if (cost.keptSince.empty() && cost.frameMs) measured.push_back(cost.method);
+  }
+  if (days.empty()) return "";
+  return fmt::format(
+      "Frame times{} were measured by an earlier run on this machine ({}): nothing that they "
+      "depend "
+      "on has changed since. Run with --no-cache to measure them again.",
+      measured.empty() ? "" : fmt::format(" but that of {}", fmt::join(measured, ", ")),
+      fmt::join(days, ", "));
+}
+
+}  // namespace gnomon

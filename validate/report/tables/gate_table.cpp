@@ -1,0 +1,64 @@
+#include "report/tables/gate_table.h"
+
+#include <fmt/core.h>
+
+#include "report/text/gate_text.h"
+#include "report/text/number_text.h"
+
+namespace gnomon {
+namespace {
+
+Cell verdictCell(const Judgement& judgement) {
+  Cell cell = textCell(gateVerdictName(judgement.verdict));
+  cell.emphasis = judgement.isFault() ? Emphasis::bad : Emphasis::good;
+  return cell;
+}
+
+/// "undefined" with the reason for whoever points at it.
+Cell gateValueCell(const std::optional<double>& value, const std::string& reason) {
+  Cell cell = valueCell(value, value ? exactText(*value) : reason);
+  cell.text = value ? fmt::format("{:.4g}", *value) : "undefined";
+  return cell;
+}
+
+Cell changeCell(const Judgement& judgement, std::optional<double> committed) {
+  if (!judgement.value || !committed) return {};
+  Cell cell = valueCell(*judgement.value - *committed);
+  cell.text = fmt::format("{:+.3g}", *cell.value);
+  return cell;
+}
+
+}  // namespace
+
+Table gateTable(std::span<const Judgement> judgements) {
+  using Q = Quantity;
+  const bool isReference =
+      !judgements.empty() && std::holds_alternative<Reference>(judgements.front().gate.origin);
+  // All references are of the region of all samples.
+  const unsigned forReferences = isReference ? byAll : 0U;
+  const unsigned forThresholds = isReference ? 0U : byAll;
+  Table table{.kind = isReference ? "references" : "thresholds",
+              .columns = {{"", "verdict"},
+                          {"Method", "method"},
+                          {"View", "view"},
+                          {"Light", "light"},
+                          {"Region", "region", Q::text, forThresholds},
+                          {"Metric", "metric"},
+                          {"Committed", "committed", Q::exact, forReferences},
+                          {"Value", "value", Q::exact},
+                          {"Change", "change", Q::exact, forReferences},
+                          {"Limit", "limit", Q::exact}}};
+  for (const Judgement& judgement : judgements) {
+    const Gate& gate = judgement.gate;
+    const auto* reference = std::get_if<Reference>(&gate.origin);
+    const auto committed = reference ? std::optional(reference->committed) : std::nullopt;
+    table.rows.push_back(
+        {{verdictCell(judgement), textCell(gate.method), textCell(gate.view), textCell(gate.light),
+          textCell(gate.region), textCell(gate.metric), gateValueCell(committed, ""),
+          gateValueCell(judgement.value, judgement.reason), changeCell(judgement, committed),
+          textCell(limitText(gate))}});
+  }
+  return table;
+}
+
+}  // namespace gnomon

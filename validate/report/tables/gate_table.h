@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include "report/tables/table.h"
+#include "study/record/gate.h"
+
+namespace gnomon {
+
+/// Gates, each with its verdict, what it judges, the value and the limit; references also with
+/// their committed value and the change.
+/// @param judgements  of one origin
+Table gateTable(std::span<const Judgement> judgements);
+
+}  // namespace gnomon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "report/tables/table.h"
+#include "study/judge/study_ranking.h"
+
+namespace gnomon {
+
+/// Error rates in percent, methods × studies, tinted by size, with the truth's uncertainty as the
+/// last row; every study's heading leads to its report. A mean over fewer cases than others of its
+/// column have has a star.
+/// @param labels  of the methods, a row each
+Table studyErrorsTable(const std::vector<std::string>& labels, std::span<const StudyMeans> studies);
+
+/// The same of a sweep: methods × values.
+Table sweepErrorsTable(const SweepRecord& sweep);
+
+/// " * mean over fewer views and lights …", the star's meaning; empty where no cell has one.
+std::string fewerCasesNote(std::span<const StudyMeans> studies);
+
+/// For programs, a row a study × method: study, method, error_rate, false_shadow, false_light,
+/// uncertainty, cases, all_cases.
+Table studyMeansTable(std::span<const StudyMeans> studies);
+
+/// Of a sweep, a row a value × method: value instead of study, and bytes. It is without the times
+/// of frames, which no two runs share.
+Table sweepMeansTable(const SweepRecord& sweep);
+
+}  // namespace gnomon

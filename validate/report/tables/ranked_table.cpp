@@ -1,0 +1,172 @@
+#include "report/tables/ranked_table.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "common/lists.h"
+#include "report/tables/cost_table.h"
+#include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
+
+namespace gnomon {
+namespace {
+
+/// A ranked method that is not distinguishable from rank 1.
+bool isSameAsBest(const RankedMethod& method, const RankedMethod& best) {
+  return &method != &best && method.rank && contains(method.indistinguishable, best.label);
+}
+
+/// The error at the right end of the bars: the largest of the errors, ends of intervals and ends of
+/// the truth's uncertainty.
+double barScale(const std::vector<RankedMethod>& ranked) {
+  double scale = 0;
+  for (const RankedMethod& method : ranked) {
+    const double error = method.errorRate.value.value_or(0);
+    scale = std::max({scale, error + method.uncertainty.value_or(0),
+                      method.interval ? method.interval->high : 0});
+  }
+  return scale;
+}
+
+std::optional<ErrorBar> barOf(const RankedMethod& method, double scale) {
+  if (!method.errorRate.value) return std::nullopt;
+  return ErrorBar{*method.errorRate.value,
+                  method.falseShadow.value.value_or(0),
+                  method.falseLight.value.value_or(0),
+                  method.uncertainty,
+                  method.interval,
+                  scale};
+}
+
+/// How many cases a mean leaves out, where it does.
+Cell meanCell(const Mean& mean, std::size_t cases) {
+  return valueCell(mean.value, mean.cases == cases
+                                   ? ""
+                                   : fmt::format("defined in {} of {} cases", mean.cases, cases));
+}
+
+Cell rankCell(std::optional<std::size_t> rank) {
+  return valueCell(rank ? std::optional(static_cast<double>(*rank)) : std::nullopt);
+}
+
+Row rankedRow(const StudyRecord& record, const RankedMethod& method, const RankedMethod& best,
+              double scale) {
+  const CostRecord* cost = costOf(record, method.label);
+  const bool isSame = isSameAsBest(method, best);
+  Cell name = textCell(method.label);
+  name.bar = barOf(method, scale);
+  name.note = indistinguishableText(method.indistinguishable);
+  Cell error = valueCell(method.errorRate.value);
+  error.uncertainty = method.uncertainty;
+  const auto mean = [&](const Mean& of) { return meanCell(of, method.cases); };
+  return {{rankCell(method.rank), name, error,
+           intervalCell(method.interval, method.interval ? "" : "no interval was measured"),
+           valueCell(method.uncertainty), flagCell(isSame), mean(method.testError),
+           mean(method.falseShadow), mean(method.falseLight), mean(method.iou), mean(method.ber),
+           countCell(method.cases), countCell(method.allCases), valueCell(method.leaderError),
+           valueCell(cost ? std::optional(static_cast<double>(memoryBytes(*cost))) : std::nullopt),
+           valueCell(cost ? cost->frameMs : std::nullopt)},
+          isSame ? " ≈" : "",
+          method.rank
+              ? ""
+              : fewerCasesText(method.cases, method.allCases, best.label, method.leaderError),
+          !method.rank};
+}
+
+std::string rankedCaption(const std::vector<RankedMethod>& ranked) {
+  std::string text =
+      "Means over all lights and views, in percent of the samples, with 95\u202f% intervals of the "
+      "error. Test: the error of the shadow test without the shading.";
+  if (!ranked.empty() && ranked.front().uncertainty) {
+    text += fmt::format(
+        " The truth itself is uncertain by {}\u202f%; ≈ marks methods that are not distinguishable "
+        "from the best: the interval of the difference holds 0, there is none, or the difference "
+        "is no larger than that uncertainty.",
+        percentText(ranked.front().uncertainty));
+  }
+  return text;
+}
+
+/// Why a method is marked, or what its mean may be compared with where it has no rank.
+std::string overStudiesRemark(const RankedOverStudies& method, const RankedOverStudies& best) {
+  if (!method.rank) {
+    return fewerCasesText(method.cases, method.allCases, best.label, method.leaderError);
+  }
+  if (!method.closeToBest) return "";
+  return fmt::format("not distinguishable from {}: {}", best.label, *method.closeToBest);
+}
+
+Row overStudiesRow(const RankedOverStudies& method, const RankedOverStudies& best) {
+  return {{rankCell(method.rank), textCell(labelWithName(method)), valueCell(method.meanError),
+           valueCell(method.worstError), textCell(method.worstStudy),
+           textCell(fmt::format("{} of {}", method.cases, method.allCases)),
+           valueCell(method.uncertainty)},
+          method.closeToBest ? " ≈" : "",
+          overStudiesRemark(method, best),
+          !method.rank};
+}
+
+}  // namespace
+
+Table rankedTable(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
+  using Q = Quantity;
+  Table table{.kind = "ranking",
+              .label = record.name,
+              .title = record.title.empty() ? record.name : record.title,
+              .caption = rankedCaption(ranked),
+              .columns = {{"", "rank", Q::rank, onPage | asData},
+                          {"Method", "method", Q::name},
+                          {"Error", "error_rate", Q::percent},
+                          {"95 %", "", Q::interval},
+                          {"", "uncertainty", Q::exact, asData},
+                          {"", "same_as_best", Q::exact, asData},
+                          {"Test", "test_error_rate", Q::percent},
+                          {"False shadow", "false_shadow", Q::percent},
+                          {"False light", "false_light", Q::percent},
+                          {"IoU", "iou", Q::percent},
+                          {"BER", "", Q::percent, onPage},
+                          {"", "cases", Q::exact, asData},
+                          {"", "all_cases", Q::exact, asData},
+                          {"", "leader_error_rate", Q::exact, asData},
+                          {"Memory", "bytes", Q::megabytes, onPaper | asData, "MB"},
+                          {"Frame", "frame_ms", Q::decimals, onPaper | asData, "ms"}}};
+  table.columns[2].isMain = true;
+  const double scale = barScale(ranked);
+  for (const RankedMethod& method : ranked) {
+    table.rows.push_back(rankedRow(record, method, ranked.front(), scale));
+  }
+  return table;
+}
+
+Table rankedOverStudiesTable(std::span<const StudyMeans> studies,
+                             const std::vector<RankedOverStudies>& ranked) {
+  using Q = Quantity;
+  Table table{.kind = "ranking",
+              .label = "ranking",
+              .title = fmt::format("Methods over {} studies", studies.size()),
+              .caption =
+                  "Error rate in percent of the samples: in each study the mean over its "
+                  "lights and views, then over the studies, each with the same weight. "
+                  "≈ marks methods that are not distinguishable from the best.",
+              .columns = {{"", "rank", Q::rank},
+                          {"Method", "method", Q::name},
+                          {"Mean", "mean_error_rate", Q::percent},
+                          {"Worst", "worst_error_rate", Q::percent},
+                          {"Worst on", "worst_study", Q::text},
+                          {"Cases", "cases", Q::exact},
+                          {"Truth ±", "uncertainty", Q::percent}},
+              .apart =
+                  "Not in every case (a view under a light of a study): no rank, since means "
+                  "over other cases cannot be compared."};
+  table.columns[0].width = 2;
+  table.columns[2].isMain = true;
+  for (const std::size_t i : {2U, 3U}) table.columns[i].width = 8;
+  for (const std::size_t i : {5U, 6U}) table.columns[i].width = 10;
+  for (const RankedOverStudies& method : ranked) {
+    table.rows.push_back(overStudiesRow(method, ranked.front()));
+  }
+  return table;
+}
+
+}  // namespace gnomon

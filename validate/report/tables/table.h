@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/confidence_interval.h"
+#include "compare/rates.h"
+
+namespace gnomon {
+
+/// A table as data. The functions `…Table` make one of a record; the formats (formats.h) print it:
+/// any format prints any table.
+
+/// What stands in a column. It decides how a value reads and on which side of the column it stands.
+enum class Quantity {
+  name,           ///< what the row speaks of; text, at the left as all text
+  text,           ///< any other text
+  code,           ///< text in letters of one width
+  rank,           ///< 1, 2, …; at the left
+  percent,        ///< a share, 0 to 1, in percent: percentText
+  signedPercent,  ///< likewise with its sign: signedPercent
+  interval,       ///< both ends in percent: intervalText
+  correlation,    ///< -1 to 1: correlationText
+  ratio,          ///< two decimals: ratioText
+  times,          ///< likewise with ×
+  count,          ///< an integer with its thousands apart
+  bytes,          ///< with a decimal unit: formatBytes
+  megabytes,      ///< bytes, read as MB with two decimals
+  decimals,       ///< two decimals
+  exact,          ///< the shortest text that reads back as the same number
+};
+
+/// Who reads a column: bits, added where several do.
+enum Readers : unsigned {
+  onTerminal = 1,
+  onPage = 2,
+  onPaper = 4,  ///< LaTeX and Markdown
+  asData = 8,   ///< CSV
+  byAll = onTerminal | onPage | onPaper | asData,
+};
+
+struct Column {
+  std::string name;      ///< heading for people: "False shadow"
+  std::string key = {};  ///< heading for programs: "false_shadow"; else the name
+  Quantity quantity = Quantity::text;
+  unsigned readers = byAll;
+  std::string unit = {};      ///< stands in the heading: "ms"
+  std::string note = {};      ///< small under the heading, on a page
+  std::string about = {};     ///< seen by pointing at the heading
+  std::string link = {};      ///< where the heading leads, on a page
+  std::size_t width = 0;      ///< that a terminal gives it at least, with its gap
+  std::size_t markWidth = 0;  ///< room behind the figures for their marks, on a terminal
+  bool isMain = false;        ///< what the table is about: bold on a page
+};
+
+enum class Emphasis { none, strong, quiet, good, bad, open };
+
+/// Parts of an error as a bar beside a row's name, on a page: shares of the samples.
+struct ErrorBar {
+  double error = 0, falseShadow = 0, falseLight = 0;
+  std::optional<double> uncertainty = {};  ///< of the truth
+  std::optional<Interval> interval = {};
+  double scale = 1;  ///< the error at the bar's right end
+};
+
+/// One cell. Without a value, an interval or a text it reads "–".
+struct Cell {
+  std::optional<std::string> text = {};  ///< as people read it; else as the quantity says
+  std::optional<double> value = {};
+  std::optional<Interval> interval = {};
+  std::string about = {};  ///< why there is no value, or what it stands on: seen by pointing at it
+  std::string mark = {};   ///< behind the figure, with its space: " ≈"
+  std::string note = {};   ///< small below it, on a page
+  std::optional<double> uncertainty = {};  ///< a share: "± 0.30" behind the figure, on a page
+  std::optional<double> heat = {};         ///< 0 to 1: how strong a page tints it
+  Emphasis emphasis = Emphasis::none;
+  std::optional<ErrorBar> bar = {};
+};
+
+struct Row {
+  std::vector<Cell> cells;  ///< one a column
+  std::string mark = {};    ///< of the whole row, with its space: " ≈"
+  std::string remark = {};  ///< what must be read with it, in every format for people
+  bool isApart = false;     ///< stands below the others, since it cannot be compared with them
+};
+
+struct Table {
+  std::string kind;          ///< "ranking": its class on a page
+  std::string label = {};    ///< what a paper refers to it by
+  std::string title = {};    ///< opens its caption on paper
+  std::string caption = {};  ///< what the figures are, on paper
+  std::vector<Column> columns;
+  std::vector<Row> rows = {};
+  std::string apart = {};  ///< why rows stand apart; said once before them, on a terminal
+};
+
+/// Cells of one kind each.
+Cell textCell(std::string text, std::string about = "");
+Cell valueCell(std::optional<double> value, std::string about = "");
+Cell countCell(std::size_t count);
+Cell flagCell(bool flag);  ///< 1 or 0
+Cell intervalCell(const std::optional<Interval>& interval, std::string about = "");
+Cell metricCell(const Metric& metric);
+/// A share in percent, tinted by its size beside the table's largest.
+Cell heatCell(double share, double worst, std::string about);
+
+/// Whether a quantity is text, which stands at the left.
+bool isText(Quantity quantity);
+
+/// A cell's text for people, without its marks: "9.80", "–".
+/// @throws InternalError for a number that is not finite
+std::string cellText(Quantity quantity, const Cell& cell);
+
+/// A column's heading for people: "Frame, ms".
+std::string heading(const Column& column);
+
+/// The indices of the columns that somebody reads.
+/// @throws InternalError for a row that has not one cell a column
+std::vector<std::size_t> columnsFor(const Table& table, Readers reader);
+
+}  // namespace gnomon

@@ -1,0 +1,44 @@
+#include "report/text/html.h"
+
+#include "image/web_picture.h"
+#include "report/text/utf8_text.h"
+
+namespace gnomon {
+
+Html escapeHtml(std::string_view text) {
+  const std::string clean = xmlText(text);
+  std::string html;
+  html.reserve(clean.size());
+  for (const char c : clean) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      case '\'':
+        html += "&#39;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return Html(std::move(html));
+}
+
+Html htmlLiteral(HtmlLiteral literal) {
+  return Html(std::string(literal.text()));
+}
+
+Html pictureAddress(std::string_view type, const std::string& bytes) {
+  return Html(dataAddress(type, bytes));
+}
+
+}  // namespace gnomon
