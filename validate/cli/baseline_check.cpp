@@ -17,21 +17,24 @@ const char* formName(bool quick) {
   return quick ? "quick" : "full";
 }
 
-void requireSameRun(const Baseline& baseline, const BaselineRun& run) {
-  if (baseline.study != run.study) {
-    throw InputError(
-        fmt::format("study: \"{}\" found, \"{}\" expected", baseline.study, run.study));
-  }
-  if (baseline.quick != run.quick) {
-    throw InputError(
-        fmt::format("form: references of the {} form found, the check is of the {} one",
-                    formName(baseline.quick), formName(run.quick)));
-  }
+bool isQuick(const StudyPlan& plan) {
+  return plan.steps.front().quick;
 }
 
-/// A value of a step that is not run could never be judged.
-void requireSteps(const Baseline& baseline, const std::vector<std::string>& steps) {
+void requireSameRun(const Baseline& baseline, const StudyPlan& plan) {
+  if (baseline.study != plan.name) {
+    throw InputError(
+        fmt::format("study: \"{}\" found, \"{}\" expected", baseline.study, plan.name));
+  }
+  if (baseline.quick != isQuick(plan)) {
+    throw InputError(
+        fmt::format("form: references of the {} form found, the check is of the {} one",
+                    formName(baseline.quick), formName(isQuick(plan))));
+  }
+  std::vector<std::string> steps;
+  for (const StudySpec& step : plan.steps) steps.push_back(step.name);
   for (const Gate& gate : baseline.gates) {
+    // A value of a step that is not run could never be judged.
     if (contains(steps, gate.step)) continue;
     throw InputError(fmt::format("values.study: \"{}\" found, the study has {}", gate.step,
                                  fmt::join(steps, ", ")));
@@ -52,17 +55,15 @@ fs::path pictureFolder(const fs::path& folder, const std::string& step) {
   return folder / "pictures" / step;
 }
 
-Baseline readReferences(const fs::path& file, const BaselineRun& run,
-                        const std::vector<std::string>& steps) {
+Baseline readReferences(const fs::path& file, const StudyPlan& plan) {
   if (!pathExists(file)) {
     throw InputError(fmt::format(
         "{}: missing, the references of {} expected; --update-baseline --reason TEXT writes them",
-        file.string(), run.study));
+        file.string(), plan.name));
   }
   Baseline baseline = readBaseline(file);
   try {
-    requireSameRun(baseline, run);
-    requireSteps(baseline, steps);
+    requireSameRun(baseline, plan);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
@@ -84,10 +85,10 @@ std::optional<Baseline> readFormerReferences(const fs::path& file) {
   return pathExists(file) ? std::optional(readBaseline(file)) : std::nullopt;
 }
 
-bool updateBaseline(const fs::path& file, const BaselineRun& run,
+bool updateBaseline(const fs::path& file, const StudyPlan& plan, const std::string& reason,
                     const std::optional<Baseline>& former, std::span<const StudyRecord> steps,
                     CheckRecord& check) {
-  Baseline baseline{run.study, run.quick, steps.front().environment, {}, referenceGates(steps)};
+  Baseline baseline{plan.name, isQuick(plan), steps.front().environment, {}, referenceGates(steps)};
   if (check.status() != ExitStatus::pass) {
     check.notices.push_back(
         {fmt::format("{} left as it is: the check has not passed", file.string())});
@@ -103,7 +104,7 @@ bool updateBaseline(const fs::path& file, const BaselineRun& run,
   }
   if (former) baseline.history = former->history;
   baseline.history.push_back(
-      {run.reason, baseline.environment.gnomonVersion, baseline.environment.commit});
+      {reason, baseline.environment.gnomonVersion, baseline.environment.commit});
   writeTextAtomically(file, baselineJson(baseline));
   check.notices.push_back(
       {fmt::format("{} written: {} references", file.string(), baseline.gates.size())});

@@ -8,6 +8,7 @@
 
 #include "study/judge/baseline.h"
 #include "study/record/check_record.h"
+#include "study/spec/sweep.h"
 
 namespace gnomon {
 
@@ -18,19 +19,10 @@ std::filesystem::path baselineFile(const std::filesystem::path& folder, const st
 /// `pictures/NAME`.
 std::filesystem::path pictureFolder(const std::filesystem::path& folder, const std::string& step);
 
-/// What a run is, that its references must be of too.
-struct BaselineRun {
-  std::string study;
-  bool quick = false;
-  std::string reason = {};  ///< of an update
-};
-
 /// The references of a study, read before it is run.
-/// @param steps  the names of its runs: the study's, or those of a sweep's steps
 /// @throws InputError naming the file: it is missing or no baseline, or is of another study or
 ///   form, or holds values of steps that the study does not have
-Baseline readReferences(const std::filesystem::path& file, const BaselineRun& run,
-                        const std::vector<std::string>& steps);
+Baseline readReferences(const std::filesystem::path& file, const StudyPlan& plan);
 
 /// Judges one run by its part of the references: its gates, and what kept it from being judged.
 /// @param leftOut  labels of the methods that the run takes no part of
@@ -44,11 +36,12 @@ std::optional<Baseline> readFormerReferences(const std::filesystem::path& file);
 /// Writes a run's values as references, with the reason after those of the file that was there, and
 /// tells of it in a notice. Leaves the file alone where the check has not passed, and where every
 /// value is the one that it holds: its reasons are those of its values.
+/// @param reason  why it is written
 /// @param former  what the file holds
 /// @return whether the references are now this run's
 /// @throws InputError where the run has no value to write
-bool updateBaseline(const std::filesystem::path& file, const BaselineRun& run,
-                    const std::optional<Baseline>& former, std::span<const StudyRecord> steps,
-                    CheckRecord& check);
+bool updateBaseline(const std::filesystem::path& file, const StudyPlan& plan,
+                    const std::string& reason, const std::optional<Baseline>& former,
+                    std::span<const StudyRecord> steps, CheckRecord& check);
 
 }  // namespace gnomon

@@ -115,21 +115,14 @@ void requireGates(const StudyPlan& plan, const CheckRequest& request) {
                   study.leftOut.empty() ? "no [[threshold]]" : "every [[threshold]] is left out"));
 }
 
-BaselineRun baselineRun(const StudyPlan& plan, const CheckRequest& request) {
-  return {plan.name, plan.steps.front().quick, request.reason};
-}
-
 /// Before the study is run, so that its reports can say what became of it.
 void readBaselineOf(Study& study, const CheckRequest& request) {
   if (!request.baseline || !study.plan) return;
   const fs::path file = baselineFile(*request.baseline, study.plan->name);
   study.check.baseline = file.string();
-  std::vector<std::string> steps;
-  for (const StudySpec& step : study.plan->steps) steps.push_back(step.name);
   try {
-    study.baseline = request.updateBaseline
-                         ? readFormerReferences(file)
-                         : readReferences(file, baselineRun(*study.plan, request), steps);
+    study.baseline =
+        request.updateBaseline ? readFormerReferences(file) : readReferences(file, *study.plan);
   } catch (...) {
     addProblem(study.check, "baseline");
   }
@@ -305,7 +298,7 @@ void update(Study& study, const CheckRequest& request, Cache& cache, Records& re
       std::span(records.all).subspan(study.part->first, study.plan->steps.size());
   const std::size_t before = study.check.problems.size();
   try {
-    const bool isWritten = updateBaseline(study.check.baseline, baselineRun(*study.plan, request),
+    const bool isWritten = updateBaseline(study.check.baseline, *study.plan, request.reason,
                                           study.baseline, steps, study.check);
     for (const StudyRecord& step : steps) {
       if (!isWritten || !request.baselinePictures) break;

@@ -1,5 +1,6 @@
 #include "study/judge/tightening.h"
 
+#include "study/judge/gates.h"
 #include "support/error_messages.h"
 
 namespace gnomon {
@@ -17,11 +18,15 @@ StudyRecord record() {
   return study;
 }
 
+/// Judges a gate in each step, then looks at how loose it is.
+std::vector<NoticeRecord> noticesOf(const Gate& gate, std::vector<StudyRecord> steps) {
+  for (StudyRecord& step : steps) step.judgements = judgeThresholds({&gate, 1}, step);
+  return looseThresholds({&gate, 1}, steps);
+}
+
 std::vector<NoticeRecord> noticesFor(std::optional<double> minimum, std::optional<double> maximum,
                                      const std::string& region = "all") {
-  const std::vector<StudyRecord> steps = {record()};
-  const Gate gate{"a", "", "", region, "error_rate", minimum, maximum, Threshold{9}};
-  return looseThresholds({&gate, 1}, steps);
+  return noticesOf({"a", "", "", region, "error_rate", minimum, maximum, Threshold{9}}, {record()});
 }
 
 TEST(Tightening, TellsOfALimitFarFromItsNearestValue) {
@@ -42,7 +47,7 @@ TEST(Tightening, NearAlsoMeansFourTolerances) {
   std::vector<StudyRecord> steps = {record()};
   steps.front().truth.uncertainty = 0.01;
   const Gate gate{"a", "", "", "all", "error_rate", {}, 0.09};
-  EXPECT_TRUE(looseThresholds({&gate, 1}, steps).empty());
+  EXPECT_TRUE(noticesOf(gate, steps).empty());
 }
 
 TEST(Tightening, OfAMinimumLooksUpward) {
@@ -57,12 +62,21 @@ TEST(Tightening, LeavesGatesThatDoNotHoldAlone) {
   EXPECT_TRUE(noticesFor({}, 0.5, "distant").empty()) << "undefined";
 }
 
+TEST(Tightening, LeavesAGateAloneWhoseMethodWasNotMeasured) {
+  const Gate gate{"a", "", "", "all", "error_rate", {}, 0.09};
+  StudyRecord study = record();
+  study.judgements = judgeThresholds({&gate, 1}, study);
+  EXPECT_EQ(looseThresholds({&gate, 1}, {&study, 1}).size(), 1U);
+  study.judgements.push_back({gate, GateVerdict::undefined, {}, "the driver draws it wrong"});
+  EXPECT_TRUE(looseThresholds({&gate, 1}, {&study, 1}).empty());
+}
+
 TEST(Tightening, LooksAtAllStepsOfASweep) {
   std::vector<StudyRecord> steps = {record(), record()};
   const Gate gate{"a", "", "", "all", "error_rate", {}, 0.1};
-  EXPECT_EQ(looseThresholds({&gate, 1}, steps).size(), 1U);
+  EXPECT_EQ(noticesOf(gate, steps).size(), 1U);
   steps.back().results.at(0).counts = {270, 60, 35, 635, 1000};
-  EXPECT_TRUE(looseThresholds({&gate, 1}, steps).empty());
+  EXPECT_TRUE(noticesOf(gate, steps).empty());
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "study/judge/baseline.h"
-#include "study/judge/gates.h"
 
 namespace gnomon {
 namespace {
@@ -23,28 +22,17 @@ struct Room {
   double tolerance = 0;
 };
 
-double toleranceIn(const StudyRecord& step, const Gate& row) {
-  const auto spread = spreadOf(step, {row.view, row.light}, row.metric);
-  return toleranceOf(row.metric, spread.value_or(0));
-}
-
-/// Whether a method that the gate speaks of was not measured.
-bool isRefused(const Gate& gate, const StudyRecord& step) {
-  return std::any_of(step.refused.begin(), step.refused.end(), [&](const RefusedMethod& method) {
-    return gate.method.empty() || gate.method == method.label;
-  });
-}
-
 /// None, where a row did not pass.
 std::optional<Room> roomOf(const Gate& gate, std::span<const StudyRecord> steps) {
   Room room;
   for (const StudyRecord& step : steps) {
-    if (isRefused(gate, step)) return std::nullopt;
-    for (const Judgement& row : judgeThresholds({&gate, 1}, step)) {
+    for (const Judgement& row : step.judgements) {
+      if (row.gate.origin != gate.origin) continue;
       if (row.verdict != GateVerdict::passed) return std::nullopt;
+      const auto spread = spreadOf(step, {row.gate.view, row.gate.light}, gate.metric);
       if (gate.maximum) room.below = std::min(room.below, *gate.maximum - *row.value);
       if (gate.minimum) room.above = std::min(room.above, *row.value - *gate.minimum);
-      room.tolerance = std::max(room.tolerance, toleranceIn(step, row.gate));
+      room.tolerance = std::max(room.tolerance, toleranceOf(gate.metric, spread.value_or(0)));
     }
   }
   return room;
