@@ -21,7 +21,7 @@ struct Path {
   vec2 bend;            // b / 2
   float worldPerTexel;  // σ
   float curvature;      // κ, 1 / world
-  float curvatureRate;  // κ′ σ / 3: change of the circle's curvature, 1 / world per texel
+  float turn;           // κ′ σ / 3: change of the circle's curvature, 1 / world per texel
   float scale;          // a, world length per height unit
   float growth;         // change of a, per texel
   float height;         // h₀, world
@@ -39,7 +39,7 @@ vec2 pathPoint(Path path, float t) { return path.start + t * (path.direction + t
 // Both quotients are polynomials, right to 2e-4 up to a quarter turn, so that κ → 0 needs no case.
 float excess(Path path, float t, float bump) {
   float arcLength = t * path.worldPerTexel;
-  float curvature = path.curvature + t * path.curvatureRate;
+  float curvature = path.curvature + t * path.turn;
   float angle = curvature * arcLength;
   float q = angle * angle;
   // sin γ / γ and (1 - cos γ) / γ.
@@ -60,7 +60,7 @@ float pathLimit(Path path, float farthest) {
   float highest = path.scale * heightBounds.y;
   float climb = path.slope - path.growth * heightBounds.y / path.worldPerTexel;
   float free = max(highest - path.height, 0.0) / max(1.0 + path.curvature * path.height, 0.1);
-  float low = min(path.curvature, path.curvature + farthest * path.curvatureRate);
+  float low = min(path.curvature, path.curvature + farthest * path.turn);
   float end = farthest * path.worldPerTexel;
   float chord = climb * inversesqrt(1.0 + climb * climb) * end + 0.5 * low * end * end;
   bool back = low < 0.0 && chord <= free;
@@ -76,7 +76,7 @@ float pathLimit(Path path, float farthest) {
 float pathEnd(Path path) {
   float quarter = 0.5 * pi / path.worldPerTexel;
   float curvature = abs(path.curvature);
-  float root = sqrt(curvature * curvature + 4.0 * quarter * abs(path.curvatureRate));
+  float root = sqrt(curvature * curvature + 4.0 * quarter * abs(path.turn));
   float end = min(searchRadius, 2.0 * quarter / max(curvature + root, 1e-20));
   end = min(end, 0.25 / max(length(path.bend), 1e-20));
   return min(end, knownDistance(path.start, path.direction));
@@ -120,7 +120,7 @@ Path makePath(Pixel pixel, LocalLight light) {
   Pixel changing = pixel;
   changing.k1 = dFdx(curvatures.x) * way.x + dFdy(curvatures.x) * way.y;
   changing.k2 = dFdx(curvatures.y) * way.x + dFdy(curvatures.y) * way.y;
-  path.curvatureRate = normalCurvature(changing, light.tangent) / 3.0;
+  path.turn = normalCurvature(changing, light.tangent) / 3.0;
 
   path.limit = pathLimit(path, pathEnd(path));
   return path;
