@@ -134,7 +134,7 @@ ExitStatus listParts() {
     const Method method = readMethod(methodFile(shaders, name));
     printLine(fmt::format("  {:<22} {} ({})", name, method.title, method.citation));
     for (const auto& [key, parameter] : method.parameters) {
-      printLine(fmt::format("    {} = {} ({} to {}): {}", key, parameter.standard,
+      printLine(fmt::format("    {} = {} ({} to {}): {}", key, parameter.defaultValue,
                             parameter.minimum, parameter.maximum, parameter.about));
     }
   }
