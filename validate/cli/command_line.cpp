@@ -26,6 +26,8 @@
 #include "render/method.h"
 #include "study/record/result_metrics.h"
 #include "study/run/method_trial.h"
+#include "study/spec/study_file.h"
+#include "study/spec/study_sections.h"
 
 namespace gnomon {
 namespace {
@@ -81,7 +83,9 @@ void addStudyOptions(CLI::App& command, RunRequest& request) {
       ->capture_default_str()
       ->type_name("DIR");
   addList(command, "--set", request.options.overrides,
-          "Override a key of the study, as relief.height=4 or light.0.elevation=30", "KEY=VALUE");
+          "Override a key of the study, as relief.height=4 or light.0.elevation=30; `gnomon list "
+          "keys` names them all",
+          "KEY=VALUE");
   command.add_flag("--no-cache", request.noCache,
                    "Do not use the result cache: read nothing from it and write nothing to it");
 }
@@ -127,7 +131,11 @@ void addCheckOptions(CLI::App& command, CheckRequest& request) {
                    "old picture, the new picture and the change");
 }
 
-ExitStatus listParts() {
+ExitStatus list(const std::string& what) {
+  if (what == "keys") {
+    printText(studyKeysText());
+    return ExitStatus::pass;
+  }
   printLine("Methods ([[method]] name):");
   const auto shaders = shaderFolder();
   for (const std::string& name : methodNames(shaders)) {
@@ -138,8 +146,8 @@ ExitStatus listParts() {
                             parameter.minimum, parameter.maximum, parameter.about));
     }
   }
-  printText("\nShapes ([surface] shape): plane, cylinder, sphere, torus, bezier, b-spline\n");
-  printLine("Patterns ([relief] pattern): columns, cosine, cells, ripples");
+  printLine(fmt::format("\nShapes ([surface] shape): {}", fmt::join(shapeNames, ", ")));
+  printLine(fmt::format("Patterns ([relief] pattern): {}", fmt::join(patternNames, ", ")));
   printLine(fmt::format("Metrics ([[threshold]] metric): {}", fmt::join(metricNames(), ", ")));
   return ExitStatus::pass;
 }
@@ -215,7 +223,11 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
                    "Largest size of the cache from now on, for example 500MB or 4GB")
       ->type_name("BYTES");
   cache->footer(cacheExamples);
-  CLI::App* list = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
+  CLI::App* listed = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
+  std::string what;
+  listed->add_option("WHAT", what, "`keys`: every key of a study, as Markdown")
+      ->check(CLI::IsMember({"keys"}))
+      ->type_name("keys");
 
   try {
     app.parse(argc, argv);
@@ -232,7 +244,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
-  const ExitStatus status = list->parsed()       ? listParts()
+  const ExitStatus status = listed->parsed()     ? list(what)
                             : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
                             : view->parsed()     ? viewer(viewRequest)

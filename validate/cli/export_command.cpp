@@ -98,7 +98,7 @@ ExportedMesh writeDisplaced(const fs::path& path, const RunScene& scene,
 }
 
 void writeBase(const fs::path& path, RunScene& scene) {
-  const int pieces = scene.study.baseSubdivisions;
+  const int pieces = scene.study.base.subdivisions;
   writeObj(path, scene.standardBase().drawn.get().mesh, scene.study.relief.texelsPerUv(),
            fmt::format("base mesh, {} x {} pieces a face", pieces, pieces));
 }

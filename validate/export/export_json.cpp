@@ -95,13 +95,12 @@ Json viewJson(RunScene& scene, const StudyRecord& record, const CaseNames& names
   const ViewSpec& spec = scene.study.views[index];
   const RenderView& view = base.views[index].view;
   Json json = {{"name", spec.name}, {"width", view.width}, {"height", view.height}};
-  if (const auto* camera = std::get_if<Camera>(&spec.kind)) {
-    json["type"] = "camera";
-    json["camera"] = cameraJson(*camera, base.drawn.get().mesh);
-  } else {
-    json["type"] = "atlas";
-    json["atlas"] = atlasJson(std::get<AtlasSpec>(spec.kind), view);
-  }
+  const std::string type(viewKindNames.at(spec.kind.index()));
+  json["type"] = type;
+  json[type] = std::visit(
+      Overloaded{[&](const Camera& camera) { return cameraJson(camera, base.drawn.get().mesh); },
+                 [&](const AtlasSpec& atlas) { return atlasJson(atlas, view); }},
+      spec.kind);
   json["samples"] = sampleMapFile(names, index);
   json["roi"] = roiFile(names, index);
   Json masks = Json::array();
@@ -176,7 +175,7 @@ std::string exportJson(RunScene& scene, const StudyRecord& record, const Exporte
                      {"displaced_mesh", displacedJson(mesh)},
                      {"base_mesh",
                       {{"file", "base.obj"},
-                       {"subdivisions", scene.study.baseSubdivisions},
+                       {"subdivisions", scene.study.base.subdivisions},
                        {"vertices", base.vertices.size()},
                        {"triangles", base.triangleCount()}}},
                      {"height_map", heightsJson(scene.study.relief)},

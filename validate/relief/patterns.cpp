@@ -97,7 +97,8 @@ struct CellLattice {
     const long long row = wrapped(j, up);
     const auto x = static_cast<std::uint32_t>(column);
     const auto y = static_cast<std::uint32_t>(row);
-    const Vec2 random(hashed(x, y, 2 * pattern.seed), hashed(x, y, 2 * pattern.seed + 1));
+    const auto seed = static_cast<std::uint32_t>(pattern.seed);
+    const Vec2 random(hashed(x, y, 2 * seed), hashed(x, y, 2 * seed + 1));
     const double beside = row % 2 == 0 ? 0 : 0.5;
     const Vec2 corner(static_cast<double>(i) + beside, static_cast<double>(j));
     return pattern.period * (corner + 0.5 + pattern.jitter * (random - 0.5));

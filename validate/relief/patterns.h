@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "relief/height_field.h"
 
 namespace gnomon {
@@ -33,7 +31,7 @@ struct CellsPattern {
   double period = 32;
   double jitter = 0.5;  ///< 0 to 1: share of its square in which a point may lie
   double groove = 6;
-  std::uint32_t seed = 1;
+  int seed = 1;  ///< 0 or more
 };
 
 /// Wind ripples on sand: asymmetric ridges across x. With t the fractional part of

@@ -123,10 +123,8 @@ ContentKey DrawnScene::anglesKey(const MethodData& method) const {
   return KeyBuilder("viewed angles")
       .add("surface", data_->keys.truth)
       .add("mesh", mesh.kind)
-      .add("subdivisions", mesh.subdivisions)
-      .add("azimuths", method.spec.bake.settings.azimuths)
-      .add("limit", method.spec.bake.angleLimit)
-      .add("bits", method.spec.bake.bits)
+      .add("subdivisions", mesh.base.subdivisions)
+      .add("bake", settingsKey(method.spec.bake, Enters::shotAngles | Enters::codes))
       .key();
 }
 

@@ -33,7 +33,7 @@ Camera cameraOn(const Cage& cage) {
 
 Camera firstCamera(const StudySpec& study) {
   for (const ViewSpec& view : study.views) {
-    if (const auto* camera = std::get_if<Camera>(&view.kind)) return *camera;
+    if (const Camera* camera = cameraOf(view)) return *camera;
   }
   return cameraOn(study.cage);
 }

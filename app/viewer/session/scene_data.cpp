@@ -31,12 +31,11 @@ auto cached(Map& map, const typename Map::key_type& key, const Make& make) {
 
 SceneKeys sceneKeys(const StudySpec& study) {
   SceneKeys keys;
-  keys.surface = cageKey(study.cage);
-  keys.relief = reliefKey(study.relief);
+  keys.surface = surfaceKey(study);
+  keys.relief = reliefKey(study);
   KeyBuilder truth("viewed truth");
   truth.add("surface", keys.surface).add("relief", keys.relief);
-  truth.add("leastTriangles", study.truth.leastTriangles);
-  if (study.truth.stepTexels) truth.add("step", *study.truth.stepTexels);
+  addSettings(truth, study.truth, Enters::scene, 1);
   keys.truth = truth.key();
   return keys;
 }
@@ -107,7 +106,7 @@ std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, con
   MethodData data{spec, readMethod(spec.file), {}, {}, {}, {}};
   progress("Trying methods")(0);
   requireTried(spec, scene.heights->wrap());
-  data.mesh = {data.method.mesh, spec.baseSubdivisions, spec.baseCurvature};
+  data.mesh = {data.method.mesh, spec.base};
   const MethodTables& declared = data.method.tables;
   if (declared.horizon || declared.distance)
     data.tables = pair(*scene.heights, spec.bake, progress);
@@ -128,10 +127,10 @@ void SceneMaker::addMesh(SceneData& scene, MeshChoice choice, const SceneData* p
   const Relief& relief = scene.study->relief;
   MeshData data;
   if (choice.kind == DrawnMesh::displaced) {
-    data.displaced = makeDisplacedMesh(*scene.surface, relief, choice.subdivisions);
+    data.displaced = makeDisplacedMesh(*scene.surface, relief, choice.base.subdivisions);
   } else {
-    data.base =
-        makeBaseMesh(*scene.surface, relief.texelsPerUv(), choice.subdivisions, choice.curvature);
+    data.base = makeBaseMesh(*scene.surface, relief.texelsPerUv(), choice.base.subdivisions,
+                             choice.base.curvature);
   }
   scene.meshes.emplace(choice, std::make_shared<const MeshData>(std::move(data)));
 }

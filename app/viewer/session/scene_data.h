@@ -85,9 +85,7 @@ struct SceneData {
   std::map<std::string, std::shared_ptr<const MethodData>> methods;  ///< those shown, by label
 
   /// The mesh that stands for the study itself.
-  [[nodiscard]] MeshChoice standardMesh() const {
-    return {DrawnMesh::base, study->baseSubdivisions, study->baseCurvature};
-  }
+  [[nodiscard]] MeshChoice standardMesh() const { return {DrawnMesh::base, study->base}; }
 };
 
 /// Makes scenes and keeps what the next one can use again: tables by what they were baked with.

@@ -180,8 +180,8 @@ void ViewSession::askForTruth() {
   const MeshChoice standard = scene()->standardMesh();
   if (state_.overlays.curvature || state_.overlays.section) meshes.insert(standard);
   for (const MeshChoice& mesh : meshes) {
-    asked += fmt::format("\n{} {} {}", static_cast<int>(mesh.kind), mesh.subdivisions,
-                         static_cast<int>(mesh.curvature));
+    asked += fmt::format("\n{} {} {}", static_cast<int>(mesh.kind), mesh.base.subdivisions,
+                         static_cast<int>(mesh.base.curvature));
   }
   asked += fmt::format("\n{} {}", wantsPicture, state_.overlays.curvature);
   for (const auto& [label, method] : scene()->methods) {

@@ -168,7 +168,7 @@ void ControlPanel::surface(ViewSession& session) {
       changes.curvature = curvature;
     }
   }
-  int subdivisions = changes.subdivisions.value_or(session.opened().baseSubdivisions);
+  int subdivisions = changes.subdivisions.value_or(session.opened().base.subdivisions);
   if (slider("tessellation", "base.subdivisions", subdivisions, 1, 8)) {
     changes.subdivisions = subdivisions;
   }

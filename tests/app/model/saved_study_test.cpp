@@ -64,8 +64,8 @@ void expectSame(const StudySpec& a, const StudySpec& b) {
   EXPECT_TRUE(sameCage(a.cage, b.cage));
   EXPECT_TRUE(sameRelief(a.relief, b.relief));
   EXPECT_TRUE(sameBake(a.bake, b.bake));
-  EXPECT_EQ(a.baseSubdivisions, b.baseSubdivisions);
-  EXPECT_EQ(a.baseCurvature, b.baseCurvature);
+  EXPECT_EQ(a.base.subdivisions, b.base.subdivisions);
+  EXPECT_EQ(a.base.curvature, b.base.curvature);
   EXPECT_EQ(a.truth.stepTexels, b.truth.stepTexels);
   EXPECT_EQ(a.truth.leastTriangles, b.truth.leastTriangles);
   ASSERT_EQ(a.views.size(), b.views.size());
@@ -148,14 +148,14 @@ TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
   EXPECT_EQ(saved.bake.settings.azimuths, 24);
   EXPECT_EQ(saved.bake.settings.radiusTexels, 40.5);
   EXPECT_EQ(saved.bake.bits, TableBits::sixteen);
-  EXPECT_EQ(saved.baseSubdivisions, 3);
+  EXPECT_EQ(saved.base.subdivisions, 3);
   ASSERT_EQ(saved.methods.size(), 2U);
   EXPECT_EQ(saved.methods[0].label, "onoue-2004");
   EXPECT_EQ(saved.methods[0].bake.settings.azimuths, 12);
   EXPECT_EQ(saved.methods[0].bake.bits, TableBits::sixteen);
-  EXPECT_EQ(saved.methods[0].baseSubdivisions, 2);
+  EXPECT_EQ(saved.methods[0].base.subdivisions, 2);
   EXPECT_EQ(saved.methods[1].parameters.at("steps"), 30);
-  EXPECT_EQ(saved.methods[1].baseSubdivisions, 3);
+  EXPECT_EQ(saved.methods[1].base.subdivisions, 3);
   ASSERT_EQ(saved.views.size(), 1U);
   EXPECT_TRUE(sameCamera(std::get<Camera>(saved.views[0].kind), camera));
   ASSERT_EQ(saved.lights.size(), 1U);
@@ -238,7 +238,7 @@ TEST_F(SavedStudy, KeepsAPathThatIsNoText) {
   state.options.overrides = {"surface.mesh=spot.obj"};
   saveStudy(state, file("state.toml"));
   const StudySpec saved = readStudy(file("state.toml"));
-  EXPECT_EQ(saved.surfaceSection["mesh"].value<std::string>(), "file:not-%FF-text/spot.obj");
+  EXPECT_EQ(std::get<SurfaceMesh>(saved.surfaceSection).path, "file:not-%FF-text/spot.obj");
   EXPECT_EQ(saved.cage.positions, readStudy(scenes / "spot-cells.toml").cage.positions);
 }
 

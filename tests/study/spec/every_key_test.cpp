@@ -33,7 +33,8 @@ const std::vector<std::string> reliefs = {
 
 std::string everyKey(const std::string& surface, const std::string& relief,
                      const std::string& truth) {
-  return "[study]\nname = \"plain\"\ntitle = \"t\"\nsource = \"s\"\nranked = true\n[surface]\n" +
+  return "[study]\nname = \"plain\"\ntitle = \"t\"\nsource = \"s\"\nranked = true\nframes = "
+         "25\n[surface]\n" +
          surface + "[relief]\n" + relief +
          "height = 4\nheight_space = \"world\"\nwrap = \"clamp\"\nrepeats = [1, 1]\n"
          "invert = false\nresample = 1\n"

@@ -96,7 +96,7 @@ TEST_F(LadderSection, UndoesOneCauseAfterTheOtherBothWays) {
   EXPECT_EQ(read.causes[1].change, "");
   const auto state = [](const MethodSpec& method) {
     return std::tuple(method.file.stem().string(), method.bake.settings.azimuths,
-                      method.baseSubdivisions, method.parameters.size());
+                      method.base.subdivisions, method.parameters.size());
   };
   using State = std::tuple<std::string, int, int, std::size_t>;
   ASSERT_EQ(read.forward.size(), 4U);

@@ -17,7 +17,7 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
   const Refusal refusals[] = {
       // unknown keys, in every section
       {"extra=1", "extra: unknown key, expected bake, base, claim, ladder"},
-      {"study.titel=x", "study.titel: unknown key, expected name, quick, ranked, source, title"},
+      {"study.titel=x", "study.titel: unknown key, expected frames, name, quick, ranked, source, title"},
       {"surface.sise=[1, 1]", "surface.sise: unknown key"},
       {"surface.curvature=0.1", "surface.curvature: unknown key"},
       {"relief.amplitude=1", "relief.amplitude: unknown key"},
@@ -57,7 +57,7 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
        "relief.repeats: 0 found, a number above 0 and at most 1000000 expected"},
       {"bake.azimuths=0", "bake.azimuths: 0 found, a whole number from 1 to 1024 expected"},
       {"bake.radius=0", "bake.radius: 0 found, a number above 0"},
-      {"bake.bits=9", "bake.bits: 9 found, 8, 16 or 32 expected"},
+      {"bake.bits=9", "bake.bits: 9 found, one of 8, 16, 32 expected"},
       {"base.subdivisions=0", "base.subdivisions: 0 found"},
       {"base.curvature=mesh",
        "base.curvature: the string \"mesh\" found, one of limit, vertices expected"},
@@ -107,11 +107,11 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       {R"(surface={shape="torus", quads=[60, 60], major=1, minor=1})",
        "surface.shape: torus: minor is 1, expected less than major"},
       {R"(surface={shape="torus", quads=[60, 60], major=1, minor=1.5})",
-       "surface.minor: 1.5 found, a number above 0 and at most 1 expected"},
+       "surface.shape: torus: minor is 1.5, expected less than major"},
       {R"(surface={shape="bezier", quads=[1, 1], points=[[0, 0, 0]]})",
-       "surface.points: 1 points found, 16 expected"},
+       "surface.shape: bezier: 1 points found, 16 expected"},
       {R"(surface={shape="b-spline", columns=4, points=[[0, 0, 0]]})",
-       "surface.points: 1 points found, at least 4 rows of 4 expected"},
+       "surface.shape: b-spline: 1 points found, at least 4 rows of 4 expected"},
   };
   for (const Refusal& refusal : refusals) {
     SCOPED_TRACE(refusal.change);

@@ -133,16 +133,16 @@ TEST_F(StudyFile, MethodsOverrideTheStudysBakeAndBase) {
   const MethodSpec& first = study.methods[0];
   EXPECT_EQ(first.bake.settings.azimuths, 16);
   EXPECT_EQ(first.bake.bits, TableBits::sixteen);
-  EXPECT_EQ(first.baseSubdivisions, 3);
-  EXPECT_EQ(first.baseCurvature, CurvatureSource::vertices);
+  EXPECT_EQ(first.base.subdivisions, 3);
+  EXPECT_EQ(first.base.curvature, CurvatureSource::vertices);
   EXPECT_EQ(first.filter, TableFilter::exact);
   EXPECT_TRUE(first.parameters.empty());
   const MethodSpec& second = study.methods[1];
   EXPECT_EQ(second.bake.settings.azimuths, 4);
   EXPECT_EQ(second.bake.settings.radiusTexels, 20);
   EXPECT_EQ(second.bake.bits, TableBits::sixteen);
-  EXPECT_EQ(second.baseSubdivisions, 2);
-  EXPECT_EQ(second.baseCurvature, CurvatureSource::limit);
+  EXPECT_EQ(second.base.subdivisions, 2);
+  EXPECT_EQ(second.base.curvature, CurvatureSource::limit);
   EXPECT_EQ(second.filter, TableFilter::hardware);
   EXPECT_EQ(second.parameters, (std::map<std::string, double>{{"steps", 7}}));
 }
@@ -158,7 +158,7 @@ TEST_F(StudyFile, AMethodMayBeAFileBesideIt) {
   EXPECT_EQ(study.methods[0].label, "mine");
   // What its authors state comes before the study's own, and an override before that.
   EXPECT_EQ(study.methods[0].bake.settings.azimuths, 8);
-  EXPECT_EQ(study.methods[0].baseSubdivisions, 5);
+  EXPECT_EQ(study.methods[0].base.subdivisions, 5);
   EXPECT_EQ(study.methods[1].bake.settings.azimuths, 12);
 }
 
@@ -204,12 +204,12 @@ TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
   EXPECT_EQ(16 * quick.truth.leastTriangles, full.truth.leastTriangles);
   EXPECT_FALSE(full.truth.stepTexels);
   const StudySpec wanted = read(plainStudy, {{"truth.uncertainty=0.001"}, {}, true});
-  EXPECT_EQ(wanted.truthUncertainty, 0.004) << "four times the step is as much less certain";
+  EXPECT_EQ(wanted.truth.uncertainty, 0.004) << "four times the step is as much less certain";
 }
 
 TEST_F(StudyFile, TheTruthHasAStepOrAnUncertainty) {
-  EXPECT_FALSE(read(plainStudy).truthUncertainty);
-  EXPECT_EQ(readWith({"truth.uncertainty=0.001"}).truthUncertainty, 0.001);
+  EXPECT_FALSE(read(plainStudy).truth.uncertainty);
+  EXPECT_EQ(readWith({"truth.uncertainty=0.001"}).truth.uncertainty, 0.001);
   EXPECT_EQ(failure(std::string(plainStudy) + "[truth]\nstep = 0.25\nuncertainty = 0.001\n"),
             "plain.toml:39: truth.uncertainty: `step` found beside it, one of the two expected");
   EXPECT_THAT(failureWith({"truth.uncertainty=0"}), HasSubstr("truth.uncertainty: 0 found"));

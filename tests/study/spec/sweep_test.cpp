@@ -146,7 +146,7 @@ TEST_F(Sweep, RefusesAKeyThatTheFileCannotHave) {
 TEST_F(Sweep, RefusesAValueThatTheKeyCannotTake) {
   EXPECT_THAT(failure(section("bake.bits", "[8, 12]")),
               AllOf(StartsWith("bumps.toml:38: sweep.key: with bake.bits=12: "),
-                    HasSubstr("8, 16 or 32 expected")));
+                    HasSubstr("one of 8, 16, 32 expected")));
 }
 
 TEST_F(Sweep, RefusesValuesThatAreNone) {

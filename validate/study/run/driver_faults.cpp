@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <utility>
-#include <variant>
 
 #include "study/run/scene/run_keys.h"
 
@@ -56,8 +55,7 @@ void DriverFaults::require(PassKind kind) {
 
 void DriverFaults::requireViews(const StudySpec& study) {
   for (const ViewSpec& view : study.views) {
-    require(std::holds_alternative<Camera>(view.kind) ? PassKind::cameraSamples
-                                                      : PassKind::atlasSamples);
+    require(traitsOf(view).samplesPass);
   }
   require(PassKind::pictures);
 }

@@ -26,23 +26,10 @@ ProcessLimits trialLimits() {
 StudySpec trialStudy(MethodSpec method, Wrap wrap) {
   constexpr int texels = 16;
   constexpr double side = texels;
-  StudySpec study{{},
-                  "trial",
-                  "A method's trial",
-                  "",
+  StudySpec study{{.name = "trial", .title = "A method's trial"},
+                  {},
                   makePlane(side, side, 1, 1),
-                  {makeColumns(texels, texels, {8, 2, 1}, 2, wrap)},
-                  {},
-                  1,
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  {}};
+                  {makeColumns(texels, texels, {8, 2, 1}, 2, wrap)}};
   study.bake.settings = {4, 8};
   study.truth.stepTexels = 0.5;
   Camera camera;

@@ -19,9 +19,9 @@ std::string finerTruth(const StudySpec& study, const TruthRecord& truth) {
   constexpr double quickFactor = 4;  // on both keys
   const double factor = study.quick ? quickFactor : 1;
   const std::string change =
-      study.truthUncertainty
+      study.truth.uncertainty
           ? fmt::format("truth.uncertainty = {:g} (now {:g})", mostUncertainty,
-                        *study.truthUncertainty / factor)
+                        *study.truth.uncertainty / factor)
           : fmt::format("truth.step = {:g} (now {:g})", truth.askedStepTexels / factor / 2,
                         truth.askedStepTexels / factor);
   return study.quick ? "Leave out --quick; or set " + change : "Set " + change;
@@ -95,7 +95,7 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
       const Relief& relief = scene.study.relief;
       longestEdge = longestEdgeTexels(scene.surface, relief.texelsPerUv()) / relief.resample;
     }
-    add(coarsePiecesNotice(method.spec->label, mesh.subdivisions, *longestEdge));
+    add(coarsePiecesNotice(method.spec->label, mesh.base.subdivisions, *longestEdge));
   }
   return notices;
 }

@@ -32,7 +32,7 @@ StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progr
   if (!keepsHorizons(field, settings)) {
     return bakeStoredHorizons(field, settings, study.bake.bits, progress);
   }
-  const HorizonTables tables = keptHorizons(cache, field, settings, progress);
+  const HorizonTables tables = keptHorizons(cache, field, study.bake, progress);
   return {tables, tables.radiusTexels, storeTable(tables.horizon, study.bake.bits),
           storeTable(tables.distance, study.bake.bits)};
 }

@@ -1,27 +1,16 @@
 #include "study/spec/ladder_section.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 namespace gnomon {
 namespace {
 
-const MethodSpec& methodOf(const TomlReader& section, const StudySpec& study) {
-  const std::string label = section.text("method");
-  const auto found = std::find_if(study.methods.begin(), study.methods.end(),
-                                  [&](const MethodSpec& method) { return method.label == label; });
-  if (found != study.methods.end()) return *found;
-  std::vector<std::string> labels;
-  for (const MethodSpec& method : study.methods) labels.push_back(method.label);
-  section.fail("method",
-               fmt::format("\"{}\" found, one of {} expected", label, fmt::join(labels, ", ")));
-}
-
 CauseSpec readCause(const TomlReader& rung, const std::vector<CauseSpec>& before) {
-  rung.allow({"cause", "change", "set"});
-  CauseSpec cause{rung.text("cause"), rung.text("change", "")};
+  CauseSpec cause;
+  rung.allow(namesOf(keysOf(cause)));
+  readKeys(rung, keysOf(cause));
   const bool twice = std::any_of(before.begin(), before.end(),
                                  [&](const CauseSpec& other) { return other.name == cause.name; });
   if (twice)
@@ -32,7 +21,10 @@ CauseSpec readCause(const TomlReader& rung, const std::vector<CauseSpec>& before
 /// The state after a rung.
 MethodSpec climb(const TomlReader& rung, const MethodSpec& from, const MethodDefaults& defaults) {
   const TomlReader set = rung.table("set");
-  set.allow({"name", "file", "filter", "bake", "base", "parameters"});
+  MethodSpec changed = from;
+  KeyNames names = namesOf(keysOf(changed));
+  names.erase("label");
+  set.allow(names);
   MethodSpec to = changedMethod(set, from, defaults);
   set.finish();
   if (isSameMethod(from, to)) rung.fail("set", "changes nothing, keys with other values expected");
@@ -41,12 +33,15 @@ MethodSpec climb(const TomlReader& rung, const MethodSpec& from, const MethodDef
 
 LadderSpec readLadder(const TomlReader& section, const StudySpec& study,
                       const MethodDefaults& defaults) {
-  section.allow({"method", "name", "file", "filter", "bake", "base", "parameters", "rung"});
   LadderSpec ladder;
-  const MethodSpec& method = methodOf(section, study);
-  ladder.method = method.label;
+  std::vector<std::string> labels;
+  for (const MethodSpec& method : study.methods) labels.push_back(method.label);
+  section.allow(namesOf(keysOf(ladder, labels)));
+  readKeys(section, keysOf(ladder, labels));
+  const auto method = std::find(labels.begin(), labels.end(), ladder.method) - labels.begin();
   ladder.written = section.written();
-  const MethodSpec start = changedMethod(section, method, defaults);
+  const MethodSpec start =
+      changedMethod(section, study.methods[static_cast<std::size_t>(method)], defaults);
   ladder.forward.push_back(start);
   ladder.backward.push_back(start);
   const std::vector<TomlReader> rungs = section.tables("rung");
@@ -79,9 +74,7 @@ std::vector<LadderSpec> readLadders(const TomlReader& root, const StudySpec& stu
       if (other.method != ladder.method) continue;
       section.fail("method", fmt::format("\"{}\" has another ladder", ladder.method));
     }
-    const bool atlas = std::any_of(
-        study.views.begin(), study.views.end(),
-        [](const ViewSpec& view) { return std::holds_alternative<AtlasSpec>(view.kind); });
+    const bool atlas = std::any_of(study.views.begin(), study.views.end(), hasFixedSamples);
     if (!atlas) {
       section.fail("method",
                    "no [[view]] of type atlas found, where its error could be attributed");

@@ -3,10 +3,6 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <tuple>
-
 #include "common/error.h"
 #include "render/method.h"
 #include "study/spec/study_paths.h"
@@ -14,8 +10,6 @@
 namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::array filters = {TableFilter::exact, TableFilter::hardware};
 
 fs::path readMethodFile(const TomlReader& section, const MethodDefaults& defaults) {
   if (section.has("file")) return defaults.folder / pathOf(section.text("file"));
@@ -43,61 +37,26 @@ double checkedValue(const TomlReader& section, const Method& method, const std::
 }
 
 void readParameters(const TomlReader& section, const Method& declared, MethodSpec& method) {
-  const auto parameters = section.optionalTable("parameters");
-  if (!parameters) return;
-  for (const auto& [name, value] : parameters->allNumbers()) {
-    method.parameters[name] = checkedValue(*parameters, declared, name, value);
+  const TomlReader parameters = section.table("parameters");
+  for (const auto& [name, value] : parameters.allNumbers()) {
+    method.parameters[name] = checkedValue(parameters, declared, name, value);
   }
 }
 
 }  // namespace
 
-BakeSpec readBake(const TomlReader& section, BakeSpec bake, int resample) {
-  section.allow({"azimuths", "radius", "bits", "limit"});
-  constexpr std::array bits = {8, 16, 32};
-  bake.settings.azimuths = section.integer("azimuths", 1, 1024, bake.settings.azimuths);
-  if (const auto radius = section.optionalNumber("radius", Range{0, 1e5, true})) {
-    bake.settings.radiusTexels = *radius * resample;
-  }
-  bake.angleLimit = radians(section.number("limit", Range{1, 180}, bake.angleLimit * 180 / pi));
-  const int asked = section.integer("bits", 8, 32, static_cast<int>(bake.bits));
-  if (std::find(bits.begin(), bits.end(), asked) == bits.end()) {
-    section.fail("bits", fmt::format("{} found, 8, 16 or 32 expected", asked));
-  }
-  bake.bits = static_cast<TableBits>(asked);
-  section.finish();
-  return bake;
-}
-
-void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& curvature) {
-  section.allow({"subdivisions", "curvature"});
-  constexpr std::array sources = {CurvatureSource::limit, CurvatureSource::vertices};
-  subdivisions = section.integer("subdivisions", 1, 1024, subdivisions);
-  curvature = sources.at(
-      section.choice("curvature", {"limit", "vertices"}, static_cast<std::size_t>(curvature)));
-  section.finish();
-}
-
 MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
-  section.allow({"name", "file", "label", "filter", "bake", "base", "parameters"});
-  section.requireOneOf("name", "file");
   MethodSpec method;
-  method.file = readMethodFile(section, defaults);
-  method.label = section.text("label", stemText(method.file));
-  if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
-  method.filter = filters.at(section.choice("filter", {"exact", "hardware"}, 0));
-  const Method declared = readMethod(method.file);
+  section.allow(namesOf(keysOf(method)));
+  section.requireOneOf("name", "file");
+  const Method declared = readMethod(readMethodFile(section, defaults));
   method.bake = defaults.bake;
+  method.base = defaults.base;
   if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
-  if (const auto bake = section.optionalTable("bake")) {
-    method.bake = readBake(*bake, method.bake, defaults.resample);
-  }
-  method.baseSubdivisions = declared.subdivisions.value_or(defaults.baseSubdivisions);
-  method.baseCurvature = defaults.baseCurvature;
-  if (const auto base = section.optionalTable("base")) {
-    readBase(*base, method.baseSubdivisions, method.baseCurvature);
-  }
-  readParameters(section, declared, method);
+  if (declared.subdivisions) method.base.subdivisions = *declared.subdivisions;
+  method = changedMethod(section, std::move(method), defaults);
+  if (method.label.empty()) method.label = stemText(method.file);
+  if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
   section.finish();
   return method;
 }
@@ -109,17 +68,31 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
     method.file = readMethodFile(section, defaults);
     method.parameters.clear();
   }
-  if (section.has("filter")) {
-    method.filter = filters.at(section.choice("filter", {"exact", "hardware"}));
-  }
+  readKeys(section, keysOf(method));
   if (const auto bake = section.optionalTable("bake")) {
-    method.bake = readBake(*bake, method.bake, defaults.resample);
+    readSection(*bake, keysOf(method.bake, defaults.resample));
   }
-  if (const auto base = section.optionalTable("base")) {
-    readBase(*base, method.baseSubdivisions, method.baseCurvature);
-  }
+  if (const auto base = section.optionalTable("base")) readSection(*base, keysOf(method.base));
   if (section.has("parameters")) readParameters(section, readMethod(method.file), method);
   return method;
+}
+
+toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resample) {
+  toml::table table = settingsOf(method);
+  if (isBuiltIn(method)) {
+    table.insert("name", method.file.stem().string());
+  } else {
+    table.insert("file", pathFrom(method.file, folder));
+  }
+  table.insert("bake", settingsOf(method.bake, resample));
+  table.insert("base", settingsOf(method.base));
+  toml::table parameters;
+  for (const auto& [name, parameter] : readMethod(method.file).parameters) {
+    parameters.insert(name, parameter.defaultValue);
+  }
+  for (const auto& [name, value] : method.parameters) parameters.insert_or_assign(name, value);
+  table.insert("parameters", std::move(parameters));
+  return table;
 }
 
 bool isBuiltIn(const MethodSpec& method) {
@@ -127,11 +100,16 @@ bool isBuiltIn(const MethodSpec& method) {
 }
 
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
-  const auto parts = [](const MethodSpec& m) {
-    return std::tie(m.file, m.bake.settings.azimuths, m.bake.settings.radiusTexels, m.bake.bits,
-                    m.bake.angleLimit, m.baseSubdivisions, m.baseCurvature, m.filter, m.parameters);
+  const auto keyOf = [](const MethodSpec& method) {
+    KeyBuilder key("method");
+    key.add("file", method.file.native());
+    addSettings(key, method, Enters::everything);
+    addSettings(key, method.bake, Enters::everything, 1);
+    addSettings(key, method.base, Enters::everything);
+    for (const auto& [name, value] : method.parameters) key.add(name, value);
+    return key.key();
   };
-  return parts(a) == parts(b);
+  return keyOf(a) == keyOf(b);
 }
 
 }  // namespace gnomon

@@ -1,28 +1,51 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
-#include "study/spec/study_file.h"
+#include "render/method_pass.h"
+#include "study/spec/bake_section.h"
+#include "study/spec/base_section.h"
+#include "study/spec/study_key.h"
 #include "study/spec/toml_reader.h"
 
 namespace gnomon {
+
+/// `[[method]]`
+struct MethodSpec {
+  std::filesystem::path file = {};  ///< its GLSL
+  std::string label = {};           ///< unique in the study
+  BakeSpec bake = {};               ///< the study's, with the method's overrides
+  BaseSpec base = {};               ///< of the mesh that it draws
+  TableFilter filter = TableFilter::exact;
+  std::map<std::string, double> parameters = {};
+};
+
+inline StudyKeys keysOf(MethodSpec& method) {
+  const std::vector<std::pair<TableFilter, std::string>> filters = {
+      {TableFilter::exact, "exact"}, {TableFilter::hardware, "hardware"}};
+  return {
+      studyKey("name", OwnCode{"text"}, "a method that `gnomon list` names", {}, "`file` is there"),
+      studyKey("file", OwnCode{"text"}, "your GLSL, in place of `name`", {}, "`name` is there"),
+      studyKey("label", &method.label, "the study's name for it", {}, "`name`, or the file's stem",
+               Enters::nothing),
+      studyKey("filter", chosenName(method.filter, filters),
+               "interpolation of tables: in floats, or by the GPU's texture filter"),
+      studyKey("bake", OwnCode{"a table"}, "keys of `[bake]`, over the study's", {}, "none"),
+      studyKey("base", OwnCode{"a table"}, "keys of `[base]`, over the study's", {}, "none"),
+      studyKey("parameters", OwnCode{"a table of numbers"},
+               "the method's own, which `gnomon list` names with ranges and defaults", {}, "none")};
+}
 
 /// What methods are read against.
 struct MethodDefaults {
   std::filesystem::path folder;  ///< of the study
   std::filesystem::path shaders;
   BakeSpec bake;
-  int baseSubdivisions;
-  CurvatureSource baseCurvature;
+  BaseSpec base;
   int resample;  ///< as Relief::resample
 };
-
-/// A `[bake]` over what holds without it.
-/// @param resample  as Relief::resample: the section's lengths count texels of the map before it
-BakeSpec readBake(const TomlReader& section, BakeSpec bake, int resample);
-
-/// A `[base]` over what holds without it.
-void readBase(const TomlReader& section, int& subdivisions, CurvatureSource& curvature);
 
 /// One `[[method]]`.
 /// @throws InputError for a file that declares no method, and as TomlReader
@@ -34,6 +57,12 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
 ///   value out of its range
 MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
                          const MethodDefaults& defaults);
+
+/// A method as a table of the file, with all parameters that its shader declares.
+/// @param folder    that the file lies in
+/// @param resample  as Relief::resample
+/// @throws InputError for a method's file that cannot be read
+toml::table tableOf(const MethodSpec& method, const std::filesystem::path& folder, int resample);
 
 /// Whether the method comes with the program, so that a study names it by its `name`.
 bool isBuiltIn(const MethodSpec& method);

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <string_view>
 
-#include "common/degrees.h"
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
-#include "render/method.h"
 #include "study/spec/file_names.h"
 #include "study/spec/method_replacement.h"
-#include "study/spec/method_section.h"
 #include "study/spec/study_paths.h"
 #include "study/spec/study_table.h"
 #include "study/spec/toml_text.h"
@@ -23,68 +20,26 @@ namespace {
 
 constexpr std::string_view copyMark = "# The study of the results in this folder, as Gnomon ran it";
 
-toml::array listOf(const Vec3& v) {
-  return toml::array{v.x, v.y, v.z};
+std::string copyStem(const std::string& study) {
+  std::string stem = study;
+  std::replace_if(
+      stem.begin(), stem.end(), [](char c) { return !isNameCharacter(c); }, '-');
+  return stem;
 }
 
-/// @param resample  as Relief::resample: a study counts texels of the map before it
-toml::table bakeTable(const BakeSpec& bake, int resample) {
-  return toml::table{{"azimuths", bake.settings.azimuths},
-                     {"radius", bake.settings.radiusTexels / resample},
-                     {"bits", static_cast<int>(bake.bits)},
-                     {"limit", degreesOf(bake.angleLimit)}};
-}
-
-toml::table baseTable(int subdivisions, CurvatureSource curvature) {
-  return toml::table{{"subdivisions", subdivisions},
-                     {"curvature", curvature == CurvatureSource::limit ? "limit" : "vertices"}};
-}
-
+/// `triangles` holds where nothing else says how finely the surface is cut.
 toml::table truthTable(const StudySpec& study) {
-  if (study.truth.stepTexels)
-    return toml::table{{"step", *study.truth.stepTexels / study.relief.resample}};
-  if (study.truthUncertainty) return toml::table{{"uncertainty", *study.truthUncertainty}};
-  return toml::table{{"triangles", study.truth.leastTriangles}};
-}
-
-toml::table viewTable(const ViewSpec& view) {
-  if (const auto* atlas = std::get_if<AtlasSpec>(&view.kind)) {
-    return toml::table{{"type", "atlas"}, {"name", view.name}, {"samples", atlas->samplesPerSide}};
-  }
-  const auto& camera = std::get<Camera>(view.kind);
-  return toml::table{{"type", "camera"},          {"name", view.name},
-                     {"eye", listOf(camera.eye)}, {"target", listOf(camera.target)},
-                     {"up", listOf(camera.up)},   {"fov", degreesOf(camera.verticalFov)},
-                     {"width", camera.width},     {"height", camera.height}};
-}
-
-toml::table lightTable(const LightSpec& light) {
-  return toml::table{{"name", light.name},
-                     {"azimuth", degreesOf(light.azimuth)},
-                     {"elevation", degreesOf(light.elevation)}};
-}
-
-/// All that the shader declares, as the study sets them.
-toml::table parameterTable(const MethodSpec& spec, const Method& method) {
-  toml::table table;
-  for (const auto& [name, parameter] : method.parameters)
-    table.insert(name, parameter.defaultValue);
-  for (const auto& [name, value] : spec.parameters) table.insert_or_assign(name, value);
+  toml::table table = settingsOf(study.truth, study.relief.resample);
+  if (study.truth.stepTexels || study.truth.uncertainty) table.erase("triangles");
   return table;
 }
 
-toml::table methodTable(const MethodSpec& spec, const fs::path& folder, int resample) {
-  toml::table table;
-  if (isBuiltIn(spec)) {
-    table.insert("name", spec.file.stem().string());
-  } else {
-    table.insert("file", pathFrom(spec.file, folder));
-  }
-  table.insert("label", spec.label);
-  table.insert("filter", spec.filter == TableFilter::exact ? "exact" : "hardware");
-  table.insert("bake", bakeTable(spec.bake, resample));
-  table.insert("base", baseTable(spec.baseSubdivisions, spec.baseCurvature));
-  table.insert("parameters", parameterTable(spec, readMethod(spec.file)));
+/// The header of the copy, which is the full form of what was run.
+toml::table headerTable(const StudySpec& study) {
+  StudyHeader header = study;
+  header.name = copyStem(study.name);
+  toml::table table = settingsOf(header);
+  table.erase("quick");
   return table;
 }
 
@@ -111,13 +66,6 @@ void insertJudged(toml::table& table, const StudySpec& study, bool withSweep) {
   insert("ladder", tablesOf(study.ladders, written));
 }
 
-std::string copyStem(const std::string& study) {
-  std::string stem = study;
-  std::replace_if(
-      stem.begin(), stem.end(), [](char c) { return !isNameCharacter(c); }, '-');
-  return stem;
-}
-
 }  // namespace
 
 std::string studyCopyName(const std::string& study) {
@@ -126,21 +74,21 @@ std::string studyCopyName(const std::string& study) {
 
 toml::table resolvedStudy(const StudySpec& study, const fs::path& folder) {
   const fs::path home = studyFolder(study.file);
-  toml::table table{{"study", toml::table{{"name", copyStem(study.name)},
-                                          {"title", study.title},
-                                          {"source", study.source},
-                                          {"ranked", study.ranked}}},
-                    {"surface", study.surfaceSection},
-                    {"relief", study.reliefSection},
-                    {"bake", bakeTable(study.bake, study.relief.resample)},
-                    {"base", baseTable(study.baseSubdivisions, study.baseCurvature)},
+  const int resample = study.relief.resample;
+  toml::table table{{"study", headerTable(study)},
+                    {"surface", tableOf(study.surfaceSection)},
+                    {"relief", tableOf(study.reliefSection)},
+                    {"bake", settingsOf(study.bake, resample)},
+                    {"base", settingsOf(study.base)},
                     {"truth", truthTable(study)},
-                    {"view", tablesOf(study.views, viewTable)},
-                    {"light", tablesOf(study.lights, lightTable)}};
+                    {"view", tablesOf(study.views, [](const ViewSpec& v) { return tableOf(v); })},
+                    {"light", tablesOf(study.lights, [](const LightSpec& light) {
+                       return settingsOf(sectionOf(light));
+                     })}};
   insertJudged(table, study, false);
   movePaths(table, home, folder);
   table.insert("method", tablesOf(study.methods, [&](const MethodSpec& method) {
-                 return methodTable(method, folder, study.relief.resample);
+                 return tableOf(method, folder, resample);
                }));
   return table;
 }

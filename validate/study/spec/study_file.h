@@ -3,128 +3,73 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "common/camera.h"
-#include "common/vec.h"
-#include "horizon/horizon_bake.h"
 #include "horizon/search_radius.h"
-#include "horizon/stored_table.h"
-#include "relief/relief.h"
-#include "render/method_pass.h"
-#include "study/record/record.h"
+#include "study/spec/bake_section.h"
+#include "study/spec/base_section.h"
+#include "study/spec/claim_section.h"
+#include "study/spec/ladder_spec.h"
+#include "study/spec/light_section.h"
+#include "study/spec/method_section.h"
+#include "study/spec/relief_section.h"
 #include "study/spec/study_text.h"
-#include "surface/base_mesh.h"
-#include "surface/cage.h"
-#include "truth/micro_mesh.h"
+#include "study/spec/surface_section.h"
+#include "study/spec/threshold_section.h"
+#include "study/spec/truth_section.h"
+#include "study/spec/view_section.h"
 
 namespace gnomon {
 
-/// A study, as its TOML file asks for it, checked: what to measure, not what was found. The README
-/// lists every key; here is what they become.
+/// A study, as its TOML file asks for it, checked: what to measure, not what was found. Each
+/// section's structure and keys are in the section's own header.
 
-struct BakeSpec {
-  BakeSettings settings;
-  TableBits bits = TableBits::eight;
-  double angleLimit = pi / 2;  ///< of horizon angles: the largest off the normal, radians
-};
-
-struct AtlasSpec {
-  int samplesPerSide;  ///< of every face
-};
-
-struct ViewSpec {
-  std::string name;
-  std::variant<Camera, AtlasSpec> kind;
-};
-
-/// A directional light. Azimuth counter-clockwise from +x about +z, elevation over the xy plane.
-struct LightSpec {
-  std::string name;
-  double azimuth;    ///< radians
-  double elevation;  ///< radians
-  /// The unit vector toward the light.
-  [[nodiscard]] Vec3 direction() const;
-};
-
-struct MethodSpec {
-  std::filesystem::path file;  ///< its GLSL
-  std::string label;           ///< unique in the study
-  BakeSpec bake;               ///< the study's, with the method's overrides
-  int baseSubdivisions = 1;    ///< of the mesh that it draws
-  CurvatureSource baseCurvature = CurvatureSource::limit;  ///< of its vertices
-  TableFilter filter = TableFilter::exact;
-  std::map<std::string, double> parameters;
-};
-
-/// A claim of one of two forms: that one method's metric is smaller than another's in every light
-/// and view (or, with `gainExceeds`, that the mean difference between them is larger than in the
-/// study of that name; or, with `gainGrows`, that it is larger at the last value of the file's
-/// sweep than at the first); or that one method's metric lies between bounds in every light and
-/// view.
-struct ClaimSpec {
-  std::string text, source;
-  std::string less, than;  ///< method labels; empty in the second form
-  std::string metric;
-  std::string gainExceeds;
-  std::string region = "all";
-  std::string method = {};  ///< label; empty in the first form
-  std::optional<double> above = std::nullopt, below = std::nullopt;
-  bool gainGrows = false;
-  Answer answer = Answer::drawn;
-  toml::table written = {};  ///< its table in the study's file
-};
-
-/// What one cause of a ladder is, and what undoes it.
-struct CauseSpec {
-  std::string name;    ///< "azimuth count"
-  std::string change;  ///< what is put in its place, "256"; may be empty
-};
-
-/// A method's way from what was published to the best that this study can make of it, one cause at
-/// a time. Both ways begin at the method and end with all causes undone: `forward` undoes them in
-/// the order given, `backward` from the last to the first. Each has one state more than there are
-/// causes.
-struct LadderSpec {
-  std::string method;  ///< label of the study's method that both begin at
-  std::vector<CauseSpec> causes;
-  std::vector<MethodSpec> forward;
-  std::vector<MethodSpec> backward;
-  toml::table written = {};  ///< its table in the study's file
-};
-
-struct StudySpec {
-  std::filesystem::path file;
-  std::string name, title, source;
-  Cage cage;
-  Relief relief;
-  BakeSpec bake;
-  int baseSubdivisions = 1;
-  CurvatureSource baseCurvature = CurvatureSource::limit;
-  MicroMeshSettings truth;
-  /// Largest flip rate that is wanted; the step is then found by refinement.
-  std::optional<double> truthUncertainty = std::nullopt;
-  std::vector<ViewSpec> views;
-  std::vector<LightSpec> lights;
-  std::vector<MethodSpec> methods;
-  std::vector<Gate> thresholds;  ///< each with the origin Threshold
-  std::vector<ClaimSpec> claims;
-  /// Errors to attribute to their causes, in the first atlas view: there all base meshes show the
-  /// same samples.
-  std::vector<LadderSpec> ladders;
+/// `[study]`
+struct StudyHeader {
+  std::string name = {}, title = {}, source = {};
   bool ranked = true;  ///< counts in a ranking over the studies of a run
   bool quick = false;  ///< the quick form, see StudyOptions
+};
+
+inline StudyKeys keysOf(StudyHeader& header) {
+  using enum Enters;
+  return {
+      studyKey("name", &header.name,
+               "of the study and its folder: letters, digits, `-`, `_` and `.`", {}, required,
+               nothing),
+      studyKey("title", &header.title, "of its report", {}, required, nothing),
+      studyKey("source", &header.source, "the figure or question that it stands for", {}, required,
+               nothing),
+      studyKey("ranked", &header.ranked, "whether it counts in the ranking over a run's studies",
+               {}, {}, nothing),
+      studyKey("quick", &header.quick, "whether it always has the form of `--quick`", {}, {},
+               nothing)};
+}
+
+struct StudySpec : StudyHeader {
+  std::filesystem::path file = {};
+  Cage cage;
+  Relief relief;
+  BakeSpec bake = {};
+  BaseSpec base = {};
+  TruthSpec truth = {};
+  std::vector<ViewSpec> views = {};
+  std::vector<LightSpec> lights = {};
+  std::vector<MethodSpec> methods = {};
+  std::vector<Gate> thresholds = {};  ///< each with the origin Threshold
+  std::vector<ClaimSpec> claims = {};
+  /// Errors to attribute to their causes, in the first view with fixed samples: there all base
+  /// meshes show the same.
+  std::vector<LadderSpec> ladders = {};
   /// Thresholds excluded by command-line options: a check reports them as skipped.
   std::vector<Judgement> leftOut = {};
   std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
   SearchRadius radius = {};                      ///< of `bake`, and why
-  /// The values of `[surface]` and `[relief]`, defaults among them; paths as the file has them.
-  toml::table surfaceSection = {}, reliefSection = {};
-  std::string text = {};  ///< the file's, as it is written
+  SurfaceSection surfaceSection = {};            ///< what `cage` was made from
+  ReliefSection reliefSection = {};              ///< what `relief` was made from
+  std::string text = {};                         ///< the file's, as it is written
 };
 
 /// What the command line changes in a study.

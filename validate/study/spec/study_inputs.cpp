@@ -53,11 +53,11 @@ std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& fol
   const fs::path home = studyFolder(study.file);
   Inputs inputs(folder);
   inputs.addStudy(study);
-  if (const auto mesh = study.surfaceSection["mesh"].value<std::string>()) {
-    inputs.add(Kind::mesh, home / pathOf(*mesh));
+  if (const auto* mesh = std::get_if<SurfaceMesh>(&study.surfaceSection)) {
+    inputs.add(Kind::mesh, home / pathOf(mesh->path));
   }
-  if (const auto image = study.reliefSection["image"].value<std::string>()) {
-    inputs.add(Kind::image, home / pathOf(*image));
+  if (const auto* image = std::get_if<ImageMap>(&study.reliefSection.map)) {
+    inputs.add(Kind::image, home / pathOf(image->path));
   }
   inputs.addCommonShaders();
   for (const MethodSpec& method : study.methods) inputs.add(Kind::shader, method.file);

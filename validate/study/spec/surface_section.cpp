@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "common/overloaded.h"
 #include "study/spec/study_paths.h"
 #include "surface/mesh_file.h"
 #include "surface/shapes.h"
@@ -14,104 +14,87 @@
 namespace gnomon {
 namespace {
 
-constexpr int mostFacesASide = 4096;
-
-struct Quads {
-  int columns;
-  int rows;
-};
-
-Quads readQuads(const TomlReader& section) {
-  const Vec2 quads = section.vec2("quads", Range{1, mostFacesASide});
-  const Quads result{static_cast<int>(quads.x), static_cast<int>(quads.y)};
-  if (result.columns != quads.x || result.rows != quads.y) {
-    section.fail("quads",
-                 fmt::format("[{}, {}] found, two whole numbers expected", quads.x, quads.y));
-  }
-  return result;
-}
-
-Cage readPlane(const TomlReader& section) {
-  const Quads quads = readQuads(section);
-  const Vec2 size = section.vec2("size", positive);
-  return section.blame("shape",
-                       [&] { return makePlane(size.x, size.y, quads.columns, quads.rows); });
-}
-
 /// Angle that an arc of `length` spans at `curvature`; a full turn where it comes within rounding.
 double arcAngle(double length, double curvature) {
   const double angle = length * curvature;
   return std::abs(angle - 2 * pi) < 1e-6 ? 2 * pi : angle;
 }
 
-Cage readCylinder(const TomlReader& section) {
-  const Quads quads = readQuads(section);
-  const double curvature = section.number("curvature", positive);
-  const Vec2 size = section.vec2("size", positive);
-  return section.blame("shape", [&] {
-    return makeCylinder(1 / curvature, arcAngle(size.x, curvature), size.y, quads.columns,
-                        quads.rows);
-  });
+Cage cageOf(const PlaneShape& plane) {
+  return makePlane(plane.size.x, plane.size.y, plane.quads.x, plane.quads.y);
 }
 
-/// Below 0 it is the inside of the sphere.
-Cage readSphere(const TomlReader& section) {
-  const Quads quads = readQuads(section);
-  const double curvature = section.number("curvature", anyNumber);
-  if (curvature == 0) section.fail("curvature", "0 found, a number above or below 0 expected");
-  const double bend = std::abs(curvature);
-  const Vec2 size = section.vec2("size", positive);
-  return section.blame("shape", [&] {
-    return makeSphere(1 / curvature, arcAngle(size.x, bend), size.y * bend, quads.columns,
-                      quads.rows);
-  });
+Cage cageOf(const CylinderShape& cylinder) {
+  return makeCylinder(1 / cylinder.curvature, arcAngle(cylinder.size.x, cylinder.curvature),
+                      cylinder.size.y, cylinder.quads.x, cylinder.quads.y);
 }
 
-Cage readTorus(const TomlReader& section) {
-  const Quads quads = readQuads(section);
-  const double major = section.number("major", positive);
-  const double minor = section.number("minor", Range{0, major, true});
-  return section.blame("shape", [&] { return makeTorus(major, minor, quads.columns, quads.rows); });
+Cage cageOf(const SphereShape& sphere) {
+  if (sphere.curvature == 0) {
+    throw InputError("sphere: curvature is 0, a number above or below 0 expected");
+  }
+  const double bend = std::abs(sphere.curvature);
+  return makeSphere(1 / sphere.curvature, arcAngle(sphere.size.x, bend), sphere.size.y * bend,
+                    sphere.quads.x, sphere.quads.y);
 }
 
-Cage readBezier(const TomlReader& section) {
-  const Quads quads = readQuads(section);
-  const std::vector<Vec3> list = section.points("points");
+Cage cageOf(const TorusShape& torus) {
+  return makeTorus(torus.major, torus.minor, torus.quads.x, torus.quads.y);
+}
+
+Cage cageOf(const BezierShape& bezier) {
   std::array<Vec3, 16> points{};
-  if (list.size() != points.size()) {
-    section.fail("points", fmt::format("{} points found, 16 expected, row by row", list.size()));
+  if (bezier.points.size() != points.size()) {
+    throw InputError(
+        fmt::format("bezier: {} points found, 16 expected, row by row", bezier.points.size()));
   }
-  std::copy(list.begin(), list.end(), points.begin());
-  return section.blame("shape", [&] { return makeBezier(points, quads.columns, quads.rows); });
+  std::copy(bezier.points.begin(), bezier.points.end(), points.begin());
+  return makeBezier(points, bezier.quads.x, bezier.quads.y);
 }
 
-Cage readBSpline(const TomlReader& section) {
-  const std::vector<Vec3> points = section.points("points");
-  const int columns = section.integer("columns", 4, mostFacesASide + 3);
-  const int rows = static_cast<int>(points.size()) / columns;
-  if (rows < 4 ||
-      static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) != points.size()) {
-    section.fail("points", fmt::format("{} points found, at least 4 rows of {} expected",
-                                       points.size(), columns));
+Cage cageOf(const BSplineShape& spline) {
+  const int points = static_cast<int>(spline.points.size());
+  const int rows = points / spline.columns;
+  if (rows < 4 || rows * spline.columns != points) {
+    throw InputError(fmt::format("b-spline: {} points found, at least 4 rows of {} expected",
+                                 points, spline.columns));
   }
-  return section.blame("shape", [&] { return makeBSpline(points, columns, rows); });
+  return makeBSpline(spline.points, spline.columns, rows);
 }
 
 }  // namespace
 
-Cage readSurfaceSection(const TomlReader& section, const std::filesystem::path& folder) {
-  section.allow({"shape", "mesh", "scheme", "quads", "size", "curvature", "major", "minor",
-                 "points", "columns"});
+SurfaceSection readSurfaceSection(const TomlReader& section) {
+  SurfaceMesh mesh;
+  KeyNames names = namesOfAllKinds<Shape>("shape");
+  names.merge(namesOf(keysOf(mesh)));
+  section.allow(names);
   section.requireOneOf("shape", "mesh");
-  if (section.has("mesh")) {
-    constexpr std::array schemes = {SubdivisionScheme::catmullClark, SubdivisionScheme::loop};
-    const auto scheme = schemes.at(section.choice("scheme", {"catmull-clark", "loop"}, 0));
-    return readMeshFile(folder / pathOf(section.text("mesh")), scheme);
+  if (!section.has("mesh")) return readKind<Shape>(section, "shape", shapeNames);
+  readKeys(section, keysOf(mesh));
+  return mesh;
+}
+
+toml::table tableOf(SurfaceSection surface) {
+  toml::table table = tableOf(keysOf(surface));
+  if (const auto* shape = std::get_if<Shape>(&surface)) {
+    table.insert("shape", shapeNames.at(shape->index()));
   }
-  constexpr std::array readers = {readPlane, readCylinder, readSphere,
-                                  readTorus, readBezier,   readBSpline};
-  return readers.at(section.choice(
-      "shape", {"plane", "cylinder", "sphere", "torus", "bezier", "b-spline"}))(section);
+  return table;
+}
+
+Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
+            const std::filesystem::path& folder) {
+  return std::visit(Overloaded{[&](const Shape& shape) {
+                                 return section.blame("shape", [&] {
+                                   return std::visit([](const auto& one) { return cageOf(one); },
+                                                     shape);
+                                 });
+                               },
+                               [&](const SurfaceMesh& mesh) {
+                                 return readMeshFile(folder / pathOf(mesh.path), mesh.scheme);
+                               }},
+                    surface);
 }
 
 }  // namespace gnomon

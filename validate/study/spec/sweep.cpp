@@ -27,11 +27,9 @@ void requireSweepable(const TomlReader& section, const std::string& key,
 }
 
 SweepSpec readSweep(const TomlReader& section, const StudyOptions& options) {
-  section.allow({"key", "values", "axis"});
   SweepSpec sweep;
-  sweep.key = section.text("key");
+  readSection(section, keysOf(sweep));
   requireSweepable(section, sweep.key, options);
-  sweep.values = section.numbers("values", anyNumber);
   if (sweep.values.size() < 2) section.fail("values", "one value found, at least two expected");
   std::set<double> seen;
   for (const double value : sweep.values) {
@@ -39,8 +37,7 @@ SweepSpec readSweep(const TomlReader& section, const StudyOptions& options) {
       section.fail("values", fmt::format("{} found twice, distinct values expected", value));
     }
   }
-  sweep.axis = section.text("axis", sweep.key);
-  section.finish();
+  if (sweep.axis.empty()) sweep.axis = sweep.key;
   return sweep;
 }
 

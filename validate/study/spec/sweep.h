@@ -16,6 +16,15 @@ struct SweepSpec {
   std::string axis;            ///< the key itself, unless the file says better
 };
 
+inline StudyKeys keysOf(SweepSpec& sweep) {
+  using enum Enters;
+  return {studyKey("key", &sweep.key, "any that `--set` takes, as `relief.height`", {}, required,
+                   nothing),
+          studyKey("values", NumberOrList{&sweep.values},
+                   "of the key, at least two: the study runs at each", {}, required, nothing),
+          studyKey("axis", &sweep.axis, "label of the plots' axis", {}, "the key", nothing)};
+}
+
 /// What a study file asks for: one study, or one for each value of its sweep.
 struct StudyPlan {
   std::string name;  ///< of the file's study

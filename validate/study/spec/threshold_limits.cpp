@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "compare/metric_range.h"
 #include "truth/shadow_tracer.h"
@@ -12,28 +11,12 @@
 namespace gnomon {
 namespace {
 
-/// A side of the full form, or a little more.
-int fullSide(int side, bool quick) {
-  return quick ? 4 * side + 3 : side;
-}
-
-/// The distances in an atlas are texels of the map.
-PictureExtent extentOf(const ViewSpec& view, const StudySpec& study) {
-  if (const auto* camera = std::get_if<Camera>(&view.kind)) {
-    const double width = fullSide(camera->width, study.quick);
-    const double height = fullSide(camera->height, study.quick);
-    return {std::hypot(width, height), width * height};
-  }
-  const double side = fullSide(std::get<AtlasSpec>(view.kind).samplesPerSide, study.quick);
-  return {glm::length(study.relief.texelsPerUv()),
-          static_cast<double>(study.cage.faceCount()) * side * side};
-}
-
 PictureExtent largestExtent(const StudySpec& study, const std::string& view) {
   PictureExtent largest;
   for (const ViewSpec& candidate : study.views) {
     if (!view.empty() && candidate.name != view) continue;
-    const PictureExtent extent = extentOf(candidate, study);
+    const PictureExtent extent =
+        fullExtent(candidate, study.quick, study.relief.texelsPerUv(), study.cage.faceCount());
     largest.diagonal = std::max(largest.diagonal, extent.diagonal);
     largest.samples = std::max(largest.samples, extent.samples);
   }
@@ -52,8 +35,9 @@ bool isSettledIn(std::string_view region, std::string_view metric) {
 
 std::optional<double> readLimit(const TomlReader& section, const char* key,
                                 const MetricRange& range) {
-  const toml::node* node = section.written().get(key);
-  if (node == nullptr || !node->is_string()) return section.optionalNumber(key, anyNumber);
+  const toml::node* node = section.find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_string()) return section.number(key, anyNumber);
   const std::string text = section.text(key);
   const auto limit = text.ends_with('%') ? limitOfText(text, range) : std::nullopt;
   if (!limit) {

@@ -28,7 +28,9 @@ std::string describe(const toml::node& node) {
   return "a date or time";
 }
 
-std::string expectedNumber(Range range) {
+}  // namespace
+
+std::string expectedNumber(NumberRange range) {
   const bool bounded = std::isfinite(range.most);
   if (std::isfinite(range.least) && bounded) {
     return fmt::format("a number {} {} and at most {}", range.openBelow ? "above" : "of at least",
@@ -40,8 +42,6 @@ std::string expectedNumber(Range range) {
   return bounded ? fmt::format("a number of at most {}", range.most) : "a finite number";
 }
 
-}  // namespace
-
 TomlReader::TomlReader(const toml::table& table, std::string file, std::string path)
     : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
 
@@ -51,18 +51,7 @@ bool TomlReader::has(std::string_view key) const {
 
 const toml::node* TomlReader::find(std::string_view key) const {
   read_.emplace(key);
-  const toml::node* node = table_->get(key);
-  if (node != nullptr && !node->is_table() && !node->is_array_of_tables()) {
-    node->visit([&](const auto& value) { given_.insert_or_assign(key, value); });
-  }
-  return node;
-}
-
-template <typename Value>
-bool TomlReader::hasOr(std::string_view key, const Value& fallback) const {
-  if (find(key) != nullptr) return true;
-  given_.insert_or_assign(key, fallback);
-  return false;
+  return table_->get(key);
 }
 
 std::string TomlReader::place(const toml::node& node, std::string_view key) const {
@@ -97,17 +86,16 @@ void TomlReader::requireOneOf(std::string_view a, std::string_view b) const {
 }
 
 void TomlReader::refuseKey(const toml::node& node, std::string_view key,
-                           const Names& expected) const {
+                           const KeyNames& expected) const {
   const auto nearest = nearestName(key, expected);
   throw InputError(fmt::format("{}: unknown key, expected {}{}", place(node, key),
                                fmt::join(expected, ", "),
                                nearest ? fmt::format(". Did you mean `{}`?", *nearest) : ""));
 }
 
-void TomlReader::allow(std::initializer_list<std::string_view> keys) const {
-  const Names names(keys.begin(), keys.end());
+void TomlReader::allow(const KeyNames& keys) const {
   for (const auto& [key, node] : *table_) {
-    if (!names.contains(key.str())) refuseKey(node, key.str(), names);
+    if (!keys.contains(key.str())) refuseKey(node, key.str(), keys);
   }
 }
 
@@ -155,38 +143,28 @@ std::string TomlReader::text(std::string_view key) const {
   return *value;
 }
 
-std::string TomlReader::text(std::string_view key, std::string_view fallback) const {
-  return hasOr(key, std::string(fallback)) ? text(key) : std::string(fallback);
-}
-
-std::size_t TomlReader::choice(std::string_view key,
-                               std::initializer_list<std::string_view> choices) const {
+std::size_t TomlReader::choice(std::string_view key, const std::vector<std::string>& choices,
+                               bool areNumbers) const {
   const std::string expected = fmt::format("one of {}", fmt::join(choices, ", "));
   const toml::node& node = require(key, expected);
-  const auto value = node.value_exact<std::string>();
-  std::size_t index = 0;
-  for (const std::string_view name : choices) {
-    if (value && *value == name) return index;
-    ++index;
+  std::optional<std::string> value = node.value_exact<std::string>();
+  if (areNumbers) {
+    const auto whole = node.value_exact<std::int64_t>();
+    value = whole ? std::optional(fmt::format("{}", *whole)) : std::nullopt;
   }
-  mismatch(node, key, expected);
+  const auto found = std::find(choices.begin(), choices.end(), value);
+  if (found == choices.end()) mismatch(node, key, expected);
+  return static_cast<std::size_t>(found - choices.begin());
 }
 
-std::size_t TomlReader::choice(std::string_view key,
-                               std::initializer_list<std::string_view> choices,
-                               std::size_t fallback) const {
-  return hasOr(key, std::string(choices.begin()[fallback])) ? choice(key, choices) : fallback;
-}
-
-bool TomlReader::flag(std::string_view key, bool fallback) const {
-  if (!hasOr(key, fallback)) return fallback;
+bool TomlReader::flag(std::string_view key) const {
   const toml::node& node = require(key, "true or false");
   const auto value = node.value_exact<bool>();
   if (!value) mismatch(node, key, "true or false");
   return *value;
 }
 
-double TomlReader::checked(const toml::node& node, std::string_view key, Range range) const {
+double TomlReader::checked(const toml::node& node, std::string_view key, NumberRange range) const {
   const auto value = node.is_number() ? node.value<double>() : std::nullopt;
   const bool inside = value && std::isfinite(*value) && *value >= range.least &&
                       *value <= range.most && !(range.openBelow && *value == range.least);
@@ -194,18 +172,8 @@ double TomlReader::checked(const toml::node& node, std::string_view key, Range r
   return *value;
 }
 
-double TomlReader::number(std::string_view key, Range range) const {
+double TomlReader::number(std::string_view key, NumberRange range) const {
   return checked(require(key, expectedNumber(range)), key, range);
-}
-
-double TomlReader::number(std::string_view key, Range range, double fallback) const {
-  return hasOr(key, fallback) ? number(key, range) : fallback;
-}
-
-std::optional<double> TomlReader::optionalNumber(std::string_view key, Range range) const {
-  const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  return checked(*node, key, range);
 }
 
 int TomlReader::integer(std::string_view key, int least, int most) const {
@@ -216,12 +184,13 @@ int TomlReader::integer(std::string_view key, int least, int most) const {
   return static_cast<int>(*value);
 }
 
-int TomlReader::integer(std::string_view key, int least, int most, int fallback) const {
-  return hasOr(key, fallback) ? integer(key, least, most) : fallback;
+std::vector<double> TomlReader::list(std::string_view key, NumberRange range,
+                                     std::size_t length) const {
+  return listAt(require(key, fmt::format("a list of {} numbers", length)), key, range, length);
 }
 
-std::vector<double> TomlReader::list(const toml::node& node, std::string_view key, Range range,
-                                     std::size_t length) const {
+std::vector<double> TomlReader::listAt(const toml::node& node, std::string_view key,
+                                       NumberRange range, std::size_t length) const {
   const toml::array* array = node.as_array();
   if (array == nullptr || array->size() != length) {
     mismatch(node, key, fmt::format("a list of {} numbers", length));
@@ -231,43 +200,21 @@ std::vector<double> TomlReader::list(const toml::node& node, std::string_view ke
   return values;
 }
 
-std::vector<double> TomlReader::numbers(std::string_view key, Range range) const {
+std::vector<double> TomlReader::numbers(std::string_view key, NumberRange range) const {
   const toml::node& node = require(key, "a number or a list of numbers");
   const toml::array* array = node.as_array();
   if (array == nullptr) return {checked(node, key, range)};
   if (array->empty()) mismatch(node, key, "a number or a list of at least one");
-  return list(node, key, range, array->size());
-}
-
-std::vector<double> TomlReader::numbers(std::string_view key, Range range, double fallback) const {
-  return hasOr(key, fallback) ? numbers(key, range) : std::vector<double>{fallback};
-}
-
-Vec2 TomlReader::vec2(std::string_view key, Range range) const {
-  const auto values = list(require(key, "a list of 2 numbers"), key, range, 2);
-  return {values[0], values[1]};
-}
-
-Vec2 TomlReader::vec2(std::string_view key, Range range, Vec2 fallback) const {
-  return hasOr(key, toml::array{fallback.x, fallback.y}) ? vec2(key, range) : fallback;
-}
-
-Vec3 TomlReader::vec3(std::string_view key) const {
-  const auto values = list(require(key, "a list of 3 numbers"), key, anyNumber, 3);
-  return {values[0], values[1], values[2]};
-}
-
-Vec3 TomlReader::vec3(std::string_view key, Vec3 fallback) const {
-  return hasOr(key, toml::array{fallback.x, fallback.y, fallback.z}) ? vec3(key) : fallback;
+  return listAt(node, key, range, array->size());
 }
 
 std::vector<Vec3> TomlReader::points(std::string_view key) const {
   const toml::node& node = require(key, "a list of points");
   const toml::array* array = node.as_array();
-  if (array == nullptr) mismatch(node, key, "a list of points");
+  if (array == nullptr || array->empty()) mismatch(node, key, "a list of points");
   std::vector<Vec3> points;
   for (const toml::node& entry : *array) {
-    const auto values = list(entry, key, anyNumber, 3);
+    const auto values = listAt(entry, key, anyNumber, 3);
     points.emplace_back(values[0], values[1], values[2]);
   }
   return points;

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <set>
@@ -18,14 +17,19 @@
 namespace gnomon {
 
 /// The numbers that a key takes, both ends included unless said.
-struct Range {
+struct NumberRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool openBelow = false;  ///< `least` itself is not allowed
 };
 
-constexpr Range anyNumber{};
-constexpr Range positive{0, std::numeric_limits<double>::infinity(), true};
+constexpr NumberRange anyNumber{};
+constexpr NumberRange positive{0, std::numeric_limits<double>::infinity(), true};
+
+/// The range in words: "a number above 0 and at most 1".
+std::string expectedNumber(NumberRange range);
+
+using KeyNames = std::set<std::string, std::less<>>;
 
 /// A TOML table whose every key must be read: whoever asks for a key names its type and range, and
 /// `finish` refuses the keys that nobody asked for. `allow` refuses before anything is read what no
@@ -38,6 +42,8 @@ class TomlReader {
   TomlReader(const toml::table& table, std::string file, std::string path);
 
   [[nodiscard]] bool has(std::string_view key) const;
+  /// The value of a key, which counts as read; null where there is none.
+  [[nodiscard]] const toml::node* find(std::string_view key) const;
   /// The table or list of tables below a key; a missing one is an error, unless `optional` is in
   /// the name.
   [[nodiscard]] TomlReader table(std::string_view key) const;
@@ -45,35 +51,27 @@ class TomlReader {
   [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
   [[nodiscard]] std::vector<TomlReader> optionalTables(std::string_view key) const;
 
+  /// A string that is not empty.
   [[nodiscard]] std::string text(std::string_view key) const;
-  [[nodiscard]] std::string text(std::string_view key, std::string_view fallback) const;
   /// The index of the value among `choices`.
-  [[nodiscard]] std::size_t choice(std::string_view key,
-                                   std::initializer_list<std::string_view> choices) const;
-  [[nodiscard]] std::size_t choice(std::string_view key,
-                                   std::initializer_list<std::string_view> choices,
-                                   std::size_t fallback) const;
-  [[nodiscard]] bool flag(std::string_view key, bool fallback) const;
-  [[nodiscard]] double number(std::string_view key, Range range) const;
-  [[nodiscard]] double number(std::string_view key, Range range, double fallback) const;
-  [[nodiscard]] std::optional<double> optionalNumber(std::string_view key, Range range) const;
+  /// @param areNumbers  whether the choices are whole numbers in the file
+  [[nodiscard]] std::size_t choice(std::string_view key, const std::vector<std::string>& choices,
+                                   bool areNumbers = false) const;
+  [[nodiscard]] bool flag(std::string_view key) const;
+  [[nodiscard]] double number(std::string_view key, NumberRange range) const;
   [[nodiscard]] int integer(std::string_view key, int least, int most) const;
-  [[nodiscard]] int integer(std::string_view key, int least, int most, int fallback) const;
   /// A number, or a list of at least one.
-  [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range) const;
-  [[nodiscard]] std::vector<double> numbers(std::string_view key, Range range,
-                                            double fallback) const;
-  [[nodiscard]] Vec2 vec2(std::string_view key, Range range) const;
-  [[nodiscard]] Vec2 vec2(std::string_view key, Range range, Vec2 fallback) const;
-  [[nodiscard]] Vec3 vec3(std::string_view key) const;
-  [[nodiscard]] Vec3 vec3(std::string_view key, Vec3 fallback) const;
+  [[nodiscard]] std::vector<double> numbers(std::string_view key, NumberRange range) const;
+  /// A list of so many numbers.
+  [[nodiscard]] std::vector<double> list(std::string_view key, NumberRange range,
+                                         std::size_t length) const;
   /// A list of points of three numbers.
   [[nodiscard]] std::vector<Vec3> points(std::string_view key) const;
   /// All keys of this table with a number each.
   [[nodiscard]] std::vector<std::pair<std::string, double>> allNumbers() const;
 
   /// @throws InputError naming the first key that is none of these, and the nearest that is
-  void allow(std::initializer_list<std::string_view> keys) const;
+  void allow(const KeyNames& keys) const;
   /// Refuses a table that has both of two keys, or neither.
   void requireOneOf(std::string_view a, std::string_view b) const;
   /// @throws InputError naming the first key that nobody read
@@ -93,34 +91,26 @@ class TomlReader {
 
   /// The table as the file and the overrides have it.
   [[nodiscard]] const toml::table& written() const { return *table_; }
-  /// The values that this reader has given out so far, defaults among them: what holds for whoever
-  /// read them. Tables below are not in it.
-  [[nodiscard]] const toml::table& given() const { return given_; }
   [[nodiscard]] const std::string& file() const { return file_; }
   /// The line of the file that this table begins in, from 1; 0 for one that an override made.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
 
  private:
-  [[nodiscard]] const toml::node* find(std::string_view key) const;
-  /// Whether a key is there; where it is not, its default is what is given.
-  template <typename Value>
-  [[nodiscard]] bool hasOr(std::string_view key, const Value& fallback) const;
   [[nodiscard]] const toml::node& require(std::string_view key, std::string_view expected) const;
   [[nodiscard]] std::string place(const toml::node& node, std::string_view key) const;
-  using Names = std::set<std::string, std::less<>>;
   [[noreturn]] void refuseKey(const toml::node& node, std::string_view key,
-                              const Names& expected) const;
+                              const KeyNames& expected) const;
   [[noreturn]] void mismatch(const toml::node& node, std::string_view key,
                              const std::string& expected) const;
-  [[nodiscard]] double checked(const toml::node& node, std::string_view key, Range range) const;
-  [[nodiscard]] std::vector<double> list(const toml::node& node, std::string_view key, Range range,
-                                         std::size_t length) const;
+  [[nodiscard]] double checked(const toml::node& node, std::string_view key,
+                               NumberRange range) const;
+  [[nodiscard]] std::vector<double> listAt(const toml::node& node, std::string_view key,
+                                           NumberRange range, std::size_t length) const;
 
   const toml::table* table_;
   std::string file_;
   std::string path_;
-  mutable Names read_;
-  mutable toml::table given_;
+  mutable KeyNames read_;
 };
 
 /// Parses a TOML file and applies overrides.

@@ -26,11 +26,9 @@ std::string numberText(double value) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-std::string valueText(const toml::node& node);
-
 std::string arrayText(const toml::array& array) {
   std::vector<std::string> entries;
-  for (const toml::node& entry : array) entries.push_back(valueText(entry));
+  for (const toml::node& entry : array) entries.push_back(tomlValueText(entry));
   const bool isNested = !array.empty() && array.front().is_array();
   return isNested ? fmt::format("[\n  {},\n]", fmt::join(entries, ",\n  "))
                   : fmt::format("[{}]", fmt::join(entries, ", "));
@@ -39,12 +37,14 @@ std::string arrayText(const toml::array& array) {
 std::string inlineText(const toml::table& table) {
   std::vector<std::string> entries;
   for (const auto& [key, node] : table) {
-    entries.push_back(fmt::format("{} = {}", keyText(key.str()), valueText(node)));
+    entries.push_back(fmt::format("{} = {}", keyText(key.str()), tomlValueText(node)));
   }
   return fmt::format("{{ {} }}", fmt::join(entries, ", "));
 }
 
-std::string valueText(const toml::node& node) {
+}  // namespace
+
+std::string tomlValueText(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return numberText(number->get());
   if (const auto* array = node.as_array()) return arrayText(*array);
   if (const auto* table = node.as_table()) return inlineText(*table);
@@ -53,10 +53,12 @@ std::string valueText(const toml::node& node) {
   return text.str();
 }
 
+namespace {
+
 std::string bodyText(const toml::table& table) {
   std::string text;
   for (const auto& [key, node] : table) {
-    text += fmt::format("{} = {}\n", keyText(key.str()), valueText(node));
+    text += fmt::format("{} = {}\n", keyText(key.str()), tomlValueText(node));
   }
   return text;
 }
@@ -89,7 +91,7 @@ bool readsBack(const std::string& text, const toml::table& table) {
 std::string tomlText(const toml::table& table, const std::vector<std::string_view>& order) {
   std::string text;
   for (const auto& [key, node] : table) {
-    if (!isSection(node)) text += fmt::format("{} = {}\n", keyText(key.str()), valueText(node));
+    if (!isSection(node)) text += fmt::format("{} = {}\n", keyText(key.str()), tomlValueText(node));
   }
   for (const std::string_view key : order) {
     const toml::node* node = table.get(key);

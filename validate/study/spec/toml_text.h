@@ -8,6 +8,10 @@
 
 namespace gnomon {
 
+/// A value in line, as a TOML file has it. Numbers have the fewest digits that read back to the
+/// bit.
+std::string tomlValueText(const toml::node& node);
+
 /// A table as the text of a TOML file: its tables as `[key]`, its lists of tables as `[[key]]`, all
 /// below them in line. Numbers have the fewest digits that read back to the bit (toml++ itself
 /// writes 0.1 as 0.10000000000000001, and tables in alphabetical order).

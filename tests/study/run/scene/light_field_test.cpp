@@ -73,7 +73,7 @@ TEST(LightField, IsTheMotionOfThePictureInACamera) {
   const RenderView view = cameraView(camera, makeBaseMesh(surface, Vec2(1), 1));
   const SampleGrid samples = scatteredSamples(surface);
   const Vec3 light = lightToward(35, 40);
-  const LightField field = makeLightField(surface, view, samples, light);
+  const LightField field = makeLightField(surface, camera, view, samples, light);
   ASSERT_EQ(field.steps.size(), samples.samples.size());
   EXPECT_EQ(field.width, samples.width);
   EXPECT_EQ(field.height, 1);
@@ -102,7 +102,7 @@ TEST(LightField, IsTheMotionOfTheParametersInAnAtlas) {
   const RenderView view = atlasView(surface, side);
   const SampleGrid samples = scatteredSamples(surface);
   const Vec3 light = lightToward(-70, 50);
-  const LightField field = makeLightField(surface, view, samples, light);
+  const LightField field = makeLightField(surface, AtlasSpec{side}, view, samples, light);
   int defined = 0;
   for (std::size_t i = 0; i < field.steps.size(); ++i) {
     const LightStep& step = field.steps[i];
@@ -129,7 +129,7 @@ TEST(LightField, HasNoDirectionWhereShadowsHaveNone) {
   SampleGrid samples = scatteredSamples(surface);
   samples.samples[7].face = -1;
   const Vec3 light = lightToward(20, 25);
-  const LightField field = makeLightField(surface, view, samples, light);
+  const LightField field = makeLightField(surface, AtlasSpec{8}, view, samples, light);
   int turned = 0;
   for (std::size_t i = 0; i < field.steps.size(); ++i) {
     const SurfaceSample& sample = samples.samples[i];
@@ -143,7 +143,8 @@ TEST(LightField, HasNoDirectionWhereShadowsHaveNone) {
   // Straight from above nothing is cast.
   const LimitSurface plane(makePlane(8, 8, 2, 2));
   for (const LightStep& step :
-       makeLightField(plane, atlasView(plane, 4), scatteredSamples(plane), {0, 0, 1}).steps) {
+       makeLightField(plane, AtlasSpec{4}, atlasView(plane, 4), scatteredSamples(plane), {0, 0, 1})
+           .steps) {
     EXPECT_EQ(step.away, glm::vec2(0));
   }
 }
@@ -152,7 +153,8 @@ TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
   const LimitSurface plane(makePlane(8, 4, 2, 2));
   const RenderView view = atlasView(plane, 4);  // samples 1 apart along x, ½ along y
   const SampleGrid samples = atlasSamples(plane, view);
-  for (const LightStep& step : makeLightField(plane, view, samples, lightToward(30, 45)).steps) {
+  for (const LightStep& step :
+       makeLightField(plane, AtlasSpec{4}, view, samples, lightToward(30, 45)).steps) {
     EXPECT_NEAR(step.spacing, 3 * (1 + 0.5), 1e-5);
   }
   Camera camera;
@@ -160,7 +162,8 @@ TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
   camera.height = 50;
   const double pixel = 2 * 100 * std::tan(camera.verticalFov / 2) / camera.height;
   const RenderView above = cameraView(camera, makeBaseMesh(plane, Vec2(1), 1));
-  for (const LightStep& step : makeLightField(plane, above, samples, lightToward(30, 45)).steps) {
+  for (const LightStep& step :
+       makeLightField(plane, camera, above, samples, lightToward(30, 45)).steps) {
     EXPECT_NEAR(step.spacing, 3 * 2 * pixel, 1e-4);
     EXPECT_NEAR(step.length, pixel, 1e-5);
   }
@@ -169,13 +172,18 @@ TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
 TEST(LightField, HasTilesWhereTheChartIsNoGrid) {
   const LimitSurface cube(cubeCage());
   const RenderView view = atlasView(cube, 6);
-  EXPECT_EQ(makeLightField(cube, view, scatteredSamples(cube), lightToward(30, 45)).tileSide, 6);
+  EXPECT_EQ(makeLightField(cube, AtlasSpec{6}, view, scatteredSamples(cube), lightToward(30, 45))
+                .tileSide,
+            6);
   Camera camera = obliqueCamera();
   const RenderView seen = cameraView(camera, makeBaseMesh(cube, Vec2(1), 1));
-  EXPECT_EQ(makeLightField(cube, seen, scatteredSamples(cube), lightToward(30, 45)).tileSide, 0);
+  EXPECT_EQ(
+      makeLightField(cube, camera, seen, scatteredSamples(cube), lightToward(30, 45)).tileSide, 0);
   const LimitSurface plane(makePlane(8, 4, 2, 2));
-  EXPECT_EQ(makeLightField(plane, atlasView(plane, 6), scatteredSamples(plane), {0, 0, 1}).tileSide,
-            0);
+  EXPECT_EQ(
+      makeLightField(plane, AtlasSpec{6}, atlasView(plane, 6), scatteredSamples(plane), {0, 0, 1})
+          .tileSide,
+      0);
 }
 
 // ---- through the truth, to a closed form
@@ -197,8 +205,8 @@ TEST_P(BlockShadow, IsAsLongAsTheTangentOfTheLightSays) {
   const SampleGrid samples = atlasSamples(surface, view);
   const Vec3 light = lightToward(azimuth, elevation);
   const Truth truth = traceShadows(surface, relief, mesh, scene, samples, {light, 1000, 1e-6});
-  const ShadowLengths found =
-      compareShadowLengths(truth.mask, truth.mask, makeLightField(surface, view, samples, light));
+  const ShadowLengths found = compareShadowLengths(
+      truth.mask, truth.mask, makeLightField(surface, AtlasSpec{side}, view, samples, light));
   ASSERT_TRUE(found.truthLength) << found.runs;
   EXPECT_NEAR(*found.truthLength, height / std::tan(radians(elevation)), 1.0 / 6);
   EXPECT_EQ(found.ratio, 1);

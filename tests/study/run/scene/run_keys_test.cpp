@@ -85,7 +85,7 @@ class RunKeysTest : public TemporaryFolder {
     options.overrides = overrides;
     const StudySpec study = readStudy(file("keys.toml"), options);
     const RunKeys keys(study, gl_, shaders);
-    const MeshChoice base{DrawnMesh::base, study.baseSubdivisions, study.baseCurvature};
+    const MeshChoice base{DrawnMesh::base, study.base};
     Keys all;
     all["samples"] = keys.samples(base, 0);
     all["surface"] = keys.surface();

@@ -9,7 +9,7 @@
 #include "common/system/memory.h"
 #include "render/passes.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/run/scene/view_layout.h"
+#include "study/run/scene/view_map.h"
 
 namespace gnomon {
 namespace {
@@ -52,51 +52,34 @@ void fields(Stream& stream, T& chosen) {
   stream(chosen.view, chosen.samples, chosen.layout, chosen.weights);
 }
 
-ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
-                            const RenderView& view, SampleGrid samples, const ViewSpec& spec) {
-  if (isEmpty(samples)) {
-    throw InputError(
-        fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
-  }
-  ChosenSamples chosen;
-  chosen.view = view;
-  chosen.layout = makeSampleLayout(surface, study.relief.texelsPerUv(), view, samples);
-  if (const auto* atlas = std::get_if<AtlasSpec>(&spec.kind)) {
-    chosen.weights = sampleAreas(surface, samples, atlas->samplesPerSide);
-  }
-  chosen.samples = std::move(samples);
-  return chosen;
-}
-
 /// Draws the mesh to see its samples.
 ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
                             const DrawnBase& drawn, const std::filesystem::path& shaders,
                             const ViewSpec& spec) {
-  const auto* atlas = std::get_if<AtlasSpec>(&spec.kind);
-  const RenderView view = atlas != nullptr ? atlasView(surface, atlas->samplesPerSide)
-                                           : cameraView(std::get<Camera>(spec.kind), drawn.mesh);
-  return chooseSamples(study, surface, view, SamplesPass(shaders).render(view, drawn.gpu), spec);
-}
-
-void requireRoom(const StudySpec& study, const LimitSurface& surface, const ViewSpec& spec) {
-  if (const auto* camera = std::get_if<Camera>(&spec.kind)) {
-    return requireRoom(study, camera->width, camera->height, spec.name);
+  ChosenSamples chosen;
+  chosen.view = renderView(spec, surface, drawn.mesh);
+  chosen.samples = SamplesPass(shaders).render(chosen.view, drawn.gpu);
+  if (isEmpty(chosen.samples)) {
+    throw InputError(
+        fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
   }
-  const RenderView atlas = atlasView(surface, std::get<AtlasSpec>(spec.kind).samplesPerSide);
-  requireRoom(study, atlas.width, atlas.height, spec.name);
+  chosen.layout =
+      makeSampleLayout(surface, study.relief.texelsPerUv(), spec.kind, chosen.view, chosen.samples);
+  chosen.weights = sampleWeights(spec, surface, chosen.samples);
+  return chosen;
 }
 
 DrawnBase undisplaced(const StudySpec& study, const LimitSurface& surface,
                       const MeshChoice& choice) {
-  BaseMesh mesh =
-      makeBaseMesh(surface, study.relief.texelsPerUv(), choice.subdivisions, choice.curvature);
+  BaseMesh mesh = makeBaseMesh(surface, study.relief.texelsPerUv(), choice.base.subdivisions,
+                               choice.base.curvature);
   GpuMesh gpu(mesh);
   const RenderView texture = textureView(mesh);
   return {std::move(mesh), std::move(gpu), std::nullopt, texture};
 }
 
 DrawnBase displaced(const StudySpec& study, const LimitSurface& surface, const MeshChoice& choice) {
-  DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, choice.subdivisions);
+  DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, choice.base.subdivisions);
   GpuMesh gpu(displaced.mesh);
   GpuVolumes volumes(displaced);
   const RenderView texture = textureView(displaced.mesh);
@@ -115,7 +98,8 @@ BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshC
                 {}};
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     const ViewSpec& spec = study.views[v];
-    requireRoom(study, surface, spec);
+    const RenderView size = pictureSize(spec, surface);
+    requireRoom(study, size.width, size.height, spec.name);
     ChosenSamples chosen = cache.remember(keys.samples(choice, v), [&] {
       return chooseSamples(study, surface, base.drawn.get(), shaders, spec);
     });

@@ -28,9 +28,9 @@ LightStep lightStep(const ViewMap& map, const TangentPoint& point, const Vec3& l
 
 }  // namespace
 
-LightField makeLightField(const LimitSurface& surface, const RenderView& view,
+LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
                           const SampleGrid& samples, const Vec3& light) {
-  const ViewMap map(surface, view);
+  const ViewMap map(surface, kind, view);
   LightField field{samples.width, samples.height, map.tileSide(),
                    RawVector<LightStep>(samples.samples.size())};
   parallelFor(

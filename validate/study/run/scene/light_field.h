@@ -3,6 +3,7 @@
 #include "common/vec.h"
 #include "compare/shadow_length.h"
 #include "render/view.h"
+#include "study/spec/view_section.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 
@@ -21,7 +22,7 @@ namespace gnomon {
 ///
 /// `spacing` is `sampleSpacing`.
 /// @param light  unit vector toward the light
-LightField makeLightField(const LimitSurface& surface, const RenderView& view,
+LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
                           const SampleGrid& samples, const Vec3& light);
 
 }  // namespace gnomon

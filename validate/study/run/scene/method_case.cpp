@@ -119,7 +119,7 @@ void shootTables(RunScene& scene, std::span<MethodCase> methods) {
 }
 
 bool answersIn(const MethodCase& method, const ViewSpec& view) {
-  return !method.method.passes.shadowVolumes || std::holds_alternative<Camera>(view.kind);
+  return !method.method.passes.shadowVolumes || cameraOf(view) != nullptr;
 }
 
 MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {

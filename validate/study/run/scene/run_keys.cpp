@@ -23,10 +23,6 @@ std::span<const double> numbersOf(const std::vector<Vec2>& points) {
   return {reinterpret_cast<const double*>(points.data()), 2 * points.size()};
 }
 
-void add(KeyBuilder& key, const char* name, const Vec3& point) {
-  key.add(name, std::vector<double>{point.x, point.y, point.z});
-}
-
 ContentKey fieldKey(const HeightField& field) {
   KeyBuilder key("heights");
   key.add("width", field.width()).add("height", field.height()).add("wrap", field.wrap());
@@ -36,29 +32,8 @@ ContentKey fieldKey(const HeightField& field) {
 
 ContentKey viewKey(const ViewSpec& view) {
   KeyBuilder key("view");
-  if (const auto* camera = std::get_if<Camera>(&view.kind)) {
-    add(key, "eye", camera->eye);
-    add(key, "target", camera->target);
-    add(key, "up", camera->up);
-    key.add("fov", camera->verticalFov);
-    key.add("width", camera->width).add("height", camera->height);
-  } else {
-    key.add("samples", std::get<AtlasSpec>(view.kind).samplesPerSide);
-  }
-  return key.key();
-}
-
-void add(KeyBuilder& key, const BakeSettings& settings) {
-  key.add("azimuths", settings.azimuths).add("radius", settings.radiusTexels);
-}
-
-}  // namespace
-
-ContentKey shadersKey(const fs::path& shaders) {
-  KeyBuilder key("shaders");
-  for (const fs::path& file : shadersIn(shaders / "common")) {
-    key.add("file", file.filename().string()).add("text", readFile(file));
-  }
+  key.add("kind", view.kind.index());
+  addSettings(key, view.kind, Enters::everything);
   return key.key();
 }
 
@@ -80,8 +55,27 @@ ContentKey cageKey(const Cage& cage) {
   return key.key();
 }
 
-ContentKey reliefKey(const Relief& relief) {
+}  // namespace
+
+ContentKey shadersKey(const fs::path& shaders) {
+  KeyBuilder key("shaders");
+  for (const fs::path& file : shadersIn(shaders / "common")) {
+    key.add("file", file.filename().string()).add("text", readFile(file));
+  }
+  return key.key();
+}
+
+ContentKey surfaceKey(const StudySpec& study) {
+  KeyBuilder key("surface section");
+  addSettings(key, study.surfaceSection, Enters::everything);
+  return key.add("cage", cageKey(study.cage)).key();
+}
+
+ContentKey reliefKey(const StudySpec& study) {
+  const Relief& relief = study.relief;
   KeyBuilder key("relief");
+  ReliefSection section = study.reliefSection;
+  addKeys(key, allKeysOf(section), Enters::everything);
   key.add("heights", fieldKey(relief.field)).add("space", relief.space);
   return key.add("repeats", std::vector<double>{relief.repeats.x, relief.repeats.y}).key();
 }
@@ -93,30 +87,37 @@ ContentKey programKey() {
   return key.add("cpu", processorName()).key();
 }
 
-ContentKey bakeKey(const HeightField& field, const BakeSettings& settings) {
+ContentKey settingsKey(const BakeSpec& bake, Enters result) {
+  KeyBuilder key("bake settings");
+  addSettings(key, bake, result, 1);
+  return key.key();
+}
+
+ContentKey bakeKey(const HeightField& field, const BakeSpec& bake) {
   KeyBuilder key("bake");
   key.add("field", fieldKey(field));
-  add(key, settings);
-  return key.key();
+  return key.add("settings", settingsKey(bake, Enters::horizons)).key();
 }
 
 RunKeys::RunKeys(const StudySpec& study, const GlContext& gl, const fs::path& shaders)
     : study_(study), shaders_(shadersKey(shaders)) {
   KeyBuilder key("place");
   const GlDriver driver = gl.driver();
-  key.add("renderer", driver.renderer).add("gl", driver.version).add("cage", cageKey(study.cage));
-  place_ = key.add("relief", reliefKey(study.relief)).key();
+  key.add("renderer", driver.renderer).add("gl", driver.version);
+  addSettings(key, StudyHeader(study), Enters::scene);
+  place_ = key.add("surface", surfaceKey(study)).add("relief", reliefKey(study)).key();
 }
 
 ContentKey RunKeys::mesh(const MeshChoice& choice) const {
   KeyBuilder key("mesh");
   key.add("place", place_).add("kind", choice.kind);
-  return key.add("subdivisions", choice.subdivisions).add("curvature", choice.curvature).key();
+  addSettings(key, choice.base, Enters::scene);
+  return key.key();
 }
 
 ContentKey RunKeys::light(std::size_t index) const {
   KeyBuilder key("light");
-  add(key, "direction", study_.lights[index].direction());
+  addSettings(key, sectionOf(study_.lights[index]), Enters::everything);
   return key.key();
 }
 
@@ -128,11 +129,10 @@ ContentKey RunKeys::samples(const MeshChoice& choice, std::size_t view) const {
 
 ContentKey RunKeys::surface() const {
   KeyBuilder key("surface");
-  key.add("place", place_).add("leastTriangles", study_.truth.leastTriangles);
-  if (study_.truth.stepTexels) key.add("step", *study_.truth.stepTexels);
-  if (study_.truthUncertainty) {
-    key.add("uncertainty", *study_.truthUncertainty);
-    const MeshChoice standard{DrawnMesh::base, study_.baseSubdivisions, study_.baseCurvature};
+  key.add("place", place_);
+  addSettings(key, study_.truth, Enters::scene, 1);
+  if (study_.truth.uncertainty) {
+    const MeshChoice standard{DrawnMesh::base, study_.base};
     for (std::size_t v = 0; v < study_.views.size(); ++v) key.add("view", samples(standard, v));
     for (std::size_t l = 0; l < study_.lights.size(); ++l) key.add("light", light(l));
   }
@@ -142,8 +142,7 @@ ContentKey RunKeys::surface() const {
 ContentKey RunKeys::truth(const MeshChoice& choice, std::size_t view, std::size_t index) const {
   KeyBuilder key("truth");
   key.add("samples", samples(choice, view)).add("light", light(index));
-  key.add("surface", surface());
-  return key.add("radius", study_.bake.settings.radiusTexels).key();
+  return key.add("surface", surface()).add("bake", settingsKey(study_.bake, Enters::search)).key();
 }
 
 ContentKey RunKeys::bins(const MeshChoice& choice, std::size_t view, std::size_t index) const {
@@ -165,7 +164,7 @@ ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const 
 
 ContentKey RunKeys::ellipses(const BakeSpec& bake, double texelsPerHeight) const {
   return KeyBuilder("ellipses")
-      .add("bake", bakeKey(study_.relief.field, bake.settings))
+      .add("bake", bakeKey(study_.relief.field, bake))
       .add("texelsPerHeight", texelsPerHeight)
       .key();
 }
@@ -173,24 +172,25 @@ ContentKey RunKeys::ellipses(const BakeSpec& bake, double texelsPerHeight) const
 ContentKey RunKeys::surfaceAngles(const MeshChoice& choice, const BakeSpec& bake) const {
   KeyBuilder key("surface angles");
   key.add("surface", surface()).add("mesh", mesh(choice)).add("shaders", shaders_);
-  return key.add("azimuths", bake.settings.azimuths).add("limit", bake.angleLimit).key();
+  return key.add("bake", settingsKey(bake, Enters::shotAngles)).key();
 }
 
 ContentKey RunKeys::method(const MethodSpec& spec, const Method& method) const {
   const MethodTables& tables = method.tables;
   KeyBuilder key("method");
-  key.add("source", method.source.text).add("shaders", shaders_).add("filter", spec.filter);
+  key.add("source", method.source.text).add("shaders", shaders_);
+  addSettings(key, spec, Enters::answers);
   key.add("mesh", mesh(meshOf(spec, method)));
   for (const auto& [name, value] : spec.parameters) {
     key.add("parameter", name).add("value", value);
   }
+  using enum Enters;
   const bool reads =
       tables.horizon || tables.distance || tables.angles || tables.surfaceAngles || tables.ellipse;
-  if (tables.height) key.add("searchRadius", spec.bake.settings.radiusTexels);
-  if (reads) {
-    add(key, spec.bake.settings);
-    key.add("bits", spec.bake.bits).add("limit", spec.bake.angleLimit);
-  }
+  const Enters read = reads           ? horizons | codes | flatAngles | shotAngles | search
+                      : tables.height ? search
+                                      : nothing;
+  key.add("bake", settingsKey(spec.bake, answers | read));
   if (tables.surfaceAngles) {
     key.add("angles", surfaceAngles(meshOf(spec, method), spec.bake));
   }
@@ -205,7 +205,7 @@ ContentKey RunKeys::mask(const ContentKey& method, const MeshChoice& choice, std
 }
 
 MeshChoice meshOf(const MethodSpec& spec, const Method& method) {
-  return {method.mesh, spec.baseSubdivisions, spec.baseCurvature};
+  return {method.mesh, spec.base};
 }
 
 }  // namespace gnomon

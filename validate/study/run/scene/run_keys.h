@@ -21,18 +21,22 @@ ContentKey programKey();
 /// @param shaders  the folder that holds `common/`
 ContentKey shadersKey(const std::filesystem::path& shaders);
 
-/// The control mesh of a surface.
-ContentKey cageKey(const Cage& cage);
+/// The surface of a study: its keys, and the control mesh that they give.
+ContentKey surfaceKey(const StudySpec& study);
 
-/// A height map as it lies on a surface.
-ContentKey reliefKey(const Relief& relief);
+/// The height map of a study as it lies on the surface: its keys, and the texels that they give.
+ContentKey reliefKey(const StudySpec& study);
+
+/// The keys of a `[bake]` that enter a result.
+ContentKey settingsKey(const BakeSpec& bake, Enters result);
 
 /// The horizon tables of a height field.
-ContentKey bakeKey(const HeightField& field, const BakeSettings& settings);
+ContentKey bakeKey(const HeightField& field, const BakeSpec& bake);
 
 /// The keys of all that a run of one study computes. A key holds what its result depends on, and
 /// nothing else: titles, names, thresholds and the other methods of a study are in none. What a
-/// result depends on by way of another result enters by that one's key.
+/// result depends on by way of another result enters by the key of the latter. Settings enter by
+/// the declarations of their sections (study_key.h), so that none can be forgotten.
 class RunKeys {
  public:
   /// @param study     outlives the keys

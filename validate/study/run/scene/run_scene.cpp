@@ -30,7 +30,7 @@ BaseCase& RunScene::standardBase() {
 }
 
 MeshChoice RunScene::standardMesh() const {
-  return {DrawnMesh::base, study.baseSubdivisions, study.baseCurvature};
+  return {DrawnMesh::base, study.base};
 }
 
 Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
@@ -47,7 +47,8 @@ Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
 
 LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_t light) const {
   const ViewCase& seen = on.views[view];
-  return makeLightField(surface, seen.view, seen.samples, study.lights[light].direction());
+  return makeLightField(surface, study.views[view].kind, seen.view, seen.samples,
+                        study.lights[light].direction());
 }
 
 }  // namespace gnomon

@@ -16,29 +16,29 @@ bool keepsHorizons(const HeightField& field, const BakeSettings& settings) {
          mostBytes;
 }
 
-HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSettings& settings,
+HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSpec& bake,
                            const Progress& progress) {
-  const auto bake = [&] { return bakeHorizons(field, settings, progress); };
-  return keepsHorizons(field, settings) ? cache.remember(bakeKey(field, settings), bake) : bake();
+  const auto make = [&] { return bakeHorizons(field, bake.settings, progress); };
+  return keepsHorizons(field, bake.settings) ? cache.remember(bakeKey(field, bake), make) : make();
 }
 
-const HorizonTables& TableSet::bake(const BakeSettings& settings, StageClock& clock) {
-  const std::pair key(settings.azimuths, settings.radiusTexels);
+const HorizonTables& TableSet::bake(const BakeSpec& spec, StageClock& clock) {
+  const ContentKey key = settingsKey(spec, Enters::horizons);
   const auto found = bakes_.find(key);
   if (found != bakes_.end()) return found->second;
   return bakes_
       .emplace(key, clock.measure("bake",
                                   [&](const Progress& progress) {
-                                    return keptHorizons(cache_, field_, settings, progress);
+                                    return keptHorizons(cache_, field_, spec, progress);
                                   }))
       .first->second;
 }
 
 const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
-  const std::tuple key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
+  const ContentKey key = settingsKey(spec, Enters::horizons | Enters::codes);
   const auto found = stored_.find(key);
   if (found != stored_.end()) return found->second;
-  const HorizonTables& baked = bake(spec.settings, clock);
+  const HorizonTables& baked = bake(spec, clock);
   return clock.measure("tables", [&](const Progress&) -> const TablePair& {
     const auto store = [&](std::span<const float> values) {
       return GpuTable(storeTable(values, spec.bits), baked);
@@ -49,11 +49,10 @@ const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
 }
 
 const GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
-  const std::tuple key(spec.settings.azimuths, spec.settings.radiusTexels, spec.angleLimit,
-                       spec.bits);
+  const ContentKey key = settingsKey(spec, Enters::horizons | Enters::codes | Enters::flatAngles);
   const auto found = angles_.find(key);
   if (found != angles_.end()) return found->second;
-  const HorizonTables& baked = bake(spec.settings, clock);
+  const HorizonTables& baked = bake(spec, clock);
   return clock.measure("tables", [&](const Progress&) -> const GpuAngles& {
     return angles_
         .try_emplace(key, horizonAngles(baked, spec.angleLimit, texelsPerHeight_), spec.bits)
@@ -63,7 +62,7 @@ const GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
 
 const GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,
                                          const HorizonShooter& shoot) {
-  const std::pair key(mesh, Key(spec.settings.azimuths, spec.angleLimit, spec.bits));
+  const std::pair key(mesh, settingsKey(spec, Enters::shotAngles | Enters::codes));
   const auto found = surfaceAngles_.find(key);
   if (found != surfaceAngles_.end()) return found->second;
   const AngleTable table = cache_.remember(keys_.surfaceAngles(mesh, spec), shoot);
@@ -71,10 +70,10 @@ const GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice&
 }
 
 const GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
-  const Key key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
+  const ContentKey key = settingsKey(spec, Enters::horizons | Enters::codes);
   const auto found = ellipses_.find(key);
   if (found != ellipses_.end()) return found->second;
-  const HorizonTables& baked = bake(spec.settings, clock);
+  const HorizonTables& baked = bake(spec, clock);
   return clock.measure("tables", [&](const Progress&) -> const GpuTable& {
     const EllipseTable fitted = cache_.remember(keys_.ellipses(spec, texelsPerHeight_), [&] {
       return fitEllipses(baked, texelsPerHeight_);

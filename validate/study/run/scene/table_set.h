@@ -45,25 +45,25 @@ class TableSet {
   const GpuTable& ellipses(const BakeSpec& spec, StageClock& clock);
 
  private:
-  const HorizonTables& bake(const BakeSettings& settings, StageClock& clock);
+  const HorizonTables& bake(const BakeSpec& spec, StageClock& clock);
 
   const HeightField& field_;
   double texelsPerHeight_;
   Cache& cache_;
   const RunKeys& keys_;
-  std::map<std::pair<int, double>, HorizonTables> bakes_;  ///< azimuths, radius
-  using Key = std::tuple<int, double, TableBits>;
-  std::map<Key, TablePair> stored_;                                         ///< and bits
-  std::map<Key, GpuTable> ellipses_;                                        ///< the same
-  std::map<std::tuple<int, double, double, TableBits>, GpuAngles> angles_;  ///< and limit
-  std::map<std::pair<MeshChoice, Key>, GpuAngles> surfaceAngles_;  ///< azimuths, limit, bits
+  // By the settings that enter each, see settingsKey.
+  std::map<ContentKey, HorizonTables> bakes_;
+  std::map<ContentKey, TablePair> stored_;
+  std::map<ContentKey, GpuTable> ellipses_;
+  std::map<ContentKey, GpuAngles> angles_;
+  std::map<std::pair<MeshChoice, ContentKey>, GpuAngles> surfaceAngles_;
 };
 
 /// Whether a bake is small enough to be kept.
 bool keepsHorizons(const HeightField& field, const BakeSettings& settings);
 
 /// bakeHorizons, or what the cache has of it.
-HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSettings& settings,
+HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSpec& bake,
                            const Progress& progress);
 
 }  // namespace gnomon

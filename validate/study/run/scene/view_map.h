@@ -1,23 +1,25 @@
 #pragma once
 
 #include "common/vec.h"
+#include "compare/sample_layout.h"
 #include "render/view.h"
+#include "study/spec/view_section.h"
 #include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
 
 namespace gnomon {
 
 /// How a view shows the surroundings of a surface point.
 class ViewMap {
  public:
-  /// Both must outlive it.
-  ViewMap(const LimitSurface& surface, const RenderView& view);
+  /// All must outlive it.
+  /// @param view  of that kind, as it is drawn
+  ViewMap(const LimitSurface& surface, const ViewKind& kind, const RenderView& view)
+      : surface_(surface), kind_(kind), view_(view), clip_(view.clipFromWorld) {}
 
-  [[nodiscard]] bool isAtlas() const { return view_.atlasTiles.x > 0; }
-  /// A face's side in samples, in an atlas; 0 in a camera.
-  [[nodiscard]] int samplesPerSide() const { return samplesPerSide_; }
-  /// The same where neighbouring tiles are no neighbours on the surface: in the atlas of a surface
-  /// whose faces form no grid. 0 otherwise.
-  [[nodiscard]] int tileSide() const { return tileSide_; }
+  /// A face's side in samples where neighbouring tiles are no neighbours on the surface: in the
+  /// atlas of a surface whose faces form no grid. 0 otherwise.
+  [[nodiscard]] int tileSide() const;
 
   /// Columns and rows (downward) a world unit along a tangent: in a camera view by the Jacobian of
   /// the projection at P, in an atlas by solving for the tangent as a P_s + b P_t, since there
@@ -25,13 +27,12 @@ class ViewMap {
   [[nodiscard]] Vec2 image(const TangentPoint& point, const Vec3& tangent) const;
 
  private:
-  [[nodiscard]] Vec2 imageInAtlas(const TangentPoint& point, const Vec3& tangent) const;
   [[nodiscard]] Vec2 imageInCamera(const Vec3& position, const Vec3& tangent) const;
 
+  const LimitSurface& surface_;
+  const ViewKind& kind_;
   const RenderView& view_;
   glm::dmat4 clip_;
-  int samplesPerSide_ = 0;
-  int tileSide_ = 0;
 };
 
 /// How far from a sample's point a neighbouring sample's can lie in the world, where the surface
@@ -40,5 +41,20 @@ class ViewMap {
 /// where the surface is seen edge-on.
 /// @param image, imageAcross  of two unit tangents at right angles
 double sampleSpacing(Vec2 image, Vec2 imageAcross);
+
+/// How a view's samples lie beside each other, for boundary metrics.
+///
+/// In a camera the unit is the pixel, and the surface breaks between two neighbours that lie
+/// farther apart in the world than the `sampleSpacing` of one of them: at the contour of a fold, or
+/// of a bump of a displaced mesh.
+///
+/// In an atlas the unit is the texel: a step to the next column is |∂(x, y)/∂s| over a face's
+/// samples a side, one to the next row |∂(x, y)/∂t|, each the mean of what it is at the middles of
+/// all faces. All built-in shapes have the same everywhere, so that distances are those on the
+/// texture's plane. Nothing breaks within a face, nor between those of a grid chart; the tiles of
+/// other surfaces stand alone. The picture's edge is one too where a closed surface goes on.
+/// @param texelsPerUv  repeats × map size
+SampleLayout makeSampleLayout(const LimitSurface& surface, Vec2 texelsPerUv, const ViewKind& kind,
+                              const RenderView& view, const SampleGrid& samples);
 
 }  // namespace gnomon

@@ -37,9 +37,7 @@ std::string hostName() {
 }
 
 std::optional<std::size_t> firstCamera(const StudySpec& study) {
-  const auto camera = std::find_if(study.views.begin(), study.views.end(), [](const ViewSpec& v) {
-    return std::holds_alternative<Camera>(v.kind);
-  });
+  const auto camera = std::find_if(study.views.begin(), study.views.end(), cameraOf);
   if (camera == study.views.end()) return std::nullopt;
   return static_cast<std::size_t>(camera - study.views.begin());
 }
@@ -49,6 +47,7 @@ ContentKey costKey(const RunScene& scene, const MethodCase& method,
   KeyBuilder key("cost");
   key.add("method", method.key).add("host", hostName());
   key.add("threads", threadCount());
+  addSettings(key, StudyHeader(scene.study), Enters::costs);
   if (view) key.add("mask", scene.keys.mask(method.key, method.base->choice, *view, 0));
   return key.key();
 }
@@ -72,8 +71,8 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
       const FirstFrame first = ready.hasDrawn ? FirstFrame::isWarm : FirstFrame::warmsUp;
       cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass.frameMilliseconds(method.base->views[*view].view,
-                                            scene.drawing(*method.base, 0), ready.tables, frames,
-                                            first, clock_);
+                                            scene.drawing(*method.base, 0), ready.tables,
+                                            frames, first, clock_);
       });
     }
     scene.cache.keep(key, *cost);

@@ -15,9 +15,7 @@ LadderStage::LadderStage(RunScene& scene, SurfaceOnDemand& surface, RunWriter& w
     : scene_(scene), writer_(writer) {
   const StudySpec& study = scene.study;
   if (study.ladders.empty()) return;
-  const auto atlas = std::find_if(study.views.begin(), study.views.end(), [](const ViewSpec& v) {
-    return std::holds_alternative<AtlasSpec>(v.kind);
-  });
+  const auto atlas = std::find_if(study.views.begin(), study.views.end(), hasFixedSamples);
   view_ = static_cast<std::size_t>(atlas - study.views.begin());
   for (const LadderSpec& ladder : study.ladders) {
     for (const auto* way : {&ladder.forward, &ladder.backward}) {

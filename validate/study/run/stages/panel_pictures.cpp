@@ -61,7 +61,7 @@ std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_
                       own.crossesSeam == other.crossesSeam;
   if (isSame) return "truth";
   const char* kind = base.choice.kind == DrawnMesh::displaced ? "displaced" : "base";
-  return fmt::format("truth_{}-{}", kind, base.choice.subdivisions);
+  return fmt::format("truth_{}-{}", kind, base.choice.base.subdivisions);
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ std::string PanelPictures::path(const char* folder, std::size_t view, std::size_
 
 void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
   for (std::size_t v = 0; v < scene_.study.views.size(); ++v) {
-    const auto* camera = std::get_if<Camera>(&scene_.study.views[v].kind);
+    const Camera* camera = cameraOf(scene_.study.views[v]);
     if (camera == nullptr) continue;
     for (std::size_t l = 0; l < scene_.study.lights.size(); ++l) {
       PictureBytes bytes = scene_.cache.remember(scene_.keys.displacedPicture(v, l), [&] {

@@ -44,7 +44,7 @@ struct RefinedSurface {
 class Refinement {
  public:
   explicit Refinement(RunScene& scene)
-      : scene_(scene), wanted_(scene.study.truthUncertainty.value()) {}
+      : scene_(scene), wanted_(scene.study.truth.uncertainty.value()) {}
 
   RefinedSurface run() {
     for (double step = 1;; step /= 2) {
@@ -107,7 +107,7 @@ bool TruthSurface::findPath() {
 
 std::unique_ptr<const TracedSurface> TruthSurface::make() {
   MicroMeshSettings settings = scene_.study.truth;
-  if (scene_.study.truthUncertainty) {
+  if (scene_.study.truth.uncertainty) {
     if (!findPath()) {
       RefinedSurface refined = Refinement(scene_).run();
       path_ = std::move(refined.path);
@@ -121,7 +121,7 @@ std::unique_ptr<const TracedSurface> TruthSurface::make() {
 
 TruthRecord TruthSurface::record() {
   TruthRecord truth = sizesOf(scene_, surface_);
-  truth.wantedUncertainty = scene_.study.truthUncertainty;
+  truth.wantedUncertainty = scene_.study.truth.uncertainty;
   if (!truth.wantedUncertainty) return truth;
   if (!findPath()) (void)surface_.get();  // whose search leaves it
   truth.refinement = path_;

@@ -1,4 +1,4 @@
-#include "study/run/scene/view_layout.h"
+#include "study/run/scene/view_map.h"
 
 #include <gtest/gtest.h>
 
@@ -41,10 +41,10 @@ SampleLayout layoutInCamera(const SampleGrid& samples) {
   // A pixel is one unit.
   camera.eye = {0, 0, height / (2 * std::tan(camera.verticalFov / 2))};
   const RenderView view = cameraView(camera, makeBaseMesh(plane, Vec2(1), 1));
-  return makeSampleLayout(plane, Vec2(7), view, samples);
+  return makeSampleLayout(plane, Vec2(7), camera, view, samples);
 }
 
-TEST(ViewLayout, IsAnImageWithoutBreaksInACamera) {
+TEST(ViewMap, IsAnImageWithoutBreaksInACamera) {
   const SampleLayout layout = layoutInCamera(pixelsOfPlane(0));
   EXPECT_EQ(layout.columnStep, 1);
   EXPECT_EQ(layout.rowStep, 1);
@@ -53,7 +53,7 @@ TEST(ViewLayout, IsAnImageWithoutBreaksInACamera) {
   EXPECT_EQ(std::count(layout.breaks.begin(), layout.breaks.end(), 0), width * height);
 }
 
-TEST(ViewLayout, BreaksWhereTheSurfaceLeapsInACamera) {
+TEST(ViewMap, BreaksWhereTheSurfaceLeapsInACamera) {
   // Neighbours reach 3 × (1 + 1) pixels.
   for (const int shift : {4, 6, -8, 20}) {
     const SampleLayout layout = layoutInCamera(pixelsOfPlane(shift));
@@ -64,7 +64,7 @@ TEST(ViewLayout, BreaksWhereTheSurfaceLeapsInACamera) {
   }
 }
 
-TEST(ViewLayout, BreaksBetweenRowsToo) {
+TEST(ViewMap, BreaksBetweenRowsToo) {
   SampleGrid samples = pixelsOfPlane(0);
   for (std::size_t i = width * 5; i < samples.samples.size(); ++i) samples.samples[i].t -= 0.25F;
   const SampleLayout layout = layoutInCamera(samples);
@@ -73,7 +73,7 @@ TEST(ViewLayout, BreaksBetweenRowsToo) {
   }
 }
 
-TEST(ViewLayout, KnowsNothingOfWhatIsNotShown) {
+TEST(ViewMap, KnowsNothingOfWhatIsNotShown) {
   SampleGrid samples = pixelsOfPlane(20);
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     if (i % width == cut) samples.samples[i].face = -1;
@@ -82,24 +82,26 @@ TEST(ViewLayout, KnowsNothingOfWhatIsNotShown) {
   EXPECT_EQ(std::count(layout.breaks.begin(), layout.breaks.end(), 0), width * height);
 }
 
-TEST(ViewLayout, OfAnAtlasIsInTexels) {
+TEST(ViewMap, OfAnAtlasIsInTexels) {
   // A face has 400 / 10 by 60 / 6 texels.
   const LimitSurface plane(makePlane(100, 60, 10, 6));
-  const SampleLayout layout = makeSampleLayout(plane, Vec2(400, 60), atlasView(plane, 8), {});
+  const SampleLayout layout =
+      makeSampleLayout(plane, Vec2(400, 60), AtlasSpec{8}, atlasView(plane, 8), {});
   EXPECT_NEAR(layout.columnStep, 40 / 8.0, 1e-12);
   EXPECT_NEAR(layout.rowStep, 10 / 8.0, 1e-12);
   EXPECT_EQ(layout.tileSide, 0);
   EXPECT_TRUE(layout.breaks.empty());
   // A sphere's faces differ in size but not in texels.
   const LimitSurface sphere(makeSphere(60, 1.6, 1.2, 20, 15));
-  const SampleLayout round = makeSampleLayout(sphere, Vec2(128, 64), atlasView(sphere, 3), {});
+  const SampleLayout round =
+      makeSampleLayout(sphere, Vec2(128, 64), AtlasSpec{3}, atlasView(sphere, 3), {});
   EXPECT_NEAR(round.columnStep, 128 / 20.0 / 3, 1e-9);
   EXPECT_NEAR(round.rowStep, 64 / 15.0 / 3, 1e-9);
 }
 
-TEST(ViewLayout, HasTilesWhereTheChartIsNoGrid) {
+TEST(ViewMap, HasTilesWhereTheChartIsNoGrid) {
   const LimitSurface cube(cubeCage());
-  EXPECT_EQ(makeSampleLayout(cube, Vec2(64), atlasView(cube, 6), {}).tileSide, 6);
+  EXPECT_EQ(makeSampleLayout(cube, Vec2(64), AtlasSpec{6}, atlasView(cube, 6), {}).tileSide, 6);
 }
 
 }  // namespace

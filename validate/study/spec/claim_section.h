@@ -1,0 +1,57 @@
+#pragma once
+
+#include "study/spec/threshold_section.h"
+
+namespace gnomon {
+
+/// `[[claim]]`, of one of two forms: that one method's metric is smaller than another's in every
+/// light and view (or, with `gainExceeds`, that the mean difference between them is larger than in
+/// the study of that name; or, with `gainGrows`, that it is larger at the last value of the file's
+/// sweep than at the first); or that one method's metric lies between bounds in every light and
+/// view.
+struct ClaimSpec {
+  std::string text, source;
+  std::string less, than;  ///< method labels; empty in the second form
+  std::string metric = "error_rate";
+  std::string gainExceeds;
+  std::string region = "all";
+  std::string method = {};  ///< label; empty in the first form
+  std::optional<double> above = std::nullopt, below = std::nullopt;
+  bool gainGrows = false;
+  Answer answer = Answer::drawn;
+  toml::table written = {};  ///< its table in the study's file
+};
+
+/// The keys of both forms.
+inline StudyKeys keysOf(ClaimSpec& claim) {
+  StudyKeys keys = {
+      studyKey("text", &claim.text, "the claim in words", {}, required, Enters::nothing),
+      studyKey("source", &claim.source, "who makes it", {}, required, Enters::nothing)};
+  for (StudyKey& key : judgedKeys(claim)) keys.push_back(std::move(key));
+  return keys;
+}
+
+inline StudyKeys comparisonKeys(ClaimSpec& claim, const StudyNames& names) {
+  using enum Enters;
+  return {studyKey("less", &claim.less, "label of the method whose metric is smaller", {}, required,
+                   nothing, names.methods),
+          studyKey("than", &claim.than, "label of the other", {}, required, nothing, names.methods),
+          studyKey("gain_exceeds", &claim.gainExceeds,
+                   "name of another study of the same run, where the difference is smaller", {},
+                   "none", nothing),
+          studyKey("gain_grows", &claim.gainGrows,
+                   "whether the difference at a sweep's last value exceeds the first value's", {},
+                   {}, nothing)};
+}
+
+inline StudyKeys boundKeys(ClaimSpec& claim, const StudyNames& names) {
+  using enum Enters;
+  return {studyKey("method", &claim.method, "label of the method", {}, required, nothing,
+                   names.methods),
+          studyKey("above", OptionalNumber{&claim.above}, "its metric is larger", {},
+                   "none, `below` is there", nothing),
+          studyKey("below", OptionalNumber{&claim.below}, "its metric is smaller", {},
+                   "none, `above` is there", nothing)};
+}
+
+}  // namespace gnomon

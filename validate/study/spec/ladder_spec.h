@@ -1,0 +1,56 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <vector>
+
+#include "study/spec/method_section.h"
+
+namespace gnomon {
+
+/// What one cause of a ladder is, and what undoes it.
+struct CauseSpec {
+  std::string name = {};    ///< "azimuth count"
+  std::string change = {};  ///< what is put in its place, "256"; may be empty
+};
+
+/// `[[ladder.rung]]`
+inline StudyKeys keysOf(CauseSpec& cause) {
+  return {
+      studyKey("cause", &cause.name, "of the error", {}, required, Enters::nothing),
+      studyKey("change", &cause.change, "what is put in its place", {}, "none", Enters::nothing),
+      studyKey("set", OwnCode{"a table"},
+               "keys of `[[method]]` that undo it, all but `label`; no key in two rungs", {},
+               required)};
+}
+
+/// A method's way from what was published to the best that this study can make of it, one cause at
+/// a time. Both ways begin at the method and end with all causes undone: `forward` undoes them in
+/// the order given, `backward` from the last to the first. Each has one state more than there are
+/// causes.
+struct LadderSpec {
+  std::string method = {};  ///< label of the study's method that both begin at
+  std::vector<CauseSpec> causes;
+  std::vector<MethodSpec> forward;
+  std::vector<MethodSpec> backward;
+  toml::table written = {};  ///< its table in the study's file
+};
+
+/// @param labels  of the study's methods
+inline StudyKeys keysOf(LadderSpec& ladder, const std::vector<std::string>& labels) {
+  StudyKeys keys = {
+      studyKey("method", &ladder.method, "label of the `[[method]]` that it begins at", {},
+               required, Enters::nothing, labels),
+      studyKey("rung", OwnCode{"a list of tables"}, "the causes, in their order", {}, required)};
+  MethodSpec method;
+  for (StudyKey& key : keysOf(method)) {
+    if (key.name == "label") continue;
+    key.place = OwnCode{typeText(key)};
+    key.otherwise = "the method's";
+    keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,160 @@
+#include "study/spec/study_sections.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "render/shader_files.h"
+#include "study/record/result_metrics.h"
+#include "study/spec/study_file.h"
+#include "study/spec/sweep.h"
+#include "truth/seam_crossing.h"
+#include "truth/shadow_tracer.h"
+
+namespace gnomon {
+namespace {
+
+/// The keys of one section as the rows of a table.
+class KeyTable {
+ public:
+  /// @param form  of the section that has these keys: `shape = "plane"`; empty for all forms
+  KeyTable& add(const StudyKeys& keys, const std::string& form = {}) {
+    for (const StudyKey& key : keys) add(key, form);
+    return *this;
+  }
+
+  /// The key that tells the kinds of a table, and the keys of each.
+  template <typename Variant, std::size_t size>
+  KeyTable& addKinds(const char* tag, const std::array<std::string_view, size>& names,
+                     std::string_view meaning) {
+    std::string first;
+    add({studyKey(tag, &first, meaning, {}, required, Enters::nothing,
+                  {names.begin(), names.end()})});
+    std::vector<Variant> kinds = allKinds<Variant>();
+    for (std::size_t k = 0; k < size; ++k) add(keysOf(kinds[k]), fmt::format("`{}`", names.at(k)));
+    return *this;
+  }
+
+  [[nodiscard]] std::string text(std::string_view heading) const {
+    std::string text = fmt::format(
+        "\n## `{}`\n\n| key | value | without it | meaning |\n|---|---|---|---|\n", heading);
+    for (const Row& row : rows_) {
+      const std::string forms =
+          row.forms.empty() ? "" : fmt::format("{}: ", fmt::join(row.forms, ", "));
+      text += fmt::format("| `{}` | {} | {} | {}{} |\n", row.key, row.type, row.otherwise, forms,
+                          row.meaning);
+    }
+    return text;
+  }
+
+ private:
+  struct Row {
+    std::string key, type, otherwise, meaning;
+    std::vector<std::string> forms = {};
+  };
+
+  void add(const StudyKey& key, const std::string& form) {
+    const Row row{std::string(key.name), typeText(key), defaultText(key), std::string(key.meaning)};
+    auto same = std::find_if(rows_.begin(), rows_.end(), [&](const Row& other) {
+      return std::tie(row.key, row.type, row.otherwise, row.meaning) ==
+             std::tie(other.key, other.type, other.otherwise, other.meaning);
+    });
+    if (same == rows_.end()) same = rows_.insert(rows_.end(), row);
+    if (!form.empty()) same->forms.push_back(form);
+  }
+
+  std::vector<Row> rows_;
+};
+
+constexpr std::string_view keysOpening =
+    R"(# The keys of a study
+
+`gnomon list keys` prints this text from the declarations that studies are read by. A study is a TOML
+file of these tables. `--set TABLE.KEY=VALUE` sets any key on the command line, `light.0.elevation=30`
+one of a list of tables, counted from 0. Angles are in degrees; texels are those of the map before
+`resample`. An unknown key is refused, with the one that was probably meant.
+)";
+
+}  // namespace
+
+StudyKeys studySections() {
+  const OwnCode table{"a table"};
+  const OwnCode tables{"a list of tables"};
+  return {studyKey("study", table, "what the study is called", {}, required),
+          studyKey("surface", table, "the curved surface", {}, required),
+          studyKey("relief", table, "the height map on it", {}, required),
+          studyKey("bake", table, "tables of horizons", {}, "defaults"),
+          studyKey("base", table, "the mesh that methods draw", {}, "defaults"),
+          studyKey("truth", table, "the displaced surface that is traced", {}, "defaults"),
+          studyKey("view", tables, "the samples that are compared", {}, required),
+          studyKey("light", tables, "directional lights", {}, required),
+          studyKey("method", tables, "the methods that are measured", {}, required),
+          studyKey("threshold", tables, "gates of `gnomon check`", {}, "none"),
+          studyKey("claim", tables, "what a paper states, to be judged", {}, "none"),
+          studyKey("ladder", tables, "an error, taken apart by cause", {}, "none"),
+          studyKey("sweep", table, "one key's values, a run each", {}, "none")};
+}
+
+std::vector<std::string> judgedRegions() {
+  std::vector<std::string> names = {"all"};
+  for (const Region region : reportedRegions) names.emplace_back(regionName(region));
+  names.emplace_back(seamRegion);
+  return names;
+}
+
+std::vector<std::string> judgedMetrics() {
+  return {metricNames().begin(), metricNames().end()};
+}
+
+std::string studyKeysText() {
+  std::string text(keysOpening);
+  const auto write = [&](std::string_view heading, const KeyTable& table) {
+    text += table.text(heading);
+  };
+  StudyHeader header;
+  SurfaceMesh mesh;
+  ReliefSection relief;
+  PatternMap pattern;
+  ImageMap image;
+  BakeSpec bake;
+  BaseSpec base;
+  TruthSpec truth;
+  ViewSpec view;
+  LightSection light;
+  MethodSpec method;
+  Gate gate = newThreshold();
+  ClaimSpec claim;
+  LadderSpec ladder;
+  CauseSpec cause;
+  SweepSpec sweep;
+  write("tables of a file", KeyTable().add(studySections()));
+  write("[study]", KeyTable().add(keysOf(header)));
+  write("[surface]", KeyTable()
+                         .addKinds<Shape>("shape", shapeNames, "a built-in shape, or `mesh`")
+                         .add(keysOf(mesh), "`mesh`"));
+  write("[relief]",
+        KeyTable()
+            .add(keysOf(relief))
+            .add(keysOf(image), "`image`")
+            .addKinds<Pattern>("pattern", patternNames, "a built-in pattern, or `image`")
+            .add(keysOf(pattern), "`pattern`"));
+  write("[bake]", KeyTable().add(keysOf(bake, 1)));
+  write("[base]", KeyTable().add(keysOf(base)));
+  write("[truth]", KeyTable().add(keysOf(truth, 1)));
+  write("[[view]]",
+        KeyTable().addKinds<ViewKind>("type", viewKindNames, "the kind of view").add(keysOf(view)));
+  write("[[light]]", KeyTable().add(keysOf(light)));
+  write("[[method]]", KeyTable().add(keysOf(method)));
+  write("[[threshold]]", KeyTable().add(keysOf(gate, {})));
+  write("[[claim]]", KeyTable()
+                         .add(keysOf(claim))
+                         .add(comparisonKeys(claim, {}), "comparison")
+                         .add(boundKeys(claim, {}), "bounds"));
+  write("[[ladder]]", KeyTable().add(keysOf(ladder, {})));
+  write("[[ladder.rung]]", KeyTable().add(keysOf(cause)));
+  write("[sweep]", KeyTable().add(keysOf(sweep)));
+  return text;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <vector>
+
+#include "study/record/answer.h"
+#include "study/record/gate.h"
+#include "study/spec/study_key.h"
+
+namespace gnomon {
+
+/// The names in a study that its gates and claims may speak of.
+struct StudyNames {
+  std::vector<std::string> methods = {}, lights = {}, views = {};
+};
+
+/// `[[threshold]]` without any key but its place in the file.
+inline Gate newThreshold(int line = 0, const toml::table& written = {}) {
+  Gate gate;
+  gate.region = "all";
+  gate.metric = "error_rate";
+  gate.origin = Threshold{line, true, written};
+  return gate;
+}
+
+/// The names of regions and metrics that a gate or claim may speak of.
+std::vector<std::string> judgedRegions();
+std::vector<std::string> judgedMetrics();
+
+/// The keys that gates and claims have in common.
+template <typename Judged>
+StudyKeys judgedKeys(Judged& judged) {
+  const std::vector<std::pair<Answer, std::string>> answers = {{Answer::drawn, "drawn"},
+                                                               {Answer::test, "test"}};
+  return {studyKey("metric", &judged.metric, "that is judged", {}, {}, Enters::nothing,
+                   judgedMetrics()),
+          studyKey("region", &judged.region, "where samples count", {}, {}, Enters::nothing,
+                   judgedRegions()),
+          studyKey("answer", chosenName(judged.answer, answers),
+                   "what the method's picture shows, or its shadow test alone", {}, {},
+                   Enters::nothing)};
+}
+
+inline StudyKeys keysOf(Gate& gate, const StudyNames& names) {
+  using enum Enters;
+  StudyKeys keys = {
+      studyKey("method", &gate.method, "label of the only one that is judged", {}, "all", nothing,
+               names.methods),
+      studyKey("light", &gate.light, "name of the only one", {}, "all", nothing, names.lights),
+      studyKey("view", &gate.view, "name of the only one", {}, "all", nothing, names.views),
+      studyKey("min", OwnCode{"a number, or of a share a percentage as `\"5 %\"`"},
+               "the least value; what nothing could miss is refused: [gates.md](gates.md)", {},
+               "none, `max` is there"),
+      studyKey("max", OwnCode{"as `min`"}, "the largest value", {}, "none, `min` is there"),
+      studyKey("quick", &std::get<Threshold>(gate.origin).quick,
+               "`false` holds only the full form to it", {}, {}, nothing)};
+  for (StudyKey& key : judgedKeys(gate)) keys.push_back(std::move(key));
+  return keys;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,103 @@
+#include "study/spec/view_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+/// The quick form of a side, and the longest side whose quick form it can be.
+int quickSide(int side) {
+  return std::max(1, side / 4);
+}
+int fullSide(int side, bool quick) {
+  return quick ? 4 * side + 3 : side;
+}
+
+void makeQuick(ViewKind& kind) {
+  std::visit(Overloaded{[](Camera& camera) {
+                          camera.width = quickSide(camera.width);
+                          camera.height = quickSide(camera.height);
+                        },
+                        // An odd number keeps the samples off the micro-edges.
+                        [](AtlasSpec& atlas) {
+                          atlas.samplesPerSide = quickSide(atlas.samplesPerSide) | 1;
+                        }},
+             kind);
+}
+
+}  // namespace
+
+ViewSpec readView(const TomlReader& section, bool quick) {
+  ViewSpec view;
+  KeyNames names = namesOfAllKinds<ViewKind>("type");
+  names.merge(namesOf(keysOf(view)));
+  section.allow(names);
+  view.kind = readKind<ViewKind>(section, "type", viewKindNames);
+  view.name = viewKindNames.at(view.kind.index());
+  readKeys(section, keysOf(view));
+  section.finish();
+  if (quick) makeQuick(view.kind);
+  return view;
+}
+
+toml::table tableOf(ViewSpec view) {
+  toml::table table = tableOf(keysOf(view.kind));
+  table.insert("type", viewKindNames.at(view.kind.index()));
+  table.insert("name", view.name);
+  return table;
+}
+
+PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int faces) {
+  return std::visit(Overloaded{[&](const Camera& camera) -> PictureExtent {
+                                 const double width = fullSide(camera.width, quick);
+                                 const double height = fullSide(camera.height, quick);
+                                 return {std::hypot(width, height), width * height};
+                               },
+                               [&](const AtlasSpec& atlas) -> PictureExtent {
+                                 const double side = fullSide(atlas.samplesPerSide, quick);
+                                 return {glm::length(texelsPerUv), faces * side * side};
+                               }},
+                    view.kind);
+}
+
+ViewTraits traitsOf(const ViewSpec& view) {
+  using Traits = ViewTraits;
+  return std::visit(Overloaded{[](const Camera& camera) {
+                                 return Traits{&camera, false, PassKind::cameraSamples};
+                               },
+                               [](const AtlasSpec&) {
+                                 return Traits{nullptr, true, PassKind::atlasSamples};
+                               }},
+                    view.kind);
+}
+
+RenderView pictureSize(const ViewSpec& view, const LimitSurface& surface) {
+  return std::visit(
+      Overloaded{[](const Camera& camera) {
+                   RenderView size;
+                   size.width = camera.width;
+                   size.height = camera.height;
+                   return size;
+                 },
+                 [&](const AtlasSpec& atlas) { return atlasView(surface, atlas.samplesPerSide); }},
+      view.kind);
+}
+
+RenderView renderView(const ViewSpec& view, const LimitSurface& surface, const BaseMesh& mesh) {
+  return std::visit(
+      Overloaded{[&](const Camera& camera) { return cameraView(camera, mesh); },
+                 [&](const AtlasSpec& atlas) { return atlasView(surface, atlas.samplesPerSide); }},
+      view.kind);
+}
+
+std::vector<double> sampleWeights(const ViewSpec& view, const LimitSurface& surface,
+                                  const SampleGrid& samples) {
+  return std::visit(Overloaded{[](const Camera&) { return std::vector<double>(); },
+                               [&](const AtlasSpec& atlas) {
+                                 return sampleAreas(surface, samples, atlas.samplesPerSide);
+                               }},
+                    view.kind);
+}
+
+}  // namespace gnomon

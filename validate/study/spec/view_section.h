@@ -1,0 +1,104 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/camera.h"
+#include "common/overloaded.h"
+#include "compare/metric_range.h"
+#include "relief/relief.h"
+#include "render/check/pass_check.h"
+#include "render/view.h"
+#include "study/spec/study_key.h"
+#include "surface/limit_surface.h"
+#include "surface/sample_grid.h"
+
+namespace gnomon {
+
+/// `[[view]]`: which samples of the surface are compared. Each kind is a type, told by its `type`;
+/// what differs between kinds is behind std::visit here, in `ViewMap` and in the export's JSON, so
+/// that the compiler names each place that does not know a new kind.
+
+/// A regular grid over every face's parameters.
+struct AtlasSpec {
+  int samplesPerSide = 1;  ///< of every face
+};
+
+using ViewKind = std::variant<Camera, AtlasSpec>;
+constexpr std::array<std::string_view, 2> viewKindNames = {"camera", "atlas"};
+
+struct ViewSpec {
+  std::string name;
+  ViewKind kind;
+};
+
+inline StudyKeys keysOf(ViewKind& kind) {
+  constexpr int mostPixelsASide = 16384;
+  constexpr int mostSamplesASide = 4096;
+  using Keys = StudyKeys;
+  return std::visit(
+      Overloaded{
+          [](Camera& camera) -> Keys {
+            return {studyKey("eye", numbers(camera.eye), "where the camera is", {}, required),
+                    studyKey("target", numbers(camera.target), "the point in the picture's middle"),
+                    studyKey("up", numbers(camera.up), "upward in the picture"),
+                    studyKey("fov", degrees(camera.verticalFov), "degrees: full vertical angle",
+                             {0.1, 170}),
+                    studyKey("width", &camera.width, "pixels", {1, mostPixelsASide}, required),
+                    studyKey("height", &camera.height, "pixels", {1, mostPixelsASide}, required)};
+          },
+          [](AtlasSpec& atlas) -> Keys {
+            return {studyKey("samples", &atlas.samplesPerSide,
+                             "along a face's side; an odd number keeps them off micro-edges",
+                             {1, mostSamplesASide}, required)};
+          }},
+      kind);
+}
+
+/// The keys that all kinds have.
+inline StudyKeys keysOf(ViewSpec& view) {
+  return {studyKey("name", &view.name, "of the view", {}, "its `type`", Enters::nothing)};
+}
+
+/// Reads a `[[view]]`.
+/// @param quick  whether the study has the quick form: a quarter of the side
+/// @throws InputError as TomlReader
+ViewSpec readView(const TomlReader& section, bool quick);
+
+/// The section as a table of the file.
+toml::table tableOf(ViewSpec view);
+
+/// The largest picture that the view's full form may have: in pixels, or in texels of the map and
+/// samples.
+PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int faces);
+
+/// What a kind of view can and cannot do.
+struct ViewTraits {
+  /// That the view is seen by; null where its samples are no pixels of a camera. Shadow volumes are
+  /// counted, the displaced surface is pictured and frames are timed in a camera alone.
+  const Camera* camera;
+  bool hasFixedSamples;  ///< the same of the surface whatever mesh is drawn
+  PassKind samplesPass;  ///< what a driver must draw right for the view to have its samples
+};
+ViewTraits traitsOf(const ViewSpec& view);
+
+inline const Camera* cameraOf(const ViewSpec& view) {
+  return traitsOf(view).camera;
+}
+inline bool hasFixedSamples(const ViewSpec& view) {
+  return traitsOf(view).hasFixedSamples;
+}
+
+/// The view's picture without its projection: its size in samples.
+RenderView pictureSize(const ViewSpec& view, const LimitSurface& surface);
+
+/// The view of a mesh, to draw.
+/// @throws InputError as cameraView
+RenderView renderView(const ViewSpec& view, const LimitSurface& surface, const BaseMesh& mesh);
+
+/// The world area of each sample, or nothing where every sample counts the same.
+std::vector<double> sampleWeights(const ViewSpec& view, const LimitSurface& surface,
+                                  const SampleGrid& samples);
+
+}  // namespace gnomon
