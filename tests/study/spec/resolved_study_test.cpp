@@ -137,6 +137,7 @@ TEST_F(ResolvedStudy, SaysEveryDefault) {
   EXPECT_TRUE(table["relief"]["wrap"].is_string());
   EXPECT_EQ(table["relief"]["invert"].value<bool>(), false);
   EXPECT_EQ(table["bake"]["limit"].value<double>(), 90);
+  EXPECT_EQ(table["study"]["frames"].value<int>(), 25);
   EXPECT_EQ(table["light"][0]["azimuth"].value<double>(), 165);
   EXPECT_EQ(table["light"][0]["elevation"].value<double>(), 24);
   for (const toml::node& node : *table["method"].as_array()) {

@@ -31,6 +31,7 @@ struct StudyHeader {
   std::string name = {}, title = {}, source = {};
   bool ranked = true;  ///< counts in a ranking over the studies of a run
   bool quick = false;  ///< the quick form, see StudyOptions
+  int frames = 25;     ///< timed of every method, at most
 };
 
 inline StudyKeys keysOf(StudyHeader& header) {
@@ -45,7 +46,8 @@ inline StudyKeys keysOf(StudyHeader& header) {
       studyKey("ranked", &header.ranked, "whether it counts in the ranking over a run's studies",
                {}, {}, nothing),
       studyKey("quick", &header.quick, "whether it always has the form of `--quick`", {}, {},
-               nothing)};
+               nothing),
+      studyKey("frames", &header.frames, "timed of every method, at most", {1, 10000}, {}, costs)};
 }
 
 struct StudySpec : StudyHeader {

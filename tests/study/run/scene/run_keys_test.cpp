@@ -126,6 +126,7 @@ TEST_F(RunKeysTest, EveryKeyOfAStudyChangesWhatDependsOnIt) {
       {"study.source='another test'", ""},
       {"study.name='other'", ""},
       {"study.ranked=false", ""},
+      {"study.frames=9", ""},  // they enter what a method costs
       {"threshold.0.max=0.6", ""},
       {"light.0.name='evening'", ""},
       {"view.0.name='front'", ""},

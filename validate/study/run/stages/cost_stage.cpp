@@ -55,7 +55,6 @@ ContentKey costKey(const RunScene& scene, const MethodCase& method,
 }  // namespace
 
 CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
-  constexpr int frames = 25;
   const std::optional<std::size_t> view = firstCamera(scene.study);
   const ContentKey key = costKey(scene, method, view);
   std::optional<KeptCost> cost = scene.cache.find<KeptCost>(key);
@@ -72,7 +71,7 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
       cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass.frameMilliseconds(method.base->views[*view].view,
                                             scene.drawing(*method.base, 0), ready.tables,
-                                            frames, first, clock_);
+                                            scene.study.frames, first, clock_);
       });
     }
     scene.cache.keep(key, *cost);
