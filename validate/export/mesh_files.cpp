@@ -4,13 +4,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string_view>
-#include <system_error>
 
-#include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/system/memory.h"
 
@@ -39,49 +35,18 @@ std::string faceBytes(const WeldedMesh& mesh, std::size_t first, std::size_t cou
   return bytes;
 }
 
-/// Writes a file part by part.
-class MeshFile {
- public:
-  /// @param path  as messages name the file that is filled, `temporary`
-  MeshFile(const std::filesystem::path& path, const std::filesystem::path& temporary)
-      : path_(path), file_(temporary, std::ios::binary) {
-    require();
-  }
-  void write(std::string_view bytes) {
-    file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    require();
-  }
-  void close() {
-    file_.close();
-    require();
-  }
-
- private:
-  /// At once after each step, while the system still says why.
-  void require() const {
-    if (file_) return;
-    const std::string reason = std::generic_category().message(errno);
-    throw InputError(fmt::format("{}: cannot be written: {}", path_.string(), reason));
-  }
-
-  const std::filesystem::path& path_;
-  std::ofstream file_;
-};
-
 }  // namespace
 
 void writePly(const std::filesystem::path& path, const WeldedMesh& mesh,
               const std::string& comment) {
-  writeAtomically(path, [&](const std::filesystem::path& temporary) {
-    MeshFile file(path, temporary);
-    file.write(plyHeader(mesh, comment));
-    file.write({reinterpret_cast<const char*>(mesh.vertices.data()),
-                mesh.vertices.size() * sizeof(glm::vec3)});
+  writeAtomically(path, [&](int file) {
+    writeAll(file, plyHeader(mesh, comment));
+    writeAll(file, {reinterpret_cast<const char*>(mesh.vertices.data()),
+                    mesh.vertices.size() * sizeof(glm::vec3)});
     constexpr std::size_t atOnce = 1 << 16;
     for (std::size_t first = 0; first < mesh.triangleCount(); first += atOnce) {
-      file.write(faceBytes(mesh, first, std::min(atOnce, mesh.triangleCount() - first)));
+      writeAll(file, faceBytes(mesh, first, std::min(atOnce, mesh.triangleCount() - first)));
     }
-    file.close();
   });
 }
 

@@ -29,9 +29,9 @@ ImageRows rowsOf(const ChannelImage& image, const std::string& name) {
 
 void writeExr(const std::filesystem::path& path, const ExrDescription& description,
               const ImageRows& rows) {
-  writeAtomically(path, [&](const std::filesystem::path& temporary) {
+  writeAtomically(path, [&](int file) {
     try {
-      imageModule().writeExr(temporary, description, rows);
+      imageModule().writeExr(file, description, rows);
     } catch (const ImageError& error) {
       throw InputError(fmt::format("{}: cannot be written: {}", path.string(), error.what()));
     }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,9 +43,9 @@ struct ImageModule {
   /// @throws ImageError
   std::unique_ptr<ImageReader> (*open)(const std::filesystem::path& path, ImageFormat format);
   /// Writes an EXR, packed by `zip`. Same numbers, same bytes: it does not hold the time.
-  /// @param path  empty: the file's bytes are returned
+  /// @param file  an open one, which stays open; none: the bytes are returned
   /// @throws ImageError
-  std::string (*writeExr)(const std::filesystem::path& path, const ExrDescription& description,
+  std::string (*writeExr)(std::optional<int> file, const ExrDescription& description,
                           const ImageRows& rows);
 };
 

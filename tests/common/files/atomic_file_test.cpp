@@ -60,25 +60,33 @@ TEST_F(AtomicFile, MakesTheFoldersAboveIt) {
 
 TEST_F(AtomicFile, ShowsTheOldContentUntilTheNewOneIsWhole) {
   writeTextAtomically(file("a.png"), "old");
-  fs::path temporary;
-  writeAtomically(file("a.png"), [&](const fs::path& path) {
-    temporary = path;
-    writeText(path, "half of the ne");
+  writeAtomically(file("a.png"), [&](int open) {
+    writeAll(open, "half of ");
     EXPECT_EQ(readFile(file("a.png")), "old");
-    writeText(path, "new");
+    // In the same folder, or the renaming could be a copy.
+    EXPECT_EQ(content().size(), 2U);
+    writeAll(open, "the new");
   });
-  EXPECT_EQ(readFile(file("a.png")), "new");
+  EXPECT_EQ(readFile(file("a.png")), "half of the new");
   EXPECT_EQ(content(), std::set<std::string>{"a.png"});
-  // In the same folder, or the renaming could be a copy; with the same extension, since image
-  // writers choose their format by it.
-  EXPECT_EQ(temporary.parent_path(), folder());
-  EXPECT_EQ(temporary.extension(), ".png");
+}
+
+TEST_F(AtomicFile, OfWhichTheNameWasRemovedIsNotMadeAnew) {
+  // As a signal does it, while the writer goes on until the process ends.
+  EXPECT_THROW(writeAtomically(file("a.txt"),
+                               [&](int open) {
+                                 for (const std::string& name : content()) fs::remove(file(name));
+                                 writeAll(open, "what nobody will see");
+                                 EXPECT_TRUE(content().empty());
+                               }),
+               InputError);
+  EXPECT_TRUE(content().empty());
 }
 
 TEST_F(AtomicFile, LeavesTheOldFileWhereTheWriterThrows) {
   writeTextAtomically(file("a.txt"), "old");
-  const auto write = [](const fs::path& path) {
-    writeText(path, "half");
+  const auto write = [](int open) {
+    writeAll(open, "half");
     throw std::runtime_error("the writer gave up");
   };
   try {
@@ -92,8 +100,8 @@ TEST_F(AtomicFile, LeavesTheOldFileWhereTheWriterThrows) {
 }
 
 TEST_F(AtomicFile, LeavesNothingWhereTheWriterThrowsAndNothingWas) {
-  const auto write = [](const fs::path& path) {
-    writeText(path, "half");
+  const auto write = [](int open) {
+    writeAll(open, "half");
     throw InputError("no");
   };
   EXPECT_THROW(writeAtomically(file("a.txt"), write), InputError);
@@ -102,7 +110,7 @@ TEST_F(AtomicFile, LeavesNothingWhereTheWriterThrowsAndNothingWas) {
 
 TEST_F(AtomicFile, RefusesAWriterThatWritesNothing) {
   const std::string message =
-      messageOf<InputError>([&] { writeAtomically(file("a.txt"), [](const fs::path&) {}); });
+      messageOf<InputError>([&] { writeAtomically(file("a.txt"), [](int) {}); });
   EXPECT_THAT(message, StartsWith(file("a.txt").string() + ": cannot be written"));
 }
 
@@ -138,7 +146,7 @@ TEST_F(AtomicFile, FollowsLinksToWhatTheyLeadTo) {
   EXPECT_TRUE(fs::is_symlink(file("first")) && fs::is_symlink(file("second")));
   // Of a file that is not there yet.
   fs::create_symlink("there/b.txt", file("third"));
-  writeAtomically(file("third"), [](const fs::path& path) { writeText(path, "b"); });
+  writeAtomically(file("third"), [](int open) { writeAll(open, "b"); });
   EXPECT_EQ(readFile(file("there/b.txt")), "b");
   EXPECT_TRUE(fs::is_symlink(file("third")));
   fs::create_symlink("loop", file("loop"));

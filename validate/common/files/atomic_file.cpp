@@ -66,23 +66,14 @@ Target targetOf(const fs::path& path) {
   throw cannotBeWritten(path, "a link that leads to itself");
 }
 
-void writeAll(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw fs::filesystem_error("write", {errno, std::generic_category()});
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
 /// Writes to what is there: a device, a pipe, a stream.
-void writeDirectly(const Target& target, std::string_view text) {
+void writeDirectly(const Target& target, const std::function<void(int file)>& write) {
   std::fflush(nullptr);
   const int file = target.descriptor ? ::dup(*target.descriptor)
                                      : ::open(target.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
   if (file < 0) throw fs::filesystem_error("open", {errno, std::generic_category()});
   try {
-    writeAll(file, text);
+    write(file);
   } catch (...) {
     ::close(file);
     throw;
@@ -116,22 +107,31 @@ void writing(const fs::path& path, const Work& work) {
 
 }  // namespace
 
-void writeAtomically(const fs::path& path, const std::function<void(const fs::path&)>& write,
-                     Sync sync) {
+void writeAll(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw fs::filesystem_error("write", {errno, std::generic_category()});
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void writeAtomically(const fs::path& path, const std::function<void(int file)>& write, Sync sync) {
   const Target target = targetOf(path);
-  if (!target.isReplaceable) return write(target.path);
+  if (!target.isReplaceable) return writing(path, [&] { writeDirectly(target, write); });
   createFolders(folderOf(target.path));
   writing(path, [&] {
     PartFile part(folderOf(target.path), target.path.extension().string());
-    write(part.path());
-    if (fs::is_empty(part.path())) throw cannotBeWritten(path, "nothing was");
+    write(part.descriptor());
+    if (::lseek(part.descriptor(), 0, SEEK_END) == 0) throw cannotBeWritten(path, "nothing was");
     finish(part, target.path, sync);
   });
 }
 
 void writeTextAtomically(const fs::path& path, std::string_view text) {
   const Target target = targetOf(path);
-  if (!target.isReplaceable) return writing(path, [&] { writeDirectly(target, text); });
+  if (!target.isReplaceable)
+    return writing(path, [&] { writeDirectly(target, [&](int file) { writeAll(file, text); }); });
   createFolders(folderOf(target.path));
   removeLeftovers(folderOf(target.path));
   writing(path, [&] { replaceFile(target.path, text, Sync::now, folderOf(target.path)); });

@@ -15,15 +15,20 @@ enum class Sync { now, later };
 
 /// Writes a file whole or not at all: `write` fills a temporary file beside `path`, which then
 /// takes the name. If `write` throws, the temporary file is removed and `path` is as it was.
-/// The temporary name keeps the extension, since image writers choose their format by it.
+/// `write` gets the open file's descriptor and not its name: whoever opens the name creates the
+/// file anew where a signal has just removed it. The descriptor stays the caller's to close.
 /// Links are followed. What is there and is no file (a device, a pipe, an open stream as
 /// /dev/stdout) is never replaced: it is written directly.
 /// @throws InputError naming the file and the system's reason when it cannot be written
-void writeAtomically(const std::filesystem::path& path,
-                     const std::function<void(const std::filesystem::path&)>& write,
+void writeAtomically(const std::filesystem::path& path, const std::function<void(int file)>& write,
                      Sync sync = Sync::now);
 
-/// As above, with the content at hand. Removes what killed writers left in the file's folder.
+/// Writes bytes to an open file.
+/// @throws std::filesystem::filesystem_error, which writeAtomically turns into an InputError
+void writeAll(int file, std::string_view bytes);
+
+/// As writeAtomically, with the content at hand. Removes what killed writers left in the file's
+/// folder.
 void writeTextAtomically(const std::filesystem::path& path, std::string_view text);
 
 /// Replaces `path`, which lies in a folder that is the program's own. Links are not followed, and

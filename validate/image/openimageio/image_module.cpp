@@ -5,9 +5,15 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace gnomon {
@@ -140,22 +146,45 @@ OIIO::ImageSpec specOf(const ExrDescription& description) {
   return spec;
 }
 
-std::string writeExrFile(const std::filesystem::path& path, const ExrDescription& description,
-                         const ImageRows& rows) {
+using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// An open file as a stream of its own.
+Stream streamOf(int descriptor) {
+  const int own = ::dup(descriptor);
+  Stream stream(own < 0 ? nullptr : ::fdopen(own, "wb"), &std::fclose);
+  if (!stream) throw ImageError(std::generic_category().message(errno));
+  return stream;
+}
+
+/// @param target  where the bytes go
+void encodeExr(OIIO::Filesystem::IOProxy& target, const ExrDescription& description,
+               const ImageRows& rows) {
   auto file = OIIO::ImageOutput::create("openexr");
   if (!file) throw ImageError("no writer for EXR: " + OIIO::geterror());
-  OIIO::Filesystem::IOVecOutput memory;
   const auto check = [&](bool isDone) {
     if (!isDone) throw ImageError(file->geterror());
   };
-  if (path.empty()) check(file->set_ioproxy(&memory));
-  check(file->open(path.empty() ? "memory.exr" : path.string(), specOf(description)));
+  check(file->set_ioproxy(&target));
+  check(file->open("written.exr", specOf(description)));
   for (int top = 0; top < description.height; top += rows.most) {
     const int bottom = std::min(top + rows.most, description.height);
     check(file->write_scanlines(top, bottom, 0, typeDesc(rows.type), rows.at(top, bottom - top)));
   }
   check(file->close());
-  return {memory.buffer().begin(), memory.buffer().end()};
+}
+
+std::string writeExrFile(std::optional<int> file, const ExrDescription& description,
+                         const ImageRows& rows) {
+  if (!file) {
+    OIIO::Filesystem::IOVecOutput memory;
+    encodeExr(memory, description, rows);
+    return {memory.buffer().begin(), memory.buffer().end()};
+  }
+  const Stream stream = streamOf(*file);
+  OIIO::Filesystem::IOFile target(stream.get(), OIIO::Filesystem::IOProxy::Write);
+  encodeExr(target, description, rows);
+  if (std::fflush(stream.get()) != 0) throw ImageError(std::generic_category().message(errno));
+  return {};
 }
 
 }  // namespace
