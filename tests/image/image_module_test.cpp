@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "common/error.h"
+#include "image/channel_image.h"
 #include "image/image_file.h"
 #include "support/temporary_folder.h"
 
@@ -19,7 +20,7 @@ class ImageFiles : public TemporaryFolder {
 
   /// 3 × 4 pixels of two channels, 0, 1, 2 … in one row after the other.
   void writeCounting(NumberType numbers) const {
-    (void)imageModule().writeExr(path(), {3, 4, {"b", "a"}, numbers, attributes()}, counting());
+    writeExr(path(), {3, 4, {"b", "a"}, numbers, attributes()}, counting());
   }
   [[nodiscard]] ImageRows counting() const {
     return {NumberType::float32, 3, [&](int top, int) { return values_.data() + 6 * top; }};
@@ -98,9 +99,10 @@ TEST_F(ImageFiles, IsTheSameBytesAgain) {
 
 TEST_F(ImageFiles, ThatIsMissingOrDamagedIsAnError) {
   EXPECT_THROW(ImageFile(file("missing.png")), InputError);
-  EXPECT_THROW(
-      (void)imageModule().writeExr(file("no/folder.exr"), {3, 4, {"b", "a"}, {}, {}}, counting()),
-      ImageError);
+  const int closed = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  ::close(closed);
+  EXPECT_THROW((void)imageModule().writeExr(closed, {3, 4, {"b", "a"}, {}, {}}, counting()),
+               ImageError);
   writeCounting(NumberType::float32);
   std::filesystem::resize_file(path(), std::filesystem::file_size(path()) - 20);
   ImageFile image(path());
