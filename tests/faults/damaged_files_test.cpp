@@ -63,9 +63,11 @@ std::string referencesBytes() {
   baseline.study = "figure8";
   baseline.environment.glRenderer = "a renderer";
   baseline.history = {{"the first", "0.1", "abc"}};
-  baseline.entries = {
-      {"figure8", "onoue-2004", "evening", "camera", "error_rate", 0.05, 0.001, 0.002},
-      {"figure8", "onoue-2004", "evening", "camera", "false_light", 0.02, 0.001, 0.002}};
+  for (const char* metric : {"error_rate", "false_light"}) {
+    Gate row{"onoue-2004", "evening", "camera", "", metric, {}, {}};
+    row.step = "figure8";
+    baseline.gates.push_back(referenceGate(row, {0.05, 0.001, 0.002}));
+  }
   return baselineJson(baseline);
 }
 

@@ -1,6 +1,8 @@
 #include "image/image_module.h"
 
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <array>
 #include <fstream>

@@ -15,7 +15,8 @@ class Tiffs : public TemporaryFolder {
 
   /// Writes a deflated TIFF of 8 bits that are noise, which does not shrink.
   [[nodiscard]] std::string deflated(int tileSide) const {
-    test::TestPicture picture{side_, side_};
+    test::TestPicture picture;
+    picture.width = picture.height = side_;
     picture.type = OIIO::TypeDesc::UINT8;
     for (int i = 0; i < side_ * side_; ++i) {
       picture.values.push_back(static_cast<float>((i * 7919) % 251) / 255);

@@ -232,7 +232,7 @@ TEST(Patterns, RefuseParametersOutOfRange) {
 }
 
 TEST(Patterns, ExtremeParametersStayFinite) {
-  EXPECT_NO_THROW(makeCells(16, 16, {1, 1, 1e9, 4294967295U}, 1, Wrap::clamp));
+  EXPECT_NO_THROW(makeCells(16, 16, {1, 1, 1e9, 2147483647}, 1, Wrap::clamp));
   EXPECT_NO_THROW(makeCells(16, 16, {1e9, 0, 1e-3, 0}, 1, Wrap::clamp));
   EXPECT_NO_THROW(makeRipples(1, 1, {1, 0.99, 1e9}, 1, Wrap::clamp));
   EXPECT_NO_THROW(makeColumns(16, 16, {1, 1e9, 1e9}, 1, Wrap::clamp));

@@ -13,8 +13,8 @@ using ::testing::HasSubstr;
 
 /// docs/study-keys.md is what `gnomon list keys` prints.
 TEST(StudySections, TheManualHasEveryKeyAsItIsDeclared) {
-  const std::filesystem::path scenes = GNOMON_SCENES;
-  EXPECT_EQ(readFile(scenes.parent_path() / "docs/study-keys.md"), studyKeysText())
+  const std::filesystem::path folder = GNOMON_SCENES;
+  EXPECT_EQ(readFile(folder.parent_path() / "docs/study-keys.md"), studyKeysText())
       << "Run `gnomon list keys > docs/study-keys.md`";
 }
 

@@ -92,9 +92,9 @@ TEST(ViewMap, OfAnAtlasIsInTexels) {
   EXPECT_EQ(layout.tileSide, 0);
   EXPECT_TRUE(layout.breaks.empty());
   // A sphere's faces differ in size but not in texels.
-  const LimitSurface sphere(makeSphere(60, 1.6, 1.2, 20, 15));
+  const LimitSurface ball(makeSphere(60, 1.6, 1.2, 20, 15));
   const SampleLayout round =
-      makeSampleLayout(sphere, Vec2(128, 64), AtlasSpec{3}, atlasView(sphere, 3), {});
+      makeSampleLayout(ball, Vec2(128, 64), AtlasSpec{3}, atlasView(ball, 3), {});
   EXPECT_NEAR(round.columnStep, 128 / 20.0 / 3, 1e-9);
   EXPECT_NEAR(round.rowStep, 64 / 15.0 / 3, 1e-9);
 }
