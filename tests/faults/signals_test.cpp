@@ -157,7 +157,11 @@ TEST_F(SignalsAtAnyMoment, WhileAFileIsBeingWritten) {
                                           "--subdivisions", "256"};
   const fs::path exported = file("out/small/export");
   int left = 0;
-  for (const int signal : {SIGKILL, SIGINT, SIGTERM, SIGHUP}) {
+  // SIGKILL may come just after the file has its name: it is tried until it leaves a part file.
+  std::vector<int> signals = {SIGHUP, SIGTERM, SIGINT, SIGKILL};
+  for (int tries = 0; !signals.empty() && tries < 14; ++tries) {
+    const int signal = signals.back();
+    signals.pop_back();
     fs::remove_all(file("out"));
     const int process = startCommand(folder(), words, environment(), "/dev/null", "/dev/null");
     for (int i = 0; i < 20'000 && partFilesBelow(exported).empty(); ++i) {
@@ -166,14 +170,16 @@ TEST_F(SignalsAtAnyMoment, WhileAFileIsBeingWritten) {
     ::kill(process, signal);
     EXPECT_EQ(endOf(process), 128 + signal);
     const std::size_t count = partFilesBelow(exported).size();
-    EXPECT_EQ(count, signal == SIGKILL ? 1U : 0U) << signal;
+    EXPECT_LE(count, signal == SIGKILL ? 1U : 0U) << signal;
+    if (signal == SIGKILL && count == 0) signals.push_back(signal);
     left += static_cast<int>(count);
     EXPECT_FALSE(fs::exists(exported / "export.json"));
     EXPECT_EQ(run({"export", "new/small.toml"}, "out").status, 0);
     EXPECT_EQ(partFilesBelow(folder()), nothing);
   }
+  EXPECT_EQ(left, 1);
   fmt::print(
-      "faults: 4 signals while a file was written, {} part file left, by SIGKILL, and removed by "
+      "faults: signals while a file was written, {} part file left, by SIGKILL, and removed by "
       "the next run\n",
       left);
 }
