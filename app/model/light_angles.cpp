@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/degrees.h"
-#include "study/spec/light_name.h"
+#include "study/spec/sections/light_name.h"
 
 namespace gnomon {
 namespace {

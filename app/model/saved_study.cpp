@@ -10,9 +10,9 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "study/spec/method_replacement.h"
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 #include "study/spec/study_table.h"
-#include "study/spec/toml_text.h"
+#include "study/spec/toml/toml_text.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -10,7 +10,7 @@
 #include "render/shader_files.h"
 #include "study/spec/method_replacement.h"
 #include "study/spec/study_table.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 namespace {

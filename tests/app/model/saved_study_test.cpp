@@ -6,7 +6,7 @@
 #include <map>
 
 #include "study/record/sweep_record.h"
-#include "study/spec/method_section.h"
+#include "study/spec/sections/method_section.h"
 #include "study/spec/sweep.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"

@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
-#include "study/spec/nearest_name.h"
 #include "study/spec/study_file_fixture.h"
 #include "study/spec/sweep.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/nearest_name.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "common/files/atomic_file.h"
 #include "common/text/sha256.h"
-#include "study/spec/method_section.h"
+#include "study/spec/sections/method_section.h"
 #include "study/spec/study_inputs.h"
 #include "study/spec/sweep.h"
-#include "study/spec/toml_text.h"
+#include "study/spec/toml/toml_text.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 
 #include <gmock/gmock.h>
 
 #include <string_view>
 
 #include "study/spec/study_text.h"
-#include "study/spec/toml_text.h"
+#include "study/spec/toml/toml_text.h"
 
 namespace gnomon {
 namespace {

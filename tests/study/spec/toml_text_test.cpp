@@ -1,4 +1,4 @@
-#include "study/spec/toml_text.h"
+#include "study/spec/toml/toml_text.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "relief/patterns.h"
 #include "study/run/run_study.h"
 #include "study/run/scene/run_keys.h"
-#include "study/spec/method_section.h"
+#include "study/spec/sections/method_section.h"
 #include "surface/shapes.h"
 
 namespace gnomon {

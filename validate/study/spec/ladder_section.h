@@ -1,8 +1,8 @@
 #pragma once
 
-#include "study/spec/method_section.h"
+#include "study/spec/sections/method_section.h"
 #include "study/spec/study_file.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "common/error.h"
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -15,7 +15,7 @@
 #include "study/spec/study_sections.h"
 #include "study/spec/study_table.h"
 #include "study/spec/threshold_limits.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

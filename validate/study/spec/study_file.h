@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "horizon/search_radius.h"
-#include "study/spec/bake_section.h"
-#include "study/spec/base_section.h"
-#include "study/spec/claim_section.h"
-#include "study/spec/ladder_spec.h"
-#include "study/spec/light_section.h"
-#include "study/spec/method_section.h"
-#include "study/spec/relief_section.h"
+#include "study/spec/sections/bake_section.h"
+#include "study/spec/sections/base_section.h"
+#include "study/spec/sections/claim_section.h"
+#include "study/spec/sections/ladder_spec.h"
+#include "study/spec/sections/light_section.h"
+#include "study/spec/sections/method_section.h"
+#include "study/spec/sections/relief_section.h"
+#include "study/spec/sections/surface_section.h"
+#include "study/spec/sections/threshold_section.h"
+#include "study/spec/sections/truth_section.h"
+#include "study/spec/sections/view_section.h"
 #include "study/spec/study_text.h"
-#include "study/spec/surface_section.h"
-#include "study/spec/threshold_section.h"
-#include "study/spec/truth_section.h"
-#include "study/spec/view_section.h"
 
 namespace gnomon {
 

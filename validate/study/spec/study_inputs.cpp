@@ -7,7 +7,7 @@
 #include "common/files/input_file.h"
 #include "common/text/sha256.h"
 #include "render/shader_files.h"
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 
 namespace gnomon {
 

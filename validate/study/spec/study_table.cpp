@@ -2,7 +2,7 @@
 
 #include "common/files/atomic_file.h"
 #include "study/spec/method_replacement.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "study/record/sweep_record.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

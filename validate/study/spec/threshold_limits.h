@@ -1,7 +1,7 @@
 #pragma once
 
 #include "study/spec/study_file.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 

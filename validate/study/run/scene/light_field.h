@@ -3,7 +3,7 @@
 #include "common/vec.h"
 #include "compare/shadow_length.h"
 #include "render/view.h"
-#include "study/spec/view_section.h"
+#include "study/spec/sections/view_section.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 

@@ -3,7 +3,7 @@
 #include <compare>
 
 #include "render/method.h"
-#include "study/spec/base_section.h"
+#include "study/spec/sections/base_section.h"
 
 namespace gnomon {
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "study/spec/file_names.h"
-#include "study/spec/method_section.h"
+#include "study/spec/sections/method_section.h"
 
 namespace gnomon {
 

@@ -10,7 +10,7 @@
 #include "relief/relief.h"
 #include "render/check/pass_check.h"
 #include "render/view.h"
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 

@@ -1,4 +1,4 @@
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 
 #include "common/degrees.h"
 #include "common/overloaded.h"
-#include "study/spec/toml_text.h"
+#include "study/spec/toml/toml_text.h"
 
 namespace gnomon {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "common/error.h"
-#include "study/spec/toml_text.h"
+#include "study/spec/toml/toml_text.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "study/spec/surface_section.h"
+#include "study/spec/sections/surface_section.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "common/overloaded.h"
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 #include "surface/mesh_file.h"
 #include "surface/shapes.h"
 

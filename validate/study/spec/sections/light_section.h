@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/vec.h"
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 
 namespace gnomon {
 

@@ -1,11 +1,11 @@
-#include "study/spec/method_section.h"
+#include "study/spec/sections/method_section.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include "common/error.h"
 #include "render/method.h"
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "study/spec/nearest_name.h"
+#include "study/spec/toml/nearest_name.h"
 
 #include <algorithm>
 #include <vector>

@@ -8,7 +8,7 @@
 #include "common/overloaded.h"
 #include "relief/patterns.h"
 #include "relief/relief.h"
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 
 namespace gnomon {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/spec/threshold_section.h"
+#include "study/spec/sections/threshold_section.h"
 
 namespace gnomon {
 

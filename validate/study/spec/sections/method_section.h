@@ -5,10 +5,10 @@
 #include <string>
 
 #include "render/method_pass.h"
-#include "study/spec/bake_section.h"
-#include "study/spec/base_section.h"
-#include "study/spec/study_key.h"
-#include "study/spec/toml_reader.h"
+#include "study/spec/sections/bake_section.h"
+#include "study/spec/sections/base_section.h"
+#include "study/spec/sections/study_key.h"
+#include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 

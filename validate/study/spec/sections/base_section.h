@@ -2,7 +2,7 @@
 
 #include <compare>
 
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 #include "surface/base_mesh.h"
 
 namespace gnomon {

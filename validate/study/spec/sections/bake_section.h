@@ -3,7 +3,7 @@
 #include "common/vec.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/stored_table.h"
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 
 namespace gnomon {
 

@@ -1,4 +1,4 @@
-#include "study/spec/toml_reader.h"
+#include "study/spec/toml/toml_reader.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,7 @@
 #include "common/text/one_line.h"
 #include "common/text/toml_nesting.h"
 #include "common/text/utf8.h"
-#include "study/spec/nearest_name.h"
+#include "study/spec/toml/nearest_name.h"
 
 namespace gnomon {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/spec/method_section.h"
+#include "study/spec/sections/method_section.h"
 
 namespace gnomon {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 #include "truth/micro_mesh.h"
 
 namespace gnomon {

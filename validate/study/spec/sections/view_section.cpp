@@ -1,4 +1,4 @@
-#include "study/spec/view_section.h"
+#include "study/spec/sections/view_section.h"
 
 #include <algorithm>
 #include <cmath>

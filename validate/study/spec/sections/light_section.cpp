@@ -1,9 +1,9 @@
-#include "study/spec/light_section.h"
+#include "study/spec/sections/light_section.h"
 
 #include <cmath>
 
 #include "common/degrees.h"
-#include "study/spec/light_name.h"
+#include "study/spec/sections/light_name.h"
 
 namespace gnomon {
 

@@ -7,7 +7,7 @@
 
 #include "study/record/answer.h"
 #include "study/record/gate.h"
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 
 namespace gnomon {
 

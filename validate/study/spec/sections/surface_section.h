@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/overloaded.h"
-#include "study/spec/study_key.h"
+#include "study/spec/sections/study_key.h"
 #include "surface/cage.h"
 
 namespace gnomon {

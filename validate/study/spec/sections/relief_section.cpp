@@ -1,10 +1,10 @@
-#include "study/spec/relief_section.h"
+#include "study/spec/sections/relief_section.h"
 
 #include <fmt/core.h>
 
 #include "relief/height_image.h"
 #include "relief/resampled_heights.h"
-#include "study/spec/study_paths.h"
+#include "study/spec/sections/study_paths.h"
 
 namespace gnomon {
 namespace {
