@@ -4,9 +4,9 @@
 
 #include "relief/patterns.h"
 #include "relief/relief.h"
+#include "surface/cage/shapes.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
-#include "surface/shapes.h"
 
 namespace gnomon::benchmarks {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "relief/patch_border.h"
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 
 namespace gnomon {
 namespace {

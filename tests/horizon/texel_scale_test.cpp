@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "support/error_messages.h"
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon {

@@ -16,12 +16,12 @@
 #include "horizon/texel_scale.h"
 #include "relief/relief.h"
 #include "render/gl_context.h"
-#include "render/method_pass.h"
-#include "render/passes.h"
+#include "render/passes/method_pass.h"
+#include "render/passes/passes.h"
 #include "render/view.h"
 #include "surface/base_mesh.h"
+#include "surface/cage/shapes.h"
 #include "surface/limit_surface.h"
-#include "surface/shapes.h"
 
 namespace gnomon::test {
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "render/gl_context.h"
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 #include "support/temporary_folder.h"
 
 // A method that uses a function, a uniform or a structure without the declaration that provides it

@@ -16,7 +16,7 @@
 #include "report/plots/study_plots.h"
 #include "report/sample_record.h"
 #include "report/tables/budget_table.h"
-#include "report/tables/csv_format.h"
+#include "report/tables/formats/csv_format.h"
 #include "report/text/budget_text.h"
 #include "report/text/text_width.h"
 

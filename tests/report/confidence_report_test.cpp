@@ -13,7 +13,7 @@
 #include "report/page/terminal_report.h"
 #include "report/sample_record.h"
 #include "report/tables/case_tables.h"
-#include "report/tables/csv_format.h"
+#include "report/tables/formats/csv_format.h"
 #include "report/text/confidence_text.h"
 #include "report/text/interval_text.h"
 #include "report/text/text_width.h"

@@ -10,7 +10,7 @@
 #include "report/page/ranking_html.h"
 #include "report/page/terminal_report.h"
 #include "report/sample_record.h"
-#include "report/tables/csv_format.h"
+#include "report/tables/formats/csv_format.h"
 #include "report/tables/means_table.h"
 #include "report/text/text_width.h"
 

@@ -14,7 +14,7 @@
 #include "report/plots/sweep_cost_plots.h"
 #include "report/plots/sweep_plot.h"
 #include "report/sample_record.h"
-#include "report/tables/csv_format.h"
+#include "report/tables/formats/csv_format.h"
 #include "report/tables/means_table.h"
 #include "report/text/text_width.h"
 #include "study/judge/gates.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "surface/cage/shapes.h"
 #include "surface/curvature.h"
-#include "surface/shapes.h"
 #include "surface/test_surfaces.h"
 #include "surface/texel_frame.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
-#include "surface/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
-#include "surface/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

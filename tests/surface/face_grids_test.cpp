@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

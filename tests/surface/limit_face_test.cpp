@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

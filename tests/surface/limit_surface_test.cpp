@@ -4,8 +4,8 @@
 #include <set>
 
 #include "common/parallel.h"
+#include "surface/cage/shapes.h"
 #include "surface/plain_subdivision.h"
-#include "surface/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

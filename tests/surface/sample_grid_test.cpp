@@ -1,6 +1,6 @@
 #include "surface/sample_grid.h"
 
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "common/error.h"
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
 namespace gnomon {

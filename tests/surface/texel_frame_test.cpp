@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

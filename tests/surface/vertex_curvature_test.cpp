@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
 namespace gnomon {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "relief/relief.h"
+#include "surface/cage/shapes.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
-#include "surface/shapes.h"
 
 namespace gnomon::test {
 

@@ -12,13 +12,13 @@
 #include "common/camera.h"
 #include "common/error.h"
 #include "render/gl_context.h"
-#include "render/passes.h"
+#include "render/passes/passes.h"
 #include "render/shader_files.h"
 #include "render/view.h"
 #include "surface/base_mesh.h"
+#include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
 #include "surface/sample_grid.h"
-#include "surface/shapes.h"
 
 namespace gnomon {
 inline namespace api {

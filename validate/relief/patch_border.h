@@ -1,7 +1,7 @@
 #pragma once
 
 #include "relief/height_field.h"
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
 namespace gnomon {

@@ -13,7 +13,7 @@
 #include "common/error.h"
 #include "common/parallel.h"
 #include "common/system/memory.h"
-#include "surface/topology.h"
+#include "surface/cage/topology.h"
 
 namespace gnomon {
 namespace {

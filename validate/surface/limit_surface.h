@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/vec.h"
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 #include "surface/surface_sample.h"
 
 namespace gnomon {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "render/drawing.h"
-#include "render/method_pass.h"
+#include "render/passes/drawing.h"
+#include "render/passes/method_pass.h"
 #include "study/run/driver_faults.h"
 #include "viewer/session/scene_data.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "model/pane_figures.h"
-#include "render/line_pass.h"
-#include "render/passes.h"
+#include "render/passes/line_pass.h"
+#include "render/passes/passes.h"
 #include "render/target.h"
 #include "viewer/session/drawn_scene.h"
 #include "viewer/session/truth_worker.h"

@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 #include "report/sample_record.h"
-#include "report/tables/csv_format.h"
+#include "report/tables/formats/csv_format.h"
 #include "study/record/result_metrics.h"
 
 namespace gnomon {

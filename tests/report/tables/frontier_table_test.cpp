@@ -6,7 +6,7 @@
 
 #include "report/plots/frontier_plot.h"
 #include "report/sample_record.h"
-#include "report/tables/csv_format.h"
+#include "report/tables/formats/csv_format.h"
 
 namespace gnomon {
 namespace {

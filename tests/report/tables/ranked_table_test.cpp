@@ -8,10 +8,10 @@
 
 #include "common/error.h"
 #include "report/sample_record.h"
-#include "report/tables/csv_format.h"
-#include "report/tables/html_format.h"
-#include "report/tables/latex_format.h"
-#include "report/tables/markdown_format.h"
+#include "report/tables/formats/csv_format.h"
+#include "report/tables/formats/html_format.h"
+#include "report/tables/formats/latex_format.h"
+#include "report/tables/formats/markdown_format.h"
 #include "support/lines.h"
 
 namespace gnomon {

@@ -4,7 +4,7 @@
 
 #include "report/page/terminal_report.h"
 #include "report/sample_record.h"
-#include "report/tables/html_format.h"
+#include "report/tables/formats/html_format.h"
 #include "report/tables/run_tables.h"
 
 namespace gnomon {

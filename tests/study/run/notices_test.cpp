@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "study/spec/study_file_fixture.h"
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 
 namespace gnomon {
 namespace {

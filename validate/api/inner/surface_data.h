@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gnomon/surface.h"
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
 namespace gnomon {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "render/check/rectangles.h"
-#include "render/drawing.h"
+#include "render/passes/drawing.h"
 
 namespace gnomon::check {
 

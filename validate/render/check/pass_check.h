@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 
 namespace gnomon {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 
 // One function a kind of pass: see passFault for what each compares.
 

@@ -4,7 +4,7 @@
 #include "render/check/box_scene.h"
 #include "render/check/pass_faults.h"
 #include "render/check/tally.h"
-#include "render/passes.h"
+#include "render/passes/passes.h"
 
 namespace gnomon::check {
 

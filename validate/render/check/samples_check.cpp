@@ -5,7 +5,7 @@
 #include "render/check/pass_faults.h"
 #include "render/check/tally.h"
 #include "render/check/tile_scene.h"
-#include "render/passes.h"
+#include "render/passes/passes.h"
 
 namespace gnomon::check {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 
 // Two faces side by side with maps of random zeros and ones, of which one sample a texel is drawn.
 

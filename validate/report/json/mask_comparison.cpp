@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "report/json/json_values.h"
-#include "report/tables/terminal_format.h"
+#include "report/tables/formats/terminal_format.h"
 #include "report/text/number_text.h"
 #include "report/text/terminal_page.h"
 

@@ -4,7 +4,7 @@
 
 #include "report/page/html_page.h"
 #include "report/tables/budget_table.h"
-#include "report/tables/html_format.h"
+#include "report/tables/formats/html_format.h"
 #include "report/text/budget_text.h"
 
 namespace gnomon {

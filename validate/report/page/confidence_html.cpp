@@ -2,7 +2,7 @@
 
 #include "report/page/html_page.h"
 #include "report/tables/confidence_table.h"
-#include "report/tables/html_format.h"
+#include "report/tables/formats/html_format.h"
 #include "report/text/confidence_text.h"
 
 namespace gnomon {

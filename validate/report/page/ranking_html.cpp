@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "report/page/html_page.h"
-#include "report/tables/html_format.h"
+#include "report/tables/formats/html_format.h"
 #include "report/tables/means_table.h"
 #include "report/tables/ranked_table.h"
 #include "report/text/number_text.h"

@@ -5,8 +5,8 @@
 
 #include "report/page/html_figures.h"
 #include "report/page/html_page.h"
+#include "report/tables/formats/html_format.h"
 #include "report/tables/gate_table.h"
-#include "report/tables/html_format.h"
 
 namespace gnomon {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "report/page/html_page.h"
 #include "report/page/reference_html.h"
+#include "report/tables/formats/html_format.h"
 #include "report/tables/gate_table.h"
-#include "report/tables/html_format.h"
 #include "report/tables/means_table.h"
 #include "study/judge/study_ranking.h"
 

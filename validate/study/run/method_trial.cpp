@@ -11,7 +11,7 @@
 #include "study/run/run_study.h"
 #include "study/run/scene/run_keys.h"
 #include "study/spec/sections/method_section.h"
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 
 namespace gnomon {
 namespace {

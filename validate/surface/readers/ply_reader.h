@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 
 namespace gnomon {
 

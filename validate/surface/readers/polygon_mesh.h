@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "common/vec.h"
-#include "surface/cage.h"
-#include "surface/topology.h"
+#include "surface/cage/cage.h"
+#include "surface/cage/topology.h"
 
 // Shared by the sources of this component; no other component includes it.
 

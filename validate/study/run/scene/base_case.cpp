@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "render/passes.h"
+#include "render/passes/passes.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/view_map.h"
 

@@ -14,7 +14,7 @@
 #include "horizon/angle_table.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/horizon_ellipses.h"
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 #include "render/view.h"
 #include "study/record/record.h"
 #include "study/run/scene/method_outcome.h"

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "common/error.h"
-#include "render/passes.h"
+#include "render/passes/passes.h"
 #include "study/run/scene/cached_fields.h"
 #include "truth/surface_horizons.h"
 

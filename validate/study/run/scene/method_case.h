@@ -6,7 +6,7 @@
 
 #include "common/mask.h"
 #include "render/method.h"
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
 

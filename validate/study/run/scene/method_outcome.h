@@ -11,7 +11,7 @@
 #include "compare/counts.h"
 #include "compare/rates.h"
 #include "compare/shadow_length.h"
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/sample_axes.h"

@@ -5,7 +5,7 @@
 
 #include "cache/cache.h"
 #include "render/gpu_scene.h"
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/light_field.h"
 #include "study/run/scene/run_keys.h"

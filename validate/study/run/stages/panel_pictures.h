@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/passes.h"
+#include "render/passes/passes.h"
 #include "study/record/record.h"
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/method_case.h"

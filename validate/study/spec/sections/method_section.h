@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 #include "study/spec/sections/bake_section.h"
 #include "study/spec/sections/base_section.h"
 #include "study/spec/sections/study_key.h"

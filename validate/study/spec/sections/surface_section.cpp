@@ -8,8 +8,8 @@
 
 #include "common/overloaded.h"
 #include "study/spec/sections/study_paths.h"
+#include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
-#include "surface/shapes.h"
 
 namespace gnomon {
 namespace {

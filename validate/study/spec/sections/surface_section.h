@@ -7,7 +7,7 @@
 
 #include "common/overloaded.h"
 #include "study/spec/sections/study_key.h"
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 
 namespace gnomon {
 

@@ -1,4 +1,4 @@
-#include "report/tables/terminal_format.h"
+#include "report/tables/formats/terminal_format.h"
 
 #include <algorithm>
 #include <span>

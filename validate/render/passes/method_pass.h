@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "render/drawing.h"
 #include "render/frame_timer.h"
-#include "render/light_depth_pass.h"
 #include "render/method.h"
-#include "render/shadow_volume_pass.h"
+#include "render/passes/drawing.h"
+#include "render/passes/light_depth_pass.h"
+#include "render/passes/shadow_volume_pass.h"
 
 namespace gnomon {
 

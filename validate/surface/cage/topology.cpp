@@ -1,4 +1,4 @@
-#include "surface/topology.h"
+#include "surface/cage/topology.h"
 
 #include <fmt/format.h>
 #include <opensubdiv/far/topologyDescriptor.h>
@@ -14,7 +14,7 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
-using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+using RefinerFactory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
 
 /// Beyond it, products of derivatives would leave the range of double (and GPU floats be coarse).
 constexpr double largestCoordinate = 1e12;
@@ -246,8 +246,8 @@ std::unique_ptr<Far::TopologyRefiner> makeTopologyRefiner(const Polygons& polygo
 
   const auto scheme =
       polygons.scheme == SubdivisionScheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
-  const Factory::Options options(scheme, schemeOptions(polygons.border));
-  std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(descriptor, options));
+  const RefinerFactory::Options options(scheme, schemeOptions(polygons.border));
+  std::unique_ptr<Far::TopologyRefiner> refiner(RefinerFactory::Create(descriptor, options));
   if (!refiner) {
     throw InputError(
         fmt::format("{}: OpenSubdiv cannot connect the faces (a vertex with more than "

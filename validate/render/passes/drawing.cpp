@@ -1,4 +1,4 @@
-#include "render/drawing.h"
+#include "render/passes/drawing.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/mask.h"
-#include "render/drawing.h"
+#include "render/passes/drawing.h"
 #include "render/target.h"
 #include "surface/sample_grid.h"
 

@@ -1,4 +1,4 @@
-#include "render/light_depth_pass.h"
+#include "render/passes/light_depth_pass.h"
 
 namespace gnomon {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/vec.h"
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 
 namespace gnomon {
 

@@ -1,4 +1,4 @@
-#include "report/tables/markdown_format.h"
+#include "report/tables/formats/markdown_format.h"
 
 #include "common/text/one_line.h"
 

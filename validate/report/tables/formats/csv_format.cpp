@@ -1,4 +1,4 @@
-#include "report/tables/csv_format.h"
+#include "report/tables/formats/csv_format.h"
 
 #include <algorithm>
 #include <array>

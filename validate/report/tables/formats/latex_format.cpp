@@ -1,4 +1,4 @@
-#include "report/tables/latex_format.h"
+#include "report/tables/formats/latex_format.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "render/passes.h"
+#include "render/passes/passes.h"
 
 #include <array>
 

@@ -1,10 +1,10 @@
-#include "render/line_pass.h"
+#include "render/passes/line_pass.h"
 
 #include <array>
 #include <vector>
 
-#include "render/drawing.h"
 #include "render/gl_objects.h"
+#include "render/passes/drawing.h"
 #include "render/program.h"
 
 namespace gnomon {

@@ -1,4 +1,4 @@
-#include "surface/shapes.h"
+#include "surface/cage/shapes.h"
 
 #include <algorithm>
 #include <cmath>

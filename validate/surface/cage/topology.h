@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/vec.h"
-#include "surface/cage.h"
+#include "surface/cage/cage.h"
 
 // Shared by the sources of this component; no other component includes it.
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "render/drawing.h"
+#include "render/passes/drawing.h"
 #include "render/target.h"
 
 namespace gnomon {

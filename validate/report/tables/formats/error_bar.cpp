@@ -1,4 +1,4 @@
-#include "report/tables/error_bar.h"
+#include "report/tables/formats/error_bar.h"
 
 #include <algorithm>
 

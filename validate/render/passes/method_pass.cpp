@@ -1,4 +1,4 @@
-#include "render/method_pass.h"
+#include "render/passes/method_pass.h"
 
 #include <fmt/core.h>
 

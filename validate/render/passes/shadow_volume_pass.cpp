@@ -1,4 +1,4 @@
-#include "render/shadow_volume_pass.h"
+#include "render/passes/shadow_volume_pass.h"
 
 #include "common/error.h"
 

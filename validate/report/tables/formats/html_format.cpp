@@ -1,6 +1,6 @@
-#include "report/tables/html_format.h"
+#include "report/tables/formats/html_format.h"
 
-#include "report/tables/error_bar.h"
+#include "report/tables/formats/error_bar.h"
 #include "report/text/number_text.h"
 
 namespace gnomon {

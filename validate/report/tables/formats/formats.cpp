@@ -1,12 +1,12 @@
-#include "report/tables/formats.h"
+#include "report/tables/formats/formats.h"
 
 #include <array>
 
-#include "report/tables/csv_format.h"
-#include "report/tables/html_format.h"
-#include "report/tables/latex_format.h"
-#include "report/tables/markdown_format.h"
-#include "report/tables/terminal_format.h"
+#include "report/tables/formats/csv_format.h"
+#include "report/tables/formats/html_format.h"
+#include "report/tables/formats/latex_format.h"
+#include "report/tables/formats/markdown_format.h"
+#include "report/tables/formats/terminal_format.h"
 
 namespace gnomon {
 
