@@ -10,6 +10,7 @@ namespace gnomon::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// One texel of height 4 among 9 × 5.
 std::vector<float> peak() {
@@ -52,11 +53,11 @@ TEST(ApiHorizon, RefusesWhatIsNoMap) {
   EXPECT_THAT(failureOf([&] {
                 (void)bakeHorizons({9, 5, texels}, 0, 10);
               }),
-              HasSubstr("bake.azimuths"));
+              StartsWith("azimuths: 0 found"));
   EXPECT_THAT(failureOf([&] {
                 (void)bakeHorizons({9, 5, texels}, 4, -1);
               }),
-              HasSubstr("bake.radius"));
+              StartsWith("radius: -1 texels found"));
 }
 
 }  // namespace

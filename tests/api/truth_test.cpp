@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::Each;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr int side = 64;  // texels and world units
 
@@ -94,7 +95,15 @@ TEST(ApiTruth, RefusesWhatItCannotTrace) {
   EXPECT_THAT(refusal({2, 1, {{0, 0, 0}}, {}}, {0, 0, 1}, bare), HasSubstr("2 × 1"));
   EXPECT_THAT(refusal(samples, {0, 0, 1}, {{2, 2, flat}, {0, 1}}), HasSubstr("repeats"));
   EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = 0.5, .radius = 0}), HasSubstr("radius"));
-  EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = -1, .radius = {}}), HasSubstr("step"));
+  EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = -1, .radius = {}}),
+              StartsWith("step: -1 texels found"));
+  EXPECT_THAT(
+      failureOf(
+          [&] {
+            (void)traceTruth(plane, bare, samples, {{0, 0, 1}}, {.step = 1e-7, .radius = {}});
+          },
+          FailureKind::internal),
+      StartsWith("step: 1e-07 texels make a micro-mesh of "));
   EXPECT_NE(failureOf([&] { (void)traceTruth(plane, bare, samples, {}); }), "");
 }
 

@@ -19,7 +19,16 @@ TEST(Error, IsCaughtAsOneBaseWithItsMessage) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "scene.toml:3: relief.height: missing");
     EXPECT_EQ(error.status(), ExitStatus::badInput);
+    EXPECT_EQ(error.parameter(), "");
+    EXPECT_EQ(error.reason(), error.what());
   }
+}
+
+TEST(Error, NamesTheParameterThatIsWrongBeforeTheReason) {
+  const InputError error("0 texels found", "step");
+  EXPECT_STREQ(error.what(), "step: 0 texels found");
+  EXPECT_EQ(error.parameter(), "step");
+  EXPECT_EQ(error.reason(), "0 texels found");
 }
 
 }  // namespace

@@ -186,10 +186,10 @@ TEST_F(BadInput, Meshes) {
 
 TEST_F(BadInput, MoreThanMemoryHolds) {
   writeSmall();
-  expectFailureWith({"truth.step=1e-7"}, 4, {"truth.step = 1e-07", "needs ", " available"});
-  expectFailureWith({"truth.step=1e-300"}, 4, {"truth.step = 1e-300"});
+  expectFailureWith({"truth.step=1e-7"}, 4, {"truth.step: 1e-07 texels", "needs ", " available"});
+  expectFailureWith({"truth.step=1e-300"}, 4, {"truth.step: 1e-300 texels"});
   expectFailureWith({"relief.texels=[4096, 4096]", "bake.radius=100", "bake.azimuths=1024"}, 4,
-                    {"bake.azimuths = 1024 and bake.radius = 100", "needs ", " available"});
+                    {"bake.azimuths: 1024, with a radius of 100 texels", "needs ", " available"});
   expectFailureWith({"view.0.width=16384", "view.0.height=16384"}, 3,
                     {"view \"camera\": 16384 × 16384 samples found, at most 134217728 expected"});
 }

@@ -58,7 +58,7 @@ TEST_F(Refinement, SaysWhatIsReachedWhereTheWishIsNot) {
   EXPECT_EQ(outcome.status, 3);
   EXPECT_THAT(outcome.err, HasSubstr("truth.uncertainty = 1e-09 is not reached: 0."));
   EXPECT_THAT(outcome.err, HasSubstr("at a step of 0.5 texels (288000 micro-triangles). The next "
-                                     "level: truth.step = 0.25: 36000 lines across one face"));
+                                     "level: truth.step: 0.25 texels make 36000 lines across one"));
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_EQ(filesBelow("out"), std::vector<std::string>{"small/truth/files.txt"});
 }

@@ -23,6 +23,7 @@ namespace gnomon {
 namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 // --- against brute force ------------------------------------------------------------------------
 
@@ -367,13 +368,13 @@ TEST(HorizonBake, RefusesSettingsOutOfRange) {
     EXPECT_THAT(messageOf<InputError>([&] {
                   bakeHorizons(field, {azimuths, 5});
                 }),
-                HasSubstr("bake.azimuths"));
+                StartsWith("azimuths: "));
   }
   for (const double radius : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THAT(messageOf<InputError>([&] {
                   bakeHorizons(field, {8, radius});
                 }),
-                HasSubstr("bake.radius"));
+                StartsWith("radius: "));
   }
 }
 
@@ -382,11 +383,11 @@ TEST(HorizonBake, RefusesWhatCannotFit) {
   EXPECT_THAT(messageOf<MemoryError>([&] {
                 bakeHorizons(field, {2000000000, 5});
               }),
-              AllOf(HasSubstr("bake.azimuths"), HasSubstr("64 x 64")));
+              AllOf(StartsWith("azimuths: 2000000000"), HasSubstr("64 × 64")));
   EXPECT_THAT(messageOf<MemoryError>([&] {
                 bakeHorizons(field, {8, 1e300});
               }),
-              HasSubstr("bake.radius"));
+              HasSubstr("a radius of 1e+300 texels"));
 }
 
 TEST(HorizonBake, MemoryCountsTheThreadsThatAreAllowed) {

@@ -59,11 +59,11 @@ TEST(StoredBake, RefusesWhatBakesRefuse) {
   EXPECT_THAT(messageOf<InputError>([&] {
                 bakeStoredHorizons(field, {0, 5}, TableBits::eight);
               }),
-              ::testing::HasSubstr("bake.azimuths"));
+              ::testing::StartsWith("azimuths: "));
   EXPECT_THAT(messageOf<MemoryError>([&] {
                 bakeStoredHorizons(field, {2000000000, 5}, TableBits::eight);
               }),
-              ::testing::HasSubstr("bake.azimuths"));
+              ::testing::StartsWith("azimuths: "));
 }
 
 #if defined(__linux__) && !defined(GNOMON_SANITIZED)

@@ -113,8 +113,12 @@ TEST(BaseMesh, FirstVertexKeepsItsOrder) {
 
 TEST(BaseMesh, RefusesSizes) {
   const LimitSurface surface(makePlane(1, 1, 64, 64));
-  expectInputError([&] { makeBaseMesh(surface, {1, 1}, 0); }, {"subdivisions is 0", "1 to 1024"});
-  expectInputError([&] { makeBaseMesh(surface, {1, 1}, 1025); }, {"subdivisions is 1025"});
+  expectInputError(
+      [&] {
+        makeBaseMesh(surface, {1, 1}, 0);
+      },
+      {"subdivisions: 0 found", "1 to 1024"});
+  expectInputError([&] { makeBaseMesh(surface, {1, 1}, 1025); }, {"subdivisions: 1025"});
   expectInputError([&] { makeBaseMesh(surface, {1, 1}, 1024); }, {"2^32"});
   EXPECT_THROW(makeBaseMesh(surface, {1, 1}, 1000), MemoryError);  // 0.9 TB
 }

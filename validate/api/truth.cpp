@@ -101,9 +101,11 @@ std::vector<Truth> traceCoarser(Task task, const Traced& fine) {
   for (TraceSettings& light : task.lights) light.rayOffset = standardRayOffset / 2;
   Traced coarse = trace(task, 2 * fine.step);
   if (2 * coarse.triangles > fine.triangles) {
-    throw InputError(fmt::format(
-        "step: {} texels found, too long to tell the truth's uncertainty; a smaller step expected",
-        fine.step));
+    throw InputError(
+        fmt::format(
+            "{} texels found, too long to measure the truth's uncertainty; a smaller step expected",
+            fine.step),
+        "step");
   }
   return std::move(coarse.truths);
 }

@@ -19,12 +19,24 @@ enum class ExitStatus : int {
 /// found, what was expected. Caught once, in `cli`, which returns `status()`.
 class Error : public std::runtime_error {
  public:
-  Error(ExitStatus status, const std::string& message)
-      : std::runtime_error(message), status_(status) {}
+  /// @param parameter  of the function that fails, by its name in the header; the message then
+  ///   begins with it, "step: 0 texels found". Code that read the value from a file puts the key in
+  ///   its place (`withKeys`)
+  Error(ExitStatus status, const std::string& message, const std::string& parameter = {})
+      : std::runtime_error(parameter.empty() ? message : parameter + ": " + message),
+        status_(status),
+        parameter_(parameter) {}
   [[nodiscard]] ExitStatus status() const { return status_; }
+  /// The parameter whose value is wrong; empty where the message names none.
+  [[nodiscard]] const std::string& parameter() const { return parameter_; }
+  /// The message without the parameter.
+  [[nodiscard]] std::string reason() const {
+    return std::string(what()).substr(parameter_.empty() ? 0 : parameter_.size() + 2);
+  }
 
  private:
   ExitStatus status_;
+  std::string parameter_;
 };
 
 /// The command line asks for something that does not exist or contradicts itself.
@@ -36,7 +48,8 @@ class UsageError : public Error {
 /// A study, mesh, image or shader is missing, malformed or out of range.
 class InputError : public Error {
  public:
-  explicit InputError(const std::string& message) : Error(ExitStatus::badInput, message) {}
+  explicit InputError(const std::string& message, const std::string& parameter = {})
+      : Error(ExitStatus::badInput, message, parameter) {}
 };
 
 /// Something failed that no input should be able to cause.
@@ -48,7 +61,8 @@ class InternalError : public Error {
 /// A request needs more memory than there is. The message holds both figures.
 class MemoryError : public Error {
  public:
-  explicit MemoryError(const std::string& message) : Error(ExitStatus::internal, message) {}
+  explicit MemoryError(const std::string& message, const std::string& parameter = {})
+      : Error(ExitStatus::internal, message, parameter) {}
 };
 
 /// No OpenGL 4.5 context can be had on this machine.

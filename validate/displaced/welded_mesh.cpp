@@ -25,20 +25,23 @@ double triangleCount(const LimitSurface& surface, int subdivisions) {
 
 /// Refuses a mesh that cannot be numbered or held, before anything of it is made.
 void requireRoom(const LimitSurface& surface, int subdivisions) {
-  const std::string what = fmt::format("subdivisions: {}", subdivisions);
+  const std::string parameter = "subdivisions";
   if (subdivisions < 1 || subdivisions > mostSubdivisions) {
-    throw InputError(fmt::format("{} found, 1 to {} expected", what, mostSubdivisions));
+    throw InputError(fmt::format("{} found, 1 to {} expected", subdivisions, mostSubdivisions),
+                     parameter);
   }
   const double vertices = (subdivisions + 1.0) * (subdivisions + 1.0) * surface.faceCount();
   if (!(vertices < std::numeric_limits<std::int32_t>::max())) {
     throw InputError(fmt::format("{} found, which give {:.3g} vertices: fewer than 2^31 expected",
-                                 what, vertices));
+                                 subdivisions, vertices),
+                     parameter);
   }
   const double triangles = triangleCount(surface, subdivisions);
   constexpr double bytesPerVertex = 2 * sizeof(glm::vec3) + 2 * sizeof(std::uint32_t);
   constexpr double bytesPerTriangle = 3 * sizeof(std::uint32_t);
   requireMemory(vertices * bytesPerVertex + triangles * bytesPerTriangle,
-                fmt::format("{}, a displaced mesh of {:.3g} triangles", what, triangles));
+                fmt::format("{}, a displaced mesh of {:.3g} triangles", subdivisions, triangles),
+                parameter);
 }
 
 /// Leaves each vertex once: `first` becomes its number among those that `positions` then holds.

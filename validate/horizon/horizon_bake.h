@@ -35,8 +35,8 @@ struct HorizonTables : TableShape {
 /// more than 2⁻²⁰ (highest - lowest) / max(r, 1), about what float rounding may add to either; d is
 /// the smallest r with such a slope. So d is 0 on a plane and at the near end of anything that
 /// rises evenly.
-/// @throws InputError for settings out of range (`bake.azimuths`, `bake.radius`) or heights more
-///   than 1e34 apart; MemoryError if the tables cannot fit
+/// @throws InputError for settings out of range (messages call them `azimuths` and `radius`) or
+///   heights more than 1e34 apart; MemoryError naming `azimuths` if the tables cannot fit
 HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,
                            const Progress& progress = {});
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,10 +18,9 @@
 namespace gnomon {
 namespace {
 
-void checkBetween(std::string_view key, double value, double least, double most) {
+void checkBetween(const std::string& parameter, double value, double least, double most) {
   if (!(value >= least && value <= most)) {
-    throw InputError(
-        fmt::format("relief.{}: {} found, {} to {} expected", key, value, least, most));
+    throw InputError(fmt::format("{} found, {} to {} expected", value, least, most), parameter);
   }
 }
 
@@ -35,13 +34,13 @@ void checkPeriod(double period) {
 void checkMap(int width, int height, double amplitude) {
   if (width < 1 || height < 1) {
     throw InputError(
-        fmt::format("relief.size: {} x {} texels found, at least 1 x 1 expected", width, height));
+        fmt::format("a map of {} × {} texels found, at least 1 × 1 expected", width, height));
   }
   if (!std::isfinite(amplitude)) {
-    throw InputError(fmt::format("relief.height: {} found, a finite number expected", amplitude));
+    throw InputError(fmt::format("{} found, a finite number expected", amplitude), "amplitude");
   }
   requireMemory(static_cast<double>(width) * height * sizeof(float),
-                fmt::format("relief.size: a map of {} x {} texels", width, height));
+                fmt::format("a map of {} × {} texels", width, height));
 }
 
 /// amplitude × function at every texel centre.

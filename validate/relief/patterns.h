@@ -46,8 +46,8 @@ struct RipplesPattern {
   double meander = 6;     ///< texels that crest lines stray at most
 };
 
-/// @throws InputError naming the key: a period under 1 texel, a length that is negative or over
-///   1e9, a share out of range, an amplitude that is not finite; MemoryError
+/// @throws InputError naming the parameter: a period under 1 texel, a length that is negative or
+///   over 1e9, a share out of range, an amplitude that is not finite; MemoryError
 HeightField makeColumns(int width, int height, const ColumnsPattern&, double amplitude, Wrap);
 HeightField makeCosine(int width, int height, const CosinePattern&, double amplitude, Wrap);
 HeightField makeCells(int width, int height, const CellsPattern&, double amplitude, Wrap);

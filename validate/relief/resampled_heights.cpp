@@ -38,9 +38,9 @@ HeightField resampledHeights(const HeightField& field, int factor, double scale)
   const double columns = static_cast<double>(field.width()) * factor;
   const double rows = static_cast<double>(field.height()) * factor;
   constexpr int copies = 2;  // this one, and one on the GPU
-  requireMemory(
-      copies * sizeof(float) * columns * rows,
-      fmt::format("relief.resample = {}: a map of {:.0f} × {:.0f} texels", factor, columns, rows));
+  requireMemory(copies * sizeof(float) * columns * rows,
+                fmt::format("{}, a map of {:.0f} × {:.0f} texels", factor, columns, rows),
+                "factor");
   const int width = field.width() * factor;
   const int height = field.height() * factor;
   std::vector<float> texels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -10,8 +10,8 @@ namespace gnomon {
 /// float rounding: h'(factor · p) = scale · h(p) everywhere, beyond the border too.
 /// @param factor  odd, at least 1
 /// @param scale   new height units per old one: `factor` where heights are texels
-/// @throws InternalError for an even factor; MemoryError naming `relief.resample` where the finer
-///   map cannot fit
+/// @throws InternalError for an even factor; MemoryError naming `factor` where the finer map cannot
+///   fit
 HeightField resampledHeights(const HeightField& field, int factor, double scale);
 
 }  // namespace gnomon

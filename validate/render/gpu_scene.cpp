@@ -126,7 +126,7 @@ GpuHeights::GpuHeights(const HeightField& field)
       border_(field.border()) {
   const int largest = gl::limit(GL_MAX_TEXTURE_SIZE);
   if (field.width() > largest || field.height() > largest) {
-    throw InputError(fmt::format("relief: a height map of {} × {} texels, OpenGL takes at most {}",
+    throw InputError(fmt::format("a height map of {} × {} texels, OpenGL takes at most {}",
                                  field.width(), field.height(), largest));
   }
   const gl::TextureSize size{field.width(), field.height()};
@@ -142,8 +142,8 @@ GpuTable::GpuTable(const StoredTable& table, const TableShape& shape)
   const int largest = gl::limit(GL_MAX_3D_TEXTURE_SIZE);
   if (width > largest || height > largest || layers > largest) {
     throw InputError(
-        fmt::format("bake: tables of {} × {} texels × {} azimuths, OpenGL takes at most {} a side",
-                    width, height, layers, largest));
+        fmt::format("tables of {} × {} texels × {} azimuths, OpenGL takes at most {} a side", width,
+                    height, layers, largest));
   }
   if (table.bits == TableBits::thirtyTwo) range_ = {0, 1};
   const PixelFormat format = pixelFormat(table.bits);
@@ -245,12 +245,12 @@ GpuAngles::GpuAngles(const AngleTable& table, TableBits bits)
       byteCount_(0) {
   const int largest = gl::limit(GL_MAX_TEXTURE_SIZE);
   if (table.width > largest || table.height > largest) {
-    throw InputError(fmt::format("bake: horizon angles of {} × {} texels, OpenGL takes at most {}",
+    throw InputError(fmt::format("horizon angles of {} × {} texels, OpenGL takes at most {}",
                                  table.width, table.height, largest));
   }
   const int maps = (table.layers + 3) / 4;
   requireMemory(4.0 * 4 * maps * table.width * table.height * 2,
-                fmt::format("bake: horizon angles of {} × {} texels × {} azimuths", table.width,
+                fmt::format("horizon angles of {} × {} texels × {} azimuths", table.width,
                             table.height, table.layers));
   angles_ = rgbaMaps(shareOf(table), table.width, table.height, table.layers, bits, byteCount_);
   basis_ = basisMaps(table.layers, bits);

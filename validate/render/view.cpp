@@ -80,7 +80,7 @@ void requireTextureView(const RenderView& view) {
   constexpr double mostTexels = 1 << 27;
   const double texels = static_cast<double>(view.width) * view.height;
   const std::string what =
-      fmt::format("relief: {} × {} unique texels on the surface", view.width, view.height);
+      fmt::format("{} × {} unique texels on the surface", view.width, view.height);
   if (!(texels <= mostTexels)) {
     throw InputError(fmt::format("{} found, at most {} expected: fewer repeats", what, mostTexels));
   }

@@ -53,18 +53,20 @@ void estimateCurvatures(const LimitSurface& surface, const FaceGrids& grids, Bas
 
 void requireSize(const LimitSurface& surface, int subdivisions) {
   if (subdivisions < 1 || subdivisions > mostSubdivisions) {
-    throw InputError(
-        fmt::format("base.subdivisions is {}, expected 1 to {}", subdivisions, mostSubdivisions));
+    throw InputError(fmt::format("{} found, 1 to {} expected", subdivisions, mostSubdivisions),
+                     "subdivisions");
   }
   const double lines = subdivisions + 1.0;
   const double vertices = surface.faceCount() * lines * lines;
   const double indices = 6.0 * surface.faceCount() * subdivisions * subdivisions;
-  const std::string what = fmt::format("base mesh of {} faces at base.subdivisions {}",
-                                       surface.faceCount(), subdivisions);
   if (vertices > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError(fmt::format("{}: {} vertices, expected fewer than 2^32", what, vertices));
+    throw InputError(fmt::format("{} found, which give {:.0f} vertices: fewer than 2^32 expected",
+                                 subdivisions, vertices),
+                     "subdivisions");
   }
-  requireMemory(vertices * sizeof(BaseVertex) + indices * sizeof(std::uint32_t), what);
+  requireMemory(vertices * sizeof(BaseVertex) + indices * sizeof(std::uint32_t),
+                fmt::format("{}, a base mesh of {:.0f} vertices", subdivisions, vertices),
+                "subdivisions");
 }
 
 }  // namespace

@@ -24,9 +24,10 @@ constexpr std::size_t longestSide = 32767;
 void requireSide(double lines, double step) {
   if (!(lines < static_cast<double>(longestSide))) {
     throw InputError(
-        fmt::format("truth.step = {}: {:.0f} lines across one face, at most {} are possible: use a "
+        fmt::format("{} texels make {:.0f} lines across one face, at most {} are possible: use a "
                     "cage of more faces, or fewer repeats",
-                    step, lines, longestSide));
+                    step, lines, longestSide),
+        "step");
   }
 }
 
@@ -167,11 +168,12 @@ double chooseStep(const Faces& faces, const MicroMeshSettings& settings) {
     return faces.triangles(stepOf(quarters)) >= settings.leastTriangles;
   };
   if (!isEnough(enough)) {
-    throw InputError(fmt::format(
-        "truth.step: pieces of 1/{} texel do not give {:g} micro-triangles: the surface or its "
-        "texture coordinates have no area, or too few texels lie on it. More relief.repeats, other "
-        "texture coordinates, or a truth.step expected",
-        finest, settings.leastTriangles));
+    throw InputError(
+        fmt::format("pieces of 1/{} texel do not give {:g} micro-triangles: the surface or its "
+                    "texture coordinates have no area, or too few texels lie on it. More repeats "
+                    "of the map, other texture coordinates, or a step expected",
+                    finest, settings.leastTriangles),
+        "step");
   }
   while (enough - few > 1) {
     const int middle = (few + enough) / 2;
@@ -186,11 +188,12 @@ MicroLines place(const Faces& faces, const MicroMeshSettings& settings, double b
   result.askedTexels = chooseStep(faces, settings);
   const double step = result.askedTexels;
   if (!(step > 0) || !std::isfinite(step)) {
-    throw InputError(fmt::format("truth.step: {} texels found, a positive length expected", step));
+    throw InputError(fmt::format("{} texels found, a positive length expected", step), "step");
   }
   const double triangles = faces.triangles(step);
   requireMemory(triangles / 2 * bytesPerQuad,
-                fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", step, triangles));
+                fmt::format("{} texels make a micro-mesh of {:.3g} triangles", step, triangles),
+                "step");
   faces.place(result, step);
   return result;
 }

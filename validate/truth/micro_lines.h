@@ -35,8 +35,8 @@ struct MicroLines {
 
 /// @param texelsPerUv  as in texelFrame
 /// @param bytesPerQuad  memory that a micro-quadrilateral will take
-/// @throws MemoryError naming `truth.step` where the mesh cannot fit; InputError for a step that is
-///   not positive, that needs more lines across a face than Embree's grids can have, or that cannot
+/// @throws MemoryError naming `step` where the mesh cannot fit; InputError for a step that is not
+///   positive, that needs more lines across a face than Embree's grids can have, or that cannot
 ///   be found
 MicroLines placeMicroLines(const LimitSurface& surface, Vec2 texelsPerUv,
                            const MicroMeshSettings& settings, double bytesPerQuad);

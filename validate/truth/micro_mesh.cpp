@@ -64,12 +64,14 @@ MicroMesh::MicroMesh(MicroLines lines, const LimitSurface& surface, const Relief
 
 void MicroMesh::reserve() {
   if (vertexCount() > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError(fmt::format("truth.step = {}: {} micro-vertices, at most 2^32 can be numbered",
-                                 askedTexels_, vertexCount()));
+    throw InputError(fmt::format("{} texels make {} micro-vertices, at most 2^32 can be numbered",
+                                 askedTexels_, vertexCount()),
+                     "step");
   }
   requireMemory(static_cast<double>(vertexCount()) * (bytesPerVertex + hierarchyBytesPerQuad),
-                fmt::format("truth.step = {}: a micro-mesh of {:.3g} triangles", askedTexels_,
-                            static_cast<double>(triangleCount())));
+                fmt::format("{} texels make a micro-mesh of {:.3g} triangles", askedTexels_,
+                            static_cast<double>(triangleCount())),
+                "step");
   // One float of padding: Embree reads vertices as four floats.
   coordinates_.resize(3 * vertexCount() + 1);
   coordinates_[3 * vertexCount()] = 0;

@@ -44,7 +44,7 @@ struct Facet {
 class MicroMesh {
  public:
   /// @param progress  may throw to cancel, see common/progress.h
-  /// @throws MemoryError naming `truth.step` where mesh and hierarchy cannot fit; InputError as
+  /// @throws MemoryError naming `step` where mesh and hierarchy cannot fit; InputError as
   ///   placeMicroLines, and for 2^32 vertices and more
   MicroMesh(const LimitSurface& surface, const Relief& relief, const MicroMeshSettings& settings,
             const Progress& progress = {});

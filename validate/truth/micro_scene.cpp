@@ -23,7 +23,7 @@ void throwOnError(RTCDevice device, const char* task) {
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) {
     throw MemoryError(
-        fmt::format("Embree ran out of memory while {}: make truth.step larger", task));
+        fmt::format("Embree ran out of memory while {}: a larger step expected", task), "step");
   }
   throw InternalError(
       fmt::format("Embree failed with error {} while {}", static_cast<int>(error), task));

@@ -11,6 +11,7 @@
 #include "horizon/horizon_ellipses.h"
 #include "horizon/texel_scale.h"
 #include "study/run/scene/run_keys.h"
+#include "study/spec/with_keys.h"
 
 namespace gnomon {
 namespace {
@@ -44,8 +45,8 @@ std::shared_ptr<const HorizonTables> SceneMaker::bake(const HeightField& field,
                                                       const BakeSettings& settings,
                                                       const StageProgress& progress) {
   return cached(tables_.bakes, {settings.azimuths, settings.radiusTexels}, [&] {
-    return std::make_shared<const HorizonTables>(
-        bakeHorizons(field, settings, progress("Baking horizons")));
+    return std::make_shared<const HorizonTables>(withKeys(
+        "bake", [&] { return bakeHorizons(field, settings, progress("Baking horizons")); }));
   });
 }
 
@@ -125,13 +126,14 @@ void SceneMaker::addMesh(SceneData& scene, MeshChoice choice, const SceneData* p
     }
   }
   const Relief& relief = scene.study->relief;
-  MeshData data;
-  if (choice.kind == DrawnMesh::displaced) {
-    data.displaced = makeDisplacedMesh(*scene.surface, relief, choice.base.subdivisions);
-  } else {
-    data.base = makeBaseMesh(*scene.surface, relief.texelsPerUv(), choice.base.subdivisions,
-                             choice.base.curvature);
-  }
+  MeshData data = withKeys("base", [&] {
+    const int pieces = choice.base.subdivisions;
+    return choice.kind == DrawnMesh::displaced
+               ? MeshData{{}, makeDisplacedMesh(*scene.surface, relief, pieces)}
+               : MeshData{makeBaseMesh(*scene.surface, relief.texelsPerUv(), pieces,
+                                       choice.base.curvature),
+                          {}};
+  });
   scene.meshes.emplace(choice, std::make_shared<const MeshData>(std::move(data)));
 }
 

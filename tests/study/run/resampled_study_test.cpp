@@ -136,7 +136,7 @@ TEST_F(ResampledStudy, TakesOddFactorsThatFitAlone) {
   EXPECT_THAT(failureWith({"relief.resample=1.5"}), HasSubstr("relief.resample: 1.5 found"));
   EXPECT_THAT(failure<MemoryError>(
                   plainStudy, {{"relief.texels=[4096, 4096]", "relief.resample=255"}, {}, false}),
-              HasSubstr("relief.resample = 255: a map of 1044480 × 1044480 texels"));
+              HasSubstr("relief.resample: 255, a map of 1044480 × 1044480 texels"));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       {"surface.size=[64, -32]", "surface.size: -32 found, a number above 0 expected"},
       {"surface.size=[64, 1e13]", "surface.shape: plane: height is 1e+13, expected"},
       {"relief.texels=[64, 16385]", "relief.texels: 16385 found"},
-      {"relief.period=0.5", "relief.pattern: relief.period: 0.5 found, 1 to"},
+      {"relief.period=0.5", "plain.toml: relief.period: 0.5 found, 1 to"},
       {"relief.height=1e7", "relief.height: 10000000 found"},
       {"relief.repeats=[0, 1]",
        "relief.repeats: 0 found, a number above 0 and at most 1000000 expected"},

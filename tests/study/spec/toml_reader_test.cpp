@@ -244,8 +244,21 @@ TEST(TomlReader, BlamesAKeyForWhatItsValueBrings) {
               document.reader.blame("shape", []() -> int { throw InputError("sphere: too flat"); });
             }),
             "study.toml:1: shape: sphere: too flat");
-  EXPECT_THROW(document.reader.blame("shape", []() -> int { throw MemoryError("too large"); }),
-               MemoryError);
+  EXPECT_EQ(messageOf<MemoryError>([&] {
+              document.reader.blame("shape", []() -> int { throw MemoryError("too large"); });
+            }),
+            "study.toml:1: shape: too large");
+}
+
+TEST(TomlReader, BlamesTheKeyOfTheParameterThatALibraryNames) {
+  const Document document("shape = \"sphere\"\n\nradius = 0\n");
+  const auto messageAbout = [&](const std::string& parameter) {
+    return messageOf<InputError>([&] {
+      document.reader.blame("shape", [&]() -> int { throw InputError("too flat", parameter); });
+    });
+  };
+  EXPECT_EQ(messageAbout("radius"), "study.toml:3: radius: too flat");
+  EXPECT_EQ(messageAbout("columns"), "study.toml:1: shape: too flat");
 }
 
 // ---- files and overrides

@@ -42,11 +42,12 @@ std::uint64_t residentMemoryBytes() {
   return residentPages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void requireMemory(double bytes, const std::string& what) {
+void requireMemory(double bytes, const std::string& what, const std::string& parameter) {
   const double available = static_cast<double>(availableMemoryBytes());
   if (!(bytes <= 0.9 * available)) {
-    throw MemoryError(fmt::format("{}: needs {}, {} available", what, formatBytes(bytes),
-                                  formatBytes(available)));
+    throw MemoryError(
+        fmt::format("{}: needs {}, {} available", what, formatBytes(bytes), formatBytes(available)),
+        parameter);
   }
 }
 

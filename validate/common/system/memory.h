@@ -15,9 +15,10 @@ std::uint64_t residentMemoryBytes();
 
 /// Refuses a request that cannot fit, before anything is allocated.
 /// @param bytes  what the request would take
-/// @param what   what is asked for, and which key makes it smaller: it opens the message
+/// @param what       what is asked for
+/// @param parameter  that makes it smaller, as Error has it; none, if empty
 /// @throws MemoryError with both figures if `bytes` exceeds nine tenths of the available memory
-void requireMemory(double bytes, const std::string& what);
+void requireMemory(double bytes, const std::string& what, const std::string& parameter = {});
 
 /// "1.0 MB", "2.51 GB": decimal units as the papers use them, three significant digits.
 std::string formatBytes(double bytes);

@@ -29,12 +29,12 @@ constexpr int bundleRowShift = 3;
 
 void checkSettings(const BakeSettings& settings) {
   if (settings.azimuths < 1) {
-    throw InputError(
-        fmt::format("bake.azimuths: {} found, at least 1 expected", settings.azimuths));
+    throw InputError(fmt::format("{} found, at least 1 expected", settings.azimuths), "azimuths");
   }
   if (!(settings.radiusTexels > 0) || !std::isfinite(settings.radiusTexels)) {
-    throw InputError(fmt::format("bake.radius: {} texels found, a finite number over 0 expected",
-                                 settings.radiusTexels));
+    throw InputError(
+        fmt::format("{} texels found, a finite number over 0 expected", settings.radiusTexels),
+        "radius");
   }
 }
 
@@ -116,10 +116,10 @@ void checkBake(const HeightField& field, const BakeSettings& settings, double ta
   const double bytes = tableBytes + boundedMapBytes * paddedMapBytes(field, settings.radiusTexels) +
                        azimuthPlanBytes(settings.radiusTexels) * settings.azimuths +
                        tileScratchBytes(settings.radiusTexels) * static_cast<double>(threadCount());
-  requireMemory(
-      bytes, fmt::format("bake.azimuths = {} and bake.radius = {} on a map of {} x {} "
-                         "texels",
-                         settings.azimuths, settings.radiusTexels, field.width(), field.height()));
+  requireMemory(bytes,
+                fmt::format("{}, with a radius of {} texels on a map of {} × {}", settings.azimuths,
+                            settings.radiusTexels, field.width(), field.height()),
+                "azimuths");
 }
 
 void bakeTiles(const HeightField& field, const BakeSettings& settings, const TileSink& sink,

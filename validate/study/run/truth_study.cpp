@@ -6,6 +6,7 @@
 #include "study/run/scene/environment.h"
 #include "study/run/stages/refine_stage.h"
 #include "study/spec/file_names.h"
+#include "study/spec/with_keys.h"
 
 namespace gnomon {
 
@@ -30,7 +31,8 @@ StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progr
   const HeightField& field = study.relief.field;
   const BakeSettings& settings = study.bake.settings;
   if (!keepsHorizons(field, settings)) {
-    return bakeStoredHorizons(field, settings, study.bake.bits, progress);
+    return withKeys("bake",
+                    [&] { return bakeStoredHorizons(field, settings, study.bake.bits, progress); });
   }
   const HorizonTables tables = keptHorizons(cache, field, study.bake, progress);
   return {tables, tables.radiusTexels, storeTable(tables.horizon, study.bake.bits),

@@ -10,6 +10,7 @@
 #include "render/passes/passes.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/view_map.h"
+#include "study/spec/with_keys.h"
 
 namespace gnomon {
 namespace {
@@ -71,15 +72,18 @@ ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
 
 DrawnBase undisplaced(const StudySpec& study, const LimitSurface& surface,
                       const MeshChoice& choice) {
-  BaseMesh mesh = makeBaseMesh(surface, study.relief.texelsPerUv(), choice.base.subdivisions,
-                               choice.base.curvature);
+  BaseMesh mesh = withKeys("base", [&] {
+    return makeBaseMesh(surface, study.relief.texelsPerUv(), choice.base.subdivisions,
+                        choice.base.curvature);
+  });
   GpuMesh gpu(mesh);
   const RenderView texture = textureView(mesh);
   return {std::move(mesh), std::move(gpu), std::nullopt, texture};
 }
 
 DrawnBase displaced(const StudySpec& study, const LimitSurface& surface, const MeshChoice& choice) {
-  DisplacedMesh displaced = makeDisplacedMesh(surface, study.relief, choice.base.subdivisions);
+  DisplacedMesh displaced = withKeys(
+      "base", [&] { return makeDisplacedMesh(surface, study.relief, choice.base.subdivisions); });
   GpuMesh gpu(displaced.mesh);
   GpuVolumes volumes(displaced);
   const RenderView texture = textureView(displaced.mesh);

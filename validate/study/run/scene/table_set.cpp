@@ -5,6 +5,7 @@
 #include "horizon/angle_table.h"
 #include "horizon/horizon_ellipses.h"
 #include "study/run/scene/cached_fields.h"
+#include "study/spec/with_keys.h"
 
 namespace gnomon {
 
@@ -18,7 +19,9 @@ bool keepsHorizons(const HeightField& field, const BakeSettings& settings) {
 
 HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSpec& bake,
                            const Progress& progress) {
-  const auto make = [&] { return bakeHorizons(field, bake.settings, progress); };
+  const auto make = [&] {
+    return withKeys("bake", [&] { return bakeHorizons(field, bake.settings, progress); });
+  };
   return keepsHorizons(field, bake.settings) ? cache.remember(bakeKey(field, bake), make) : make();
 }
 

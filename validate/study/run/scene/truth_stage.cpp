@@ -13,6 +13,7 @@
 #include "compare/boundaries.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/cast_lengths.h"
+#include "study/spec/with_keys.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 
@@ -183,10 +184,14 @@ TracedSurface::TracedSurface(RunScene& run, const MicroMeshSettings& settings,
                              std::string_view meshStage, std::string_view sceneStage)
     : mesh(run.clock.measure(meshStage,
                              [&](const Progress& progress) {
-                               return MicroMesh(run.surface, run.study.relief, settings, progress);
+                               return withKeys("truth", [&] {
+                                 return MicroMesh(run.surface, run.study.relief, settings,
+                                                  progress);
+                               });
                              })),
-      scene(run.clock.measure(
-          sceneStage, [&](const Progress& progress) { return MicroScene(mesh, progress); })) {}
+      scene(run.clock.measure(sceneStage, [&](const Progress& progress) {
+        return withKeys("truth", [&] { return MicroScene(mesh, progress); });
+      })) {}
 
 SurfaceOnDemand::SurfaceOnDemand(Maker make) : make_(std::move(make)) {}
 

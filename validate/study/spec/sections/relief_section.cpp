@@ -75,7 +75,7 @@ Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                 const std::filesystem::path& folder) {
   HeightField field = std::visit(
       Overloaded{[&](const PatternMap& map) {
-                   return section.blame("pattern", [&] { return heightsOf(map, relief); });
+                   return section.blame("texels", [&] { return heightsOf(map, relief); });
                  },
                  [&](const ImageMap& map) {
                    return readHeightImage(folder / pathOf(map.path), map.channel, relief.height,
@@ -87,7 +87,9 @@ Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
   const int resample = relief.resample;
   // Where heights count texels, there are now more of them in the same height.
   const double scale = relief.space == HeightSpace::texture ? resample : 1;
-  if (resample != 1) field = resampledHeights(field, resample, scale);
+  if (resample != 1) {
+    field = section.blame("resample", [&] { return resampledHeights(field, resample, scale); });
+  }
   return {std::move(field), relief.space, relief.repeats, resample};
 }
 

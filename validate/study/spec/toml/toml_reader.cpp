@@ -75,9 +75,18 @@ void TomlReader::mismatch(const toml::node& node, std::string_view key,
       fmt::format("{}: {} found, {} expected", place(node, key), describe(node), expected));
 }
 
-void TomlReader::fail(std::string_view key, const std::string& what) const {
+std::string TomlReader::failure(std::string_view key, const std::string& what) const {
   const toml::node* node = table_->get(key);
-  throw InputError(fmt::format("{}: {}", place(node != nullptr ? *node : *table_, key), what));
+  return fmt::format("{}: {}", place(node != nullptr ? *node : *table_, key), what);
+}
+
+std::string TomlReader::blamed(std::string_view key, const Error& error) const {
+  const bool isKey = !error.parameter().empty() && table_->get(error.parameter()) != nullptr;
+  return failure(isKey ? std::string_view(error.parameter()) : key, error.reason());
+}
+
+void TomlReader::fail(std::string_view key, const std::string& what) const {
+  throw InputError(failure(key, what));
 }
 
 void TomlReader::requireOneOf(std::string_view a, std::string_view b) const {

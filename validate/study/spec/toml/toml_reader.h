@@ -78,14 +78,17 @@ class TomlReader {
   void finish() const;
   /// Refuses the value of a key for a reason of the caller's.
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
-  /// Does `work` and returns what it returns; refuses the value of a key with the message of an
-  /// InputError that it raises.
+  /// Calls a library with values of this table and returns what it returns. Its InputError or
+  /// MemoryError leaves as one about the key that has the name of the error's parameter; where the
+  /// error names none, or the table has no such key, about `key`.
   template <typename Work>
-  auto blame(std::string_view key, const Work& work) const {
+  auto blame(std::string_view key, const Work& work) const -> decltype(work()) {
     try {
       return work();
     } catch (const InputError& error) {
-      fail(key, error.what());
+      throw InputError(blamed(key, error));
+    } catch (const MemoryError& error) {
+      throw MemoryError(blamed(key, error));
     }
   }
 
@@ -97,6 +100,8 @@ class TomlReader {
 
  private:
   [[nodiscard]] const toml::node& require(std::string_view key, std::string_view expected) const;
+  [[nodiscard]] std::string failure(std::string_view key, const std::string& what) const;
+  [[nodiscard]] std::string blamed(std::string_view key, const Error& error) const;
   [[nodiscard]] std::string place(const toml::node& node, std::string_view key) const;
   [[noreturn]] void refuseKey(const toml::node& node, std::string_view key,
                               const KeyNames& expected) const;
