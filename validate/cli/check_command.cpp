@@ -260,10 +260,6 @@ bool isProblem(const StudyRecord& step, const std::string& notice) {
                      [&](const ProblemRecord& problem) { return problem.message == notice; });
 }
 
-bool isOfThreshold(const Judgement& judgement) {
-  return std::holds_alternative<Threshold>(judgement.gate.origin);
-}
-
 /// Takes over what the runs were judged by: thresholds first, those that were left out after the
 /// others, then references.
 void collect(Study& study, const CheckRequest& request, const Records& records) {
@@ -276,7 +272,9 @@ void collect(Study& study, const CheckRequest& request, const Records& records) 
     addProblems(check, step.problems);
   }
   check.judgements.insert(check.judgements.begin(), judgements.begin(), judgements.end());
-  std::stable_partition(check.judgements.begin(), check.judgements.end(), isOfThreshold);
+  std::ranges::stable_sort(check.judgements, {}, [](const Judgement& judgement) {
+    return judgement.gate.origin.index();
+  });
   const StudySpec& first = study.plan->steps.front();
   // The quick form's values scatter: they say nothing of how tight a limit could be.
   if (!first.quick) check.notices = looseThresholds(first.thresholds, steps);
@@ -288,7 +286,7 @@ void collect(Study& study, const CheckRequest& request, const Records& records) 
     }
   }
   if (request.updateBaseline || !study.baseline) return;
-  const std::vector<NoticeRecord> notices = betterThan(withOrigin<Reference>(check.judgements));
+  const std::vector<NoticeRecord> notices = betterThan(byOrigin(check.judgements).references);
   check.notices.insert(check.notices.end(), notices.begin(), notices.end());
 }
 

@@ -93,7 +93,7 @@ void keepReferencePictures(const StudyRecord& record, const fs::path& folder,
 std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, RunFolder& folder,
                                                      const fs::path& kept) {
   std::vector<ReferencePictures> rows;
-  for (const Judgement& judgement : withOrigin<Reference>(record.judgements)) {
+  for (const Judgement& judgement : byOrigin(record.judgements).references) {
     const Gate& gate = judgement.gate;
     if (!judgement.isFault()) continue;
     const bool isThere = std::any_of(rows.begin(), rows.end(), [&](const ReferencePictures& row) {

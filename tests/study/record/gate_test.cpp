@@ -26,10 +26,20 @@ TEST(Judgement, IsFoundByItsOrigin) {
   std::vector<Judgement> judgements(3);
   judgements[1].gate.origin = Reference{0.5, 0.1, 0.2};
   judgements[2].gate.method = "last";
-  ASSERT_EQ(withOrigin<Threshold>(judgements).size(), 2U);
-  EXPECT_EQ(withOrigin<Threshold>(judgements)[1].gate.method, "last");
-  EXPECT_EQ(withOrigin<Reference>(judgements).size(), 1U);
-  EXPECT_TRUE(withOrigin<CompareOption>(judgements).empty());
+  const auto [thresholds, references, options] = byOrigin(judgements);
+  ASSERT_EQ(thresholds.size(), 2U);
+  EXPECT_EQ(thresholds[1].gate.method, "last");
+  EXPECT_EQ(references.size(), 1U);
+  EXPECT_TRUE(options.empty());
+}
+
+TEST(Gate, HasACommittedValueWhereItIsAReference) {
+  Gate gate;
+  EXPECT_EQ(committedValue(gate), std::nullopt);
+  gate.origin = Reference{0.5, 0.1, 0.2};
+  EXPECT_EQ(committedValue(gate), 0.5);
+  gate.origin = CompareOption{"--max error_rate=0.02"};
+  EXPECT_EQ(committedValue(gate), std::nullopt);
 }
 
 CheckRecord check(std::vector<GateVerdict> verdicts, std::vector<ExitStatus> problems = {}) {

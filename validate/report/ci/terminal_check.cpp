@@ -103,14 +103,14 @@ void appendTable(TerminalPage& page, const std::vector<Judgement>& judgements) {
   }
 }
 
-void appendReferences(TerminalPage& page, const CheckRecord& check) {
-  std::vector<Judgement> references = withOrigin<Reference>(check.judgements);
+void appendReferences(TerminalPage& page, const std::string& file,
+                      std::vector<Judgement> references) {
   if (references.empty()) return;
   const std::size_t skipped = countOf(references, GateVerdict::skipped);
-  page.paragraph(fmt::format("{}: {} of {} references hold{}", check.baseline,
-                             countOf(references, GateVerdict::passed), references.size(),
-                             skipped > 0 ? fmt::format(", {} skipped", skipped) : ""),
-                 terminalIndent);
+  page.paragraph(
+      fmt::format("{}: {} of {} references hold{}", file, countOf(references, GateVerdict::passed),
+                  references.size(), skipped > 0 ? fmt::format(", {} skipped", skipped) : ""),
+      terminalIndent);
   std::erase_if(references, [](const Judgement& judgement) { return !judgement.isFault(); });
   appendTable(page, references);
 }
@@ -138,8 +138,9 @@ void appendNotices(TerminalPage& page, const CheckRecord& check) {
 std::string checkTable(const CheckRecord& check, bool colours) {
   TerminalPage page(colours);
   page.heading(fmt::format("{} ({})", check.name, check.file));
-  appendTable(page, withOrigin<Threshold>(check.judgements));
-  appendReferences(page, check);
+  const auto [thresholds, references, options] = byOrigin(check.judgements);
+  appendTable(page, thresholds);
+  appendReferences(page, check.baseline, references);
   appendFaults(page, check);
   appendNotices(page, check);
   if (check.status() != ExitStatus::pass) {

@@ -101,6 +101,7 @@ Json panelJson(const PanelRecord& panel) {
 }  // namespace
 
 std::string summaryJson(const StudyRecord& record) {
+  const auto [thresholds, references, options] = byOrigin(record.judgements);
   const Json json = {
       {"schema", summarySchema},
       {"status", jsonStatus(record.status())},
@@ -116,9 +117,9 @@ std::string summaryJson(const StudyRecord& record) {
       {"cost",
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},
-      {"thresholds", jsonList(withOrigin<Threshold>(record.judgements), jsonJudgement)},
+      {"thresholds", jsonList(thresholds, jsonJudgement)},
       {"baseline", record.baseline.empty() ? Json(nullptr) : Json(record.baseline)},
-      {"references", jsonList(withOrigin<Reference>(record.judgements), jsonJudgement)},
+      {"references", jsonList(references, jsonJudgement)},
       {"problems", jsonList(record.problems, jsonProblem)},
       {"claims", jsonList(record.claims, jsonClaim)},
       {"budget", jsonList(record.budgets, jsonBudget)},

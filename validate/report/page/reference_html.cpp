@@ -44,7 +44,7 @@ Html referenceSection(const StudyRecord& record, const std::filesystem::path& fo
     if (problem.part == "method") continue;  // a notice names it
     content += html("<p><span class=\"tag failed\">error</span> {}</p>\n", problem.message);
   }
-  const std::vector<Judgement> references = withOrigin<Reference>(record.judgements);
+  const std::vector<Judgement> references = byOrigin(record.judgements).references;
   if (!references.empty()) {
     std::vector<Judgement> faults;
     std::vector<Judgement> others;
@@ -70,10 +70,10 @@ Html referenceSection(const StudyRecord& record, const std::filesystem::path& fo
 Html statusHtml(RunStatus status, std::span<const Judgement> judgements, std::size_t problems,
                 const std::string& more) {
   if (judgements.empty() && problems == 0) return html("{} no thresholds set", htmlStatus(status));
-  const std::vector<Judgement> references = withOrigin<Reference>(judgements);
+  const auto [thresholds, references, options] = byOrigin(judgements);
   std::string text;
   for (const std::string& part :
-       {passedText(withOrigin<Threshold>(judgements), "threshold", "met"),
+       {passedText(thresholds, "threshold", "met"),
         passedText(references, "reference", references.size() == 1 ? "holds" : "hold"),
         problems > 0 ? plural(problems, "error") : "", more}) {
     if (!part.empty()) text += (text.empty() ? "" : ", ") + part;

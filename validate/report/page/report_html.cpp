@@ -92,7 +92,7 @@ Html rankingSection(const StudyRecord& record, const std::vector<RankedMethod>& 
 }
 
 Html thresholdSection(const StudyRecord& record) {
-  const std::vector<Judgement> thresholds = withOrigin<Threshold>(record.judgements);
+  const std::vector<Judgement> thresholds = byOrigin(record.judgements).thresholds;
   if (thresholds.empty()) return {};
   return htmlSection("thresholds", "Thresholds", htmlTable(gateTable(thresholds)));
 }

@@ -48,7 +48,7 @@ Html faultyReferences(const SweepRecord& sweep) {
   Html content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     const StudyRecord& step = sweep.steps[i];
-    const std::vector<Judgement> references = withOrigin<Reference>(step.judgements);
+    const std::vector<Judgement> references = byOrigin(step.judgements).references;
     if (runStatus(references, step.problems) != RunStatus::fail) continue;
     content += html("<p>{0}</p>\n<p><a href=\"{2}/report.html#references\">{1} = {2}</a></p>\n",
                     statusHtml(RunStatus::fail, references, step.problems.size()), sweep.key,
@@ -61,7 +61,7 @@ Html faultyReferences(const SweepRecord& sweep) {
 Html failedThresholds(const SweepRecord& sweep) {
   Html content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    std::vector<Judgement> failed = withOrigin<Threshold>(sweep.steps[i].judgements);
+    std::vector<Judgement> failed = byOrigin(sweep.steps[i].judgements).thresholds;
     std::erase_if(failed, [](const Judgement& judgement) { return !judgement.isFault(); });
     if (failed.empty()) continue;
     content += html("<h3>{} = {}</h3>\n{}", sweep.key, sweepValueText(sweep.values.at(i)),

@@ -105,7 +105,7 @@ void appendBudgets(TerminalPage& page, const StudyRecord& record) {
 /// @param study  named as the one that was judged; of a sweep, whose value is told already
 std::vector<std::string> thresholdFaults(const StudyRecord& record, const std::string& study) {
   std::vector<std::string> faults;
-  for (Judgement& judgement : withOrigin<Threshold>(record.judgements)) {
+  for (Judgement& judgement : byOrigin(record.judgements).thresholds) {
     judgement.gate.step = study;
     if (judgement.isFault()) faults.push_back(gateFaultText(judgement));
   }
@@ -113,7 +113,7 @@ std::vector<std::string> thresholdFaults(const StudyRecord& record, const std::s
 }
 
 std::size_t thresholdsOf(const StudyRecord& record) {
-  return withOrigin<Threshold>(record.judgements).size();
+  return byOrigin(record.judgements).thresholds.size();
 }
 
 void appendCost(TerminalPage& page, const StudyRecord& record) {

@@ -32,12 +32,12 @@ Cell changeCell(const Judgement& judgement, std::optional<double> committed) {
 
 Table gateTable(std::span<const Judgement> judgements) {
   using Q = Quantity;
-  const bool isReference =
-      !judgements.empty() && std::holds_alternative<Reference>(judgements.front().gate.origin);
+  const Gate& first = judgements.front().gate;
+  const bool isReference = committedValue(first).has_value();
   // All references are of the region of all samples.
   const unsigned forReferences = isReference ? byAll : 0U;
   const unsigned forThresholds = isReference ? 0U : byAll;
-  Table table{.kind = isReference ? "references" : "thresholds",
+  Table table{.kind = gateOriginName(first) + "s",
               .columns = {{"", "verdict"},
                           {"Method", "method"},
                           {"View", "view"},
@@ -50,8 +50,7 @@ Table gateTable(std::span<const Judgement> judgements) {
                           {"Limit", "limit", Q::exact}}};
   for (const Judgement& judgement : judgements) {
     const Gate& gate = judgement.gate;
-    const auto* reference = std::get_if<Reference>(&gate.origin);
-    const auto committed = reference ? std::optional(reference->committed) : std::nullopt;
+    const std::optional<double> committed = committedValue(gate);
     table.rows.push_back(
         {{verdictCell(judgement), textCell(gate.method), textCell(gate.view), textCell(gate.light),
           textCell(gate.region), textCell(gate.metric), gateValueCell(committed, ""),

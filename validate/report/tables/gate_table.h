@@ -9,7 +9,7 @@ namespace gnomon {
 
 /// Gates, each with its verdict, what it judges, the value and the limit; references also with
 /// their committed value and the change.
-/// @param judgements  of one origin
+/// @param judgements  one or more, of one origin
 Table gateTable(std::span<const Judgement> judgements);
 
 }  // namespace gnomon

@@ -93,8 +93,8 @@ std::string gateOutcome(const Judgement& judgement) {
     const bool large = gate.maximum && *judgement.value > *gate.maximum;
     text += fmt::format(", too {} by {:.3g}", large ? "large" : "small", std::abs(*margin));
   }
-  if (const auto* reference = std::get_if<Reference>(&gate.origin)) {
-    text += fmt::format(", {} committed", valueText(reference->committed));
+  if (const auto committed = committedValue(gate)) {
+    text += fmt::format(", {} committed", valueText(*committed));
   }
   return text;
 }

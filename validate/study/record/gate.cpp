@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/overloaded.h"
+
 namespace gnomon {
 
 std::optional<double> Judgement::margin() const {
@@ -22,6 +24,26 @@ bool Judgement::isFault() const {
 std::string stepValue(const std::string& step) {
   const std::size_t slash = step.find('/');
   return slash == std::string::npos ? "" : step.substr(slash + 1);
+}
+
+std::optional<double> committedValue(const Gate& gate) {
+  using Value = std::optional<double>;
+  return std::visit(
+      Overloaded{[](const Threshold&) -> Value { return std::nullopt; },
+                 [](const Reference& reference) -> Value { return reference.committed; },
+                 [](const CompareOption&) -> Value { return std::nullopt; }},
+      gate.origin);
+}
+
+JudgementsByOrigin byOrigin(std::span<const Judgement> judgements) {
+  JudgementsByOrigin lists;
+  for (const Judgement& judgement : judgements) {
+    std::visit(Overloaded{[&](const Threshold&) { lists.thresholds.push_back(judgement); },
+                          [&](const Reference&) { lists.references.push_back(judgement); },
+                          [&](const CompareOption&) { lists.options.push_back(judgement); }},
+               judgement.gate.origin);
+  }
+  return lists;
 }
 
 ExitStatus worstOf(std::span<const ProblemRecord> problems) {

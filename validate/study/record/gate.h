@@ -68,17 +68,18 @@ struct Judgement {
 /// The value in the name of a sweep's step, `NAME/VALUE`; empty in the name of a study.
 std::string stepValue(const std::string& step);
 
-/// Those of one origin, in their order.
-template <typename Origin>
-std::vector<Judgement> withOrigin(std::span<const Judgement> judgements) {
-  std::vector<Judgement> found;
-  for (const Judgement& judgement : judgements) {
-    if (std::holds_alternative<Origin>(judgement.gate.origin)) found.push_back(judgement);
-  }
-  return found;
-}
+/// The committed value of a reference; none of a gate of another origin.
+std::optional<double> committedValue(const Gate& gate);
 
-/// Why something of a study could not be judged.
+/// Judgements by the origins of their gates, each list in its order. A report that shows all lists
+/// takes them apart, `const auto [thresholds, references, options] = byOrigin(judgements)`: with a
+/// further origin it does not compile until it shows that too.
+struct JudgementsByOrigin {
+  std::vector<Judgement> thresholds, references, options;
+};
+JudgementsByOrigin byOrigin(std::span<const Judgement> judgements);
+
+/// An error that kept a part of a study from being judged.
 struct ProblemRecord {
   std::string part;  ///< "study", "baseline", or "method" for one that was refused
   ExitStatus status = ExitStatus::internal;
