@@ -32,6 +32,11 @@ TEST_F(ImageModule, ThatCannotBeLoadedIsAnErrorOfOneLine) {
   expectNoImages("text.so", "cannot be loaded");
 }
 
+TEST_F(ImageModule, OfAnotherBuildIsRefusedInOneLine) {
+  expectNoImages(GNOMON_OTHER_IMAGE_MODULE, "version of another day found");
+  expectNoImages(GNOMON_OLDER_IMAGE_MODULE, "version none found");
+}
+
 TEST_F(ImageModule, IsNotNeededForWhatReadsNoImage) {
   const std::vector<std::string> none = {"GNOMON_IMAGE_MODULE=/nonexistent"};
   EXPECT_EQ(gnomon({"--help"}, none).status, 0);

@@ -22,14 +22,21 @@ std::string moduleFile() {
   return fs::is_regular_file(installed, failure) ? installed.string() : GNOMON_BUILT_IMAGE_MODULE;
 }
 
+[[noreturn]] void refuse(const std::string& reason) {
+  throw InternalError("no image can be read or written: the module for OpenImageIO " + reason);
+}
+
 const ImageModule& load() {
+  const std::string file = moduleFile();
   // Never closed: OpenImageIO keeps threads, whose code must not go.
-  void* const library = dlopen(moduleFile().c_str(), RTLD_LAZY | RTLD_LOCAL);
+  void* const library = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   const void* const module = library == nullptr ? nullptr : dlsym(library, imageModuleSymbol);
-  if (module == nullptr) {
-    throw InternalError(fmt::format(
-        "no image can be read or written: the module for OpenImageIO cannot be loaded: {}",
-        oneLine(dlerror())));
+  if (module == nullptr) refuse(fmt::format("cannot be loaded: {}", oneLine(dlerror())));
+  const void* const version = dlsym(library, imageModuleVersionSymbol);
+  const std::string found = version == nullptr ? "none" : static_cast<const char*>(version);
+  if (found != GNOMON_IMAGE_MODULE_VERSION) {
+    refuse(fmt::format("is of another build than this program: {}: version {} found, {} expected",
+                       file, found, GNOMON_IMAGE_MODULE_VERSION));
   }
   return *static_cast<const ImageModule*>(module);
 }

@@ -49,13 +49,15 @@ struct ImageModule {
                           const ImageRows& rows);
 };
 
-/// The name by which the module exports its ImageModule.
+/// The names by which the module exports its ImageModule, and the version of it: a text that is
+/// another for every change of these declarations.
 constexpr const char* imageModuleSymbol = "gnomonImageModule";
+constexpr const char* imageModuleVersionSymbol = "gnomonImageModuleVersion";
 
 /// The module. The first call loads it: the file that the environment's GNOMON_IMAGE_MODULE names,
 /// else the one that is installed with the program or library, else the build's. It stays loaded
 /// until the process ends.
-/// @throws InternalError where it cannot be loaded
+/// @throws InternalError where it cannot be loaded, or is of another version than the program
 const ImageModule& imageModule();
 
 }  // namespace gnomon

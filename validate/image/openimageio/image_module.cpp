@@ -190,6 +190,10 @@ std::string writeExrFile(std::optional<int> file, const ExrDescription& descript
 }  // namespace
 }  // namespace gnomon
 
-/// Named by gnomon::imageModuleSymbol.
-extern "C" const gnomon::ImageModule gnomonImageModule;
+/// Named by gnomon::imageModuleSymbol and gnomon::imageModuleVersionSymbol.
+extern "C" {
+extern const gnomon::ImageModule gnomonImageModule;
+extern const char gnomonImageModuleVersion[];
+}
 const gnomon::ImageModule gnomonImageModule = {gnomon::openFile, gnomon::writeExrFile};
+const char gnomonImageModuleVersion[] = GNOMON_IMAGE_MODULE_VERSION;
