@@ -10,6 +10,7 @@
 
 #include "api/failure_of.h"
 #include "render/gl_context.h"
+#include "support/columns_study.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon::test {
@@ -29,33 +30,7 @@ class ApiStudy : public TemporaryFolder {
   /// A small study, with a threshold that fails and a method that comes from a file.
   std::filesystem::path study() {
     std::filesystem::path path = file("small.toml");
-    std::ofstream(path) << R"(
-[study]
-name = "small"
-title = "Columns on a plane"
-source = "a test"
-[surface]
-shape = "plane"
-quads = [4, 4]
-size = [32, 32]
-[relief]
-pattern = "columns"
-texels = [32, 32]
-period = 16
-radius = 4
-wall = 1
-height = 4
-height_space = "world"
-[bake]
-azimuths = 8
-[truth]
-step = 0.25
-[[view]]
-type = "camera"
-width = 64
-height = 64
-eye = [0, 0, 80]
-fov = 30
+    std::ofstream(path) << smallestStudy("small") + R"(
 [[light]]
 azimuth = 20
 elevation = 30

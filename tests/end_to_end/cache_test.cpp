@@ -45,15 +45,8 @@ class CachedRuns : public EndToEnd {
   /// A summary without what tells of times and of the cache, the command, and the hashes of files,
   /// which an edit changes.
   [[nodiscard]] nlohmann::json lasting(const std::string& out) const {
-    nlohmann::json json = summary("small", out);
-    json.erase("timings");
-    json.erase("cache");
-    json.at("study").erase("command");
+    nlohmann::json json = lastingPart(summary("small", out));
     json.at("study").erase("inputs");
-    json.at("truth").erase("bvh_bytes");
-    for (nlohmann::json& cost : json.at("cost")) {
-      for (const char* key : {"frame_ms", "frame_ratio", "frame_kept_since"}) cost.erase(key);
-    }
     return json;
   }
   /// Every file but those that hold times is the same, byte for byte, and so are all other figures.

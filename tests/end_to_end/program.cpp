@@ -1,4 +1,5 @@
 #include "end_to_end/program.h"
+#include "support/columns_study.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
@@ -208,39 +209,19 @@ nlohmann::json resultOf(const nlohmann::json& summary, const std::string& method
   throw std::runtime_error("no result of " + method + " under " + light + " in " + view);
 }
 
+nlohmann::json lastingPart(nlohmann::json summary) {
+  summary.erase("timings");
+  summary.erase("cache");
+  summary.at("study").erase("command");
+  summary.at("truth").erase("bvh_bytes");
+  for (nlohmann::json& cost : summary.at("cost")) {
+    for (const char* key : {"frame_ms", "frame_ratio", "frame_kept_since"}) cost.erase(key);
+  }
+  return summary;
+}
+
 std::string smallStudy() {
-  return R"([study]
-name = "small"
-title = "Columns on a plane"
-source = "a test"
-
-[surface]
-shape = "plane"
-quads = [4, 4]
-size = [32, 32]
-
-[relief]
-pattern = "columns"
-texels = [32, 32]
-period = 16
-radius = 4
-wall = 1
-height = 4
-height_space = "world"
-
-[bake]
-azimuths = 8
-
-[truth]
-step = 0.25
-
-[[view]]
-type = "camera"
-width = 64
-height = 64
-eye = [0, 0, 80]
-fov = 30
-
+  return smallestStudy("small") + R"(
 [[light]]
 name = "evening"
 azimuth = 20
@@ -252,12 +233,6 @@ name = "unshadowed"
 [[method]]
 name = "max-forsyth"
 )";
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 }  // namespace gnomon::test

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/replaced.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon::test {
@@ -85,10 +86,11 @@ nlohmann::json resultOf(const nlohmann::json& summary, const std::string& method
                         const std::string& light, const std::string& view,
                         const std::string& region = "all", const std::string& answer = "drawn");
 
+/// A summary without its command and what two runs of one study do not share: times, memory, and
+/// what a cache had.
+nlohmann::json lastingPart(nlohmann::json summary);
+
 /// A study of a second's quarter: columns on a plane, one light, one camera.
 std::string smallStudy();
-
-/// Replaces the first occurrence; a failed expectation if there is none.
-std::string replaced(std::string text, const std::string& from, const std::string& to);
 
 }  // namespace gnomon::test

@@ -87,15 +87,8 @@ TEST_F(Repetition, TheWholeFolderIsTheSameButForWhatTheManualLists) {
   const auto lasting = [&](const std::string& name) {
     const std::string text = read(name);
     if (name.ends_with("/summary.json")) {
-      nlohmann::json json = nlohmann::json::parse(text);
-      json.erase("timings");
-      json.erase("cache");
-      json.at("truth").erase("bvh_bytes");
+      nlohmann::json json = lastingPart(nlohmann::json::parse(text));
       json.at("environment").erase("threads");
-      json.at("study").erase("command");
-      for (nlohmann::json& cost : json.at("cost")) {
-        for (const char* key : {"frame_ms", "frame_ratio", "frame_kept_since"}) cost.erase(key);
-      }
       return json.dump();
     }
     if (name.ends_with("/report.html")) {

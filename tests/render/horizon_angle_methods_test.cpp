@@ -20,6 +20,7 @@ namespace {
 using test::difference;
 using test::flatRelief;
 using test::lightToward;
+using test::MirroredScenes;
 using test::randomRelief;
 using test::RenderScene;
 using test::shareShadowed;
@@ -180,23 +181,11 @@ TEST(SloanCohen, NeverSeesALightBelowTheTangentPlane) {
 
 TEST(SloanCohen, MirroredTextureGivesTheMirroredRelief) {
   const GlContext gl;
-  const Relief relief = randomRelief(32, 32, 2, 5);
-  std::vector<float> mirrored;
-  for (int j = 0; j < 32; ++j) {
-    for (int i = 0; i < 32; ++i) mirrored.push_back(relief.field.texel(31 - i, j));
-  }
-  const Relief mirroredRelief{HeightField(32, 32, mirrored, Wrap::repeat), HeightSpace::world,
-                              Vec2(1)};
-  const Cage cage = makeSphere(40, 1, 1, 16, 16);
-  Cage mirroredCage = cage;
-  for (Vec2& uv : mirroredCage.uvs) uv.x = 1 - uv.x;
-  mirroredCage.grid.reset();
-  const RenderScene scene(cage, relief, {8, 32}, TableBits::thirtyTwo);
-  const RenderScene mirroredScene(mirroredCage, mirroredRelief, {8, 32}, TableBits::thirtyTwo);
+  const MirroredScenes scenes(8);
   const Vec3 light = lightToward(20, 30);
   for (const char* method : {"sloan-cohen", "ellipse"}) {
-    const Mask a = scene.test(method, atlasView(scene.surface, 8), light);
-    const Mask b = mirroredScene.test(method, atlasView(mirroredScene.surface, 8), light);
+    const Mask a = scenes.scene.test(method, atlasView(scenes.scene.surface, 8), light);
+    const Mask b = scenes.mirrored.test(method, atlasView(scenes.mirrored.surface, 8), light);
     EXPECT_LT(difference(a, b), 2e-3) << method;
     EXPECT_GT(shareShadowed(a), 0.1) << method;
     EXPECT_LT(shareShadowed(a), 0.9) << method;

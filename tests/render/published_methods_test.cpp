@@ -21,6 +21,7 @@ namespace {
 using test::difference;
 using test::flatRelief;
 using test::lightToward;
+using test::MirroredScenes;
 using test::randomRelief;
 using test::RenderScene;
 using test::shareShadowed;
@@ -248,26 +249,14 @@ TEST(PublishedMethods, MirroredTextureGivesTheMirroredRelief) {
   // u runs backward and the map with it: the relief in the world is the same, and so must the mask
   // be.
   const GlContext gl;
-  const Relief relief = randomRelief(32, 32, 2, 5);
-  std::vector<float> mirrored;
-  for (int j = 0; j < 32; ++j) {
-    for (int i = 0; i < 32; ++i) mirrored.push_back(relief.field.texel(31 - i, j));
-  }
-  const Relief mirroredRelief{HeightField(32, 32, mirrored, Wrap::repeat), HeightSpace::world,
-                              Vec2(1)};
-  const Cage cage = makeSphere(40, 1, 1, 16, 16);
-  Cage mirroredCage = cage;
-  for (Vec2& uv : mirroredCage.uvs) uv.x = 1 - uv.x;
-  mirroredCage.grid.reset();
-  const RenderScene scene(cage, relief, {32, 32}, TableBits::thirtyTwo);
-  const RenderScene mirroredScene(mirroredCage, mirroredRelief, {32, 32}, TableBits::thirtyTwo);
+  const MirroredScenes scenes(32);
   const Vec3 light = lightToward(20, 30);
   for (const char* method :
        {"max-forsyth", "onoue-2004", "unshadowed", "geodesic-march", "resampled-horizon"}) {
     // The mirrored cage has no chart, so its atlas of 16 × 16 tiles is the same by its number of
     // faces.
-    const Mask a = scene.answer(method, atlasView(scene.surface, 8), light);
-    const Mask b = mirroredScene.answer(method, atlasView(mirroredScene.surface, 8), light);
+    const Mask a = scenes.scene.answer(method, atlasView(scenes.scene.surface, 8), light);
+    const Mask b = scenes.mirrored.answer(method, atlasView(scenes.mirrored.surface, 8), light);
     EXPECT_LT(difference(a, b), 5e-4) << method;
     EXPECT_GT(shareShadowed(a), 0.1) << method;
   }

@@ -22,6 +22,7 @@
 #include "surface/base_mesh.h"
 #include "surface/cage/shapes.h"
 #include "surface/limit_surface.h"
+#include "truth/truth_scenes.h"
 
 namespace gnomon::test {
 
@@ -118,6 +119,33 @@ class RenderScene {
   GpuHeights gpuHeights_;
   GpuTable gpuHorizon_;
   GpuTable gpuDistance_;
+};
+
+/// Bumps on a sphere; and with u running backward and the map with it, so that the relief in the
+/// world is the same.
+struct MirroredScenes {
+  explicit MirroredScenes(int azimuths)
+      : scene(sphere(false), bumps(false), {azimuths, 32}, TableBits::thirtyTwo),
+        mirrored(sphere(true), bumps(true), {azimuths, 32}, TableBits::thirtyTwo) {}
+
+  static Cage sphere(bool isMirrored) {
+    Cage cage = makeSphere(40, 1, 1, 16, 16);
+    if (!isMirrored) return cage;
+    for (Vec2& uv : cage.uvs) uv.x = 1 - uv.x;
+    cage.grid.reset();
+    return cage;
+  }
+  static Relief bumps(bool isMirrored) {
+    Relief relief = randomRelief(32, 32, 2, 5);
+    if (!isMirrored) return relief;
+    std::vector<float> texels;
+    for (int j = 0; j < 32; ++j) {
+      for (int i = 0; i < 32; ++i) texels.push_back(relief.field.texel(31 - i, j));
+    }
+    return {HeightField(32, 32, texels, Wrap::repeat), HeightSpace::world, Vec2(1)};
+  }
+
+  RenderScene scene, mirrored;
 };
 
 /// A surface as real geometry on the GPU.

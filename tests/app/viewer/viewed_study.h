@@ -3,6 +3,7 @@
 #include <fstream>
 #include <string>
 
+#include "support/columns_study.h"
 #include "support/temporary_folder.h"
 #include "viewer/session/scene_data.h"
 
@@ -12,25 +13,7 @@ namespace gnomon {
 class ViewedStudy : public TemporaryFolder {
  protected:
   ViewedStudy() {
-    std::ofstream(study()) << R"([study]
-name = "ball"
-title = "Columns on a sphere"
-source = "a test"
-[surface]
-shape = "sphere"
-curvature = 0.02
-size = [48, 48]
-quads = [20, 20]
-[relief]
-pattern = "columns"
-texels = [48, 48]
-period = 16
-radius = 4
-wall = 1
-height = 4
-height_space = "world"
-[bake]
-azimuths = 8
+    std::ofstream(study()) << test::sphereStudy("ball") + R"(
 [truth]
 step = 0.5
 [[view]]

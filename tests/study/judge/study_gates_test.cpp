@@ -9,7 +9,7 @@ using ::testing::HasSubstr;
 using StudyGates = StudyFile;
 
 TEST_F(StudyGates, AGateHasItsFilters) {
-  const StudySpec study = read(std::string(plainStudy) + R"(
+  const StudySpec study = read(plainStudy + R"(
 [[threshold]]
 method = "ours"
 light = "elevation 30° azimuth 20°"
@@ -33,7 +33,7 @@ max = 0.1
 
 TEST_F(StudyGates, AFilterThatMatchesNothingIsAFault) {
   const auto refused = [&](const std::string& line) {
-    return failure(std::string(plainStudy) + "\n[[threshold]]\nmax = 0.1\n" + line);
+    return failure(plainStudy + "\n[[threshold]]\nmax = 0.1\n" + line);
   };
   EXPECT_EQ(refused("method = \"onoue-2004\"\n"),
             "plain.toml:40: threshold.0.method: \"onoue-2004\" found, one of max-forsyth, ours "
@@ -51,14 +51,14 @@ TEST_F(StudyGates, AFilterThatMatchesNothingIsAFault) {
 }
 
 TEST_F(StudyGates, AGateNeedsALimit) {
-  EXPECT_THAT(failure(std::string(plainStudy) + "\n[[threshold]]\nmetric = \"iou\"\n"),
+  EXPECT_THAT(failure(plainStudy + "\n[[threshold]]\nmetric = \"iou\"\n"),
               HasSubstr("threshold.0.max: `max` or `min` expected"));
-  EXPECT_THAT(failure(std::string(plainStudy) + "\n[[threshold]]\nmax = nan\n"),
+  EXPECT_THAT(failure(plainStudy + "\n[[threshold]]\nmax = nan\n"),
               HasSubstr("nan found, a finite number expected"));
 }
 
 TEST_F(StudyGates, ALimitOfAShareMayBeAPercentage) {
-  const StudySpec study = read(std::string(plainStudy) + R"(
+  const StudySpec study = read(plainStudy + R"(
 [[threshold]]
 min = "0.7 %"
 max = "5 %"
@@ -69,7 +69,7 @@ max = "5 %"
 
 TEST_F(StudyGates, ALimitThatNothingCanFailIsAFault) {
   const auto refused = [&](const std::string& lines) {
-    return failure(std::string(plainStudy) + "\n[[threshold]]\n" + lines);
+    return failure(plainStudy + "\n[[threshold]]\n" + lines);
   };
   EXPECT_EQ(
       refused("max = 20\n"),
@@ -92,7 +92,7 @@ TEST_F(StudyGates, ALimitThatNothingCanFailIsAFault) {
 
 TEST_F(StudyGates, AClaimNamesTwoMethods) {
   const std::string claim =
-      std::string(plainStudy) + "\n[[claim]]\ntext = \"t\"\nsource = \"s\"\nless = \"ours\"\n";
+      plainStudy + "\n[[claim]]\ntext = \"t\"\nsource = \"s\"\nless = \"ours\"\n";
   const StudySpec study = read(claim + "than = \"max-forsyth\"\ngain_exceeds = \"flat\"\n");
   ASSERT_EQ(study.claims.size(), 1U);
   EXPECT_EQ(study.claims[0].gainExceeds, "flat");
@@ -103,7 +103,7 @@ TEST_F(StudyGates, AClaimNamesTwoMethods) {
 }
 
 TEST_F(StudyGates, AClaimMayPutOneMethodBetweenBounds) {
-  const std::string claim = std::string(plainStudy) + "\n[[claim]]\ntext = \"t\"\nsource = \"s\"\n";
+  const std::string claim = plainStudy + "\n[[claim]]\ntext = \"t\"\nsource = \"s\"\n";
   const StudySpec study = read(claim + R"(method = "ours"
 metric = "shadow_length_ratio"
 region = "beyond-terminator"

@@ -2,12 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
-#include "common/error.h"
-#include "support/error_messages.h"
-#include "support/replaced.h"
-#include "support/temporary_folder.h"
+#include "study/spec/study_file_fixture.h"
 
 namespace gnomon {
 namespace {
@@ -16,22 +11,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* ladderStudy = R"([study]
-name = "bumps"
-title = "Columns"
-source = "a test"
-
-[surface]
-shape = "plane"
-quads = [4, 2]
-size = [64, 32]
-
-[relief]
-pattern = "columns"
-texels = [64, 32]
-height = 4
-height_space = "world"
-
+const std::string ladderStudy = test::planeStudy("plain") + R"(
 [bake]
 azimuths = 8
 
@@ -69,24 +49,15 @@ cause = "mesh"
 set = { base = { subdivisions = 2 } }
 )";
 
-class LadderSection : public TemporaryFolder {
+class LadderSection : public StudyFile {
  protected:
-  StudySpec read(const std::string& text, const StudyOptions& options = {}) {
-    std::ofstream(file("bumps.toml"), std::ios::binary) << text;
-    return readStudy(file("bumps.toml"), options);
-  }
   std::string failure(const std::string& section) {
-    std::string message = messageOf<InputError>([&] { (void)read(ladderStudy + section); });
-    const std::string prefix = folder().string() + "/";
-    for (std::size_t at = 0; (at = message.find(prefix)) != std::string::npos;) {
-      message.erase(at, prefix.size());
-    }
-    return message;
+    return StudyFile::failure(ladderStudy + section);
   }
 };
 
 TEST_F(LadderSection, UndoesOneCauseAfterTheOtherBothWays) {
-  const StudySpec spec = read(std::string(ladderStudy) + ladder);
+  const StudySpec spec = read(ladderStudy + ladder);
   ASSERT_EQ(spec.ladders.size(), 1U);
   const LadderSpec& read = spec.ladders.front();
   EXPECT_EQ(read.method, "old");
@@ -113,9 +84,8 @@ TEST_F(LadderSection, UndoesOneCauseAfterTheOtherBothWays) {
 }
 
 TEST_F(LadderSection, GoesWithItsMethod) {
-  EXPECT_EQ(read(std::string(ladderStudy) + ladder, {{}, {"old"}, false}).ladders.size(), 1U);
-  EXPECT_TRUE(
-      read(std::string(ladderStudy) + ladder, {{}, {"resampled-horizon"}, false}).ladders.empty());
+  EXPECT_EQ(read(ladderStudy + ladder, {{}, {"old"}, false}).ladders.size(), 1U);
+  EXPECT_TRUE(read(ladderStudy + ladder, {{}, {"resampled-horizon"}, false}).ladders.empty());
 }
 
 TEST_F(LadderSection, ErrorsNameFileLineAndKey) {
@@ -124,26 +94,26 @@ TEST_F(LadderSection, ErrorsNameFileLineAndKey) {
   };
   EXPECT_EQ(
       with("\"old\"", "\"older\""),
-      "bumps.toml:35: ladder.0.method: \"older\" found, one of old, resampled-horizon expected");
+      "plain.toml:35: ladder.0.method: \"older\" found, one of old, resampled-horizon expected");
   EXPECT_THAT(with("cause = \"mesh\"", "cause = \"azimuths\""),
-              AllOf(StartsWith("bumps.toml:47: ladder.0.rung.2.cause: "), HasSubstr("twice")));
+              AllOf(StartsWith("plain.toml:47: ladder.0.rung.2.cause: "), HasSubstr("twice")));
   EXPECT_THAT(
       with("azimuths = 64", "azimuths = 8"),
-      AllOf(StartsWith("bumps.toml:40: ladder.0.rung.0.set: "), HasSubstr("changes nothing")));
+      AllOf(StartsWith("plain.toml:40: ladder.0.rung.0.set: "), HasSubstr("changes nothing")));
   EXPECT_THAT(with("set = { base = { subdivisions = 2 } }", "set = {}"),
-              AllOf(StartsWith("bumps.toml:48: "), HasSubstr("changes nothing")));
+              AllOf(StartsWith("plain.toml:48: "), HasSubstr("changes nothing")));
   EXPECT_THAT(with("set = { base = { subdivisions = 2 } }", ""), HasSubstr("ladder.0.rung.2.set"));
   EXPECT_THAT(with("azimuths = 64", "azimuth = 64"),
-              AllOf(StartsWith("bumps.toml:40: ladder.0.rung.0.set.bake"), HasSubstr("azimuth")));
+              AllOf(StartsWith("plain.toml:40: ladder.0.rung.0.set.bake"), HasSubstr("azimuth")));
   EXPECT_THAT(with("set = { base", "set = { lid = 1, base"),
-              AllOf(StartsWith("bumps.toml:48: ladder.0.rung.2.set.lid"), HasSubstr("unknown")));
+              AllOf(StartsWith("plain.toml:48: ladder.0.rung.2.set.lid"), HasSubstr("unknown")));
   EXPECT_THAT(with("stride = 0.5", "strides = 0.5"),
-              AllOf(StartsWith("bumps.toml:44: ladder.0.rung.1.set.parameters.strides: "),
+              AllOf(StartsWith("plain.toml:44: ladder.0.rung.1.set.parameters.strides: "),
                     HasSubstr("one of stride expected")));
   EXPECT_THAT(with("stride = 0.5", "stride = 50"),
-              AllOf(StartsWith("bumps.toml:44: "), HasSubstr("50 found, 0.01 to 8 expected")));
+              AllOf(StartsWith("plain.toml:44: "), HasSubstr("50 found, 0.01 to 8 expected")));
   EXPECT_THAT(with("\"osculating-march\"", "\"march\""),
-              AllOf(StartsWith("bumps.toml:44: ladder.0.rung.1.set.name"), HasSubstr("march")));
+              AllOf(StartsWith("plain.toml:44: ladder.0.rung.1.set.name"), HasSubstr("march")));
   EXPECT_THAT(with("cause = \"method\"", ""), HasSubstr("ladder.0.rung.1.cause: missing"));
   EXPECT_THAT(with("cause = \"method\"", "why = \"method\""),
               HasSubstr("ladder.0.rung.1.why: unknown key, expected cause, change, set"));
@@ -155,9 +125,9 @@ TEST_F(LadderSection, RefusesWhatCannotBeAttributed) {
   EXPECT_THAT(
       failure(std::string(ladder) + "\n[[ladder.rung]]\ncause = \"again\"\nset = { bake = { "
                                     "azimuths = 16 } }\n"),
-      AllOf(StartsWith("bumps.toml:"), HasSubstr("rungs change the same keys")));
+      AllOf(StartsWith("plain.toml:"), HasSubstr("rungs change the same keys")));
   const std::string camera =
-      test::replaced(std::string(ladderStudy) + ladder, "type = \"atlas\"\nsamples = 8",
+      test::replaced(ladderStudy + ladder, "type = \"atlas\"\nsamples = 8",
                      "type = \"camera\"\neye = [0, 0, 90]\nwidth = 8\nheight = 8");
   EXPECT_THAT(messageOf<InputError>([&] { (void)read(camera); }), HasSubstr("type atlas"));
 }

@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "study/spec/study_file.h"
+#include "support/columns_study.h"
 #include "support/error_messages.h"
 #include "support/replaced.h"
 #include "support/temporary_folder.h"
@@ -14,22 +15,7 @@
 namespace gnomon {
 
 /// A study to change one thing of.
-inline constexpr const char* plainStudy = R"([study]
-name = "plain"
-title = "Columns on a plane"
-source = "a test"
-
-[surface]
-shape = "plane"
-quads = [4, 2]
-size = [64, 32]
-
-[relief]
-pattern = "columns"
-texels = [64, 32]
-height = 4
-height_space = "world"
-
+inline const std::string plainStudy = test::planeStudy("plain") + R"(
 [[view]]
 type = "camera"
 width = 200

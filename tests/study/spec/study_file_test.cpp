@@ -163,7 +163,7 @@ TEST_F(StudyFile, AMethodMayBeAFileBesideIt) {
 }
 
 TEST_F(StudyFile, OnlyTheMethodsAskedForStay) {
-  const std::string text = std::string(plainStudy) + R"(
+  const std::string text = plainStudy + R"(
 [[threshold]]
 method = "max-forsyth"
 max = 0.5
@@ -210,7 +210,7 @@ TEST_F(StudyFile, QuickIsAQuarterOfTheSidesAndASixteenthOfTheMesh) {
 TEST_F(StudyFile, TheTruthHasAStepOrAnUncertainty) {
   EXPECT_FALSE(read(plainStudy).truth.uncertainty);
   EXPECT_EQ(readWith({"truth.uncertainty=0.001"}).truth.uncertainty, 0.001);
-  EXPECT_EQ(failure(std::string(plainStudy) + "[truth]\nstep = 0.25\nuncertainty = 0.001\n"),
+  EXPECT_EQ(failure(plainStudy + "[truth]\nstep = 0.25\nuncertainty = 0.001\n"),
             "plain.toml:39: truth.uncertainty: `step` found beside it, one of the two expected");
   EXPECT_THAT(failureWith({"truth.uncertainty=0"}), HasSubstr("truth.uncertainty: 0 found"));
   EXPECT_THAT(failureWith({"truth.uncertainty=2"}), HasSubstr("truth.uncertainty: 2 found"));

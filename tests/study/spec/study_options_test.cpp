@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "study/spec/study_file.h"
+#include "support/columns_study.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
@@ -14,22 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr const char* gatedStudy = R"([study]
-name = "gated"
-title = "Columns on a plane"
-source = "a test"
-
-[surface]
-shape = "plane"
-quads = [4, 2]
-size = [64, 32]
-
-[relief]
-pattern = "columns"
-texels = [64, 32]
-height = 4
-height_space = "world"
-
+const std::string gatedStudy = test::planeStudy("gated") + R"(
 [[view]]
 type = "atlas"
 samples = 11

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "common/error.h"
+#include "support/columns_study.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
@@ -17,22 +18,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* sweptStudy = R"([study]
-name = "bumps"
-title = "Columns"
-source = "a test"
-
-[surface]
-shape = "plane"
-quads = [4, 2]
-size = [64, 32]
-
-[relief]
-pattern = "columns"
-texels = [64, 32]
-height = 4
-height_space = "world"
-
+const std::string sweptStudy = test::planeStudy("bumps") + R"(
 [[view]]
 type = "atlas"
 samples = 8
@@ -79,9 +65,9 @@ class Sweep : public TemporaryFolder {
 };
 
 TEST_F(Sweep, IsOneStudyAValueInTheirOrder) {
-  const StudyPlan plan = read(std::string(sweptStudy) + sweep);
+  const StudyPlan plan = read(sweptStudy + sweep);
   EXPECT_EQ(plan.name, "bumps");
-  EXPECT_EQ(plan.title, "Columns");
+  EXPECT_EQ(plan.title, "Columns on a plane");
   ASSERT_TRUE(plan.sweep);
   EXPECT_EQ(plan.sweep->key, "relief.height");
   EXPECT_EQ(plan.sweep->axis, "height, world units");
@@ -89,7 +75,7 @@ TEST_F(Sweep, IsOneStudyAValueInTheirOrder) {
   ASSERT_EQ(plan.steps.size(), 3U);
   EXPECT_EQ(plan.steps[0].name, "bumps/2");
   EXPECT_EQ(plan.steps[1].name, "bumps/0.25");
-  EXPECT_EQ(plan.steps[1].title, "Columns, relief.height = 0.25");
+  EXPECT_EQ(plan.steps[1].title, "Columns on a plane, relief.height = 0.25");
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_FLOAT_EQ(plan.steps[i].relief.field.maximum() / plan.steps[0].relief.field.maximum(),
                     static_cast<float>(plan.sweep->values[i] / 2));
@@ -116,16 +102,14 @@ TEST_F(Sweep, TakesAnyKeyThatAnOverrideTakes) {
 }
 
 TEST_F(Sweep, KeepsWhatTheCommandLineChanges) {
-  const StudyPlan plan =
-      read(std::string(sweptStudy) + sweep, {{"bake.azimuths=4"}, {"ours"}, true});
+  const StudyPlan plan = read(sweptStudy + sweep, {{"bake.azimuths=4"}, {"ours"}, true});
   for (const StudySpec& step : plan.steps) {
     EXPECT_EQ(step.bake.settings.azimuths, 4);
     EXPECT_EQ(step.methods.size(), 1U);
     EXPECT_EQ(std::get<AtlasSpec>(step.views[0].kind).samplesPerSide, 3)
         << "odd, near a quarter of 8";
   }
-  const StudyPlan others =
-      read(std::string(sweptStudy) + sweep, {{"sweep.values=[1, 3]"}, {}, false});
+  const StudyPlan others = read(sweptStudy + sweep, {{"sweep.values=[1, 3]"}, {}, false});
   EXPECT_EQ(others.sweep->values, (std::vector<double>{1, 3}));
 }
 
@@ -185,14 +169,14 @@ TEST_F(Sweep, IsNotBlamedForOtherErrors) {
 TEST_F(Sweep, AGainThatGrowsNeedsOne) {
   const std::string claim = "gain_grows = true\n";
   EXPECT_TRUE(read(sweptStudy + claim + sweep).steps[2].claims[0].gainGrows);
-  EXPECT_FALSE(read(std::string(sweptStudy) + sweep).steps[2].claims[0].gainGrows);
+  EXPECT_FALSE(read(sweptStudy + sweep).steps[2].claims[0].gainGrows);
   EXPECT_THAT(failure(claim), StartsWith("bumps.toml:36: claim.0.gain_grows: no [sweep] found"));
   EXPECT_THAT(failure("gain_exceeds = \"other\"\n" + claim + sweep),
               StartsWith("bumps.toml:37: claim.0.gain_grows: `gain_exceeds` found beside it"));
 }
 
 TEST_F(Sweep, RecordHoldsThePlanAndItsSteps) {
-  const StudyPlan plan = read(std::string(sweptStudy) + sweep);
+  const StudyPlan plan = read(sweptStudy + sweep);
   std::vector<StudyRecord> steps(3);
   for (StudyRecord& step : steps) step.claims = {{"Ours is better", "us", Verdict::held, ""}};
   const auto atMost = [](double limit) {

@@ -9,6 +9,7 @@
 
 #include "app/viewer/virtual_display.h"
 #include "end_to_end/program.h"
+#include "support/columns_study.h"
 
 namespace gnomon::test {
 namespace {
@@ -18,30 +19,8 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 /// Columns on a part of a sphere: every slider has something to move.
-std::string sphereStudy() {
-  return R"([study]
-name = "ball"
-title = "Columns on a sphere"
-source = "a test"
-
-[surface]
-shape = "sphere"
-curvature = 0.02
-size = [48, 48]
-quads = [20, 20]
-
-[relief]
-pattern = "columns"
-texels = [48, 48]
-period = 16
-radius = 4
-wall = 1
-height = 4
-height_space = "world"
-
-[bake]
-azimuths = 8
-
+std::string ballStudy() {
+  return sphereStudy("ball") + R"(
 [truth]
 step = 0.25
 
@@ -69,7 +48,7 @@ class ViewerWindow : public EndToEnd {
   void SetUp() override {
     EndToEnd::SetUp();
     ASSERT_FALSE(display_.name().empty()) << "no Xvfb: install the packages of packages.txt";
-    write("ball.toml", sphereStudy());
+    write("ball.toml", ballStudy());
   }
   [[nodiscard]] DrivenViewer open(std::vector<std::string> arguments,
                                   const std::vector<std::string>& environment = {}) const {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "render/shader_files.h"
+#include "support/columns_study.h"
 #include "support/temporary_folder.h"
 
 // Every key of a study either changes the keys of what it can change, or nothing that it could.
@@ -18,26 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* studyText = R"([study]
-name = "keys"
-title = "Columns on a cylinder"
-source = "a test"
-
-[surface]
-shape = "cylinder"
-curvature = 0.01
-quads = [12, 4]
-size = [64, 32]
-
-[relief]
-pattern = "columns"
-texels = [64, 32]
-period = 16
-radius = 4
-wall = 1
-height = 4
-height_space = "world"
-
+const std::string studyText =
+    test::columnsStudy("keys", "cylinder", "curvature = 0.01\nquads = [12, 4]\n", "64, 32",
+                       test::thinColumns) +
+    R"(
 [bake]
 azimuths = 8
 radius = 64
