@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "report/json/summary_json.h"
-#include "report/page/budget_html.h"
 #include "report/page/report_html.h"
 #include "report/page/terminal_report.h"
 #include "report/plots/budget_plot.h"

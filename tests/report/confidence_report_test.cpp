@@ -8,7 +8,6 @@
 
 #include "common/error.h"
 #include "report/json/summary_json.h"
-#include "report/page/confidence_html.h"
 #include "report/page/report_html.h"
 #include "report/page/terminal_report.h"
 #include "report/sample_record.h"

@@ -5,18 +5,19 @@
 
 #include "common/lists.h"
 #include "common/system/memory.h"
-#include "report/page/budget_html.h"
-#include "report/page/confidence_html.h"
 #include "report/page/html_figures.h"
 #include "report/page/html_page.h"
 #include "report/page/page.h"
 #include "report/page/reference_html.h"
+#include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
+#include "report/tables/confidence_table.h"
 #include "report/tables/cost_table.h"
 #include "report/tables/formats/html_format.h"
 #include "report/tables/gate_table.h"
 #include "report/tables/ranked_table.h"
 #include "report/tables/run_tables.h"
+#include "report/text/budget_text.h"
 #include "report/text/confidence_text.h"
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
@@ -26,11 +27,7 @@
 namespace gnomon {
 namespace {
 
-std::string titleOf(const StudyRecord& record) {
-  return record.title.empty() ? record.name : record.title;
-}
-
-/// One sentence: which method is closest to the truth, and how sure the truth is.
+/// The method with the fewest wrong samples, and the truth's uncertainty.
 Html bestOfStudy(const std::vector<RankedMethod>& ranked) {
   if (ranked.empty() || ranked.front().allCases == 0) return html("No result has an error rate.");
   const auto inAllCases = static_cast<std::size_t>(std::count_if(
@@ -70,7 +67,7 @@ Html studyHeader(const StudyRecord& record, const std::vector<RankedMethod>& ran
   return html(
       "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
       "<p class=\"lead\">{}</p>\n{}{}",
-      titleOf(record), record.source,
+      record.heading(), record.source,
       statusHtml(record.status(), record.judgements, record.problems.size()), bestOfStudy(ranked),
       comparedMethods(record), htmlNotices(record.notices));
 }
@@ -239,6 +236,37 @@ Html navigation(const std::vector<Case>& cases) {
 }  // namespace
 
 Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
+Html confidenceSection(const StudyRecord& record) {
+  Html content;
+  for (const std::string& view : confidenceViews(record)) {
+    const Table table = confidenceTable(record, view);
+    if (table.rows.empty()) continue;
+    content += html("<h3>{}</h3>\n<p><b>{}</b></p>\n{}{}", view, verdictText(record, view),
+                    htmlNote(confidenceNote(record, view)), htmlTable(table));
+  }
+  return htmlSection("confidence", "How sure the error rates are", content);
+}
+
+Html budgetSection(const StudyRecord& record, std::span<const DrawnPlot> plots) {
+  if (record.budgets.empty()) return {};
+  std::vector<const DrawnPlot*> own;  // one a light
+  for (const DrawnPlot& plot : plots) {
+    if (plot.sheet.section == "budget") own.push_back(&plot);
+  }
+  Html content = htmlNote(budgetNote(record.budgets.front()));
+  const std::vector<std::string> lights = budgetLights(record);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    Html part = i < own.size() ? htmlPlot(*own[i]) : Html();
+    for (const BudgetRecord& budget : budgetsOf(record, lights[i])) {
+      part += html("<h3>{}</h3>\n{}{}", budget.method, htmlNote(orderText(budget)),
+                   htmlTable(budgetTable(budget)));
+    }
+    content +=
+        i == 0 ? part : html("<details><summary>{}</summary>\n{}</details>\n", lights[i], part);
+  }
+  return htmlSection("budget", "Where the error comes from", content);
+}
+
                 std::span<const DrawnPlot> plots) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);
@@ -254,7 +282,7 @@ Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
   main += confidenceSection(record) + plotSection(plots) + budgetSection(record, plots) +
           costSection(record) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record);
-  return htmlPage(titleOf(record), studyHeader(record, ranked), main,
+  return htmlPage(record.heading(), studyHeader(record, ranked), main,
                   hasPictures ? viewerScript() : Html());
 }
 

@@ -20,4 +20,13 @@ namespace gnomon {
 Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots = {});
 
+/// Its section on intervals: for each view its verdict and a table of its methods, ranked with
+/// their intervals. Empty if the record has no intervals.
+Html confidenceSection(const StudyRecord& record);
+
+/// Its section "Where the error comes from": the plots and tables of the study's error budgets, all
+/// lights together, then folded away each light; nothing, if it has none.
+/// @param plots  of the run; those of other sections are passed over
+Html budgetSection(const StudyRecord& record, std::span<const DrawnPlot> plots);
+
 }  // namespace gnomon

@@ -13,10 +13,6 @@
 namespace gnomon {
 namespace {
 
-std::string titleOf(const SweepRecord& sweep) {
-  return sweep.title.empty() ? sweep.name : sweep.title;
-}
-
 Html sweepStatus(const SweepRecord& sweep) {
   std::vector<Judgement> judgements;
   std::size_t problems = 0;
@@ -31,7 +27,7 @@ Html sweepHeader(const SweepRecord& sweep) {
   return html(
       "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
       "<p class=\"lead\">One study at {} of <code>{}</code>.</p>\n{}",
-      titleOf(sweep), sweep.source, sweepStatus(sweep), plural(sweep.values.size(), "value"),
+      sweep.heading(), sweep.source, sweepStatus(sweep), plural(sweep.values.size(), "value"),
       sweep.key, htmlNotices(sweep.notices()));
 }
 
@@ -86,7 +82,7 @@ Html sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
       fewerCasesNote(std::array{studyMeans(sweep)}), htmlTable(sweepErrorsTable(sweep)));
   const Html facts = html("<dl>\n{}{}</dl>\n", htmlFact("Study", sweep.file),
                           htmlFact("With the options, in this folder", sweep.copy));
-  return htmlPage(titleOf(sweep), sweepHeader(sweep),
+  return htmlPage(sweep.heading(), sweepHeader(sweep),
                   htmlSection("plot", "Error against " + sweep.axis, plot) +
                       sweepCost(std::span(plots).subspan(1)) +
                       htmlSection("values", "Error by value", values) + htmlClaims(claims) +

@@ -169,7 +169,7 @@ void appendCache(TerminalPage& page, const StudyRecord& record) {
 
 std::string terminalReport(const StudyRecord& record, bool colours) {
   TerminalPage page(colours);
-  page.heading(record.title.empty() ? record.name : record.title);
+  page.heading(record.heading());
   page.paragraph(record.source);
   page.notices(record.notices);
   appendConfidence(page, record);
@@ -187,7 +187,7 @@ std::string terminalReport(const StudyRecord& record, bool colours) {
 
 std::string terminalReport(const SweepRecord& sweep, bool colours) {
   TerminalPage page(colours);
-  page.heading(sweep.title.empty() ? sweep.name : sweep.title);
+  page.heading(sweep.heading());
   page.paragraph(sweep.source);
   page.notices(sweep.notices());
   page.paragraph(

@@ -133,17 +133,16 @@ PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_
   std::vector<std::string> methods;
   for (const BinRecord* bin : bins) appendOnce(methods, bin->method);
   const std::string uncertainty = exactText(100 * uncertaintyIn(record, view));
-  std::string data = fmt::format("$truth << EOD\n-0.5 {0}\n{1} {0}\nEOD\n", uncertainty,
-                                 exactText(static_cast<double>(ends.size()) - 0.5));
+  std::string data =
+      plotData("$truth", fmt::format("-0.5 {0}\n{1} {0}\n", uncertainty,
+                                     exactText(static_cast<double>(ends.size()) - 0.5)));
   std::string plot =
       "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title 'uncertainty of the "
       "truth'";
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    data += fmt::format("$m{} << EOD\n{}EOD\n", m, lineData(bins, ends, methods[m]));
-    plot += fmt::format(
-        ", \\\n  $m{} using 1:2 with linespoints lc rgb '{}' pt {} ps 0.7 lw 2 dt {} title {}", m,
-        plotColours.at(m % plotColours.size()), plotPoints.at(m % plotPoints.size()),
-        1 + m / plotColours.size(), plotLegend(methods[m]));
+    data += plotData(fmt::format("$m{}", m), lineData(bins, ends, methods[m]));
+    plot += fmt::format(", \\\n  $m{} using 1:2 with linespoints {} title {}", m, plotLine(m),
+                        plotLegend(methods[m]));
   }
   const std::string title = axisTitle(axis);
   return {fmt::format("error-by-{}", axis),
@@ -151,12 +150,9 @@ PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_
           fmt::format("Error rate of each method by {}, view {}", title, view),
           1000,
           std::max(560, 25 * (static_cast<int>(methods.size()) + 4)),
-          data +
-              "set border 3 lc rgb '#5b626b'\n"
+          data + plotFrame(3, "ytics ") +
               "set lmargin at screen 0.075\nset rmargin at screen 0.69\n"
-              "set tmargin at screen 0.88\n"
-              "set tics nomirror out textcolor rgb '#1a1d21'\n"
-              "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n" +
+              "set tmargin at screen 0.88\n" +
               ticks(bins, ends, methods.empty() ? "" : methods.front()) +
               fmt::format("set xrange [-0.5:{0}]\nset x2range [-0.5:{0}]\nset yrange [0:*]\n",
                           exactText(static_cast<double>(ends.size()) - 0.5)) +

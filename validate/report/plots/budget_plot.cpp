@@ -92,9 +92,9 @@ PlotSheet budgetPlot(std::span<const BudgetRecord> budgets) {
   std::string plot = "plot ";
   for (std::size_t p = 0; p < parts.size(); ++p) {
     // A part that no bar has still stands in the legend.
-    data += fmt::format(
-        "$p{} << EOD\n{}EOD\n", p,
-        parts[p].rectangles.empty() ? "NaN NaN NaN NaN NaN NaN\n" : parts[p].rectangles);
+    data +=
+        plotData(fmt::format("$p{}", p),
+                 parts[p].rectangles.empty() ? "NaN NaN NaN NaN NaN NaN\n" : parts[p].rectangles);
     plot += fmt::format(
         "{}$p{} using 1:2:3:4:5:6 with boxxyerror fs solid noborder lc rgb '{}' title {}",
         p > 0 ? ", \\\n  " : "", p, parts[p].colour, plotLegend(parts[p].name));
@@ -108,11 +108,7 @@ PlotSheet budgetPlot(std::span<const BudgetRecord> budgets) {
           "Each method's error by cause, forward and backward; the tables hold the same figures",
           1000,
           std::max({320, 24 * lines, 70 + 75 * static_cast<int>(budgets.size())}),
-          data +
-              "set border 1 lc rgb '#5b626b'\n"
-              "set tics nomirror out textcolor rgb '#1a1d21'\n"
-              "set grid xtics lc rgb '#dde1e6' lw 1 dt 1\n"
-              "set yzeroaxis lt 1 lc rgb '#5b626b'\n" +
+          data + plotFrame(1, "xtics ") + "set yzeroaxis lt 1 lc rgb '#5b626b'\n" +
               (isEmpty ? "set xrange [0:1]\n" : "") +
               fmt::format("set yrange [{}:-0.75]\n", exactText(y - 0.75)) + "set ytics scale 0 (" +
               names + ")\n" + totals +

@@ -37,30 +37,25 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points) {
   for (const FrontierPoint& point : points) {
     appendOnce(names, point.name);
   }
-  std::string data = "$frontier << EOD\n";
-  for (const FrontierPoint& point : points) data += point.efficient ? dataRow(point) : "";
+  std::string rows;
+  for (const FrontierPoint& point : points) rows += point.efficient ? dataRow(point) : "";
   // On to the right end: more memory need not be worse.
   const FrontierPoint best =
       *std::min_element(points.begin(), points.end(),
                         [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
-  data += dataRow({"", "", points.back().bytes, best.errorRate});
-  data += "EOD\n";
+  rows += dataRow({"", "", points.back().bytes, best.errorRate});
+  std::string data = plotData("$frontier", rows);
   std::string plot = "plot $frontier using 1:2 with steps lc rgb '#9aa1a9' lw 2 title 'frontier'";
   for (std::size_t m = 0; m < names.size(); ++m) {
-    data += fmt::format("$m{} << EOD\n", m);
-    for (const FrontierPoint& point : points) data += point.name == names[m] ? dataRow(point) : "";
-    data += "EOD\n";
+    rows.clear();
+    for (const FrontierPoint& point : points) rows += point.name == names[m] ? dataRow(point) : "";
+    data += plotData(fmt::format("$m{}", m), rows);
     plot += fmt::format(", \\\n  $m{} using 1:2 with points lc rgb '{}' pt {} ps 1 lw 2 title {}",
                         m, plotColours.at(m % plotColours.size()),
                         plotPoints.at((m + m / plotColours.size()) % plotPoints.size()),
                         plotLegend(names[m]));
   }
-  const std::string commands = data +
-                               "set border 3 lc rgb '#5b626b'\n"
-                               "set tics nomirror out textcolor rgb '#1a1d21'\n"
-                               "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
-                               "set logscale xy\n" +
-                               ranges(points) +
+  const std::string commands = data + plotFrame() + "set logscale xy\n" + ranges(points) +
                                "set format x '%g'\nset format y '%g'\n"
                                "set xlabel 'tables and height map, MB'\n"
                                "set ylabel 'error rate, percent of the samples'\n"

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "report/plots/gnuplot.h"
 #include "report/text/text_width.h"
@@ -23,6 +26,30 @@ inline std::string plotLine(std::size_t m) {
   return "lc rgb '" + std::string(plotColours.at(m % plotColours.size())) + "' pt " +
          std::to_string(plotPoints.at(m % plotPoints.size())) + " ps 0.7 lw 2 dt " +
          std::to_string(1 + m / plotColours.size());
+}
+
+/// Axes, tics and grid as all plots have them.
+/// @param sides  gnuplot's sum of the sides that have an axis: 1 bottom, 2 left
+/// @param grid   "xtics " or "ytics " for lines of that axis alone
+inline std::string plotFrame(int sides = 3, const std::string& grid = "") {
+  return "set border " + std::to_string(sides) +
+         " lc rgb '#5b626b'\n"
+         "set tics nomirror out textcolor rgb '#1a1d21'\n"
+         "set grid " +
+         grid + "lc rgb '#dde1e6' lw 1 dt 1\n";
+}
+
+/// Rows under a name that the plot command takes: "$m0".
+inline std::string plotData(const std::string& name, const std::string& rows) {
+  return name + " << EOD\n" + rows + "EOD\n";
+}
+
+/// The indices of numbers from the smallest to the largest.
+inline std::vector<std::size_t> risingOrder(const std::vector<double>& numbers) {
+  std::vector<std::size_t> order(numbers.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i]; });
+  return order;
 }
 
 /// The most characters of a label that a legend shows.

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -42,14 +41,10 @@ Point pointOf(const StudyRecord& step, double value, const std::string& label) {
 }
 
 std::vector<Line> linesOf(const SweepRecord& sweep) {
-  std::vector<std::size_t> order(sweep.values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return sweep.values[a] < sweep.values[b]; });
   std::vector<Line> lines;
   for (const MethodMeans& method : studyMeans(sweep).methods) {
     Line line{method.label, {}};
-    for (const std::size_t i : order) {
+    for (const std::size_t i : risingOrder(sweep.values)) {
       line.points.push_back(pointOf(sweep.steps.at(i), sweep.values[i], method.label));
     }
     lines.push_back(std::move(line));
@@ -77,9 +72,9 @@ PlotSheet sheetOf(const std::vector<Line>& lines, const std::string& axes, const
   std::string data;
   std::string plot;
   for (std::size_t m = 0; m < lines.size(); ++m) {
-    data += fmt::format("$m{} << EOD\n", m);
-    for (const Point& point : lines[m].points) data += row(point) + "\n";
-    data += "EOD\n";
+    std::string rows;
+    for (const Point& point : lines[m].points) rows += row(point) + "\n";
+    data += plotData(fmt::format("$m{}", m), rows);
     plot += fmt::format("{}$m{} using 1:2 with linespoints {} title {}",
                         plot.empty() ? "plot " : ", \\\n  ", m, plotLine(m),
                         plotLegend(lines[m].label));
@@ -89,13 +84,9 @@ PlotSheet sheetOf(const std::vector<Line>& lines, const std::string& axes, const
   const auto more = static_cast<int>(std::max(lines.size(), linesOfPage) - linesOfPage);
   PlotSheet sheet;
   sheet.height += more * lineHeight;
-  sheet.commands = data +
-                   "set border 3 lc rgb '#5b626b'\n"
-                   "set tics nomirror out textcolor rgb '#1a1d21'\n"
-                   "set grid lc rgb '#dde1e6' lw 1 dt 1\n" +
-                   axes + "set format y '%g'\nset offsets graph 0.03, graph 0.03, 0, 0\n" +
-                   "set key outside right top Left reverse samplen 2 spacing 1.1 maxcols 1\n" +
-                   plot + "\n";
+  sheet.commands =
+      data + plotFrame() + axes + "set format y '%g'\nset offsets graph 0.03, graph 0.03, 0, 0\n" +
+      "set key outside right top Left reverse samplen 2 spacing 1.1 maxcols 1\n" + plot + "\n";
   return sheet;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
@@ -43,12 +42,8 @@ struct Series {
 };
 
 Series seriesOf(const SweepRecord& sweep) {
-  std::vector<std::size_t> order(sweep.values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return sweep.values[a] < sweep.values[b]; });
   Series series;
-  for (const std::size_t i : order) {
+  for (const std::size_t i : risingOrder(sweep.values)) {
     series.values.push_back(sweep.values[i]);
     series.steps.push_back(studyMeans(sweep.steps.at(i)));
   }
@@ -83,11 +78,11 @@ std::string bandData(const Series& series) {
 }
 
 std::string dataBlocks(const Series& series) {
-  std::string text = "$truth << EOD\n" + bandData(series) + "EOD\n";
+  std::string text = plotData("$truth", bandData(series));
   for (const Panel& panel : panels) {
     for (std::size_t m = 0; m < series.methods.size(); ++m) {
-      text += fmt::format("${}{} << EOD\n{}EOD\n", panel.name, m,
-                          lineData(series, series.methods[m], panel.figure));
+      text += plotData(fmt::format("${}{}", panel.name, m),
+                       lineData(series, series.methods[m], panel.figure));
     }
   }
   return text;
@@ -95,15 +90,12 @@ std::string dataBlocks(const Series& series) {
 
 /// Indices of the methods from the highest line to the lowest at the largest value.
 std::vector<std::size_t> legendOrder(const Series& series) {
-  const auto last = [&](std::size_t m) {
-    const MethodMeans* means = findMeans(series.steps.back(), series.methods[m]);
-    return means == nullptr ? 0 : means->errorRate.value_or(0);
-  };
-  std::vector<std::size_t> order(series.methods.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return last(a) > last(b); });
-  return order;
+  std::vector<double> depths;
+  for (const std::string& method : series.methods) {
+    const MethodMeans* means = findMeans(series.steps.back(), method);
+    depths.push_back(means == nullptr ? 0 : -means->errorRate.value_or(0));
+  }
+  return risingOrder(depths);
 }
 
 std::string plotCommand(const Series& series, const Panel& panel) {
@@ -151,12 +143,8 @@ int pageHeight(const Series& series) {
 PlotSheet sweepPlot(const SweepRecord& sweep) {
   const Series series = seriesOf(sweep);
   std::string text =
-      dataBlocks(series) +
+      dataBlocks(series) + "set multiplot\n" + plotFrame(3, "ytics ") +
       fmt::format(
-          "set multiplot\n"
-          "set border 3 lc rgb '#5b626b'\n"
-          "set tics nomirror out textcolor rgb '#1a1d21'\n"
-          "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
           "set title offset 0,-0.4\n"
           "set xlabel offset 0,0.4 {}\n"
           "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n"
@@ -170,7 +158,7 @@ PlotSheet sweepPlot(const SweepRecord& sweep) {
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on
   }
   return {"sweep",
-          sweep.title.empty() ? sweep.name : sweep.title,
+          sweep.heading(),
           "Error rate, false shadow and false light of each method against " + sweep.axis,
           pageWidth,
           pageHeight(series),

@@ -113,7 +113,7 @@ Table rankedTable(const StudyRecord& record, const std::vector<RankedMethod>& ra
   using Q = Quantity;
   Table table{.kind = "ranking",
               .label = record.name,
-              .title = record.title.empty() ? record.name : record.title,
+              .title = record.heading(),
               .caption = rankedCaption(ranked),
               .columns = {{"", "rank", Q::rank, onPage | asData},
                           {"Method", "method", Q::name},

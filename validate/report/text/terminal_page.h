@@ -15,8 +15,6 @@ constexpr std::size_t terminalWidth = 100;
 constexpr std::size_t terminalIndent = 2;
 /// Room for a mark behind a figure, as " ≈".
 constexpr std::size_t markWidth = 2;
-/// Room for an interval, as "12.34 to 56.78".
-constexpr std::size_t intervalWidth = 17;
 
 /// Text for a terminal, line by line.
 class TerminalPage {

@@ -219,6 +219,8 @@ struct StudyRecord {
   std::optional<CacheCounts> cache;    ///< none where the run used no cache
 
   /// What thresholds, references and problems say of the run.
+  /// The title, or the name of a study without one.
+  [[nodiscard]] const std::string& heading() const { return title.empty() ? name : title; }
   [[nodiscard]] RunStatus status() const { return runStatus(judgements, problems); }
 };
 

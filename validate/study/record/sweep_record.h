@@ -24,6 +24,8 @@ struct SweepRecord {
   std::vector<StudyRecord> steps;   ///< one a value, in their order
   std::vector<ClaimRecord> claims;  ///< judged over all steps
 
+  /// The title, or the name of a study without one.
+  [[nodiscard]] const std::string& heading() const { return title.empty() ? name : title; }
   /// What the gates of all steps say together.
   [[nodiscard]] RunStatus status() const;
   /// Those of the steps, each once; with the values that it holds at, where these are not all.
