@@ -75,7 +75,7 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   EXPECT_THAT(
       confidenceNote(recordOfThree(), "camera"),
       HasSubstr("over all draws of the bumps, on the same surface, in the same view, under the "
-                "same lights. It is told from 25 blocks of 40 × 40 samples. ≈ not "
+                "same lights. It comes from 25 blocks of 40 × 40 samples. ≈ not "
                 "distinguishable from the best: the interval of the difference holds 0, "
                 "there is none, or it is within the truth’s uncertainty of 0.30 %."));
 }

@@ -9,21 +9,23 @@
 
 namespace gnomon {
 
-/// How a folder of results tells what is in it.
+/// The files that tell what is in a folder of results.
 struct FolderKind {
-  std::string index;  ///< written last and removed first: where it is, all else is whole; may be ""
+  std::string
+      index;  ///< written last and removed first: where it is, all other files are whole; may be ""
   std::vector<std::string> others = {};  ///< that every run writes too, as far as they are known
   std::string list = "files.txt";        ///< names of all files that were written
 };
 
-/// A folder of results, and the list of what a run writes into it. The next run removes what the
-/// list names, and nothing else: a file of somebody else's is neither removed nor replaced. A name
-/// is in the list before its file is there, so that a run that is killed leaves nothing unnamed.
+/// A folder of results, with a list of the files that a run writes into it. The next run removes
+/// the files of the list, and no others: a file that somebody else put there is neither removed nor
+/// replaced. A name enters the list before its file is written, so that a run that is killed leaves
+/// no file that the list lacks.
 ///
 /// The list is a text: a first line that says what it is, then a name a line, relative to the
 /// folder. A name that ends in `/` is that of a folder with a list of its own.
 ///
-/// Who uses it locks the list's file meanwhile: see FileLock.
+/// Lock the list's file while you use the folder: see FileLock.
 class RunFolder {
  public:
   /// Reads the list; changes nothing. The folder need not be there.
@@ -36,7 +38,7 @@ class RunFolder {
   /// Whether the list names a file or, with `/` at its end, a folder.
   [[nodiscard]] bool names(const std::string& name) const { return names_.contains(name); }
 
-  /// Removes the index alone: what is there counts as no run's.
+  /// Removes the index alone: the folder then holds no finished run.
   void removeIndex();
   /// Removes the files of the list, those of the lists of its folders, what killed writers left
   /// among them, and folders that are then empty; begins a new list.
@@ -49,7 +51,7 @@ class RunFolder {
   /// Takes over a file that is there, or a folder with a list of its own.
   void add(const std::string& name);
   /// The path of a new file, which is then in the list.
-  /// @throws InputError where something stands there that the list does not name
+  /// @throws InputError where there is a file that the list does not name
   std::filesystem::path newFile(const std::string& name);
   /// Writes a file, whole or not at all.
   /// @throws InputError likewise, or where it cannot be written

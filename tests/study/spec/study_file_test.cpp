@@ -119,8 +119,9 @@ TEST_F(StudyFile, ASweepIsEveryElevationWithEveryAzimuth) {
 TEST_F(StudyFile, OneLightMayHaveAName) {
   EXPECT_EQ(readWith({"light.0.name=dusk"}).lights.at(0).name, "dusk");
   EXPECT_EQ(readWith({"light.0.name=dusk", "light.0.elevation=[30]"}).lights.at(0).name, "dusk");
-  EXPECT_THAT(failureWith({"light.0.name=dusk", "light.0.elevation=[30, 20]"}),
-              HasSubstr("light.0.name: a sweep of lights names itself"));
+  EXPECT_THAT(
+      failureWith({"light.0.name=dusk", "light.0.elevation=[30, 20]"}),
+      HasSubstr("light.0.name: a name found for several lights, which are named by their angles"));
 }
 
 // ---- methods

@@ -52,15 +52,15 @@ Json jsonTruth(const TruthRecord& truth);
 /// or "value"), and its least, quartile_1, median, quartile_3, most (null where no case has it);
 /// and `radius` (jsonRadiusCheck).
 Json jsonClaim(const ClaimRecord& claim);
-/// A verdict at other search radii. half, twice: the verdicts there; depends: whether one of them
-/// is another. Null where the radius was not varied.
+/// A verdict at other search radii. half, twice: the verdicts there; depends: whether either
+/// differs from the verdict at the study's radius. Null where the radius was not varied.
 Json jsonRadiusCheck(const ClaimRecord& claim);
 Json jsonRadiusCheck(const DifferenceRecord& difference);
 /// method, error_rate, false_shadow, false_light, uncertainty, cases, all_cases.
 Json jsonMeans(const MethodMeans& means);
 /// The status of a run by its name.
 Json jsonStatus(RunStatus status);
-/// What became of a gate, with the keys of its origin. Of a threshold: method, light, view, answer,
+/// The result of a gate, with the keys of its origin. Of a threshold: method, light, view, answer,
 /// region, metric, value, minimum, maximum, passed, reason. Of a reference: method, light, view,
 /// answer, metric, committed, value, minimum, maximum, verdict, reason. Of an option of `compare`:
 /// metric, value, minimum, maximum, passed.

@@ -16,12 +16,12 @@ namespace gnomon {
 struct MaskFileRecord {
   std::string file;
   std::size_t lit = 0, shadowed = 0, none = 0;
-  std::size_t binarised = 0;  ///< only a threshold could decide these
+  std::size_t binarised = 0;  ///< grey ones: a threshold made them lit or shadowed
 
   MaskFileRecord(std::string name, const Mask& mask, std::size_t soft);
 };
 
-/// What the comparison of two pictures of masks found: plain data.
+/// The result of comparing two pictures of masks: plain data.
 struct MaskComparison {
   MaskFileRecord candidate, truth;
   std::optional<MaskFileRecord> roi = std::nullopt;  ///< of the region of interest

@@ -46,7 +46,7 @@ Html htmlClaim(const ClaimRecord& claim, const Html& study = {});
 /// A section of claims as htmlClaim makes them; nothing, if there are none.
 Html htmlClaims(const Html& claims);
 
-/// What is to be read before the figures, a paragraph each.
+/// The notices that stand before the figures, a paragraph each.
 Html htmlNotices(const std::vector<std::string>& notices);
 
 /// How a run is done again: its command, and facts about it.

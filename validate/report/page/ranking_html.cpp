@@ -25,15 +25,13 @@ Html studiesStatus(std::span<const StudyMeans> studies) {
 
 Html bestOverStudies(const Ranking& ranking, std::size_t studies) {
   if (ranking.empty() || !ranking.front().rank) {
-    return html(
-        "No method was measured in every case of every study, so that none can be called the "
-        "best.");
+    return html("No method was measured in every case of every study, so none is ranked.");
   }
   const RankedOverStudies& best = ranking.front();
   return html(
-      "Over {} studies <b>{}</b> is closest to the truth: <b>{}&#8239;%</b> of the samples wrong "
-      "on "
-      "average, {}&#8239;% at worst, on {}.",
+      "Compared with ray tracing the displaced surface in {} studies, <b>{}</b> has the fewest "
+      "wrong "
+      "samples: <b>{}&#8239;%</b> on average, {}&#8239;% in its worst study, {}.",
       studies, labelWithName(best), percentText(best.meanError), percentText(best.worstError),
       best.worstStudy);
 }

@@ -33,16 +33,16 @@ Html bestOfStudy(const std::vector<RankedMethod>& ranked) {
   const auto inAllCases = static_cast<std::size_t>(std::count_if(
       ranked.begin(), ranked.end(), [](const auto& method) { return method.rank.has_value(); }));
   if (inAllCases == 0) {
-    return html("No method answers in every case, so that none can be called the best.");
+    return html("No method answers in every case, so none is ranked.");
   }
   const RankedMethod& best = ranked.front();
   const Html text = html(
-      "Of {} over {}, <b>{}</b> is closest to the truth: it gets "
-      "<b>{}&#8239;%</b> of the samples wrong.",
-      plural(inAllCases, "method"), plural(best.cases, "case"), best.label,
+      "Compared with ray tracing the displaced surface in {} (a view under a light), <b>{}</b> has "
+      "the fewest wrong samples of {}: <b>{}&#8239;%</b>.",
+      plural(best.cases, "case"), best.label, plural(inAllCases, "method"),
       percentText(best.errorRate.value));
   if (!best.uncertainty) {
-    return html("{} How sure the truth itself is was not measured.", text);
+    return html("{} The truth’s own uncertainty was not measured.", text);
   }
   const bool isNone = !isDistinguishable({*best.errorRate.value, best.interval, *best.uncertainty});
   return html("{} The truth itself is uncertain by {}&#8239;%{}.", text,
@@ -106,11 +106,12 @@ Html caseTables(const StudyRecord& record, const Case& which) {
   Html content;
   const Table metrics = caseTable(record, std::array{which});
   if (!metrics.rows.empty()) {
-    content += html("<h3>All samples</h3>\n{}{}",
-                    htmlNote("Rates in percent. Test is the error of the shadow test alone, length "
-                             "that of the cast shadows along the light, over the truth’s: the "
-                             "median. ≈ marks methods that are not distinguishable from the best."),
-                    htmlTable(metrics));
+    content +=
+        html("<h3>All samples</h3>\n{}{}",
+             htmlNote("Rates in percent. Test: the error of the shadow test alone. Length: "
+                      "the median ratio of the lengths of cast shadows to the truth’s, along "
+                      "the light. ≈ marks methods that are not distinguishable from the best."),
+             htmlTable(metrics));
   }
   const Table regions = regionTable(record, which);
   if (!regions.rows.empty()) {
@@ -235,7 +236,6 @@ Html navigation(const std::vector<Case>& cases) {
 
 }  // namespace
 
-Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
 Html confidenceSection(const StudyRecord& record) {
   Html content;
   for (const std::string& view : confidenceViews(record)) {
@@ -267,6 +267,7 @@ Html budgetSection(const StudyRecord& record, std::span<const DrawnPlot> plots) 
   return htmlSection("budget", "Where the error comes from", content);
 }
 
+Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots) {
   const std::vector<RankedMethod> ranked = rankMethods(record);
   const std::vector<Case> cases = casesWithPictures(record);

@@ -74,7 +74,7 @@ Html sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
   const Html plot = htmlNote(
                         "Percent of the samples, mean over all lights and views. The grey band is "
                         "the truth’s own "
-                        "uncertainty: differences as small as it say nothing.") +
+                        "uncertainty: smaller differences are not meaningful.") +
                     htmlPlot(plots.front());
   const Html values = html(
       "<p class=\"note\">The stronger the tint, the larger the error. Each value leads to its own "

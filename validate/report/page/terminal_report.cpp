@@ -72,7 +72,7 @@ void appendResults(TerminalPage& page, const StudyRecord& record) {
   if (left.empty()) return;
   page.paragraph(
       "Rates in percent of the samples, of the drawn picture: shadow test and shading. Test: the "
-      "error of the shadow test alone. Length: of the cast shadows over the truth's, the median. "
+      "error of the shadow test alone. Length: the median ratio of cast shadows to the truth's. "
       "≈ not distinguishable from the best of its light.");
   while (!left.empty()) {
     const std::string view = left.front().view;

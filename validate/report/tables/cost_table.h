@@ -30,7 +30,7 @@ Table costTable(const StudyRecord& record);
 /// all.
 std::string keptFrames(const StudyRecord& record);
 
-/// What the run has to say to the paper's statement about frame rates (Onoue, Max & Nishita 2004,
+/// The run's frame rates beside the paper's statement about them (Onoue, Max & Nishita 2004,
 /// section 4), as one paragraph of text that names the renderer. Empty unless the run timed all of
 /// max-forsyth, onoue-2004 and shadow-volume.
 std::string publishedRates(const StudyRecord& record);

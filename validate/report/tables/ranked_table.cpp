@@ -158,7 +158,7 @@ Table rankedOverStudiesTable(std::span<const StudyMeans> studies,
                           {"Truth ±", "uncertainty", Q::percent}},
               .apart =
                   "Not in every case (a view under a light of a study): no rank, since means "
-                  "over other cases cannot be compared."};
+                  "over different cases cannot be compared."};
   table.columns[0].width = 2;
   table.columns[2].isMain = true;
   for (const std::size_t i : {2U, 3U}) table.columns[i].width = 8;

@@ -14,9 +14,9 @@ namespace gnomon {
 /// A table as data. The functions `…Table` make one of a record; the formats (formats.h) print it:
 /// any format prints any table.
 
-/// What stands in a column. It decides how a value reads and on which side of the column it stands.
+/// The kind of values in a column. It decides how they are printed and on which side of the column.
 enum class Quantity {
-  name,           ///< what the row speaks of; text, at the left as all text
+  name,           ///< what the row is about; text, at the left as all text
   text,           ///< any other text
   code,           ///< text in letters of one width
   rank,           ///< 1, 2, …; at the left
@@ -33,7 +33,7 @@ enum class Quantity {
   exact,          ///< the shortest text that reads back as the same number
 };
 
-/// Who reads a column: bits, added where several do.
+/// The readers that see a column, as bits.
 enum Readers : unsigned {
   onTerminal = 1,
   onPage = 2,
@@ -49,11 +49,11 @@ struct Column {
   unsigned readers = byAll;
   std::string unit = {};      ///< stands in the heading: "ms"
   std::string note = {};      ///< small under the heading, on a page
-  std::string about = {};     ///< seen by pointing at the heading
+  std::string about = {};     ///< shown when a reader points at the heading
   std::string link = {};      ///< where the heading leads, on a page
   std::size_t width = 0;      ///< that a terminal gives it at least, with its gap
   std::size_t markWidth = 0;  ///< room behind the figures for their marks, on a terminal
-  bool isMain = false;        ///< what the table is about: bold on a page
+  bool isMain = false;        ///< the main column of the table: bold on a page
 };
 
 enum class Emphasis { none, strong, quiet, good, bad, open };
@@ -71,9 +71,10 @@ struct Cell {
   std::optional<std::string> text = {};  ///< as people read it; else as the quantity says
   std::optional<double> value = {};
   std::optional<Interval> interval = {};
-  std::string about = {};  ///< why there is no value, or what it stands on: seen by pointing at it
-  std::string mark = {};   ///< behind the figure, with its space: " ≈"
-  std::string note = {};   ///< small below it, on a page
+  std::string about =
+      {};  ///< why there is no value, or what it rests on: shown when a reader points at it
+  std::string mark = {};                   ///< behind the figure, with its space: " ≈"
+  std::string note = {};                   ///< small below it, on a page
   std::optional<double> uncertainty = {};  ///< a share: "± 0.30" behind the figure, on a page
   std::optional<double> heat = {};         ///< 0 to 1: how strong a page tints it
   Emphasis emphasis = Emphasis::none;
@@ -83,8 +84,8 @@ struct Cell {
 struct Row {
   std::vector<Cell> cells;  ///< one a column
   std::string mark = {};    ///< of the whole row, with its space: " ≈"
-  std::string remark = {};  ///< what must be read with it, in every format for people
-  bool isApart = false;     ///< stands below the others, since it cannot be compared with them
+  std::string remark = {};  ///< to be read with the row, in every format for people
+  bool isApart = false;     ///< printed below the others, since it cannot be compared with them
 };
 
 struct Table {
@@ -94,7 +95,7 @@ struct Table {
   std::string caption = {};  ///< what the figures are, on paper
   std::vector<Column> columns;
   std::vector<Row> rows = {};
-  std::string apart = {};  ///< why rows stand apart; said once before them, on a terminal
+  std::string apart = {};  ///< why rows are apart; printed once before them, on a terminal
 };
 
 /// Cells of one kind each.
@@ -117,7 +118,7 @@ std::string cellText(Quantity quantity, const Cell& cell);
 /// A column's heading for people: "Frame, ms".
 std::string heading(const Column& column);
 
-/// The indices of the columns that somebody reads.
+/// The indices of the columns that a reader sees.
 /// @throws InternalError for a row that has not one cell a column
 std::vector<std::size_t> columnsFor(const Table& table, Readers reader);
 

@@ -11,14 +11,13 @@ namespace gnomon {
 
 std::string budgetNote(const BudgetRecord& budget) {
   return fmt::format(
-      "Percent of the samples of view {}, {}. A cause’s share is the error before it is undone "
-      "less "
-      "that after, in the order of the list (forward) or from its end (backward), each time from "
-      "the method as published; below zero where undoing it alone makes matters worse. {} It "
-      "is told from {} blocks. ≈ not distinguishable from none: the interval holds 0, "
-      "there is none, or the share is within the truth’s uncertainty of {} %. What is left is "
-      "split into samples that only an occluder beyond the tables’ radius shadows, which takes "
-      "global geometry, and the others.",
+      "Percent of the samples of view {}, {}. A cause’s share is the error before the cause is "
+      "corrected minus the error after. Causes are corrected in the order of the list (forward) or "
+      "from its end (backward), each time starting from the published method. A share below zero: "
+      "the correction made the error larger. {} It comes from {} blocks. ≈ not distinguishable "
+      "from zero: the interval contains 0, there is none, or the share is within the truth’s "
+      "uncertainty of {} %. The remaining error is split into samples that only an occluder beyond "
+      "the tables’ radius shadows, which takes global geometry to know, and the others.",
       budget.view, budget.light == "all" ? "mean over all lights" : budget.light, intervalMeaning,
       budget.blocks, percentText(budget.uncertainty));
 }
@@ -27,7 +26,7 @@ std::string orderText(const BudgetRecord& budget) {
   const double moved = orderDependence(budget);
   if (!(budget.total.value > 0)) return "No error to attribute.";
   return fmt::format(
-      "{} % wrong. The two orders give {} % of the samples, {:.0f} % of the error, to different "
+      "{} % wrong. The two orders assign {} % of the samples, {:.0f} % of the error, to different "
       "causes.",
       percentText(budget.total.value), percentText(moved), 100 * moved / budget.total.value);
 }

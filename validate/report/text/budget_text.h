@@ -9,17 +9,17 @@ namespace gnomon {
 
 /// Texts of an error budget, the same in every kind of report.
 
-/// What is left of an error once all causes are undone.
+/// The error that remains when all causes are corrected.
 constexpr const char* distantName = "left: distant occluders";
 constexpr const char* otherName = "left: other";
 
-/// What the figures are, of how many lights and blocks, and how sure the truth is.
+/// What the figures mean, of how many lights and blocks they are, and the truth's uncertainty.
 std::string budgetNote(const BudgetRecord& budget);
 
-/// How much of a method's error the order of its causes moves.
+/// How much of a method's error is assigned to another cause in the other order.
 std::string orderText(const BudgetRecord& budget);
 
-/// The lights that a record's budgets speak of, each once: all together first.
+/// The lights of a record's budgets, each once: all together first.
 std::vector<std::string> budgetLights(const StudyRecord& record);
 
 /// The budgets of one light, in the order of the record.

@@ -120,7 +120,7 @@ std::string confidenceNote(const StudyRecord& record, const std::string& view) {
           : fmt::format(", or it is within the truth’s uncertainty of {} %",
                         uncertainty.text([](double share) { return percentText(share); }));
   return fmt::format(
-      "Percent of the samples, mean over the lights. {} It is told from {} blocks of {} × {} "
+      "Percent of the samples, mean over the lights. {} It comes from {} blocks of {} × {} "
       "samples. ≈ not distinguishable from the best: the interval of the difference holds 0, there "
       "is none{}.{}",
       intervalMeaning, blocks.text([](double count) { return fmt::format("{}", count); }),

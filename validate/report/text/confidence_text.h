@@ -7,7 +7,7 @@
 
 namespace gnomon {
 
-/// What a record says of how sure its error rates are, the same in every kind of report.
+/// Texts about intervals of error rates, the same in every kind of report.
 
 /// The views that have intervals, in the record's order.
 std::vector<std::string> confidenceViews(const StudyRecord& record);
@@ -16,16 +16,16 @@ std::vector<std::string> confidenceViews(const StudyRecord& record);
 /// keep the record's order.
 std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::string& view);
 
-/// What can be said of the best method of a view, as sentences: "A is better than B by 1.06 % of
-/// the samples (0.75 to 1.32)", B being the next that it can be told from, and which it cannot.
-/// Empty where there is nothing to compare.
+/// The verdict on the best method of a view, as sentences: "A is better than B by 1.06 % of the
+/// samples (0.75 to 1.32)", where B is the next method that is distinguishable from A; then the
+/// methods that are not. Empty where there is nothing to compare.
 std::string verdictText(const StudyRecord& record, const std::string& view);
 
-/// What stands behind a method's row: " ≈" where it is not distinguishable from the best, †
+/// The mark behind a method's row: " ≈" where it is not distinguishable from the best, †
 /// (radiusMark) where that depends on the search radius. Two columns at most.
 std::string differenceMark(const DifferenceRecord& toBest);
 
-/// What the intervals of a view are, how many blocks they rest on, and how sure the truth is.
+/// What the intervals of a view mean, on how many blocks they rest, and the truth's uncertainty.
 std::string confidenceNote(const StudyRecord& record, const std::string& view);
 
 }  // namespace gnomon

@@ -24,17 +24,17 @@ std::string limitText(const Gate& gate);
 
 /// What is judged: "onoue-2004, error_rate ≤ 0.03, camera, elevation 24° azimuth 165°", then the
 /// region where it is not that of all samples, and the step of a sweep. Names that a skipped gate
-/// leaves free read "any".
+/// does not set read "any".
 std::string gateName(const Gate& gate);
 
 /// The same without the limit's number, so that it names the gate also after the limit has moved:
 /// "onoue-2004, error_rate max, camera, elevation 24° azimuth 165°".
 std::string gateTitle(const Gate& gate);
 
-/// A gate that does not hold: its name, then what came of it.
+/// A gate that does not hold: its name, then the outcome.
 std::string gateFaultText(const Judgement& judgement);
 
-/// What came of it: "0.0412, too large by 0.0112", "undefined: no samples", "skipped: …"; with a
+/// The outcome: "0.0412, too large by 0.0112", "undefined: no samples", "skipped: …"; with a
 /// reference its committed value.
 std::string gateOutcome(const Judgement& judgement);
 

@@ -6,9 +6,9 @@
 
 namespace gnomon {
 
-/// What a verdict owes to the search radius: "depends on the radius: failed at half of it, held at
-/// twice". Empty where it stays the same, and where the radius was not varied. Terminal and pages
-/// show it.
+/// How a verdict depends on the search radius: "depends on the radius: failed at half of it, held
+/// at twice". Empty where it stays the same, and where the radius was not varied. Terminal and
+/// pages show it.
 std::string radiusNote(const ClaimRecord& claim);
 std::string radiusNote(const DifferenceRecord& difference);
 

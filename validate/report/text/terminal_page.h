@@ -28,11 +28,11 @@ class TerminalPage {
   /// Text of any length, broken to the page's width.
   void paragraph(std::string_view text, std::size_t margin = 0);
   void heading(std::string_view text);
-  /// What is to be read before the figures.
+  /// The notices that stand before the figures.
   void notices(const std::vector<std::string>& texts);
-  /// What does not hold: a label in red, then the text.
+  /// A failure: a label in red, then the text.
   void fault(const std::string& label, std::string_view text);
-  /// "TITLE: 3 of 4 met", then what failed; nothing where there is none at all.
+  /// "TITLE: 3 of 4 met", then a line for each that failed; nothing without any.
   void met(const std::string& title, std::size_t all, const std::vector<std::string>& failed);
   /// A section of claims with their verdicts; nothing, if there are none.
   void claims(const std::vector<ClaimRecord>& claims);

@@ -13,7 +13,7 @@
 
 namespace gnomon {
 
-/// The committed values of a study, and the check that a run has become no worse.
+/// The committed values of a study, and the check that a run is not worse than they are.
 ///
 /// A run is deterministic on one OpenGL, so the measured spread of a value is the truth's own
 /// uncertainty for its view and light: the share of samples that flip at half the micro-mesh's
@@ -58,19 +58,19 @@ double toleranceOf(std::string_view metric, double spread);
 /// @param row  step, method, light, view, answer and metric of the value
 Gate referenceGate(Gate row, const Reference& reference);
 
-/// What a committed value is of: no two of a baseline have the same key.
+/// What identifies a committed value: no two values of a baseline have the same key.
 /// @param gate  outlives the key
 inline auto valueKey(const Gate& gate) {
   return std::tie(gate.step, gate.method, gate.light, gate.view, gate.answer, gate.metric);
 }
 
-/// What a reference was made of.
+/// The committed value of a reference gate, with its spread and tolerance.
 /// @throws std::bad_variant_access for a gate of another origin
 const Reference& referenceOf(const Gate& gate);
 
 /// Whether the gate of a committed value can fail at all: a limit of it lies inside the metric's
-/// range, and of a length the tolerance is below 1. A truth that is uncertain by that much has no
-/// references.
+/// range, and of a length the tolerance is below 1. Where the truth is too uncertain for that,
+/// there are no references.
 bool canFail(const Gate& reference);
 
 /// The gates of all values that a baseline holds of a study's run: those that are defined, whose
@@ -79,14 +79,15 @@ bool canFail(const Gate& reference);
 std::vector<Gate> referenceGates(std::span<const StudyRecord> steps);
 
 /// Judges one run by the committed values of its step: failed where it is worse by more than the
-/// tolerance, undefined where the run has none or its method was refused.
-/// @param leftOut  labels of the methods that the run takes no part of: their gates are skipped
-/// @throws InputError where the two do not speak of the same rows: a reference that is missing, or
-///   one for something that the run does not have
+/// tolerance, undefined where the run has no value or its method was refused.
+/// @param leftOut  labels of the methods that the run leaves out: their gates are skipped
+/// @throws InputError where baseline and run have different rows: a reference is missing, or is for
+///   something that the run does not have
 std::vector<Judgement> judgeBaseline(const Baseline& baseline, const StudyRecord& record,
                                      const std::vector<std::string>& leftOut);
 
-/// What became better by more than the tolerance, so that its reference could be tightened.
+/// A notice for each value that improved by more than its tolerance: its reference could be
+/// tightened.
 std::vector<NoticeRecord> betterThan(std::span<const Judgement> references);
 
 }  // namespace gnomon

@@ -14,7 +14,7 @@ namespace gnomon {
 
 /// The cases of a claim, which claims.h explains.
 
-/// What one view under one light says of a claim.
+/// The figures of a claim in one view under one light.
 struct ClaimCase {
   std::string view;
   /// Of the claim's `method` its value; of two methods the value of `than` less that of `less`.
@@ -34,7 +34,7 @@ struct Bounds {
   std::optional<double> above, below;
 };
 
-/// What a claim asks of its estimates: of two methods that the difference is above 0.
+/// The bounds of a claim; one about two methods asks for a difference above 0.
 Bounds boundsOf(const ClaimSpec& claim);
 
 /// Whether a figure lies within the bounds, by `distinguish`: failed where it is on the wrong side

@@ -17,14 +17,13 @@ namespace gnomon {
 /// lies `above` and `below`" holds in a case where the value is on the right side of every bound by
 /// `distinguish`, and fails where it is on the wrong side of one. Over all cases:
 ///   held                 it fails in none, and holds for the mean over all of them together, by
-///   the
-///                        interval of that mean; without intervals: it holds in every case
+///                        the interval of that mean; without intervals: it holds in every case
 ///   failed               it fails in at least one case, or for that mean
 ///   not distinguishable  anything between
 ///   not evaluated        no case has a value
 /// The mean is that over all lights together of each view (differenceOverViews), and has a narrower
-/// interval than a single light: a claim may hold though under some lights it cannot be told. In
-/// how many cases it holds by itself stands beside it.
+/// interval than a single light: a claim may hold although some lights alone do not decide it. The
+/// report also says in how many cases it holds alone.
 ///
 /// *With an interval or without.* Only the error rate over all samples has intervals: of the value,
 /// and of the paired difference of two methods. Where such an interval was refused, the case is not

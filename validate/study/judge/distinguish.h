@@ -10,14 +10,14 @@
 
 namespace gnomon {
 
-/// The one place that says whether two figures differ: verdicts, the marks ≈ of all tables, LaTeX,
-/// rankings, error budgets and claims ask here.
+/// The only rule for whether two figures differ. Verdicts, the mark ≈ in all tables, LaTeX,
+/// rankings, error budgets and claims use it.
 
-/// A figure, or a difference of two, and how far it may be wrong.
+/// A figure, or a difference of two figures, with its uncertainty.
 struct Estimate {
   double value = 0;
   std::optional<Interval> interval;  ///< 95 %, of the value; none where too little is known
-  double uncertainty = 0;            ///< by how much the truth itself may be wrong in it
+  double uncertainty = 0;            ///< of the truth, in the figure's unit
 };
 
 /// Of a metric that has no intervals (all but the error rate of all samples): only the truth's
@@ -30,12 +30,12 @@ Estimate withoutInterval(double value, double uncertainty);
 /// 0, the verdict is that on the first.
 DifferenceVerdict distinguish(const Estimate& estimate, double number = 0);
 
-/// Whether the verdict is any but notDistinguishable.
+/// Whether the verdict is better or worse.
 bool isDistinguishable(const Estimate& estimate, double number = 0);
 
 Estimate estimateOf(const DifferenceRecord& difference);
 
-/// The same statement of the second method, less the first.
+/// The same difference with the two methods exchanged.
 DifferenceRecord swapped(DifferenceRecord difference);
 
 /// Two methods in one view of a record, the first less the second, whichever of them the record
@@ -51,14 +51,14 @@ std::optional<ConfidenceRecord> findConfidence(const StudyRecord& record, std::s
                                                std::string_view light, std::string_view method);
 
 /// The mean interval of a method's error rate over views, all lights together: the mean of the
-/// ends, as if all erred together, so never too narrow. None where a view has none, and without any
-/// view.
+/// ends, as if all errors were fully correlated, so never too narrow. None where a view has none,
+/// and without any view.
 std::optional<Interval> meanInterval(const StudyRecord& record, std::string_view method,
                                      const std::set<std::string>& views);
 
 /// The mean of differences of the same two methods: of their differences, of their intervals' ends
-/// (as if all erred together, so never too narrow) and of the truth's uncertainties; without an
-/// interval where one of them has none.
+/// (as if all errors were fully correlated, so never too narrow) and of the truth's uncertainties;
+/// without an interval where one of them has none.
 /// @param all  one or more
 DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all);
 

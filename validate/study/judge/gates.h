@@ -10,13 +10,13 @@
 
 namespace gnomon {
 
-/// The one judge of all gates: passed only if the metric is defined and finite, has a limit, and
+/// Checks a value against a gate: passed only if the metric is defined and finite, has a limit, and
 /// `minimum <= value` and `value <= maximum` hold; undefined without a finite value, whatever the
 /// limits.
 Judgement judge(Gate gate, const Metric& found);
 
 /// Judges every threshold on every row of the record that it matches.
-/// @throws InputError for one that matches no row: a gate that never closes is a fault
+/// @throws InputError for a threshold that matches no row, since it could never fail
 std::vector<Judgement> judgeThresholds(std::span<const Gate> thresholds, const StudyRecord& record);
 
 }  // namespace gnomon

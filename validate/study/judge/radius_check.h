@@ -6,16 +6,15 @@
 
 namespace gnomon {
 
-/// How a study is judged again at half and at twice its search radius, since a verdict that hangs
-/// on that choice is none.
+/// Judges a study again at half and at twice its search radius: a verdict that changes with that
+/// choice cannot be relied on.
 
 /// The study with every method's search radius times a factor: of its tables and of its march. The
-/// study's own radius stays, by which the truth parts its regions, so that only the methods'
-/// answers differ. Without thresholds and ladders, which speak of the study as it is.
+/// truth keeps the study's radius for its regions, so that only the methods' answers differ.
+/// Thresholds and ladders are left out: they are about the study as written.
 StudySpec withRadiusTimes(StudySpec study, double factor);
 
-/// Keeps beside every claim and every difference what becomes of it at half and at twice the
-/// radius.
+/// Stores with every claim and every difference its verdicts at half and at twice the radius.
 /// @param half, twice  of the same study, their claims judged
 /// @throws InternalError where they have other claims or differences
 void keepRadiusChecks(StudyRecord& record, const StudyRecord& half, const StudyRecord& twice);

@@ -16,8 +16,8 @@ struct Mean {
   std::size_t cases = 0;        ///< how many those are
 };
 
-/// What one method's drawn answers over all lights and views come to, in the region of all samples.
-/// A case is one view under one light.
+/// Means of one method's drawn answers over all lights and views, in the region of all samples. A
+/// case is one view under one light.
 struct RankedMethod {
   std::string label;
   std::optional<std::size_t> rank;  ///< 1 is best; none where it answers in fewer cases
@@ -28,8 +28,8 @@ struct RankedMethod {
   Mean errorRate, falseShadow, falseLight, iou, ber;
   std::optional<double> uncertainty;  ///< the truth's, mean over the same cases
   /// 95 % for the mean error rate: the mean of the ends of its views' intervals, all lights
-  /// together. Exact for one view; for several as if they erred together, so never too narrow.
-  /// None where a view has none.
+  /// together. Exact for one view; for several as if their errors were fully correlated, so never
+  /// too narrow. None where a view has none.
   std::optional<Interval> interval;
   Mean testError;  ///< error rate of the shadow test alone
   /// Labels that it is not distinguishable from, by differenceOverViews.

@@ -30,12 +30,12 @@ struct MethodMeans {
   [[nodiscard]] bool isInEveryCase() const { return cases() == caseErrors.size(); }
 };
 
-/// Behind a mean over fewer cases than others beside it, and what that says.
+/// The mark of a mean over fewer cases than others have, and its explanation.
 constexpr const char* fewerCasesMark = "*";
 constexpr const char* fewerCasesMeaning =
     "* mean over fewer views and lights than others have: not comparable.";
 
-/// What a study gives to a ranking, of its own methods or over the studies of a run.
+/// The part of a ranking that comes from one study.
 struct StudyMeans {
   std::string name;  ///< also its folder beside the ranking
   std::string title;
@@ -52,7 +52,7 @@ StudyMeans studyMeans(const StudyRecord& record);
 /// A sweep as one study: each figure the mean over its steps, none where a step has none.
 StudyMeans studyMeans(const SweepRecord& sweep);
 
-/// What the statuses say together: fail where one does, pass where one does and none fails.
+/// The combined status: fail where one fails, pass where one passes and none fails.
 RunStatus statusOf(std::span<const StudyMeans> studies);
 
 /// The largest of the methods' means of the truth's uncertainty. They differ only where a method

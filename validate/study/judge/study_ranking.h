@@ -32,12 +32,12 @@ struct RankedOverStudies {
   std::optional<std::string> closeToBest;
 };
 
-/// The one rule of all ranked tables (of a study, and over the studies of a run; page, terminal,
-/// LaTeX, CSV and JSON). A case is one view under one light. Means over different cases cannot be
-/// compared, so a method has a rank only if it has an error rate in *every* case in which some
-/// method has one. Ranked methods come first, from the lowest mean error to the highest; equal ones
-/// keep their order. The others follow without a rank, those with more cases first, else in their
-/// order: what their mean may be compared with is that of rank 1 over the same cases.
+/// The rule of all rankings, of a study and over the studies of a run, in every format. A case is
+/// one view under one light. Means over different cases cannot be compared, so a method has a rank
+/// only if it has an error rate in *every* case in which some method has one. Ranked methods come
+/// first, from the lowest mean error to the highest; equal ones keep their order. The others follow
+/// without a rank, those with more cases first, else in their order; `leaderError` is what their
+/// mean may be compared with.
 std::vector<RankedOverStudies> rankOverStudies(std::span<const StudyMeans> studies);
 
 /// "onoue-2004", or "ours (onoue-2004)" where the label is not the method's own name.

@@ -8,9 +8,9 @@
 
 namespace gnomon {
 
-/// The limits of a study that are looser than they need be: those whose nearest value, over all
-/// rows and steps that they gate, keeps off them by more than a quarter of the limit and by more
-/// than four of the tolerances of `toleranceOf`. A limit with a failed or undefined row is none.
+/// A notice for each limit that could be tightened: its nearest value, over all rows and steps that
+/// it applies to, is farther from it than a quarter of the limit and four times `toleranceOf`.
+/// There is none for a limit with a failed or undefined row.
 /// @param steps  the records of the study's steps, each with its judgements
 std::vector<NoticeRecord> looseThresholds(std::span<const Gate> thresholds,
                                           std::span<const StudyRecord> steps);

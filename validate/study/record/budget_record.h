@@ -9,8 +9,8 @@
 
 namespace gnomon {
 
-/// A part of an error rate, as a share of all samples. Below 0 where undoing a cause made matters
-/// worse: two wrongs of a method may cancel.
+/// A part of an error rate, as a share of all samples. Negative where correcting a cause made the
+/// error larger: two errors of a method may cancel.
 struct BudgetShare {
   double value = 0;
   std::optional<Interval> interval;  ///< 95 %; none where the view is too small to tell
@@ -19,7 +19,7 @@ struct BudgetShare {
   bool distinguishable = false;
 };
 
-/// What one cause takes of a method's error when it is undone.
+/// By how much a method's error falls when one cause is corrected.
 struct BudgetCause {
   std::string name;
   std::string change;    ///< what was put in its place
@@ -27,7 +27,7 @@ struct BudgetCause {
   BudgetShare backward;  ///< after the causes behind it
 };
 
-/// A method with some of its causes undone.
+/// The error rates of a method with some causes corrected.
 struct BudgetState {
   double errorRate = 0;
   double falseShadow = 0;
@@ -44,8 +44,8 @@ struct BudgetRecord {
   std::size_t blocks = 0;  ///< of the view that hold a sample
   BudgetShare total;       ///< the method's error rate
   std::vector<BudgetCause> causes;
-  BudgetShare distant;  ///< left, in the region `distant`: only global geometry can tell
-  BudgetShare other;    ///< left elsewhere
+  BudgetShare distant;  ///< remaining, in the region `distant`: no local method can know of it
+  BudgetShare other;    ///< remaining elsewhere
   std::vector<BudgetState> forward;   ///< one more than there are causes
   std::vector<BudgetState> backward;  ///< likewise
 };

@@ -22,7 +22,7 @@ struct Case {
 /// The cases of a record, in the order in which its results first name them.
 std::vector<Case> casesOf(const StudyRecord& record);
 
-/// Those in which some method's drawn answer has an error rate: what rankings compare over.
+/// The cases in which at least one method's drawn answer has an error rate: rankings use these.
 std::vector<Case> comparedCases(const StudyRecord& record);
 
 /// The labels of the methods that have results: as `methods` lists them, then any others.
@@ -40,11 +40,11 @@ const ResultRecord* findResult(const StudyRecord& record, std::string_view metho
 std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
                              Answer answer, std::string_view metric);
 
-/// What is known of the truth's error in a case, or nullptr.
+/// The measured uncertainty of the truth in a case, or nullptr.
 const UncertaintyRecord* findUncertainty(const StudyRecord& record, const Case& which);
 
-/// The share of samples that flip in the truth of this case. Where the run has none for the case,
-/// its largest; nothing, if it measured none at all.
+/// The share of samples whose truth changes at half resolution in this case. If the run did not
+/// measure the case, its largest share; none, if it measured no case.
 std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which);
 
 }  // namespace gnomon

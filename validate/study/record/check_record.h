@@ -8,13 +8,14 @@
 
 namespace gnomon {
 
-/// What somebody may want to do, and where; it decides nothing.
+/// Advice, and the place in the study's file that it is about. It does not change the result of a
+/// check.
 struct NoticeRecord {
   std::string text;
   int line = 0;  ///< in the study's file
 };
 
-/// The check of one study file: what became of its gates, and what kept it from judging.
+/// The check of one study file: the results of its gates, and the errors that kept it from judging.
 struct CheckRecord {
   std::string name;     ///< the study's; its file's stem, where that could not be read
   std::string file;     ///< as given

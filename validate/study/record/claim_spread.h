@@ -21,7 +21,7 @@ struct Quartiles {
 /// Linear between the two nearest of the sorted values; none of no value.
 std::optional<Quartiles> quartilesOf(std::vector<double> values);
 
-/// How a claim fares over the cases of its study, one case being one view under one light.
+/// The results of a claim over the cases of its study. A case is one view under one light.
 struct ClaimSpread {
   std::size_t cases = 0;   ///< in which the claim's metric is defined
   std::size_t held = 0;    ///< it holds there, distinguishably

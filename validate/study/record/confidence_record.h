@@ -12,15 +12,15 @@ namespace gnomon {
 /// The light of a record that speaks of all lights of its study together.
 constexpr std::string_view allLights = "all";
 
-/// How sure a method's error rate is: over all samples of a view, under one light, or the mean over
-/// all lights ("all"). Every view has the row "all"; a study with several lights has one for each
-/// of them as well.
+/// A method's error rate with its confidence interval: over all samples of a view, under one light,
+/// or the mean over all lights ("all"). Every view has the row "all"; a study with several lights
+/// has one for each of them as well.
 struct ConfidenceRecord {
   std::string method;  ///< a MethodRecord's label
   std::string view;
   std::string light;                 ///< its name, or "all"
   double rate = 0;                   ///< error rate, 0 to 1
-  std::optional<Interval> interval;  ///< 95 %; none where the view is too small to tell
+  std::optional<Interval> interval;  ///< 95 %; none where the view has too few blocks
   std::string reason;                ///< why there is none; empty if there is one
   std::size_t blocks = 0;            ///< that hold a sample
   int blockSide = 0;                 ///< samples
@@ -30,18 +30,19 @@ struct ConfidenceRecord {
 template <typename Verdict>
 struct RadiusCheck {
   Verdict atHalf, atTwice;
-  /// Whether it is another there: then it depends on the radius.
+  /// Whether either differs from the verdict at the study's own radius.
   [[nodiscard]] bool turns(Verdict verdict) const {
     return atHalf != verdict || atTwice != verdict;
   }
 };
 
-/// What can be said of the first of two methods.
+/// How the first of two methods compares with the second.
 enum class DifferenceVerdict { better, worse, notDistinguishable };
 
 /// Two methods of one view, paired block by block: under one light, or all lights together ("all").
-/// Every view has the row "all"; a study with several lights has one for each of them as well. Each
-/// interval is one of 95 % by itself: of twenty pairs that do not differ, one may seem to.
+/// Every view has the row "all"; a study with several lights has one for each of them as well. The
+/// intervals are not corrected for the number of pairs: of twenty pairs that do not differ, one may
+/// seem to.
 struct DifferenceRecord {
   std::string view;
   std::string light;      ///< its name, or "all": the mean over the lights

@@ -13,7 +13,7 @@
 
 namespace gnomon {
 
-/// What a run is judged by, and what became of it.
+/// The limits that a run is checked against, and the results of the checks.
 
 /// The limit is a `[[threshold]]` of a study's file.
 struct Threshold {
@@ -37,8 +37,8 @@ struct CompareOption {
   bool operator==(const CompareOption&) const = default;
 };
 
-/// A limit on one metric of one answer of a method. Of a threshold an empty method, light or view
-/// is left free: it limits every row that matches.
+/// A limit on one metric of one answer of a method. In a threshold, an empty method, light or view
+/// stands for all of them.
 struct Gate {
   std::string method, light, view, region, metric;
   std::optional<double> minimum, maximum;  ///< both included
@@ -51,9 +51,9 @@ struct Gate {
 /// Only `passed` lets a check pass. `undefined`: there was no number to judge.
 enum class GateVerdict { passed, failed, undefined, skipped };
 
-/// What became of a gate (judge in study/judge/gates.h).
+/// The result of checking a gate (judge in study/judge/gates.h).
 struct Judgement {
-  Gate gate;  ///< with the names of the row that was judged; of a skipped one as it was asked for
+  Gate gate;  ///< with the names of the row that was checked; a skipped gate as the file has it
   GateVerdict verdict = GateVerdict::undefined;
   std::optional<double> value = std::nullopt;  ///< finite; none where it is undefined or skipped
   std::string reason = {};                     ///< why it is undefined or skipped
@@ -61,7 +61,7 @@ struct Judgement {
   /// The value's distance from the nearest limit: below 0 by how much it fails, none without a
   /// value.
   [[nodiscard]] std::optional<double> margin() const;
-  /// Neither passed nor skipped: it keeps a check from passing.
+  /// Failed or undefined: the check does not pass.
   [[nodiscard]] bool isFault() const;
 };
 
@@ -89,7 +89,7 @@ struct ProblemRecord {
 /// The largest of the problems' statuses; pass without any.
 ExitStatus worstOf(std::span<const ProblemRecord> problems);
 
-/// What a run's gates say of it, for the exit status of a check, its summary and its report alike.
+/// The result of all gates of a run, which exit status, summary and report share.
 enum class RunStatus {
   pass,       ///< a gate passed, all others passed or were skipped, and there was no problem
   fail,       ///< a gate failed or was undefined, or there was a problem

@@ -36,7 +36,7 @@ struct EnvironmentRecord {
   std::string frameClock;  ///< what measured the frame times: "wall clock", "GL timer queries"
 };
 
-/// How far the truth itself can be trusted.
+/// The uncertainty of the truth in one view under one light.
 struct UncertaintyRecord {
   std::string view;
   std::string light;
@@ -50,10 +50,11 @@ struct UncertaintyRecord {
 
 /// One level of a refinement to a wanted uncertainty.
 struct RefinementRecord {
-  double stepTexels = 0;  ///< that it was cut by: the `truth.step` that gives it
+  double stepTexels = 0;  ///< the `truth.step` of this level
   std::uint64_t microTriangles = 0;
-  /// The largest share of samples, over views and lights, that differ from the level before; none
-  /// for the first, and where that has more than half the triangles.
+  /// The largest share of samples, over views and lights, that differ from the level before. None
+  /// for the first level, and where the level before has more than half as many triangles: the two
+  /// are then too similar to compare.
   std::optional<double> flipRate = std::nullopt;
 };
 
@@ -69,7 +70,7 @@ struct TruthRecord {
   double askedStepTexels = 0;  ///< the `truth.step` that gives this mesh: no micro-edge is longer
 };
 
-/// How far occluders are searched, by tables and by marches: D.
+/// D, the search radius of tables and marches: occluders farther away are not found.
 struct RadiusRecord {
   double texels = 0;
   std::string reason = {};  ///< "the study states it", or what the rule found (search_radius.h)
@@ -119,7 +120,7 @@ struct TimingRecord {
   double seconds = 0;
 };
 
-/// A claim of a paper and whether the run bears it out.
+/// A claim of a paper and whether the run confirms it.
 struct ClaimRecord {
   std::string text;
   std::string source;
@@ -130,15 +131,15 @@ struct ClaimRecord {
   std::optional<RadiusCheck<Verdict>> radius = std::nullopt;  ///< if it was varied
 };
 
-/// Files that tell the truth at the samples of one mesh, in one view under one light. With a
-/// method's mask they give its rows again: its counts over all samples, over those of a region, and
-/// over those whose path to the light crosses a seam; in an atlas its areas, with the weights added
-/// row by row from the top. Paths are relative to the run's folder.
+/// Files with the truth at the samples of one mesh, in one view under one light. With them and a
+/// method's mask, the method's rows can be computed again: its counts over all samples, in each
+/// region, and where the path to the light crosses a seam. In an atlas, counts are sums of weights,
+/// added row by row from the top. Paths are relative to the run's folder.
 struct TruthFilesRecord {
   std::string mask;
   std::string regions;  ///< a picture in regions' colours
   std::string seam;     ///< white where the path crosses a seam, else black; empty where none does
-  std::string weights;  ///< EXR, channel "area": what each sample of an atlas counts; else empty
+  std::string weights;  ///< EXR, channel "area": the weight of each sample of an atlas; else empty
 };
 
 /// One picture of a panel. Paths are relative to the run's folder.
@@ -150,17 +151,17 @@ struct PictureRecord {
   std::string path;
   std::string mask = {};      ///< of the answer that a shaded picture shows
   std::string embedded = {};  ///< WebP for a page; empty for a difference, which it shows as it is
-  /// Of a shading: which of its panel's layers it is composed of, and its mask. Then what is
-  /// embedded is small.
+  /// Of a shading: the index of the panel's layers from which a page composes it by its mask.
+  /// `embedded` then has the small size (EmbeddedSize).
   std::optional<std::size_t> layers = std::nullopt;
   /// Of a shading: the truth at its own samples.
   std::optional<TruthFilesRecord> truth = std::nullopt;
   std::string testMask = {};  ///< of a method's shading: what its shadow test alone says
 };
 
-/// One mesh in one view under one light, with all its samples lit and with all of them shadowed: as
-/// WebP, for a page. A method decides only which samples are lit, so that these two and masks are
-/// all shadings of the mesh, in a fraction of their bytes.
+/// Two pictures of a mesh in one view under one light: with all samples lit, and with all shadowed;
+/// as WebP, for a page. At each pixel a method's shading equals one of the two, as its mask says,
+/// so the two pictures and the masks replace the shadings at a fraction of their size.
 struct LayersRecord {
   std::string lit;
   std::string dark;
@@ -177,7 +178,7 @@ struct PanelRecord {
   std::vector<LayersRecord> layers = {};
 };
 
-/// The pictures of a row of which a reference does not hold. Paths are relative to the run's
+/// The pictures of a row of results whose reference does not hold. Paths are relative to the run's
 /// folder.
 struct ReferencePictures {
   std::string method, view, light;
@@ -215,12 +216,12 @@ struct StudyRecord {
       budgets;  ///< a ladder for all lights together, then for each of several
   std::vector<PanelRecord> panels;
   std::vector<std::string> notices;    ///< to be read before the figures; see study/notices.h
-  std::uint64_t undefinedSamples = 0;  ///< left out: no frame exists there
+  std::uint64_t undefinedSamples = 0;  ///< left out: their texture map is degenerate
   std::optional<CacheCounts> cache;    ///< none where the run used no cache
 
-  /// What thresholds, references and problems say of the run.
   /// The title, or the name of a study without one.
   [[nodiscard]] const std::string& heading() const { return title.empty() ? name : title; }
+  /// What thresholds, references and problems say of the run.
   [[nodiscard]] RunStatus status() const { return runStatus(judgements, problems); }
 };
 

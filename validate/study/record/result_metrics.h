@@ -22,9 +22,9 @@ const std::vector<std::string_view>& metricNames();
 /// Whether a metric is one of `rates`. Its uncertainty is the share of samples that flip.
 bool isRate(std::string_view name);
 
-/// By how much the truth itself may be wrong in any other metric: how far the coarser truth's own
-/// figure is from that of a perfect mask, which is `lengthError` for lengths, 0 off for distances
-/// between boundaries, 1 for boundary IoU and surface Dice. Infinite where the coarser truth has no
+/// The truth's uncertainty in any other metric: how far the coarser truth's figure is from that of
+/// a perfect mask. For lengths this is `lengthError`; a perfect mask has distance 0 between
+/// boundaries, and 1 as boundary IoU and surface Dice. Infinite where the coarser truth has no
 /// boundary to compare, so that nothing can be told apart; 0 where its lengths could not be
 /// measured.
 /// @throws InternalError for a rate or an unknown name

@@ -28,7 +28,7 @@ struct SweepRecord {
   [[nodiscard]] const std::string& heading() const { return title.empty() ? name : title; }
   /// What the gates of all steps say together.
   [[nodiscard]] RunStatus status() const;
-  /// Those of the steps, each once; with the values that it holds at, where these are not all.
+  /// The notices of all steps, each once; where only some steps have it, with their values.
   [[nodiscard]] std::vector<std::string> notices() const;
 };
 

@@ -12,30 +12,30 @@
 
 namespace gnomon {
 
-/// The OpenGL driver draws wrong what a study cannot do without.
+/// The OpenGL driver renders something incorrectly that a study needs.
 class DriverError : public Error {
  public:
   explicit DriverError(const std::string& message) : Error(ExitStatus::internal, message) {}
 };
 
-/// What this machine's OpenGL draws wrong. Every kind of pass is checked when it is first asked
-/// for, and the answer is kept by vendor, renderer and version of the driver, by the shaders and by
-/// the program.
+/// Finds the kinds of pass that this machine's OpenGL driver renders incorrectly. Each kind is
+/// checked at its first use; the result is cached by vendor, renderer and version of the driver, by
+/// the shaders and by the program.
 class DriverFaults {
  public:
   /// Of the context that is current, and stays so while it is asked.
   /// @param kept  outlives it
   DriverFaults(std::filesystem::path shaders, Cache& kept);
 
-  /// Why a method cannot be measured: the first kind of pass that it needs and that is drawn wrong,
-  /// "this OpenGL gets shadow volumes wrong: …"; empty where all are right.
+  /// Why a method cannot be measured: the first kind of pass that it needs and that is rendered
+  /// incorrectly, "this OpenGL gets shadow volumes wrong: …"; empty where all are correct.
   /// @throws InputError for a method that cannot be read, as readMethod
   std::string faultOf(const MethodSpec& method);
 
-  /// @throws DriverError where a kind of pass is drawn wrong
+  /// @throws DriverError where a kind of pass is rendered incorrectly
   void require(PassKind kind);
   /// @throws DriverError where the samples of the study's views, which all its methods need, or its
-  ///   pictures are drawn wrong
+  ///   pictures are rendered incorrectly
   void requireViews(const StudySpec& study);
 
  private:

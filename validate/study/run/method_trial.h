@@ -20,9 +20,8 @@ namespace gnomon {
 
 /// Tries the methods of a study, and of its ladders, that do not come with the program.
 /// @param gl  whose driver compiles them
-/// @throws InputError naming method and file of one whose trial crashes, outgrows its memory or
-///   overstays its time. Any other refusal, as of a shader that does not compile, is left to the
-///   run
+/// @throws InputError naming method and file of one whose trial crashes or exceeds its memory or
+///   time. Any other fault, as of a shader that does not compile, is left to the run
 void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache);
 
 /// Tries one method, unless it comes with the program. @throws InputError as tryMethods
@@ -30,13 +29,13 @@ void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache);
 /// @return whether it answered
 bool tryMethod(const MethodSpec& method, Wrap wrap);
 
-/// What tries one method: `tryMethod`, but for its answer.
+/// Tries one method, as `tryMethod`.
 using MethodTrial = std::function<void(const MethodSpec& method, Wrap wrap)>;
 
 /// The program's first argument in such a process, before those of a trial.
 constexpr const char* trialArgument = "--try-method";
 
-/// What such a process does.
+/// Runs a trial in the process that was started for it.
 /// @param arguments  file, filter and wrap, as `tryMethods` gives them
 ExitStatus answerTrial(std::span<const std::string> arguments);
 

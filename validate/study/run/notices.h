@@ -11,7 +11,7 @@
 
 namespace gnomon {
 
-/// What a reader has to know before the figures of a run, as sentences that say what to do.
+/// Notices: what a reader must know before using a run's figures, and what to do about it.
 
 /// A truth that is more uncertain than this cannot tell good methods apart: a share of samples.
 constexpr double mostUncertainty = 0.003;
@@ -20,19 +20,20 @@ constexpr double mostUncertainty = 0.003;
 /// texels 2.0 %, at 2 texels 3.3 %, at 4 texels 8.3 %, where no shadow at all errs by 11 %.
 constexpr double longestPieceTexels = 2;
 
-/// That the truth is more uncertain than `mostUncertainty`, and the key that refines it.
+/// A notice that the truth is more uncertain than `mostUncertainty`, with the key that refines it.
 std::optional<std::string> uncertaintyNotice(const StudySpec& study, const TruthRecord& truth);
 
-/// That a mesh of so many pieces a side is too coarse for the map, and how many would do.
+/// A notice that a mesh of so many pieces a side is too coarse for the map, with the number that
+/// suffices.
 /// @param longestEdgeTexels  of any face
 std::optional<std::string> coarsePiecesNotice(const std::string& method, int pieces,
                                               double longestEdgeTexels);
 
-/// That a closed surface is turned inside out, if that leaves next to nothing lit.
+/// A notice that a closed surface is turned inside out, if next to nothing is lit.
 /// @param shadowShare  of all samples of the study's own base mesh, in the truth
 std::optional<std::string> insideOutNotice(const LimitSurface& surface, double shadowShare);
 
-/// All that a run has to say, once its truth is there.
+/// All notices of a run, once its truth is traced.
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods);
 

@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-/// What a driver leaves of a study.
+/// The part of a study that the driver can measure.
 struct MeasurableStudy {
   std::vector<RefusedMethod> refused;
   /// The study without them and their ladders; none where nothing is refused.
@@ -21,8 +21,8 @@ struct MeasurableStudy {
 ///   such a pass, and as DriverFaults::requireViews
 MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults);
 
-/// Makes a record say what was refused: a notice and a problem for each method, so that the run
-/// does not pass, and an undefined value, which fails, for each of its gates.
+/// Adds the refused methods to a record: for each a notice and a problem, so that the run does not
+/// pass, and an undefined value, which fails, for each of its gates.
 /// @param study  as its file asks for it
 void addRefused(StudyRecord& record, const StudySpec& study,
                 const std::vector<RefusedMethod>& refused);

@@ -14,7 +14,7 @@ namespace gnomon {
 /// `writer`, figures into the record. Claims are left to `judgeClaims`, since some need other
 /// studies of the same run.
 /// @param gl    current on this thread
-/// @param kept  what earlier runs left: what is found there is not computed again
+/// @param kept  results of earlier runs: what is found there is not computed again
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
                      const StageProgress& progress = {});
 

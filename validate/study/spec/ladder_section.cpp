@@ -76,8 +76,7 @@ std::vector<LadderSpec> readLadders(const TomlReader& root, const StudySpec& stu
     }
     const bool atlas = std::any_of(study.views.begin(), study.views.end(), hasFixedSamples);
     if (!atlas) {
-      section.fail("method",
-                   "no [[view]] of type atlas found, where its error could be attributed");
+      section.fail("method", "no [[view]] of type atlas found, in which a ladder is measured");
     }
     ladders.push_back(std::move(ladder));
   }

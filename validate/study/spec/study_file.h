@@ -23,8 +23,8 @@
 
 namespace gnomon {
 
-/// A study, as its TOML file asks for it, checked: what to measure, not what was found. Each
-/// section's structure and keys are in the section's own header.
+/// A study as its TOML file describes it, checked. Each section's structure and keys are in the
+/// section's own header.
 
 /// `[study]`
 struct StudyHeader {
@@ -67,7 +67,7 @@ struct StudySpec : StudyHeader {
   std::vector<LadderSpec> ladders = {};
   /// Thresholds excluded by command-line options: a check reports them as skipped.
   std::vector<Judgement> leftOut = {};
-  std::vector<std::string> leftOutMethods = {};  ///< labels that the command line takes no part of
+  std::vector<std::string> leftOutMethods = {};  ///< labels that command-line options exclude
   SearchRadius radius = {};                      ///< of `bake`, and why
   SurfaceSection surfaceSection = {};            ///< what `cage` was made from
   ReliefSection reliefSection = {};              ///< what `relief` was made from
@@ -85,7 +85,7 @@ struct StudyOptions {
   std::vector<std::string> replacements = {};
   /// Names of built-in methods after the study's own, where overrides may reach them.
   std::vector<std::string> addedMethods = {};
-  bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate leaves them free
+  bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate names none
 };
 
 /// Reads and checks a study: paths in it are relative to its folder, see studyFolder. A `[sweep]`

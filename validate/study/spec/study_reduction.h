@@ -7,14 +7,13 @@
 
 namespace gnomon {
 
-/// Takes from a study the methods that the command line does not want, and with them the gates,
-/// claims and ladders that speak of them; in the quick form also the gates of the full one. What is
-/// left out stays named in `leftOut` and `leftOutMethods`.
+/// Removes the methods that command-line options exclude, with the gates, claims and ladders that
+/// name them; in the quick form also the gates of the full form alone. `leftOut` and
+/// `leftOutMethods` list what was removed.
 /// @throws UsageError for a method that the study does not have
 void reduce(StudySpec& study, const StudyOptions& options);
 
-/// The study without some of its methods, and without the gates, claims and ladders that speak of
-/// them.
+/// The study without some of its methods, and without the gates, claims and ladders that name them.
 StudySpec withoutMethods(StudySpec study, std::span<const std::string> labels);
 
 }  // namespace gnomon

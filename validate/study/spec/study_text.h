@@ -5,8 +5,8 @@
 
 namespace gnomon {
 
-/// A study as it is written. A command reads it once: what a pipe gives can be read once alone, and
-/// all that a run measures, keeps and says of its study is then of the same text.
+/// The text of a study. A command reads it once, since a pipe can be read only once, and so that
+/// everything in a run comes from the same text.
 struct StudyText {
   std::filesystem::path file;  ///< as the command line names it
   std::string text;

@@ -16,7 +16,7 @@ namespace {
 void requireSweepable(const TomlReader& section, const std::string& key,
                       const StudyOptions& options) {
   if (key.starts_with("study.") || key.starts_with("sweep.")) {
-    section.fail("key", fmt::format("\"{}\" found, a key of what is measured expected", key));
+    section.fail("key", fmt::format("\"{}\" found, a key of another section expected", key));
   }
   for (const std::string& change : options.overrides) {
     if (change.starts_with(key + "=")) {

@@ -23,7 +23,7 @@
 
 namespace gnomon {
 
-/// What the results are made of that a run keeps: see byte_stream.h.
+/// How the results in a cache are written and read, field by field: see byte_stream.h.
 
 template <typename Stream, SameAs<Mask> T>
 void fields(Stream& stream, T& mask) {

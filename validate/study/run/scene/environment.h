@@ -11,7 +11,7 @@ namespace gnomon {
 /// The processor's name as the kernel knows it, or "unknown".
 std::string processorName();
 
-/// Versions and hardware of this process: what someone needs who gets other figures.
+/// Versions and hardware, for whoever gets other figures.
 EnvironmentRecord describeEnvironment(const GlContext& gl);
 
 /// A record that says which study was measured where, and nothing that was found.

@@ -16,11 +16,11 @@ namespace gnomon {
 struct CompiledMethod {
   MethodPass pass;
   GpuTables tables;
-  bool hasDrawn = false;  ///< a mask: a frame needs no other to warm up
+  bool hasDrawn = false;  ///< a mask: frames can be timed without a warm-up
 };
 
 /// A method of a study with the mesh that it draws. Its shader is compiled and its tables are baked
-/// when it is to be drawn, which is never where the cache has all its answers.
+/// when it is first drawn: never, if the cache has all its answers.
 struct MethodCase {
   const MethodSpec* spec;
   Method method;
@@ -46,8 +46,8 @@ const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 /// @throws InputError where the study has no camera view
 void requireView(const MethodCase& method, const StudySpec& study);
 
-/// The compiled ones among the methods get their tables that are shot on the displaced surface,
-/// while that is there.
+/// Gives each compiled method its tables that are ray-shot on the displaced surface, while that is
+/// in memory.
 void shootTables(RunScene& scene, std::span<MethodCase> methods);
 
 /// Whether the method can answer in a view: one that counts shadow volumes does in a camera's.
@@ -57,7 +57,7 @@ bool answersIn(const MethodCase& method, const ViewSpec& view);
 /// the truth must have been traced.
 MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
 
-/// The key of all that follows from those answers and the truth.
+/// The cache key of everything computed from those answers and the truth.
 ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
                      std::size_t light);
 

@@ -21,14 +21,14 @@ namespace gnomon {
 /// The regions that results are reported for, in order: "all", those of `reportedRegions`, "seam".
 const std::vector<std::string_view>& outcomeRegions();
 
-/// What a comparison of one answer with the truth gives.
+/// The result of comparing one answer with the truth.
 struct AnswerOutcome {
   std::vector<Counts> regions;  ///< in the order of outcomeRegions
   ShadowLengths lengths;
   std::vector<Metric> boundaries;
 };
 
-/// All that a comparison of one method with the truth gives, in one view under one light.
+/// The result of comparing one method with the truth, in one view under one light.
 struct MethodOutcome {
   AnswerOutcome drawn;
   AnswerOutcome test;
@@ -36,8 +36,8 @@ struct MethodOutcome {
   BlockErrors blocks;                     ///< likewise, in the cells of the view's tiling
 };
 
-/// Compares masks with the truth of one view under one light. What all methods on one mesh share is
-/// made once, when the first of them is compared.
+/// Compares masks with the truth of one view under one light. Data that all methods on one mesh
+/// share are computed once, when the first of them is compared.
 class OutcomeStage {
  public:
   /// @param cellSide  of the view's tiling, samples

@@ -33,10 +33,10 @@ ContentKey settingsKey(const BakeSpec& bake, Enters result);
 /// The horizon tables of a height field.
 ContentKey bakeKey(const HeightField& field, const BakeSpec& bake);
 
-/// The keys of all that a run of one study computes. A key holds what its result depends on, and
-/// nothing else: titles, names, thresholds and the other methods of a study are in none. What a
-/// result depends on by way of another result enters by the key of the latter. Settings enter by
-/// the declarations of their sections (study_key.h), so that none can be forgotten.
+/// The cache keys of everything that a run of one study computes. A key is made from what its
+/// result depends on, and nothing else: titles, names, thresholds and the study's other methods
+/// enter no key. Where a result depends on another result, the key of that one enters. Settings
+/// enter by the declarations of their sections (study_key.h), so that none can be forgotten.
 class RunKeys {
  public:
   /// @param study     outlives the keys

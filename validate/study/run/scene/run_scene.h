@@ -21,7 +21,7 @@ namespace gnomon {
 /// for; references stay valid while the scene lives.
 struct RunScene {
   /// @param clock  of the stages "surface", "samples", "bake" and "tables"; outlives the scene
-  /// @param kept   what earlier runs left; outlives the scene
+  /// @param kept   results of earlier runs; outlives the scene
   RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept);
 
   const StudySpec& study;

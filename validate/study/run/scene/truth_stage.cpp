@@ -47,12 +47,12 @@ void requireFrames(const SampleGrid& samples, const Truth& truth) {
   }
 }
 
-/// Less than a half's worth of triangles is no second resolution.
+/// A mesh of more than half the triangles is too similar to be a second resolution.
 void requireCoarser(const TracedSurface& half, const TruthRecord& truth) {
   if (2 * half.mesh.triangleCount() <= truth.microTriangles) return;
   throw InputError(fmt::format(
       "truth.step: {} texels found, but twice that gives {} micro-triangles instead of {}: too "
-      "alike to tell the truth's own error. A smaller step expected",
+      "similar to measure the truth's uncertainty. A smaller step expected",
       truth.askedStepTexels, half.mesh.triangleCount(), truth.microTriangles));
 }
 

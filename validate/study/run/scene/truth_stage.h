@@ -42,7 +42,7 @@ class SurfaceOnDemand {
   explicit SurfaceOnDemand(Maker make);
 
   const TracedSurface& get();
-  /// Gives its memory back, until it is asked for again.
+  /// Frees its memory; `get` builds it again.
   void release() { surface_.reset(); }
 
  private:
@@ -59,10 +59,11 @@ TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface);
 /// @throws InputError for a view in which no sample has a frame
 std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 
-/// Traces the standard base's samples once more at half the resolution and half the lift: what
-/// flips is the truth's own error.
-/// @param truth  the step that it was cut by is doubled; gets the flip rates and the uncertainty
-/// @throws InputError where the coarser mesh has more than half the triangles: too alike to tell
+/// Traces the standard base's samples again at half the resolution and half the ray offset: the
+/// samples that change tell the truth's uncertainty.
+/// @param truth  its step is doubled for the coarser mesh; receives the flip rates and the
+///   uncertainty
+/// @throws InputError where the coarser mesh has more than half the triangles: too similar to tell
 void traceUncertainty(RunScene& scene, TruthRecord& truth);
 
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-/// How a view shows the surroundings of a surface point.
+/// How a view shows the neighbourhood of a surface point.
 class ViewMap {
  public:
   /// All must outlive it.
@@ -35,10 +35,10 @@ class ViewMap {
   glm::dmat4 clip_;
 };
 
-/// How far from a sample's point a neighbouring sample's can lie in the world, where the surface
-/// goes on between them: 3 times the world lengths of a column and of a row together, since
-/// rounding to the nearest sample at both ends moves a step by less than 2 of either. Not finite
-/// where the surface is seen edge-on.
+/// Upper bound on the distance between neighbouring samples of a connected surface, world units: 3
+/// times the world lengths of a column and of a row together, since rounding to the nearest sample
+/// at both ends moves a step by less than 2 of either. Not finite where the surface is seen
+/// edge-on.
 /// @param image, imageAcross  of two unit tangents at right angles
 double sampleSpacing(Vec2 image, Vec2 imageAcross);
 

@@ -35,8 +35,8 @@ struct BudgetCase {
   Tiling tiling;           ///< of the view
 };
 
-/// Attributes an error to its causes: the share of a cause is the error rate before it is undone
-/// less that after, and what is left at the end is split by the region `distant`. By construction
+/// Attributes an error to its causes: the share of a cause is the error rate before it is corrected
+/// minus that after, and what is left at the end is split by the region `distant`. By construction
 /// the shares of either order and the rest add up to the error rate of the first state. Intervals
 /// are those of `differenceConfidence`: a step's two states are compared block by block.
 /// @param forward, backward  errors of the ladder's states

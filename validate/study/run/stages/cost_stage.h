@@ -10,9 +10,9 @@ namespace gnomon {
 /// What a method costs: on the first camera view under the first light; without a camera view there
 /// is no frame time.
 ///
-/// A frame time that an earlier run measured is kept, since nothing that it depends on has changed:
-/// not the method, not the study, not the program, the renderer, the machine or its threads. The
-/// record then says since when. To measure it again, run without the cache.
+/// A frame time that an earlier run measured is used again if nothing that it depends on has
+/// changed: the method, the study, the program, the renderer, the machine and its number of
+/// threads. The record then names the day. To measure it again, run without the cache.
 class CostStage {
  public:
   explicit CostStage(FrameClock clock) : clock_(clock) {}

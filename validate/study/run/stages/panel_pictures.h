@@ -32,9 +32,9 @@ struct PanelAnswer {
 /// them shadowed: its shadings are composed of the two. Files are named
 /// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
 /// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone. The
-/// truth's regions are `regions/VIEW_LIGHT_truth.png`; where a method draws a mesh at whose samples
-/// the truth is another than at the standard base's, it is `truth_displaced-9`, after the mesh's
-/// pieces a side. What the samples of an atlas count is `regions/VIEW_weights.exr`.
+/// truth's regions are `regions/VIEW_LIGHT_truth.png`; for a method whose mesh has other samples
+/// than the standard base, it is `truth_displaced-9`, after the mesh's pieces a side. The weights
+/// of an atlas's samples are `regions/VIEW_weights.exr`.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);
@@ -60,8 +60,8 @@ class PanelPictures {
   /// Writes the truth at a mesh's samples. The mask of the standard base's truth is not among it:
   /// that is written with its shading.
   TruthFilesRecord writeTruth(std::size_t view, std::size_t light, const BaseCase& base);
-  /// Writes what the samples of an atlas count, once: under all lights and on all meshes they are
-  /// the same.
+  /// Writes the weights of an atlas's samples, once: they are the same under all lights and on all
+  /// meshes.
   /// @return the file; empty for a camera
   std::string writeWeights(std::size_t view);
   /// Draws one view of a mesh under one light.

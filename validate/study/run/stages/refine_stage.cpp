@@ -68,8 +68,8 @@ class Refinement {
     settings.stepTexels = step;
     if (!path_.empty() && 4 * static_cast<double>(path_.back().microTriangles) > mostTriangles) {
       throw InputError(
-          fmt::format("{}; the next level has more than {:.0e}. Set one that is "
-                      "larger, or truth.step",
+          fmt::format("{}; the next level has more than {:.0e}. Set a larger "
+                      "truth.uncertainty, or truth.step",
                       reachedText(wanted_, path_), mostTriangles));
     }
     try {

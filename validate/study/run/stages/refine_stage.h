@@ -13,7 +13,7 @@ namespace gnomon {
 ///
 /// It is at the study's step. Or, where `[truth] uncertainty` is asked for, at a step found by
 /// halving, from one texel on: each level is traced for every view of the standard base and every
-/// light, and held against the level before, as the uncertainty of a run is. The first level at
+/// light, and compared with the level before, as for the uncertainty of a run. The first level at
 /// which the largest flip rate is at most what is asked for is the surface; the run's own
 /// uncertainty is then that rate. One mesh is held at a time.
 class TruthSurface {
@@ -24,8 +24,7 @@ class TruthSurface {
   TruthSurface& operator=(const TruthSurface&) = delete;
   ~TruthSurface() = default;
 
-  /// The search, too, is made when the surface is first asked for and the cache does not know its
-  /// end.
+  /// The search, too, is made when the surface is first asked for, unless the cache has its result.
   /// @throws MemoryError or InputError naming the rate that has been reached, and why no finer
   ///   level can be had: its memory, or more than 10⁹ micro-triangles
   SurfaceOnDemand& onDemand() { return surface_; }

@@ -12,8 +12,8 @@ namespace gnomon {
 /// In which size a page embeds a picture: as it is, or as one among many.
 enum class EmbeddedSize { full, small };
 
-/// Takes the pictures of a run as they are made, so that none has to be kept: makes the bytes of
-/// their files, which a cache may hold, and writes them. Those that make bytes may be called from
+/// Encodes the pictures of a run and writes their files, each as it is made, so that none has to
+/// stay in memory; a cache may hold the encoded bytes. The functions that encode may be called from
 /// several threads at once.
 class RunWriter {
  public:
@@ -26,13 +26,13 @@ class RunWriter {
   [[nodiscard]] virtual std::string mask(const Mask& mask) const = 0;
   /// In which region each sample of a truth lies, in colours that can be read back.
   [[nodiscard]] virtual std::string regions(const Truth& truth) const = 0;
-  /// What each sample of an atlas counts, as sampleWeights gives it: floats hold it exactly.
+  /// The weight of each sample of an atlas, as sampleWeights gives it: floats hold it exactly.
   [[nodiscard]] virtual std::string weights(int width, int height,
                                             const std::vector<double>& weights) const = 0;
   /// A picture: RGB, 8 bits, row 0 at the top.
   [[nodiscard]] virtual std::string picture(int width, int height,
                                             const std::vector<std::uint8_t>& rgb) const = 0;
-  /// Where a candidate errs, and which way.
+  /// The signed difference: where a candidate is wrong, by false shadow or by false light.
   [[nodiscard]] virtual std::string difference(const Mask& candidate, const Mask& truth) const = 0;
   /// A picture as a page embeds it.
   [[nodiscard]] virtual std::string embedded(int width, int height,

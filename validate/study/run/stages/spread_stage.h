@@ -13,8 +13,8 @@
 
 namespace gnomon {
 
-/// How the errors of all methods are spread over one view: block by block, for their confidence,
-/// and by the bins of every axis.
+/// Collects the errors of all methods in one view: block by block, for confidence intervals, and in
+/// the bins of every axis.
 class SpreadStage {
  public:
   /// @param methods  of the study; they outlive the stage

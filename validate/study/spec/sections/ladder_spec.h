@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-/// What one cause of a ladder is, and what undoes it.
+/// One cause of a ladder, and what corrects it.
 struct CauseSpec {
   std::string name = {};    ///< "azimuth count"
   std::string change = {};  ///< what is put in its place, "256"; may be empty
@@ -21,16 +21,16 @@ inline StudyKeys keysOf(CauseSpec& cause) {
       studyKey("cause", &cause.name, "of the error", {}, required, Enters::nothing),
       studyKey("change", &cause.change, "what is put in its place", {}, "none", Enters::nothing),
       studyKey("set", OwnCode{"a table"},
-               "keys of `[[method]]` that undo it, all but `label`; no key in two rungs", {},
+               "keys of `[[method]]` that correct it, all but `label`; no key in two rungs", {},
                required)};
 }
 
-/// A method's way from what was published to the best that this study can make of it, one cause at
-/// a time. Both ways begin at the method and end with all causes undone: `forward` undoes them in
-/// the order given, `backward` from the last to the first. Each has one state more than there are
+/// A method from its published form to the best that this study can make of it, corrected one cause
+/// at a time. Both orders begin at the method and end with all causes corrected: `forward` from the
+/// first to the last, `backward` from the last to the first. Each has one state more than there are
 /// causes.
 struct LadderSpec {
-  std::string method = {};  ///< label of the study's method that both begin at
+  std::string method = {};  ///< label of the study's method
   std::vector<CauseSpec> causes;
   std::vector<MethodSpec> forward;
   std::vector<MethodSpec> backward;

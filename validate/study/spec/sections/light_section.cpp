@@ -17,7 +17,9 @@ std::vector<LightSpec> readLights(const TomlReader& section) {
   section.allow(namesOf(keysOf(light)));
   readKeys(section, keysOf(light));
   const bool isSingle = light.elevations.size() * light.azimuths.size() == 1;
-  if (section.has("name") && !isSingle) section.fail("name", "a sweep of lights names itself");
+  if (section.has("name") && !isSingle) {
+    section.fail("name", "a name found for several lights, which are named by their angles");
+  }
   std::vector<LightSpec> lights;
   for (const double azimuth : light.azimuths) {
     for (const double elevation : light.elevations) {

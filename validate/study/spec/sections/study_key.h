@@ -24,8 +24,8 @@ namespace gnomon {
 /// the table of all keys (`gnomon list keys`, docs/study-keys.md), the settings in `summary.json`
 /// and in the study's copy, and the keys of the cache.
 
-/// The results of a run that a key's value takes part in, as flags. The cache computes those
-/// results again when the value changes. A key that does not say enters all of them.
+/// The results of a run that depend on a key's value, as flags: the cache computes these again when
+/// the value changes. By default a key enters all of them.
 enum class Enters : unsigned {
   nothing = 0,     ///< a name or a text, or a value whose effect other keys hold
   horizons = 1,    ///< horizons and distances of the flat relief
@@ -117,7 +117,7 @@ struct StudyKey {
   Enters enters;
   std::vector<std::string> oneOf;  ///< texts that a string may be; any, if empty
 };
-/// What a key has as `otherwise` that must be there.
+/// The value of `otherwise` for a key that must be in the file.
 constexpr std::string_view required = "required";
 using StudyKeys = std::vector<StudyKey>;
 

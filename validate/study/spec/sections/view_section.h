@@ -75,11 +75,11 @@ PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int
 
 /// What a kind of view can and cannot do.
 struct ViewTraits {
-  /// That the view is seen by; null where its samples are no pixels of a camera. Shadow volumes are
-  /// counted, the displaced surface is pictured and frames are timed in a camera alone.
+  /// The view's camera; null where its samples are no pixels of one. Only camera views count shadow
+  /// volumes, show the displaced surface and time frames.
   const Camera* camera;
-  bool hasFixedSamples;  ///< the same of the surface whatever mesh is drawn
-  PassKind samplesPass;  ///< what a driver must draw right for the view to have its samples
+  bool hasFixedSamples;  ///< whatever mesh is drawn, the samples are the same
+  PassKind samplesPass;  ///< by which the driver renders the samples
 };
 ViewTraits traitsOf(const ViewSpec& view);
 

@@ -31,11 +31,10 @@ std::string expectedNumber(NumberRange range);
 
 using KeyNames = std::set<std::string, std::less<>>;
 
-/// A TOML table whose every key must be read: whoever asks for a key names its type and range, and
-/// `finish` refuses the keys that nobody asked for. `allow` refuses before anything is read what no
-/// form of the table takes: a mistyped key is then not told as one that is missing. All errors are
-/// InputError and read
-/// `file:line: table.key: what was found, what was expected`.
+/// A TOML table in which every key must be known: each function that reads a key checks its type
+/// and range, and `finish` refuses the keys that were not read. `allow` refuses unknown keys before
+/// anything is read, so that a mistyped key is reported as unknown and not as missing. All errors
+/// are InputError and read `file:line: table.key: what was found, what was expected`.
 class TomlReader {
  public:
   /// @param path  the table's place in the file, as `relief` or `light.2`; empty for the root
@@ -100,9 +99,9 @@ class TomlReader {
 
  private:
   [[nodiscard]] const toml::node& require(std::string_view key, std::string_view expected) const;
+  [[nodiscard]] std::string place(const toml::node& node, std::string_view key) const;
   [[nodiscard]] std::string failure(std::string_view key, const std::string& what) const;
   [[nodiscard]] std::string blamed(std::string_view key, const Error& error) const;
-  [[nodiscard]] std::string place(const toml::node& node, std::string_view key) const;
   [[noreturn]] void refuseKey(const toml::node& node, std::string_view key,
                               const KeyNames& expected) const;
   [[noreturn]] void mismatch(const toml::node& node, std::string_view key,
@@ -134,8 +133,7 @@ toml::table parseTomlText(const std::string& text, const std::string& file,
 
 /// Applies overrides in their order.
 /// @throws UsageError for an override that is no UTF-8, without `=`, or whose path leads into
-/// something that is not a
-///   table or list, or past a list's end
+///   something that is not a table or list, or past a list's end
 void applyOverrides(toml::table& table, const std::vector<std::string>& overrides);
 
 }  // namespace gnomon
