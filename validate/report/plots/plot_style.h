@@ -25,6 +25,12 @@ inline std::string plotLine(std::size_t m) {
          std::to_string(1 + m / plotColours.size());
 }
 
+/// How the bars of its intervals are drawn, of columns x, low and high.
+inline std::string plotBars(std::size_t m) {
+  return "using 1:2:(0):($3-$2) with vectors heads size graph 0.006,90 lc rgb '" +
+         std::string(plotColours.at(m % plotColours.size())) + "' lw 1 dt 1 notitle";
+}
+
 /// The most characters of a label that a legend shows.
 constexpr std::size_t longestLegend = 40;
 
