@@ -111,7 +111,8 @@ set = { bake = { azimuths = 64 } }
     std::istringstream head(read(file).substr(0, read(file).find('\n')));
     for (std::string column; std::getline(head, column, ',');) {
       const bool all = heading == "metrics.csv" && isMetric(column);
-      schema[heading].insert(all ? "METRIC" : column);
+      const bool isKey = heading == "cases.csv" && column.find('.') != std::string::npos;
+      schema[heading].insert(all ? "METRIC" : isKey ? "KEY" : column);
     }
   }
 };
@@ -155,6 +156,12 @@ than = "unshadowed"
   add(written, "sweep: summary.json", "out/swept/summary.json");
   add(written, "ranking.json", "out/ranking.json");
   addColumns(written, "sweep.csv", "out/swept/sweep.csv");
+  addColumns(written, "cases.csv", "out/swept/cases.csv");
+  // Of which a threshold does not hold, and which has no references.
+  std::ofstream(file("swept.toml"), std::ios::app)
+      << "[[threshold]]\nmethod = \"unshadowed\"\nmax = 0\n";
+  ASSERT_EQ(gnomon({"check", "swept.toml", "--baseline", "nowhere", "--out", "problem"}).status, 3);
+  add(written, "sweep: summary.json", "problem/swept/summary.json");
   addColumns(written, "ranking.csv", "out/ranking.csv");
 
   ASSERT_EQ(gnomon({"truth", "small.toml"}).status, 0);

@@ -48,11 +48,11 @@ TEST_F(SweepRun, EveryStepIsTheRunThatAnOverrideGives) {
 TEST_F(SweepRun, LeavesItsPlotTableAndSummary) {
   runStudy("small", sweepStudy());
   const nlohmann::json json = summary("small");
-  EXPECT_EQ(json.at("schema"), "gnomon-sweep/2");
-  EXPECT_EQ(json.at("sweep").at("axis"), "height, world units");
+  EXPECT_EQ(json.at("schema"), "gnomon-sweep/3");
+  EXPECT_EQ(json.at("keys").at(0).at("axis"), "height, world units");
   ASSERT_EQ(json.at("results").size(), 4U);
   for (const nlohmann::json& row : json.at("results")) {
-    const nlohmann::json step = summary(row.at("value") == 1 ? "small/1" : "small/6");
+    const nlohmann::json step = summary(row.at("case") == 1 ? "small/1" : "small/6");
     // One light and one view: the mean is the result.
     const nlohmann::json result = resultOf(step, row.at("method"), "evening", "camera");
     for (const char* figure : {"error_rate", "false_shadow", "false_light"}) {
@@ -125,7 +125,8 @@ TEST_F(SweepRun, TakesTheOptionsOfARun) {
            {"--quick", "--method", "max-forsyth", "--set", "sweep.values=[1, 3, 5]", "--set",
             "truth.step=0.125"});
   const nlohmann::json json = summary("small");
-  EXPECT_THAT(json.at("sweep").at("values"), ElementsAre(1, 3, 5));
+  ASSERT_EQ(json.at("steps").size(), 3U);
+  EXPECT_THAT(json.at("steps").at(2).at("values"), ElementsAre(5));
   EXPECT_EQ(json.at("results").size(), 3U);
   EXPECT_EQ(summary("small/5").at("panels").at(0).at("width"), 16);
 }

@@ -170,7 +170,10 @@ TEST(StudyRanking, SaysWhichStudiesHaveNoInterval) {
   };
   SweepRecord sweep;
   sweep.name = "bumps";
-  sweep.values = {0.5, 2};
+  sweep.keys = {{"relief.height", "height"}};
+  for (const double value : {0.5, 2.0}) {
+    sweep.cases.push_back({sweptNumber(value).text, {sweptNumber(value)}});
+  }
   sweep.steps = {studyOf("bumps/0.5"), studyOf("bumps/2")};
   for (DifferenceRecord& row : sweep.steps[1].differences) {
     row.interval.reset();

@@ -40,6 +40,16 @@ StudyRecord step(const std::vector<std::pair<std::string, double>>& errors, doub
   return record;
 }
 
+/// A case of one key.
+SweepCase caseAt(double value) {
+  return {sweptNumber(value).text, {sweptNumber(value)}};
+}
+
+/// The one slice of a sweep of one key.
+SweepSlice sliceOf(const SweepRecord& sweep) {
+  return slicesOf(sweep).at(0);
+}
+
 /// Values out of order: 0.5, 0.25, 1. "flat" 2, 4 and 8 percent, "curved" 1, 1 and 3.
 SweepRecord sampleSweep() {
   SweepRecord sweep;
@@ -48,9 +58,8 @@ SweepRecord sampleSweep() {
   sweep.source = "Figure 4";
   sweep.file = "bumps.toml";
   sweep.command = "gnomon run bumps.toml";
-  sweep.key = "surface.curvature";
-  sweep.axis = "curvature, 1/world's";
-  sweep.values = {0.5, 0.25, 1};
+  sweep.keys = {{"surface.curvature", "curvature, 1/world's"}};
+  sweep.cases = {caseAt(0.5), caseAt(0.25), caseAt(1)};
   sweep.steps = {step({{"flat", 20}, {"curved", 10}}, 0.002),
                  step({{"flat", 40}, {"curved", 10}}, 0.001),
                  step({{"flat", 80}, {"curved", 30}}, 0.003)};
@@ -127,7 +136,7 @@ TEST(SweepMeans, SayWhereTheyAreOverFewerCases) {
   const StudyMeans study = studyMeans(sweep);
   EXPECT_EQ(labelWithCases(study.methods[0]), "flat");
   EXPECT_EQ(labelWithCases(study.methods[1]), "curved (5 of 6 cases)");
-  EXPECT_THAT(sweepPlot(sweep).commands, HasSubstr("'curved (5 of 6 cases)'"));
+  EXPECT_THAT(sweepPlot(sweep, sliceOf(sweep)).commands, HasSubstr("'curved (5 of 6 cases)'"));
   EXPECT_THAT(terminalReport(sweep, false), HasSubstr("  curved      1.00    1.00*     3.00\n"));
   EXPECT_THAT(terminalReport(sweep, false), HasSubstr(fewerCasesMeaning));
   EXPECT_THAT(terminalReport(sampleSweep(), false), Not(HasSubstr(fewerCasesMeaning)));
@@ -158,17 +167,20 @@ TEST(SweepJson, HoldsTheSweep) {
   SweepRecord sweep = sampleSweep();
   sweep.steps[2].judgements = {judgedAtMost(0.05)};
   const auto json = nlohmann::json::parse(sweepJson(sweep));
-  EXPECT_EQ(json["schema"], "gnomon-sweep/2");
+  EXPECT_EQ(json["schema"], "gnomon-sweep/3");
   EXPECT_EQ(json["status"], "fail");
   EXPECT_EQ(json["study"]["name"], "bumps");
   EXPECT_EQ(json["environment"]["gl_renderer"], "A rasteriser");
-  EXPECT_EQ(json["sweep"]["key"], "surface.curvature");
-  EXPECT_EQ(json["sweep"]["values"], (std::vector<double>{0.5, 0.25, 1}));
+  EXPECT_EQ(json["keys"][0]["key"], "surface.curvature");
+  EXPECT_EQ(json["keys"][0]["drawn"], false);
+  EXPECT_EQ(json["steps"][0]["values"][0], 0.5);
+  EXPECT_EQ(json["steps"][1]["case"], 2);
+  EXPECT_EQ(json["steps"][1]["name"], "0.25");
   EXPECT_EQ(json["steps"][1]["summary"], "0.25/summary.json");
   EXPECT_EQ(json["steps"][1]["status"], "not judged");
   EXPECT_EQ(json["steps"][2]["status"], "fail");
   ASSERT_EQ(json["results"].size(), 6U);
-  EXPECT_EQ(json["results"][3]["value"], 0.25);
+  EXPECT_EQ(json["results"][3]["case"], 2);
   EXPECT_EQ(json["results"][3]["method"], "curved");
   EXPECT_EQ(json["results"][3]["error_rate"], 0.01);
   EXPECT_EQ(json["claims"][0]["verdict"], "held");
@@ -177,7 +189,11 @@ TEST(SweepJson, HoldsTheSweep) {
   EXPECT_EQ(costly["results"][2]["bytes"], 1'500'000);
   EXPECT_EQ(costly["results"][2]["frame_ms"], 4);
   EXPECT_TRUE(costly["results"][3]["frame_ms"].is_null());
-  sweep.values[0] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(json["faults"].size(), 1U);
+  EXPECT_EQ(json["faults"][0]["case"], 3);
+  EXPECT_EQ(json["faults"][0]["origin"], "threshold");
+  EXPECT_THAT(json["faults"][0]["text"].get<std::string>(), HasSubstr("0.08, too large by 0.03"));
+  sweep.cases[0].values[0].number = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)sweepJson(sweep), InternalError);
   EXPECT_THROW((void)csvTable(sweepMeansTable(sweep)), InternalError);
 }
@@ -185,7 +201,7 @@ TEST(SweepJson, HoldsTheSweep) {
 // ---- plot
 
 TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
-  const std::string script = sweepPlot(sampleSweep()).commands;
+  const std::string script = sweepPlot(sampleSweep(), sliceOf(sampleSweep())).commands;
   EXPECT_THAT(script, HasSubstr("$truth << EOD\n0.25 0.1\n0.5 0.2\n1 0.3\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$e0 << EOD\n0.25 4\n0.5 2\n1 8\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$s1 << EOD\n0.25 0.5\n0.5 0.5\n1 1.5\nEOD\n"));
@@ -195,8 +211,9 @@ TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
 TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
   SweepRecord sweep = sampleSweep();
   for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
-  EXPECT_THAT(sweepPlot(sweep).commands, HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
-  EXPECT_THAT(svgOf(sweepPlot(sweep)), HasSubstr("</svg>"));
+  EXPECT_THAT(sweepPlot(sweep, sliceOf(sweep)).commands,
+              HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
+  EXPECT_THAT(svgOf(sweepPlot(sweep, sliceOf(sweep))), HasSubstr("</svg>"));
 }
 
 /// The y coordinates of a line's points in the first panel, by its colour.
@@ -222,7 +239,7 @@ std::vector<double> pointHeights(const std::string& svg, const std::string& colo
 }
 
 TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
-  const std::string svg = svgOf(sweepPlot(sampleSweep()));
+  const std::string svg = svgOf(sweepPlot(sampleSweep(), sliceOf(sampleSweep())));
   // The axis goes from 0 at the bottom; flat is 4, 2, 8 percent, curved 1, 1, 3.
   const auto flat = pointHeights(svg, "  0, 114, 178");
   const auto curved = pointHeights(svg, "213,  94,   0");
@@ -254,7 +271,7 @@ TEST(SweepPlot, ItsLegendHoldsLongLabelsWhole) {
         if (row.method == "flat") row.method = label;
       }
     }
-    const PlotSheet sheet = sweepPlot(sweep);
+    const PlotSheet sheet = sweepPlot(sweep, sliceOf(sweep));
     const auto left = leftOf(svgOf(sheet), label);
     ASSERT_TRUE(left) << label;
     // 14 pixels of DejaVu Sans, as a browser draws it: 7.4 pixels a character.
@@ -263,12 +280,13 @@ TEST(SweepPlot, ItsLegendHoldsLongLabelsWhole) {
 }
 
 TEST(SweepPlot, SameSweepSameBytes) {
-  EXPECT_EQ(svgOf(sweepPlot(sampleSweep())), svgOf(sweepPlot(sampleSweep())));
+  EXPECT_EQ(svgOf(sweepPlot(sampleSweep(), sliceOf(sampleSweep()))),
+            svgOf(sweepPlot(sampleSweep(), sliceOf(sampleSweep()))));
 }
 
 TEST(SweepPlot, DrawsWhateverTheLabels) {
   SweepRecord sweep = sampleSweep();
-  sweep.axis = "it's `date` {/x}_2 \\ \"";
+  sweep.keys[0].axis = "it's `date` {/x}_2 \\ \"";
   for (StudyRecord& record : sweep.steps) {
     for (int i = 0; i < 9; ++i) {
       const std::string label = "a 'label' of <some> length & such a number " + std::to_string(i);
@@ -278,7 +296,7 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
       if (row.method == "flat") row.counts = countsOf(1000, 0, 0);
     }
   }
-  const std::string svg = svgOf(sweepPlot(sweep));
+  const std::string svg = svgOf(sweepPlot(sweep, sliceOf(sweep)));
   EXPECT_THAT(svg, HasSubstr("it’s `date` {/x}_2 \\"));
   EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; such a num…"));
   // No error at all: the axis has no length of its own.
@@ -286,13 +304,13 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
     for (ResultRecord& row : record.results) row.counts = countsOf(1000, 0, 0);
     record.truth.uncertainty = 0;
   }
-  EXPECT_THAT(svgOf(sweepPlot(sweep)), HasSubstr("</svg>"));
+  EXPECT_THAT(svgOf(sweepPlot(sweep, sliceOf(sweep))), HasSubstr("</svg>"));
 }
 
 // ---- what the values cost
 
 TEST(SweepCostPlots, AreFramesAgainstTheValueAndErrorAgainstMemory) {
-  const std::vector<PlotSheet> sheets = sweepCostPlots(costlySweep());
+  const std::vector<PlotSheet> sheets = sweepCostPlots(costlySweep(), sliceOf(costlySweep()));
   ASSERT_EQ(sheets.size(), 2U);
   EXPECT_EQ(sheets[0].name, "sweep_frames");
   EXPECT_THAT(sheets[0].commands, HasSubstr("$m0 << EOD\n0.25 4\n0.5 8\n1 16\nEOD\n"));
@@ -305,18 +323,18 @@ TEST(SweepCostPlots, AreFramesAgainstTheValueAndErrorAgainstMemory) {
 }
 
 TEST(SweepCostPlots, AreNotDrawnWhereNothingWasMeasured) {
-  EXPECT_TRUE(sweepCostPlots(sampleSweep()).empty());
+  EXPECT_TRUE(sweepCostPlots(sampleSweep(), sliceOf(sampleSweep())).empty());
   SweepRecord sweep = costlySweep();
   for (StudyRecord& record : sweep.steps) record.cost[0].frameMs.reset();
-  ASSERT_EQ(sweepCostPlots(sweep).size(), 1U);
-  EXPECT_EQ(sweepCostPlots(sweep)[0].name, "sweep_memory");
+  ASSERT_EQ(sweepCostPlots(sweep, sliceOf(sweep)).size(), 1U);
+  EXPECT_EQ(sweepCostPlots(sweep, sliceOf(sweep))[0].name, "sweep_memory");
 }
 
 TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
   SweepRecord sweep = costlySweep();
   for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
   sweep.steps[1].cost[0].frameMs.reset();
-  const std::vector<PlotSheet> sheets = sweepCostPlots(sweep);
+  const std::vector<PlotSheet> sheets = sweepCostPlots(sweep, sliceOf(sweep));
   EXPECT_THAT(sheets.at(0).commands, HasSubstr("$m0 << EOD\n0.25 NaN\n0.5 8\n1 16\nEOD\n"));
   EXPECT_THAT(sheets.at(1).commands, HasSubstr("$m0 << EOD\n1.5 4\nNaN NaN\n4 8\nEOD\n"));
 }
@@ -329,6 +347,7 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   sweep.steps[2].judgements = {judgedAtMost(0.05)};
   PlotSheet cost;
   cost.title = "Time & money";
+  cost.section = sweepCostSection;
   const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}, {cost, "<svg />"}};
   const std::string html = sweepHtml(sweep, plots).text();
   for (const char* part :
@@ -363,14 +382,14 @@ TEST(SweepTable, HasAColumnAValue) {
 TEST(SweepTable, FitsHoweverManyTheValues) {
   SweepRecord sweep = sampleSweep();
   for (int i = 0; i < 40; ++i) {
-    sweep.values.push_back(-1.0 / (3 + i) * 1e-300);
+    sweep.cases.push_back(caseAt(-1.0 / (3 + i) * 1e-300));
     sweep.steps.push_back(step({{std::string(80, 'm'), 5}}, 0.001));
   }
   const std::string text = terminalReport(sweep, false);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
-  for (const double value : sweep.values) {
-    EXPECT_THAT(text, HasSubstr(nlohmann::json(value).dump().substr(0, 8)));
+  for (const SweepCase& which : sweep.cases) {
+    EXPECT_THAT(text, HasSubstr(which.name.substr(0, 8)));
   }
 }
 

@@ -49,6 +49,9 @@ void requireSense(const CheckRequest& request) {
     return;
   }
   if (!request.baseline) throw UsageError("--update-baseline: --baseline DIR expected with it");
+  if (request.baselinePictures && request.run.metricsOnly) {
+    throw UsageError("--baseline-pictures: a run with pictures expected, without --metrics-only");
+  }
   if (request.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw UsageError("--update-baseline: --reason TEXT expected with it");
   }
@@ -73,6 +76,7 @@ std::string commandFor(const CheckRequest& request, const std::string& file,
   };
   if (options.quick) text += " --quick";
   if (request.run.varyRadius) text += " --vary-radius";
+  if (request.run.metricsOnly) text += " --metrics-only";
   add("--set", options.overrides);
   add("--replace", options.replacements);
   add("--method", methods.empty() ? options.methods : methods);
@@ -168,7 +172,7 @@ void writeJunit(const CheckRequest& request, const std::vector<Study>& studies, 
 
 /// Judges a run by the study's references. What kept the study from having any kept this run from
 /// being judged.
-void judgeStep(const Study& study, const CheckRequest& request, RunFolder& folder,
+void judgeStep(const Study& study, const CheckRequest& request, RunFolders& folders,
                StudyRecord& record) {
   if (!request.baseline) return;
   record.baseline = study.check.baseline;
@@ -177,8 +181,9 @@ void judgeStep(const Study& study, const CheckRequest& request, RunFolder& folde
   if (request.updateBaseline || !study.baseline) return;
   judgeReferences(record.baseline, *study.baseline, study.plan->steps.front().leftOutMethods,
                   record);
-  record.referencePictures =
-      drawReferencePictures(record, folder, pictureFolder(*request.baseline, record.name));
+  if (request.run.metricsOnly) return;
+  record.referencePictures = drawReferencePictures(record, folders.of(record.name),
+                                                   pictureFolder(*request.baseline, record.name));
 }
 
 /// How many studies a ranking would hold.
@@ -193,7 +198,7 @@ void claimFolders(std::vector<Study>& studies, const CheckRequest& request, RunF
   for (Study& study : studies) {
     if (!study.plan) continue;
     try {
-      folders.claim(*study.plan, request.run.out);
+      folders.claim(*study.plan, request.run.out, !request.run.metricsOnly);
     } catch (...) {
       addProblem(study.check, "study");
     }
@@ -207,9 +212,10 @@ void claimFolders(std::vector<Study>& studies, const CheckRequest& request, RunF
 std::unique_ptr<GlContext> prepare(std::vector<Study>& studies, const CheckRequest& request,
                                    RunFolders& folders) {
   try {
-    askGnuplotVersion();  // which it tells while OpenGL starts
+    const bool drawsPlots = !request.run.metricsOnly;
+    if (drawsPlots) askGnuplotVersion();  // which it tells while OpenGL starts
     auto gl = std::make_unique<GlContext>();
-    requirePlots();
+    if (drawsPlots) requirePlots();
     claimFolders(studies, request, folders);
     return gl;
   } catch (...) {
@@ -228,11 +234,14 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
   if (!isAny) return;
   const std::unique_ptr<GlContext> gl = prepare(studies, request, records.folders);
   if (!gl) return;
+  std::size_t cases = 0;
+  for (const Study& study : studies) cases += study.plan ? study.plan->steps.size() : 0;
+  records.line = std::make_shared<TerminalProgress>("", cases);
   for (Study& study : studies) {
     if (!study.plan || !records.folders.holds(study.plan->name)) continue;
     try {
       study.part = runPlan(*study.plan, *gl, request.run, cache, records, [&](StudyRecord& record) {
-        judgeStep(study, request, records.folders.of(record.name), record);
+        judgeStep(study, request, records.folders, record);
       });
     } catch (...) {
       addProblem(study.check, "study");

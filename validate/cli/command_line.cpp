@@ -107,6 +107,9 @@ void addRunOptions(CLI::App& command, RunRequest& request) {
   command.add_flag("--vary-radius", request.varyRadius,
                    "Also judge claims and verdicts at half and at twice the search radius, and "
                    "mark those that change");
+  command.add_flag("--metrics-only", request.metricsOnly,
+                   "Write figures only: no masks, pictures, pages, plots or times; the same input "
+                   "then gives the same folder, byte for byte");
   addQuickOption(command, request);
 }
 

@@ -8,8 +8,8 @@
 
 #include "cli/output.h"
 #include "cli/study_plans.h"
-#include "cli/terminal_progress.h"
 #include "common/text/shell_quote.h"
+#include "report/figure_files.h"
 #include "report/folder_writer.h"
 #include "report/json/ranking_json.h"
 #include "report/page/ranking_html.h"
@@ -36,50 +36,80 @@ void writeCopy(const toml::table& study, RunFolder& folder, const std::string& n
   folder.write(name, studyCopyText(study, folder.path() / name));
 }
 
+/// The command that gives figures again, from their own folder: it does not tell where that is.
+std::string figuresCommand(const StudyPlan& plan, const RunRequest& request) {
+  return fmt::format("gnomon run {} --metrics-only{}", shellQuoted(studyCopyName(plan.name)),
+                     request.varyRadius ? " --vary-radius" : "");
+}
+
 /// The command that runs a step again: its own copy, as the file's study has all values.
 std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunRequest& request) {
+  if (request.metricsOnly) return figuresCommand(plan, request);
   if (!plan.sweep) return request.command;
   const fs::path copy = request.out / step.name / studyCopyName(step.name);
   return "gnomon run " + shellQuoted(copy.string());
 }
 
 /// Where a run's progress goes: to who asked for it, or to the terminal.
-StageProgress progressOf(const RunRequest& request, std::string title) {
+StageProgress progressOf(const RunRequest& request, const Records& records) {
   if (request.progress) return request.progress;
-  return [line = std::make_shared<TerminalProgress>(std::move(title))](
-             std::string_view stage, double share) { line->update(stage, share); };
+  return
+      [line = records.line](std::string_view stage, double share) { line->update(stage, share); };
+}
+
+CaseRecord reproductionOf(const StudySpec& study, const fs::path& folder) {
+  return inStudy(study, [&] {
+    return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder),
+                      studyInputs(study, folder)};
+  });
 }
 
 StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
-                   const RunRequest& request, RunFolder& folder, Cache& cache) {
-  CaseRecord reproduction = inStudy(study, [&] {
-    return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder.path()),
-                      studyInputs(study, folder.path())};
-  });
+                   const RunRequest& request, Records& records, Cache& cache) {
+  RunFolder& folder = records.folders.of(study.name);
+  CaseRecord reproduction = reproductionOf(study, folder.path());
   FolderWriter writer(folder);
   StudyRecord record = inStudy(
-      study, [&] { return runStudy(study, gl, writer, cache, progressOf(request, study.name)); });
+      study, [&] { return runStudy(study, gl, writer, cache, progressOf(request, records)); });
   writeCopy(reproduction.settings, folder, reproduction.file);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
   return record;
 }
 
+/// The figures of a study; of one that is no step of a sweep also its copy, in its folder.
+StudyRecord runFigures(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
+                       const RunRequest& request, Records& records, Cache& cache) {
+  CaseRecord reproduction;
+  if (!plan.sweep) {
+    RunFolder& folder = records.folders.of(study.name);
+    reproduction = reproductionOf(study, folder.path());
+    writeCopy(reproduction.settings, folder, reproduction.file);
+  }
+  StudyRecord record = inStudy(
+      study, [&] { return runStudyFigures(study, gl, cache, progressOf(request, records)); });
+  record.command = commandOf(plan, study, request);
+  record.reproduction = std::move(reproduction);
+  return figuresAlone(std::move(record), plan.sweep.has_value());
+}
+
 /// The figures of a study at so many times its radius.
 StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl,
-                      const RunRequest& request, Cache& cache) {
+                      const RunRequest& request, Records& records, Cache& cache) {
+  records.line->setTitle(fmt::format("{}, radius × {}", study.name, factor));
   return inStudy(study, [&] {
-    return measureStudy(withRadiusTimes(study, factor), gl, cache,
-                        progressOf(request, fmt::format("{}, radius × {}", study.name, factor)));
+    return measureStudy(withRadiusTimes(study, factor), gl, cache, progressOf(request, records));
   });
 }
 
 void runStep(const StudyPlan& plan, const StudySpec& step, const GlContext& gl,
              const RunRequest& request, Cache& cache, Records& records) {
-  StudyRecord record = runOne(plan, step, gl, request, records.folders.of(step.name), cache);
+  records.line->beginCase(step.name);
+  StudyRecord record = request.metricsOnly ? runFigures(plan, step, gl, request, records, cache)
+                                           : runOne(plan, step, gl, request, records, cache);
   if (request.varyRadius) {
-    StudyRecord half = runVaried(step, 0.5, gl, request, cache);
-    records.twice.push_back(runVaried(step, 2, gl, request, cache));
+    StudyRecord half = runVaried(step, 0.5, gl, request, records, cache);
+    records.twice.push_back(runVaried(step, 2, gl, request, records, cache));
     records.half.push_back(std::move(half));
   }
   records.all.push_back(std::move(record));
@@ -95,7 +125,11 @@ void report(const StudySpec& study, Records& records, std::size_t own, const Run
     records.twice[own].claims = judgeClaims(study.claims, records.twice, own);
     keepRadiusChecks(record, records.half[own], records.twice[own]);
   }
-  writeRunFiles(record, records.folders.of(record.name), cache);
+  // The figures of a step are told by its sweep.
+  if (!records.folders.holds(record.name)) return;
+  RunFolder& folder = records.folders.of(record.name);
+  if (request.metricsOnly) return writeFigureFiles(record, folder);
+  writeRunFiles(record, folder, cache);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
@@ -108,12 +142,22 @@ SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRe
   const auto made = [&](const std::vector<StudyRecord>& steps) {
     const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(part.first);
     const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
-    return makeSweepRecord(*part.plan, std::vector<StudyRecord>(begin, begin + count),
-                           request.command);
+    return makeSweepRecord(
+        *part.plan, std::vector<StudyRecord>(begin, begin + count),
+        request.metricsOnly ? figuresCommand(*part.plan, request) : request.command);
   };
   SweepRecord sweep = made(records.all);
+  sweep.hasStepReports = !request.metricsOnly;
   if (request.varyRadius) keepRadiusChecks(sweep, made(records.half), made(records.twice));
   return sweep;
+}
+
+void writeSweep(const PlanRecords& part, Records& records, const RunRequest& request,
+                Cache& cache) {
+  RunFolder& folder = records.folders.of(part.plan->name);
+  const SweepRecord sweep = sweepOf(part, records, request);
+  if (request.metricsOnly) return writeFigureFiles(sweep, folder);
+  writeSweepFiles(sweep, folder, cache);
 }
 
 /// Forgets all records but the first of each kind.
@@ -139,18 +183,26 @@ void runSteps(const PlanRecords& part, const GlContext& gl, const RunRequest& re
   }
   if (swept) {
     writeCopy(*swept, folder, studyCopyName(plan.name));
-    writeSweepFiles(sweepOf(part, records, request), folder, cache);
+    writeSweep(part, records, request, cache);
   }
 }
 
 }  // namespace
+
+std::size_t caseCount(std::span<const StudyPlan> plans) {
+  std::size_t count = 0;
+  for (const StudyPlan& plan : plans) count += plan.steps.size();
+  return count;
+}
 
 PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
                     Cache& cache, Records& records, const StepJudge& judge) {
   const PlanRecords part{&plan, records.all.size()};
   try {
     runSteps(part, gl, request, cache, records, judge);
+    records.line->clear();
   } catch (...) {
+    records.line->clear();
     // Nothing may speak of a study of which a part is missing.
     keepFirst(records, part.first);
     throw;
@@ -165,7 +217,7 @@ void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache
     report(plan.steps[i], records, part.first + i, request, cache);
   }
   if (!plan.sweep) return;
-  writeSweepFiles(sweepOf(part, records, request), records.folders.of(plan.name), cache);
+  writeSweep(part, records, request, cache);
 }
 
 StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
@@ -181,7 +233,9 @@ void printPlan(const PlanRecords& part, const RunRequest& request, const Records
                                 ? terminalReport(sweepOf(part, records, request), coloursWanted())
                                 : terminalReport(records.all[part.first], coloursWanted());
   printText(table + "\n");
-  printLine("Report: " + (request.out / plan.name / "report.html").string());
+  const fs::path folder = request.out / plan.name;
+  printLine(request.metricsOnly ? "Figures: " + (folder / "cases.csv").string()
+                                : "Report: " + (folder / "report.html").string());
   printText("\n");
 }
 
@@ -197,6 +251,7 @@ void reportRanking(std::span<const StudyMeans> studies, const RunRequest& reques
                    RunFolder& folder) {
   for (const StudyMeans& study : studies) folder.add(study.name + "/");
   folder.write("ranking.csv", csvTable(studyMeansTable(studies)));
+  if (request.metricsOnly) return folder.finish(rankingJson(studies, request.command));
   folder.write("ranking.md",
                markdownTable(rankedOverStudiesTable(studies, rankOverStudies(studies))));
   folder.write("ranking.html", rankingHtml(studies, request.command).text());

@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "cache/cache.h"
 #include "cli/run_command.h"
 #include "cli/run_folders.h"
+#include "cli/terminal_progress.h"
 #include "render/gl_context.h"
 #include "study/judge/study_ranking.h"
 #include "study/record/record.h"
@@ -21,7 +23,11 @@ namespace gnomon {
 struct Records {
   std::vector<StudyRecord> all, half, twice;
   RunFolders folders;
+  std::shared_ptr<TerminalProgress> line = std::make_shared<TerminalProgress>("");
 };
+
+/// The cases of all plans together.
+std::size_t caseCount(std::span<const StudyPlan> plans);
 
 /// The part of the records that belongs to a plan.
 struct PlanRecords {

@@ -46,12 +46,15 @@ ExitStatus worstProblem(const std::vector<StudyRecord>& records) {
 
 ExitStatus runStudies(const RunRequest& request) {
   const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
-  askGnuplotVersion();  // which it tells while OpenGL starts
+  if (!request.metricsOnly) askGnuplotVersion();  // which it tells while OpenGL starts
   const GlContext gl;
-  requirePlots();
+  if (!request.metricsOnly) requirePlots();
   const std::unique_ptr<Cache> cache = openCache(request.noCache);
   Records records;
-  for (const StudyPlan& plan : plans) records.folders.claim(plan, request.out);
+  records.line = std::make_shared<TerminalProgress>("", caseCount(plans));
+  for (const StudyPlan& plan : plans) {
+    records.folders.claim(plan, request.out, !request.metricsOnly);
+  }
   if (isRanking(plans)) records.folders.claimRanking(request.out);
   records.folders.clear(request.out);
   Failures failures;
@@ -71,7 +74,8 @@ ExitStatus runStudies(const RunRequest& request) {
     failures.attempt([&] {
       reportRanking(ranked, request, records.folders.ranking());
       printText(terminalReport(ranked, coloursWanted()) + "\n");
-      printLine("Report: " + (request.out / "ranking.html").string());
+      printLine("Report: " +
+                (request.out / (request.metricsOnly ? "ranking.csv" : "ranking.html")).string());
     });
   }
   failures.print();

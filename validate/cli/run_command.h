@@ -17,16 +17,21 @@ struct RunRequest {
   StudyOptions options;
   bool noCache = false;
   bool varyRadius = false;  ///< judge at half and at twice the search radius too
-  std::string command;      ///< the command line, for the report
-  StageProgress progress;   ///< told how far a run is; a line on the terminal, if it is empty
+  /// Figures alone: no masks, pictures, pages, plots and times. Then the same input gives the same
+  /// folder, byte for byte.
+  bool metricsOnly = false;
+  std::string command;     ///< the command line, for the report
+  StageProgress progress;  ///< told how far a run is; a line on the terminal, if it is empty
 };
 
 /// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks
 /// as they are made, then metrics.csv, report.html and last summary.json, whose presence says that
 /// the run is whole. Prints a table for each.
 /// A sweep has such a folder for each value, `out/NAME/VALUE`, and in `out/NAME` its own sweep.csv,
-/// plots/sweep.svg, report.html and last summary.json.
+/// cases.csv, table.tex, plots/sweep.svg, report.html and last summary.json.
 /// Every folder holds its study, with the options in it, as NAME.toml: see resolved_study.h.
+/// With `metricsOnly` a study's folder holds its copy, cases.csv and summary.json, and a sweep has
+/// no folder a value.
 /// A study that fails does not keep the others from their tables, nor what is whole from its
 /// ranking; but all studies are read before the first is run. Two studies or more are followed by a
 /// ranking of the methods over all of them: printed, and written as `out/ranking.csv`,

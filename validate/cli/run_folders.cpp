@@ -45,7 +45,7 @@ FileLock lockFolder(const RunFolder& folder) {
   return lock;
 }
 
-void RunFolders::claim(const StudyPlan& plan, const fs::path& out) {
+void RunFolders::claim(const StudyPlan& plan, const fs::path& out, bool withSteps) {
   std::map<std::string, Claimed> found;
   const auto add = [&](const std::string& name) {
     const std::string copy = studyCopyName(name);
@@ -57,7 +57,7 @@ void RunFolders::claim(const StudyPlan& plan, const fs::path& out) {
   locks_.push_back(lockFolder(found.at(plan.name).folder));
   add(plan.name);
   for (const StudySpec& step : plan.steps) {
-    if (step.name == plan.name) continue;
+    if (step.name == plan.name || !withSteps) continue;
     add(step.name);
     found.at(plan.name).subfolders.push_back(subfolderOf(step.name));
   }

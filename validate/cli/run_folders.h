@@ -23,7 +23,8 @@ class RunFolders {
   /// Locks a study's folders for this process; removes nothing.
   /// @throws InputError where another process writes there, or a file of somebody else's stands in
   ///   the place of a summary or of the study's copy
-  void claim(const StudyPlan& plan, const std::filesystem::path& out);
+  /// @param withSteps  whether a sweep's steps have folders
+  void claim(const StudyPlan& plan, const std::filesystem::path& out, bool withSteps = true);
   /// Likewise the ranking's files in `out`.
   void claimRanking(const std::filesystem::path& out);
 

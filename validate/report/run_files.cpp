@@ -18,14 +18,19 @@
 #include "report/plots/gnuplot.h"
 #include "report/plots/study_plots.h"
 #include "report/plots/sweep_cost_plots.h"
+#include "report/plots/sweep_lights_plot.h"
+#include "report/plots/sweep_map_plot.h"
 #include "report/plots/sweep_plot.h"
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/formats.h"
+#include "report/tables/formats/latex_format.h"
 #include "report/tables/frontier_table.h"
+#include "report/tables/long_table.h"
 #include "report/tables/means_table.h"
 #include "report/tables/ranked_table.h"
+#include "report/tables/sweep_tables.h"
 
 namespace gnomon {
 namespace {
@@ -107,6 +112,27 @@ std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, RunFolder& fold
   return plots;
 }
 
+/// All plots of a sweep, each with the section of the page that shows it.
+std::vector<PlotSheet> sweepSheets(const SweepRecord& sweep) {
+  std::vector<PlotSheet> sheets;
+  const auto add = [&](PlotSheet sheet, const char* section) {
+    sheet.section = section;
+    sheets.push_back(std::move(sheet));
+  };
+  const std::vector<SweepSlice> slices = slicesOf(sweep);
+  for (const SweepSlice& slice : slices) {
+    add(sweepPlot(sweep, slice), sweepErrorSection);
+    if (auto lights = sweepLightsPlot(sweep, slice)) add(std::move(*lights), sweepLightsSection);
+  }
+  if (isGrid(sweep)) add(sweepMapPlot(sweep), sweepErrorSection);
+  if (slices.size() == 1) {
+    for (PlotSheet& sheet : sweepCostPlots(sweep, slices.front())) {
+      add(std::move(sheet), sweepCostSection);
+    }
+  }
+  return sheets;
+}
+
 }  // namespace
 
 void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache) {
@@ -130,9 +156,9 @@ void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache) {
 void writeSweepFiles(const SweepRecord& sweep, RunFolder& folder, Cache& cache) {
   folder.removeIndex();
   folder.write("sweep.csv", csvTable(sweepMeansTable(sweep)));
-  std::vector<PlotSheet> sheets = sweepCostPlots(sweep);
-  sheets.insert(sheets.begin(), sweepPlot(sweep));
-  const std::vector<DrawnPlot> plots = writePlots(std::move(sheets), folder, cache);
+  folder.write("cases.csv", longCsv(sweep));
+  folder.write("table.tex", latexTable(sweepPaperTable(sweep)));
+  const std::vector<DrawnPlot> plots = writePlots(sweepSheets(sweep), folder, cache);
   folder.write("report.html", sweepHtml(sweep, plots).text());
   folder.finish(sweepJson(sweep));
 }

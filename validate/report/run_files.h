@@ -17,7 +17,8 @@ namespace gnomon {
 ///   InternalError as the writers
 void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache);
 
-/// Writes a sweep's: sweep.csv, its plots as plots/*.svg and .pdf, report.html, summary.json.
+/// Writes a sweep's: sweep.csv, cases.csv, table.tex, its plots as plots/*.svg and .pdf,
+/// report.html, summary.json.
 /// @throws likewise
 void writeSweepFiles(const SweepRecord& sweep, RunFolder& folder, Cache& cache);
 

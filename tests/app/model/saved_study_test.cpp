@@ -97,8 +97,8 @@ TEST_F(SavedStudy, OfEverySceneReadsAsTheScene) {
     StudyOptions options;
     StudySpec expected = plan.steps.back();
     if (plan.sweep) {
-      options.overrides.push_back(plan.sweep->key + "=" +
-                                  sweepValueText(plan.sweep->values.back()));
+      options.overrides.push_back(plan.sweep->keys.front().key + "=" +
+                                  plan.sweep->cases.back().values.front().written);
       expected.title = plan.title;
     }
     const fs::path target = file(entry.path().filename().string());

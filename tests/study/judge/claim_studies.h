@@ -91,9 +91,10 @@ inline ClaimRecord judgeClaim(const ClaimSpec& claim, const std::vector<StudyRec
 
 inline SweepRecord sweepOf(const std::vector<StudyRecord>& steps) {
   SweepRecord sweep;
-  sweep.key = "surface.curvature";
+  sweep.keys = {{"surface.curvature", "curvature"}};
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    sweep.values.push_back(0.5 * static_cast<double>(i));
+    const SweptValue value = sweptNumber(0.5 * static_cast<double>(i));
+    sweep.cases.push_back({value.text, {value}});
   }
   sweep.steps = steps;
   return sweep;

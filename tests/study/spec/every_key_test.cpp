@@ -112,10 +112,14 @@ set = { bake.azimuths = 16 }
 [[ladder.rung]]
 cause = "another method"
 set = { name = "relief-march", parameters = { steps = 9 } }
-[sweep]
+[[sweep]]
 key = "bake.limit"
 values = [80, 90]
 axis = "limit"
+[[sweep]]
+key = "bake.azimuths"
+values = [8, 16]
+with = "bake.limit"
 )";
 }
 
@@ -180,7 +184,7 @@ class EveryKey : public StudyFile {
     return found;
   }
   /// What reading says with one key changed; empty where it is read.
-  /// @param path  of the key: `[sweep]` is read with its steps
+  /// @param path  of the key: `[[sweep]]` is read with its steps
   std::string saidOf(const std::string& text, const std::string& path, const std::string& change) {
     std::ofstream(file("plain.toml"), std::ios::binary) << text;
     try {

@@ -15,6 +15,7 @@ namespace gnomon {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -48,7 +49,16 @@ values = [2, 0.25, 8]
 axis = "height, world units"
 )";
 
-class Sweep : public TemporaryFolder {
+/// What the cases give to a key.
+std::vector<double> numbers(const StudyPlan& plan, std::size_t key = 0) {
+  std::vector<double> values;
+  for (const SweepCase& which : plan.sweep->cases) {
+    values.push_back(which.values.at(key).number.value());
+  }
+  return values;
+}
+
+class SweepFile : public TemporaryFolder {
  protected:
   StudyPlan read(const std::string& text, const StudyOptions& options = {}) {
     std::ofstream(file("bumps.toml"), std::ios::binary) << text;
@@ -64,26 +74,27 @@ class Sweep : public TemporaryFolder {
   }
 };
 
-TEST_F(Sweep, IsOneStudyAValueInTheirOrder) {
+TEST_F(SweepFile, IsOneStudyAValueInTheirOrder) {
   const StudyPlan plan = read(sweptStudy + sweep);
   EXPECT_EQ(plan.name, "bumps");
   EXPECT_EQ(plan.title, "Columns on a plane");
   ASSERT_TRUE(plan.sweep);
-  EXPECT_EQ(plan.sweep->key, "relief.height");
-  EXPECT_EQ(plan.sweep->axis, "height, world units");
-  EXPECT_EQ(plan.sweep->values, (std::vector<double>{2, 0.25, 8}));
+  ASSERT_EQ(plan.sweep->keys.size(), 1U);
+  EXPECT_EQ(plan.sweep->keys[0].key, "relief.height");
+  EXPECT_EQ(plan.sweep->keys[0].axis, "height, world units");
+  EXPECT_THAT(numbers(plan), ElementsAre(2, 0.25, 8));
   ASSERT_EQ(plan.steps.size(), 3U);
   EXPECT_EQ(plan.steps[0].name, "bumps/2");
   EXPECT_EQ(plan.steps[1].name, "bumps/0.25");
   EXPECT_EQ(plan.steps[1].title, "Columns on a plane, relief.height = 0.25");
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_FLOAT_EQ(plan.steps[i].relief.field.maximum() / plan.steps[0].relief.field.maximum(),
-                    static_cast<float>(plan.sweep->values[i] / 2));
+                    static_cast<float>(numbers(plan)[i] / 2));
     EXPECT_EQ(plan.steps[i].claims.size(), 1U);
   }
 }
 
-TEST_F(Sweep, AFileWithoutOneIsOneStudy) {
+TEST_F(SweepFile, AFileWithoutOneIsOneStudy) {
   const StudyPlan plan = read(sweptStudy);
   EXPECT_FALSE(plan.sweep);
   ASSERT_EQ(plan.steps.size(), 1U);
@@ -91,17 +102,17 @@ TEST_F(Sweep, AFileWithoutOneIsOneStudy) {
   EXPECT_EQ(plan.name, "bumps");
 }
 
-TEST_F(Sweep, TakesAnyKeyThatAnOverrideTakes) {
+TEST_F(SweepFile, TakesAnyKeyThatAnOverrideTakes) {
   const StudyPlan lights = read(sweptStudy + section("light.0.elevation", "[20, 60]"));
   EXPECT_DOUBLE_EQ(lights.steps[0].lights[0].elevation, radians(20.0));
   EXPECT_DOUBLE_EQ(lights.steps[1].lights[0].elevation, radians(60.0));
-  EXPECT_EQ(lights.sweep->axis, "light.0.elevation");
+  EXPECT_EQ(lights.sweep->keys[0].axis, "light.0.elevation");
   const StudyPlan added = read(sweptStudy + section("bake.azimuths", "[8, 16]"));
   EXPECT_EQ(added.steps[0].bake.settings.azimuths, 8);
   EXPECT_EQ(added.steps[1].bake.settings.azimuths, 16);
 }
 
-TEST_F(Sweep, KeepsWhatTheCommandLineChanges) {
+TEST_F(SweepFile, KeepsWhatTheCommandLineChanges) {
   const StudyPlan plan = read(sweptStudy + sweep, {{"bake.azimuths=4"}, {"ours"}, true});
   for (const StudySpec& step : plan.steps) {
     EXPECT_EQ(step.bake.settings.azimuths, 4);
@@ -110,10 +121,10 @@ TEST_F(Sweep, KeepsWhatTheCommandLineChanges) {
         << "odd, near a quarter of 8";
   }
   const StudyPlan others = read(sweptStudy + sweep, {{"sweep.values=[1, 3]"}, {}, false});
-  EXPECT_EQ(others.sweep->values, (std::vector<double>{1, 3}));
+  EXPECT_THAT(numbers(others), ElementsAre(1, 3));
 }
 
-TEST_F(Sweep, RefusesAKeyThatTheFileCannotHave) {
+TEST_F(SweepFile, RefusesAKeyThatTheFileCannotHave) {
   EXPECT_THAT(failure(section("relief.hight", "[1, 2]")),
               AllOf(StartsWith("bumps.toml:38: sweep.key: with relief.hight=1: "),
                     HasSubstr("unknown key")));
@@ -127,13 +138,13 @@ TEST_F(Sweep, RefusesAKeyThatTheFileCannotHave) {
               StartsWith("bumps.toml:38: sweep.key: \"study.name\" found"));
 }
 
-TEST_F(Sweep, RefusesAValueThatTheKeyCannotTake) {
+TEST_F(SweepFile, RefusesAValueThatTheKeyCannotTake) {
   EXPECT_THAT(failure(section("bake.bits", "[8, 12]")),
               AllOf(StartsWith("bumps.toml:38: sweep.key: with bake.bits=12: "),
                     HasSubstr("one of 8, 16, 32 expected")));
 }
 
-TEST_F(Sweep, RefusesValuesThatAreNone) {
+TEST_F(SweepFile, RefusesValuesThatAreNone) {
   EXPECT_THAT(failure(section("relief.height", "[]")),
               AllOf(StartsWith("bumps.toml:39: sweep.values: "), HasSubstr("at least one")));
   EXPECT_THAT(failure(section("relief.height", "[1, 2, 1.0]")),
@@ -146,18 +157,18 @@ TEST_F(Sweep, RefusesValuesThatAreNone) {
               StartsWith("bumps.toml:39: sweep.values: the string \"two\" found"));
 }
 
-TEST_F(Sweep, RefusesKeysOfItsOwnThatDoNotExist) {
+TEST_F(SweepFile, RefusesKeysOfItsOwnThatDoNotExist) {
   EXPECT_THAT(failure(std::string(sweep) + "label = \"x\"\n"),
               StartsWith("bumps.toml:41: sweep.label: unknown key"));
   EXPECT_THAT(failure("\n[sweep]\nvalues = [1, 2]\n"), HasSubstr("sweep.key: missing"));
 }
 
-TEST_F(Sweep, IsNotOverriddenInSilence) {
+TEST_F(SweepFile, IsNotOverriddenInSilence) {
   EXPECT_THAT(failure(sweep, {{"relief.height=3"}, {}, false}),
               StartsWith("bumps.toml:38: sweep.key: \"relief.height\" found, but --set"));
 }
 
-TEST_F(Sweep, IsNotBlamedForOtherErrors) {
+TEST_F(SweepFile, IsNotBlamedForOtherErrors) {
   const std::string broken = std::string(sweep) + "\n[[view]]\ntype = \"atlas\"\nsamples = 0\n";
   EXPECT_THAT(failure(broken), StartsWith("bumps.toml:44: view.1.samples: 0 found"));
   EXPECT_THAT(failure<UsageError>(sweep, {{"light.5.azimuth=1"}, {}, false}),
@@ -166,7 +177,7 @@ TEST_F(Sweep, IsNotBlamedForOtherErrors) {
               StartsWith("bumps.toml: surface.sise: unknown key"));
 }
 
-TEST_F(Sweep, AGainThatGrowsNeedsOne) {
+TEST_F(SweepFile, AGainThatGrowsNeedsOne) {
   const std::string claim = "gain_grows = true\n";
   EXPECT_TRUE(read(sweptStudy + claim + sweep).steps[2].claims[0].gainGrows);
   EXPECT_FALSE(read(sweptStudy + sweep).steps[2].claims[0].gainGrows);
@@ -175,7 +186,7 @@ TEST_F(Sweep, AGainThatGrowsNeedsOne) {
               StartsWith("bumps.toml:37: claim.0.gain_grows: `gain_exceeds` found beside it"));
 }
 
-TEST_F(Sweep, RecordHoldsThePlanAndItsSteps) {
+TEST_F(SweepFile, RecordHoldsThePlanAndItsSteps) {
   const StudyPlan plan = read(sweptStudy + sweep);
   std::vector<StudyRecord> steps(3);
   for (StudyRecord& step : steps) step.claims = {{"Ours is better", "us", Verdict::held, ""}};
@@ -185,7 +196,8 @@ TEST_F(Sweep, RecordHoldsThePlanAndItsSteps) {
   steps[1].judgements = {atMost(0.1)};
   const SweepRecord record = makeSweepRecord(plan, steps, "gnomon run bumps.toml");
   EXPECT_EQ(record.name, "bumps");
-  EXPECT_EQ(record.key, "relief.height");
+  EXPECT_EQ(record.keys.at(0).key, "relief.height");
+  EXPECT_EQ(record.cases.at(1).name, "0.25");
   EXPECT_EQ(record.command, "gnomon run bumps.toml");
   EXPECT_EQ(record.claims.at(0).verdict, Verdict::held);
   EXPECT_EQ(record.copy, "bumps.toml");

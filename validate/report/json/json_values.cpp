@@ -103,7 +103,7 @@ Json jsonEnvironment(const EnvironmentRecord& environment) {
   return {{"gnomon_version", environment.gnomonVersion},
           {"commit", environment.commit},
           {"cpu", environment.cpu},
-          {"threads", environment.threads},
+          {"threads", environment.threads > 0 ? Json(environment.threads) : Json(nullptr)},
           {"gl_renderer", environment.glRenderer},
           {"frame_clock", environment.frameClock},
           {"gl_version", environment.glVersion},
@@ -139,7 +139,7 @@ Json jsonTruth(const TruthRecord& truth) {
   Json json = {{"micro_triangles", truth.microTriangles},
                {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
                {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
-               {"bvh_bytes", truth.bvhBytes},
+               {"bvh_bytes", truth.bvhBytes ? Json(*truth.bvhBytes) : Json(nullptr)},
                {"mesh_bytes", truth.meshBytes},
                {"flips", jsonList(truth.flips, flipJson)}};
   if (truth.wantedUncertainty) {

@@ -1,9 +1,11 @@
 #include "report/json/sweep_json.h"
 
+#include <algorithm>
+
 #include "report/json/json_values.h"
 #include "report/tables/cost_table.h"
+#include "report/text/gate_text.h"
 #include "study/judge/study_ranking.h"
-#include "study/spec/sweep.h"
 
 namespace gnomon {
 namespace {
@@ -13,20 +15,25 @@ Json sweptStudyJson(const SweepRecord& sweep) {
           {"file", sweep.file}, {"command", sweep.command}, {"copy", sweep.copy}};
 }
 
-Json sweptJson(const SweepRecord& sweep) {
+Json keyJson(const SweptKey& key) {
   return {
-      {"key", sweep.key}, {"axis", sweep.axis}, {"values", jsonList(sweep.values, [](double value) {
-                                                   return jsonNumber(value, "sweep.values");
-                                                 })}};
+      {"key", key.key}, {"axis", key.axis}, {"dimension", key.dimension}, {"drawn", key.isDrawn}};
+}
+
+Json valueJson(const SweptValue& value) {
+  return value.number ? jsonNumber(*value.number, "steps.values") : Json(value.text);
 }
 
 Json stepsJson(const SweepRecord& sweep) {
   Json steps = Json::array();
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    const double value = sweep.values.at(i);
-    steps.push_back({{"value", jsonNumber(value, "steps.value")},
-                     {"status", jsonStatus(sweep.steps[i].status())},
-                     {"summary", sweepValueText(value) + "/summary.json"}});
+    const SweepCase& which = sweep.cases.at(i);
+    steps.push_back(
+        {{"case", i + 1},
+         {"name", which.name},
+         {"values", jsonList(which.values, valueJson)},
+         {"status", jsonStatus(sweep.steps[i].status())},
+         {"summary", sweep.hasStepReports ? Json(which.name + "/summary.json") : Json(nullptr)}});
   }
   return steps;
 }
@@ -35,8 +42,14 @@ Json resultsJson(const SweepRecord& sweep) {
   Json results = Json::array();
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     for (const MethodMeans& method : studyMeans(sweep.steps[i]).methods) {
-      Json row = {{"value", jsonNumber(sweep.values.at(i), "results.value")}};
+      Json row = {{"case", i + 1}};
       row.update(jsonMeans(method));
+      const auto end = [&](double Interval::*which) {
+        return method.interval ? jsonNumber((*method.interval).*which, "results.interval")
+                               : Json(nullptr);
+      };
+      row["low"] = end(&Interval::low);
+      row["high"] = end(&Interval::high);
       const CostRecord* cost = costOf(sweep.steps[i], method.label);
       row["bytes"] = cost != nullptr ? Json(memoryBytes(*cost)) : Json(nullptr);
       row["frame_ms"] =
@@ -47,16 +60,50 @@ Json resultsJson(const SweepRecord& sweep) {
   return results;
 }
 
+/// Thresholds and references that do not hold.
+Json faultsJson(const SweepRecord& sweep) {
+  Json faults = Json::array();
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    for (const Judgement& judgement : sweep.steps[i].judgements) {
+      if (!judgement.isFault()) continue;
+      faults.push_back({{"case", i + 1},
+                        {"origin", gateOriginName(judgement.gate)},
+                        {"text", gateFaultText(judgement)}});
+    }
+  }
+  return faults;
+}
+
+/// Each once, as a check tells them.
+Json problemsJson(const SweepRecord& sweep) {
+  Json problems = Json::array();
+  for (const StudyRecord& step : sweep.steps) {
+    for (const ProblemRecord& problem : step.problems) {
+      Json json = jsonProblem(problem);
+      if (std::find(problems.begin(), problems.end(), json) == problems.end()) {
+        problems.push_back(std::move(json));
+      }
+    }
+  }
+  return problems;
+}
+
 }  // namespace
 
 std::string sweepJson(const SweepRecord& sweep) {
   const EnvironmentRecord environment =
       sweep.steps.empty() ? EnvironmentRecord{} : sweep.steps.front().environment;
-  const Json json = {
-      {"schema", sweepSchema},          {"status", jsonStatus(sweep.status())},
-      {"study", sweptStudyJson(sweep)}, {"environment", jsonEnvironment(environment)},
-      {"sweep", sweptJson(sweep)},      {"steps", stepsJson(sweep)},
-      {"results", resultsJson(sweep)},  {"claims", jsonList(sweep.claims, jsonClaim)}};
+  const Json json = {{"schema", sweepSchema},
+                     {"status", jsonStatus(sweep.status())},
+                     {"study", sweptStudyJson(sweep)},
+                     {"environment", jsonEnvironment(environment)},
+                     {"keys", jsonList(sweep.keys, keyJson)},
+                     {"steps", stepsJson(sweep)},
+                     {"results", resultsJson(sweep)},
+                     {"claims", jsonList(sweep.claims, jsonClaim)},
+                     {"faults", faultsJson(sweep)},
+                     {"problems", problemsJson(sweep)},
+                     {"notices", sweep.notices()}};
   return jsonText(json);
 }
 

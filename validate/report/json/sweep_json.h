@@ -8,7 +8,7 @@
 namespace gnomon {
 
 /// The value of "schema". A reader may rely on the keys below as long as it does not change.
-constexpr std::string_view sweepSchema = "gnomon-sweep/2";
+constexpr std::string_view sweepSchema = "gnomon-sweep/3";
 
 /// A sweep as JSON: docs/summary.md documents every key.
 /// @throws InternalError naming the key for a number that is not finite

@@ -160,7 +160,7 @@ Html truthSection(const StudyRecord& record) {
       htmlFact("Largest uncertainty",
                measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
       htmlFact("Search radius", radiusText(record.radius)) +
-      htmlFact("Ray tracing structure", bytesText(truth.bvhBytes)) +
+      htmlFact("Ray tracing structure", bytesText(truth.bvhBytes.value_or(0))) +
       htmlFact("Mesh", bytesText(truth.meshBytes)) +
       htmlFact("Left out", fmt::format("{} samples where no frame exists",
                                        groupedText(record.undefinedSamples)));

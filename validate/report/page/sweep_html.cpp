@@ -1,13 +1,17 @@
 #include "report/page/sweep_html.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <array>
-#include <span>
+#include <string_view>
 
 #include "report/page/html_page.h"
 #include "report/page/reference_html.h"
 #include "report/tables/formats/html_format.h"
 #include "report/tables/gate_table.h"
 #include "report/tables/means_table.h"
+#include "report/tables/sweep_tables.h"
 #include "study/judge/study_ranking.h"
 
 namespace gnomon {
@@ -26,17 +30,11 @@ Html sweepStatus(const SweepRecord& sweep) {
 Html sweepHeader(const SweepRecord& sweep) {
   return html(
       "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
-      "<p class=\"lead\">One study at {} of <code>{}</code>.</p>\n{}",
-      sweep.heading(), sweep.source, sweepStatus(sweep), plural(sweep.values.size(), "value"),
-      sweep.key, htmlNotices(sweep.notices()));
-}
-
-Html sweepCost(std::span<const DrawnPlot> plots) {
-  Html content;
-  for (const DrawnPlot& plot : plots) {
-    content += html("<h3>{}</h3>\n{}", plot.sheet.title, htmlPlot(plot));
-  }
-  return htmlSection("cost", "What the values cost", content);
+      "<p class=\"lead\">One study {} of <code>{}</code>.</p>\n{}",
+      sweep.heading(), sweep.source, sweepStatus(sweep),
+      sweep.keys.size() == 1 ? "at " + plural(sweep.cases.size(), "value")
+                             : "in " + plural(sweep.cases.size(), "case"),
+      keysText(sweep.keys), htmlNotices(sweep.notices()));
 }
 
 /// What kept a check from judging the values, and where the references that do not hold are.
@@ -46,9 +44,9 @@ Html faultyReferences(const SweepRecord& sweep) {
     const StudyRecord& step = sweep.steps[i];
     const std::vector<Judgement> references = byOrigin(step.judgements).references;
     if (runStatus(references, step.problems) != RunStatus::fail) continue;
-    content += html("<p>{0}</p>\n<p><a href=\"{2}/report.html#references\">{1} = {2}</a></p>\n",
-                    statusHtml(RunStatus::fail, references, step.problems.size()), sweep.key,
-                    sweepValueText(sweep.values.at(i)));
+    content += html("<p>{}</p>\n<p><a href=\"{}/report.html#references\">{}</a></p>\n",
+                    statusHtml(RunStatus::fail, references, step.problems.size()),
+                    sweep.cases.at(i).name, caseText(sweep.keys, sweep.cases.at(i)));
   }
   return htmlSection("references", "References that do not hold", content);
 }
@@ -60,10 +58,52 @@ Html failedThresholds(const SweepRecord& sweep) {
     std::vector<Judgement> failed = byOrigin(sweep.steps[i].judgements).thresholds;
     std::erase_if(failed, [](const Judgement& judgement) { return !judgement.isFault(); });
     if (failed.empty()) continue;
-    content += html("<h3>{} = {}</h3>\n{}", sweep.key, sweepValueText(sweep.values.at(i)),
+    content += html("<h3>{}</h3>\n{}", caseText(sweep.keys, sweep.cases.at(i)),
                     htmlTable(gateTable(failed)));
   }
   return htmlSection("thresholds", "Thresholds that failed", content);
+}
+
+/// The plots of a section of the page, each under its title; the page's only one of errors without.
+Html plotsOf(const std::vector<DrawnPlot>& plots, std::string_view section) {
+  const auto isHere = [&](const DrawnPlot& plot) { return plot.sheet.section == section; };
+  const auto count = std::count_if(plots.begin(), plots.end(), isHere);
+  Html content;
+  for (const DrawnPlot& plot : plots) {
+    if (!isHere(plot)) continue;
+    if (count > 1 || section != sweepErrorSection)
+      content += html("<h3>{}</h3>\n", plot.sheet.title);
+    content += htmlPlot(plot);
+  }
+  return content;
+}
+
+/// The plots, or why there are none.
+Html errorPlots(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
+  const Html drawn = plotsOf(plots, sweepErrorSection);
+  if (drawn.text().empty()) {
+    return html(
+        "<p class=\"note\">{} lie on no axis and no grid of two, so that no plot shows them; "
+        "<code>cases.csv</code> has every figure.</p>\n",
+        plural(sweep.cases.size(), "case"));
+  }
+  return htmlNote(
+             "Percent of the samples, mean over all lights and views. The grey band is "
+             "the truth’s own "
+             "uncertainty: differences as small as it say nothing. Bars are 95 % intervals.") +
+         drawn;
+}
+
+std::string plotHeading(const SweepRecord& sweep) {
+  return "Error against " +
+         (sweep.keys.size() == 1 ? sweep.keys.front().axis : keysText(sweep.keys));
+}
+
+Html valuesNote(const SweepRecord& sweep) {
+  const char* one = sweep.keys.size() == 1 ? "value" : "case";
+  return html("<p class=\"note\">The stronger the tint, the larger the error. {}{}</p>\n",
+              sweep.hasStepReports ? fmt::format("Each {} leads to its own report.", one) : "",
+              fewerCasesNote(std::array{studyMeans(sweep)}));
 }
 
 }  // namespace
@@ -71,23 +111,21 @@ Html failedThresholds(const SweepRecord& sweep) {
 Html sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
   Html claims;
   for (const ClaimRecord& claim : sweep.claims) claims += htmlClaim(claim);
-  const Html plot = htmlNote(
-                        "Percent of the samples, mean over all lights and views. The grey band is "
-                        "the truth’s own "
-                        "uncertainty: smaller differences are not meaningful.") +
-                    htmlPlot(plots.front());
-  const Html values = html(
-      "<p class=\"note\">The stronger the tint, the larger the error. Each value leads to its own "
-      "report.{}</p>\n{}",
-      fewerCasesNote(std::array{studyMeans(sweep)}), htmlTable(sweepErrorsTable(sweep)));
+  constexpr std::size_t mostColumns = 24;
+  constexpr std::size_t mostRows = 1000;
+  const Html values =
+      valuesNote(sweep) + htmlTable(readableSweepTable(sweep, mostColumns, mostRows));
   const Html facts = html("<dl>\n{}{}</dl>\n", htmlFact("Study", sweep.file),
                           htmlFact("With the options, in this folder", sweep.copy));
-  return htmlPage(sweep.heading(), sweepHeader(sweep),
-                  htmlSection("plot", "Error against " + sweep.axis, plot) +
-                      sweepCost(std::span(plots).subspan(1)) +
-                      htmlSection("values", "Error by value", values) + htmlClaims(claims) +
-                      failedThresholds(sweep) + faultyReferences(sweep) +
-                      htmlReproduction(sweep.command, facts));
+  return htmlPage(
+      sweep.heading(), sweepHeader(sweep),
+      htmlSection("plot", plotHeading(sweep), errorPlots(sweep, plots)) +
+          htmlSection("lights", "Light by light", plotsOf(plots, sweepLightsSection)) +
+          htmlSection("cost", "What the values cost", plotsOf(plots, sweepCostSection)) +
+          htmlSection("values", sweep.keys.size() == 1 ? "Error by value" : "Error by case",
+                      values) +
+          htmlClaims(claims) + failedThresholds(sweep) + faultyReferences(sweep) +
+          htmlReproduction(sweep.command, facts));
 }
 
 }  // namespace gnomon

@@ -8,10 +8,15 @@
 
 namespace gnomon {
 
-/// A sweep as one page that loads nothing: its plots, the error rates of methods × values tinted by
-/// size, its claims and the thresholds that failed. It links to the reports of its steps, whose
+/// The sections of a sweep's page that show plots, by PlotSheet::section.
+constexpr const char* sweepErrorSection = "plots";
+constexpr const char* sweepLightsSection = "lights";
+constexpr const char* sweepCostSection = "cost";
+
+/// A sweep as one page that loads nothing: its plots, the error rates of methods and cases tinted
+/// by size, its claims and the thresholds that failed. It links to the reports of its steps, whose
 /// folders lie beside it.
-/// @param plots  error against the value, then what the values cost: embedded
+/// @param plots  by their sections: embedded. Without any the page says why
 /// @throws InternalError for a number that is not finite
 Html sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots);
 

@@ -13,6 +13,7 @@
 #include "report/tables/formats/terminal_format.h"
 #include "report/tables/means_table.h"
 #include "report/tables/ranked_table.h"
+#include "report/tables/sweep_tables.h"
 #include "report/text/budget_text.h"
 #include "report/text/confidence_text.h"
 #include "report/text/gate_text.h"
@@ -190,10 +191,15 @@ std::string terminalReport(const SweepRecord& sweep, bool colours) {
   page.heading(sweep.heading());
   page.paragraph(sweep.source);
   page.notices(sweep.notices());
-  page.paragraph(
-      fmt::format("Error rate in percent, mean over lights and views, by {}", sweep.axis));
+  page.paragraph(fmt::format(
+      "Error rate in percent, mean over lights and views, {}",
+      sweep.keys.size() == 1
+          ? "by " + sweep.keys.front().axis
+          : fmt::format("over {} cases of {}", sweep.cases.size(), keysText(sweep.keys))));
   page.blank();
-  appendTable(page, sweepErrorsTable(sweep));
+  constexpr std::size_t mostColumns = 50;
+  constexpr std::size_t mostRows = 24;
+  appendTable(page, readableSweepTable(sweep, mostColumns, mostRows));
   page.paragraph(fewerCasesNote(std::array{studyMeans(sweep)}), terminalIndent);
   page.claims(sweep.claims);
   std::size_t thresholds = 0;
@@ -201,8 +207,7 @@ std::string terminalReport(const SweepRecord& sweep, bool colours) {
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     thresholds += thresholdsOf(sweep.steps[i]);
     for (const std::string& fault : thresholdFaults(sweep.steps[i], sweep.name)) {
-      faults.push_back(
-          fmt::format("{} = {}: {}", sweep.key, sweepValueText(sweep.values.at(i)), fault));
+      faults.push_back(fmt::format("{}: {}", caseText(sweep.keys, sweep.cases.at(i)), fault));
     }
   }
   page.met("Thresholds", thresholds, faults);

@@ -40,12 +40,13 @@ Point pointOf(const StudyRecord& step, double value, const std::string& label) {
   return point;
 }
 
-std::vector<Line> linesOf(const SweepRecord& sweep) {
+std::vector<Line> linesOf(const SweepRecord& sweep, const SweepSlice& slice) {
   std::vector<Line> lines;
   for (const MethodMeans& method : studyMeans(sweep).methods) {
     Line line{method.label, {}};
-    for (const std::size_t i : risingOrder(sweep.values)) {
-      line.points.push_back(pointOf(sweep.steps.at(i), sweep.values[i], method.label));
+    for (std::size_t i = 0; i < slice.cases.size(); ++i) {
+      line.points.push_back(
+          pointOf(sweep.steps.at(slice.cases[i]), slice.positions[i], method.label));
     }
     lines.push_back(std::move(line));
   }
@@ -90,18 +91,20 @@ PlotSheet sheetOf(const std::vector<Line>& lines, const std::string& axes, const
   return sheet;
 }
 
-PlotSheet framePlot(std::vector<Line> lines, const std::string& axis) {
+PlotSheet framePlot(std::vector<Line> lines, const SweepSlice& slice) {
   std::erase_if(lines, [](const Line& line) { return !isTimed(line); });
-  PlotSheet sheet = sheetOf(
-      lines,
-      "set logscale y\nset xlabel " + gnuplotText(axis) + "\nset ylabel 'time of a frame, ms'\n",
-      [](const Point& point) {
-        return fmt::format("{} {}", exactText(point.value),
-                           point.frameMs ? exactText(*point.frameMs) : "NaN");
-      });
+  PlotSheet sheet =
+      sheetOf(lines,
+              "set logscale y\nset xlabel " + gnuplotText(slice.axis) +
+                  "\nset ylabel 'time of a frame, ms'\n" +
+                  (slice.categories.empty() ? "" : categoryTics("xtics", slice.categories)),
+              [](const Point& point) {
+                return fmt::format("{} {}", exactText(point.value),
+                                   point.frameMs ? exactText(*point.frameMs) : "NaN");
+              });
   sheet.name = "sweep_frames";
   sheet.title = "Time of a frame";
-  sheet.about = "Time of a frame of each method against " + axis;
+  sheet.about = "Time of a frame of each method against " + slice.axis;
   return sheet;
 }
 
@@ -125,12 +128,10 @@ PlotSheet memoryPlot(std::vector<Line> lines) {
 
 }  // namespace
 
-std::vector<PlotSheet> sweepCostPlots(const SweepRecord& sweep) {
-  const std::vector<Line> lines = linesOf(sweep);
+std::vector<PlotSheet> sweepCostPlots(const SweepRecord& sweep, const SweepSlice& slice) {
+  const std::vector<Line> lines = linesOf(sweep, slice);
   std::vector<PlotSheet> sheets;
-  if (std::any_of(lines.begin(), lines.end(), isTimed)) {
-    sheets.push_back(framePlot(lines, sweep.axis));
-  }
+  if (std::any_of(lines.begin(), lines.end(), isTimed)) sheets.push_back(framePlot(lines, slice));
   if (std::any_of(lines.begin(), lines.end(), tradesMemory)) sheets.push_back(memoryPlot(lines));
   return sheets;
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <numeric>
 
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
@@ -33,7 +33,7 @@ constexpr std::array<Panel, 3> panels = {{
     {&MethodMeans::falseLight, "l", "false light, percent", {0.58, 0.98, 0.09, 0.37}},
 }};
 
-/// A sweep's figures in increasing order of its values.
+/// A slice's figures in increasing order of its positions.
 struct Series {
   std::vector<double> values;
   std::vector<StudyMeans> steps;
@@ -41,15 +41,32 @@ struct Series {
   std::vector<std::string> legends;  ///< one a method
 };
 
-Series seriesOf(const SweepRecord& sweep) {
-  Series series;
-  for (const std::size_t i : risingOrder(sweep.values)) {
-    series.values.push_back(sweep.values[i]);
-    series.steps.push_back(studyMeans(sweep.steps.at(i)));
+/// In the slice alone: with how many cases it is over.
+MethodMeans overSteps(const std::vector<StudyMeans>& steps, const std::string& label) {
+  MethodMeans all{label, label, {}, {}, {}, {}};
+  for (const StudyMeans& step : steps) {
+    const MethodMeans* means = findMeans(step, label);
+    const std::vector<std::optional<double>> errors =
+        means != nullptr ? means->caseErrors : std::vector<std::optional<double>>(caseCount(step));
+    all.caseErrors.insert(all.caseErrors.end(), errors.begin(), errors.end());
   }
-  for (const MethodMeans& method : studyMeans(sweep).methods) {
-    series.methods.push_back(method.label);
-    series.legends.push_back(labelWithCases(method));
+  return all;
+}
+
+Series seriesOf(const SweepRecord& sweep, const SweepSlice& slice) {
+  Series series;
+  series.values = slice.positions;
+  for (const std::size_t i : slice.cases) series.steps.push_back(studyMeans(sweep.steps.at(i)));
+  std::vector<StudyMeans> unsorted;  // whose first lists the methods
+  std::vector<std::size_t> order = slice.cases;
+  std::sort(order.begin(), order.end());
+  for (const std::size_t i : order) {
+    const auto at = std::find(slice.cases.begin(), slice.cases.end(), i) - slice.cases.begin();
+    unsorted.push_back(series.steps[static_cast<std::size_t>(at)]);
+  }
+  for (const std::string& label : labelsOf(unsorted)) {
+    series.methods.push_back(label);
+    series.legends.push_back(labelWithCases(overSteps(unsorted, label)));
   }
   return series;
 }
@@ -77,6 +94,18 @@ std::string bandData(const Series& series) {
   return rows;
 }
 
+/// Value and the ends of the interval of its error rate; nothing of a value without one.
+std::string intervalData(const Series& series, const std::string& method) {
+  std::string rows;
+  for (std::size_t i = 0; i < series.values.size(); ++i) {
+    const MethodMeans* means = findMeans(series.steps[i], method);
+    if (means == nullptr || !means->errorRate || !means->interval) continue;
+    rows += fmt::format("{} {} {} {}\n", exactText(series.values[i]), percentData(means->errorRate),
+                        percentData(means->interval->low), percentData(means->interval->high));
+  }
+  return rows;
+}
+
 std::string dataBlocks(const Series& series) {
   std::string text = plotData("$truth", bandData(series));
   for (const Panel& panel : panels) {
@@ -84,6 +113,10 @@ std::string dataBlocks(const Series& series) {
       text += plotData(fmt::format("${}{}", panel.name, m),
                        lineData(series, series.methods[m], panel.figure));
     }
+  }
+  for (std::size_t m = 0; m < series.methods.size(); ++m) {
+    const std::string rows = intervalData(series, series.methods[m]);
+    if (!rows.empty()) text += fmt::format("$i{} << EOD\n{}EOD\n", m, rows);
   }
   return text;
 }
@@ -104,6 +137,12 @@ std::string plotCommand(const Series& series, const Panel& panel) {
   for (const std::size_t m : legendOrder(series)) {
     text += fmt::format(", \\\n  ${}{} using 1:2 with linespoints {} title {}", panel.name, m,
                         plotLine(m), plotLegend(series.legends[m]));
+  }
+  // After the lines, so that no line hides a bar.
+  for (std::size_t m = 0; m < series.methods.size(); ++m) {
+    if (panel.figure != &MethodMeans::errorRate) break;
+    if (intervalData(series, series.methods[m]).empty()) continue;
+    text += fmt::format(", \\\n  $i{} {}", m, plotBars(m));
   }
   return text + "\n";
 }
@@ -140,8 +179,8 @@ int pageHeight(const Series& series) {
 
 }  // namespace
 
-PlotSheet sweepPlot(const SweepRecord& sweep) {
-  const Series series = seriesOf(sweep);
+PlotSheet sweepPlot(const SweepRecord& sweep, const SweepSlice& slice) {
+  const Series series = seriesOf(sweep, slice);
   std::string text =
       dataBlocks(series) + "set multiplot\n" + plotFrame(3, "ytics ") +
       fmt::format(
@@ -151,18 +190,20 @@ PlotSheet sweepPlot(const SweepRecord& sweep) {
           "set yrange [0:*]\n"
           "set key at screen {:.3f}, screen 0.94 left top Left reverse samplen 2 spacing 1.1 "
           "maxcols 1\n",
-          gnuplotText(sweep.axis), legendLeft(series));
+          gnuplotText(slice.axis), legendLeft(series));
+  if (!slice.categories.empty()) text += categoryTics("xtics", slice.categories);
   for (Panel panel : panels) {
     if (panel.margins[1] == 0) panel.margins[1] = legendLeft(series) - 0.025;
     text += panelCommands(series, panel);
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on
   }
-  return {"sweep",
-          sweep.heading(),
-          "Error rate, false shadow and false light of each method against " + sweep.axis,
-          pageWidth,
-          pageHeight(series),
-          text + "unset multiplot\n"};
+  return {
+      "sweep" + slice.suffix,
+      slice.title.empty() ? sweep.heading() : fmt::format("{}, {}", sweep.heading(), slice.title),
+      "Error rate, false shadow and false light of each method against " + slice.axis,
+      pageWidth,
+      pageHeight(series),
+      text + "unset multiplot\n"};
 }
 
 }  // namespace gnomon

@@ -42,6 +42,11 @@ std::optional<double> timeOf(const CostRecord* cost) {
   return time > 0 ? std::optional(time) : std::nullopt;
 }
 
+/// The time of a frame, or that it was not measured.
+Cell frameCell(const CostRecord& cost) {
+  return cost.frameMs ? valueCell(cost.frameMs) : textCell("not timed");
+}
+
 }  // namespace
 
 std::optional<double> frameRatio(const StudyRecord& record, const CostRecord& cost) {
@@ -65,8 +70,7 @@ Table costTable(const StudyRecord& record) {
     const auto ratio = frameRatio(record, cost);
     table.rows.push_back(
         {{textCell(cost.method), countCell(cost.polygons), countCell(cost.tableBytes),
-          countCell(cost.heightBytes), valueCell(cost.passes),
-          valueCell(cost.frameMs, cost.frameMs ? "" : "not measured"),
+          countCell(cost.heightBytes), valueCell(cost.passes), frameCell(cost),
           valueCell(ratio, ratio ? "" : fmt::format("{} was not timed", costReference))}});
   }
   return table;

@@ -8,9 +8,7 @@
 #include "report/text/number_text.h"
 
 namespace gnomon {
-namespace {
-
-double worstOf(std::span<const StudyMeans> studies) {
+double worstErrorOf(std::span<const StudyMeans> studies) {
   double worst = 0;
   for (const StudyMeans& study : studies) {
     for (const MethodMeans& method : study.methods) {
@@ -20,7 +18,7 @@ double worstOf(std::span<const StudyMeans> studies) {
   return worst;
 }
 
-Cell errorCell(const MethodMeans* means, double worst) {
+Cell meanErrorCell(const MethodMeans* means, double worst) {
   if (means == nullptr) return valueCell({}, "not evaluated");
   if (!means->errorRate) return valueCell({}, "not defined");
   std::string about = fmt::format("false shadow {} %, false light {} %",
@@ -33,16 +31,18 @@ Cell errorCell(const MethodMeans* means, double worst) {
   return cell;
 }
 
+namespace {
+
 /// @param heads  a column a study
 Table errorsTable(const std::vector<std::string>& labels, std::span<const StudyMeans> studies,
                   std::vector<Column> heads) {
   Table table{.kind = "regions", .columns = std::move(heads)};
   table.columns.insert(table.columns.begin(), Column{"Method", "method", Quantity::name});
-  const double worst = worstOf(studies);
+  const double worst = worstErrorOf(studies);
   for (const std::string& label : labels) {
     Row row{{textCell(label)}};
     for (const StudyMeans& study : studies) {
-      row.cells.push_back(errorCell(findMeans(study, label), worst));
+      row.cells.push_back(meanErrorCell(findMeans(study, label), worst));
     }
     table.rows.push_back(std::move(row));
   }
@@ -97,7 +97,8 @@ Table sweepErrorsTable(const SweepRecord& sweep) {
   std::vector<Column> heads;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     steps.push_back(studyMeans(sweep.steps[i]));
-    heads.push_back(linkedColumn(sweepValueText(sweep.values.at(i))));
+    heads.push_back(linkedColumn(sweep.cases.at(i).name));
+    if (!sweep.hasStepReports) heads.back().link.clear();
   }
   for (const MethodMeans& method : studyMeans(sweep).methods) labels.push_back(method.label);
   return errorsTable(labels, steps, std::move(heads));
@@ -129,15 +130,22 @@ Table studyMeansTable(std::span<const StudyMeans> studies) {
 }
 
 Table sweepMeansTable(const SweepRecord& sweep) {
-  Table table{
-      .kind = "means",
-      .columns = dataColumns({"value", "method"}, {"error_rate", "false_shadow", "false_light",
-                                                   "uncertainty", "bytes", "cases", "all_cases"})};
-  table.columns[0].quantity = Quantity::exact;
+  Table table{.kind = "means", .columns = {}};
+  for (const SweptKey& key : sweep.keys) {
+    table.columns.push_back({sweep.keys.size() == 1 ? "value" : key.key});
+  }
+  for (Column& column : dataColumns({"method"}, {"error_rate", "false_shadow", "false_light",
+                                                 "uncertainty", "bytes", "cases", "all_cases"})) {
+    table.columns.push_back(std::move(column));
+  }
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     for (const MethodMeans& method : studyMeans(sweep.steps[i]).methods) {
       const CostRecord* cost = costOf(sweep.steps[i], method.label);
-      Row row{{valueCell(sweep.values.at(i)), textCell(method.label)}};
+      Row row;
+      for (const SweptValue& value : sweep.cases.at(i).values) {
+        row.cells.push_back(value.number ? valueCell(*value.number) : textCell(value.text));
+      }
+      row.cells.push_back(textCell(method.label));
       appendMeans(row, method);
       row.cells.push_back(
           valueCell(cost ? std::optional(static_cast<double>(memoryBytes(*cost))) : std::nullopt));

@@ -15,8 +15,14 @@ namespace gnomon {
 /// @param labels  of the methods, a row each
 Table studyErrorsTable(const std::vector<std::string>& labels, std::span<const StudyMeans> studies);
 
-/// The same of a sweep: methods × values.
+/// The same of a sweep: methods × cases, each by its name.
 Table sweepErrorsTable(const SweepRecord& sweep);
+
+/// The largest of the methods' error rates, which the tints are beside.
+double worstErrorOf(std::span<const StudyMeans> studies);
+/// A method's error rate, tinted by its size beside the largest.
+/// @param means  nullptr where it was not evaluated
+Cell meanErrorCell(const MethodMeans* means, double worst);
 
 /// " * mean over fewer views and lights …", the star's meaning; empty where no cell has one.
 std::string fewerCasesNote(std::span<const StudyMeans> studies);
@@ -25,7 +31,8 @@ std::string fewerCasesNote(std::span<const StudyMeans> studies);
 /// uncertainty, cases, all_cases.
 Table studyMeansTable(std::span<const StudyMeans> studies);
 
-/// Of a sweep, a row a value × method: value instead of study, and bytes. It is without the times
+/// Of a sweep, a row a case × method: instead of study the value, with several keys a column of
+/// values for each; and bytes. It is without the times
 /// of frames, which no two runs share.
 Table sweepMeansTable(const SweepRecord& sweep);
 

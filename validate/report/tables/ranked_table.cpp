@@ -74,7 +74,12 @@ Row rankedRow(const StudyRecord& record, const RankedMethod& method, const Ranke
           !method.rank};
 }
 
-std::string rankedCaption(const std::vector<RankedMethod>& ranked) {
+bool isTimed(const StudyRecord& record) {
+  return std::any_of(record.cost.begin(), record.cost.end(),
+                     [](const CostRecord& cost) { return cost.frameMs.has_value(); });
+}
+
+std::string rankedCaption(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
   std::string text =
       "Means over all lights and views, in percent of the samples, with 95\u202f% intervals of the "
       "error. Test: the error of the shadow test without the shading.";
@@ -85,6 +90,7 @@ std::string rankedCaption(const std::vector<RankedMethod>& ranked) {
         "is no larger than that uncertainty.",
         percentText(ranked.front().uncertainty));
   }
+  if (!record.cost.empty() && !isTimed(record)) text += " No frame was timed.";
   return text;
 }
 
@@ -114,7 +120,7 @@ Table rankedTable(const StudyRecord& record, const std::vector<RankedMethod>& ra
   Table table{.kind = "ranking",
               .label = record.name,
               .title = record.heading(),
-              .caption = rankedCaption(ranked),
+              .caption = rankedCaption(record, ranked),
               .columns = {{"", "rank", Q::rank, onPage | asData},
                           {"Method", "method", Q::name},
                           {"Error", "error_rate", Q::percent},

@@ -71,10 +71,10 @@ struct Cell {
   std::optional<std::string> text = {};  ///< as people read it; else as the quantity says
   std::optional<double> value = {};
   std::optional<Interval> interval = {};
-  std::string about =
-      {};  ///< why there is no value, or what it rests on: shown when a reader points at it
-  std::string mark = {};                   ///< behind the figure, with its space: " ≈"
-  std::string note = {};                   ///< small below it, on a page
+  std::string about = {};  ///< why there is no value, or what it stands on: seen by pointing at it
+  std::string mark = {};   ///< behind the figure, with its space: " ≈"
+  std::string note = {};   ///< small below it, on a page
+  std::string link = {};   ///< where the text leads, on a page
   std::optional<double> uncertainty = {};  ///< a share: "± 0.30" behind the figure, on a page
   std::optional<double> heat = {};         ///< 0 to 1: how strong a page tints it
   Emphasis emphasis = Emphasis::none;

@@ -20,16 +20,6 @@ double concentration(const StudyRecord& study, const ResultRecord& row) {
   return static_cast<double>(all->counts.samples) / static_cast<double>(row.counts.samples);
 }
 
-/// Of the truth, in a row's metric.
-double uncertaintyIn(const StudyRecord& study, const ResultRecord& row, const std::string& metric) {
-  const UncertaintyRecord* truth = findUncertainty(study, {row.view, row.light});
-  if (!isRate(metric)) {
-    return metricUncertainty(truth == nullptr ? UncertaintyRecord{} : *truth, metric);
-  }
-  const double flips = truth == nullptr ? study.truth.uncertainty : truth->flipRate;
-  return flips * concentration(study, row);
-}
-
 /// With its interval where the metric has one; `measured` is the record's, if it has one for this.
 template <typename Record>
 Estimate estimateWith(const ClaimSpec& claim, double value, double uncertainty,
@@ -68,6 +58,15 @@ Estimate together(const ClaimSpec& claim, const StudyRecord& study,
 }
 
 }  // namespace
+
+double uncertaintyIn(const StudyRecord& study, const ResultRecord& row, const std::string& metric) {
+  const UncertaintyRecord* truth = findUncertainty(study, {row.view, row.light});
+  if (!isRate(metric)) {
+    return metricUncertainty(truth == nullptr ? UncertaintyRecord{} : *truth, metric);
+  }
+  const double flips = truth == nullptr ? study.truth.uncertainty : truth->flipRate;
+  return flips * concentration(study, row);
+}
 
 ClaimCases casesOf(const ClaimSpec& claim, const StudyRecord& study) {
   const bool ofTwo = claim.method.empty();

@@ -29,6 +29,10 @@ struct ClaimCases {
 
 ClaimCases casesOf(const ClaimSpec& claim, const StudyRecord& study);
 
+/// How uncertain the truth is in a row's metric: of a rate the share of samples that flip, in a
+/// region as if all of them lay in it; of any other metricUncertainty, which may be infinite.
+double uncertaintyIn(const StudyRecord& study, const ResultRecord& row, const std::string& metric);
+
 /// A figure's bounds, themselves not included.
 struct Bounds {
   std::optional<double> above, below;

@@ -52,17 +52,17 @@ ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std:
 
 /// A claim that each step has judged for itself.
 ClaimRecord judgeOverSteps(const ClaimSpec& claim, const SweepRecord& sweep, std::size_t index) {
-  std::array<std::vector<double>, 4> values;  // a verdict
+  std::array<std::vector<std::size_t>, 4> cases;  // a verdict
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     const Verdict verdict = sweep.steps[i].claims.at(index).verdict;
-    values.at(static_cast<std::size_t>(verdict)).push_back(sweep.values[i]);
+    cases.at(static_cast<std::size_t>(verdict)).push_back(i);
   }
-  const auto at = [&](Verdict verdict) { return values.at(static_cast<std::size_t>(verdict)); };
+  const auto at = [&](Verdict verdict) { return cases.at(static_cast<std::size_t>(verdict)); };
   std::string detail;
   const auto tell = [&](const char* name, Verdict verdict) {
     if (at(verdict).empty()) return;
     detail +=
-        fmt::format("{}{} at {}", detail.empty() ? "" : "; ", name, fmt::join(at(verdict), ", "));
+        fmt::format("{}{} at {}", detail.empty() ? "" : "; ", name, sweep.casesText(at(verdict)));
   };
   tell("held", Verdict::held);
   tell("failed", Verdict::failed);
@@ -72,7 +72,7 @@ ClaimRecord judgeOverSteps(const ClaimSpec& claim, const SweepRecord& sweep, std
                           : at(Verdict::held).size() == sweep.steps.size() ? Verdict::held
                           : !at(Verdict::notDistinguishable).empty() ? Verdict::notDistinguishable
                                                                      : Verdict::notEvaluated;
-  return {claim.text, claim.source, verdict, fmt::format("{}: {}", sweep.key, detail)};
+  return {claim.text, claim.source, verdict, fmt::format("{}: {}", keysText(sweep.keys), detail)};
 }
 
 }  // namespace

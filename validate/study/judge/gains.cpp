@@ -98,10 +98,11 @@ ClaimRecord judgeGrowth(const ClaimSpec& claim, const SweepRecord& sweep) {
                                     claim.metric, claim.less, claim.than));
   }
   return {claim.text, claim.source, judgeGains(claim, *after, *before),
-          fmt::format("mean gain in {}{} {} at {} = {}, {} at {}{}", claim.metric,
-                      regionText(claim), differenceText(claim.metric, after->value), sweep.key,
-                      sweep.values.back(), differenceText(claim.metric, before->value),
-                      sweep.values.front(), intervalText(claim, *after, *before))};
+          fmt::format(
+              "mean gain in {}{} {} at {} = {}, {} at {}{}", claim.metric, regionText(claim),
+              differenceText(claim.metric, after->value), sweep.keys.front().key,
+              sweep.cases.back().values.front().text, differenceText(claim.metric, before->value),
+              sweep.cases.front().values.front().text, intervalText(claim, *after, *before))};
 }
 
 }  // namespace gnomon

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "common/lists.h"
@@ -106,13 +107,16 @@ MethodMeans meansOf(const StudyRecord& record, const std::string& label) {
     for (const ResultRecord* row : rows) values.push_back(rate(row->counts, metric).value);
     return meanOf(values);
   };
+  std::set<std::string> views;
+  for (const ResultRecord* row : rows) views.insert(row->view);
   return {label,
           nameOf(record, label),
           mean("error_rate"),
           mean("false_shadow"),
           mean("false_light"),
           meanUncertainty(record, rows),
-          caseErrors(record, label)};
+          caseErrors(record, label),
+          meanInterval(record, label, views)};
 }
 
 }  // namespace

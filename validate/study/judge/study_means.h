@@ -24,6 +24,8 @@ struct MethodMeans {
   /// Error rate in each case of the study in which some method has one; of a sweep in those of its
   /// first value, then of its second, and so on.
   std::vector<std::optional<double>> caseErrors = {};
+  /// 95 % of `errorRate` in a study, see RankedMethod; none for a sweep's mean.
+  std::optional<Interval> interval = std::nullopt;
 
   /// In how many of them it has one.
   [[nodiscard]] std::size_t cases() const;

@@ -12,21 +12,15 @@ namespace gnomon {
 
 SweepRecord makeSweepRecord(const StudyPlan& plan, std::vector<StudyRecord> steps,
                             const std::string& command) {
-  if (!plan.sweep || steps.size() != plan.sweep->values.size()) {
+  if (!plan.sweep || steps.size() != plan.sweep->cases.size()) {
     throw InternalError(
-        fmt::format("sweep {}: {} records found, one a value expected", plan.name, steps.size()));
+        fmt::format("sweep {}: {} records found, one a case expected", plan.name, steps.size()));
   }
-  SweepRecord record{plan.name,
-                     plan.title,
-                     plan.source,
-                     plan.steps.front().file.string(),
-                     command,
-                     studyCopyName(plan.name),
-                     plan.sweep->key,
-                     plan.sweep->axis,
-                     plan.sweep->values,
-                     std::move(steps),
-                     {}};
+  SweepRecord record{plan.name,        plan.title,
+                     plan.source,      plan.steps.front().file.string(),
+                     command,          studyCopyName(plan.name),
+                     plan.sweep->keys, plan.sweep->cases,
+                     std::move(steps), {}};
   record.claims = judgeSweepClaims(plan.steps.front().claims, record);
   return record;
 }

@@ -28,7 +28,7 @@ struct EnvironmentRecord {
   std::string gnomonVersion;
   std::string commit;  ///< of the sources, or empty outside a checkout
   std::string cpu;
-  int threads = 0;
+  int threads = 0;  ///< 0 where the record tells nothing of its run
   std::string glRenderer;
   std::string glVersion;
   std::string embreeVersion;
@@ -62,7 +62,7 @@ struct TruthRecord {
   std::uint64_t microTriangles = 0;
   double stepTexels = 0;   ///< longest micro-edge along s or t of any face, texels on the map
   double uncertainty = 0;  ///< the largest flip rate below
-  std::uint64_t bvhBytes = 0;
+  std::optional<std::uint64_t> bvhBytes;  ///< none where the record tells nothing of its run
   std::uint64_t meshBytes = 0;
   std::vector<UncertaintyRecord> flips;
   std::optional<double> wantedUncertainty = std::nullopt;  ///< what the study asks for
@@ -198,8 +198,9 @@ struct StudyRecord {
   EnvironmentRecord environment;
   RadiusRecord radius = {};
   TruthRecord truth;
-  std::vector<MethodRecord> methods;   ///< those that were measured
-  std::vector<RefusedMethod> refused;  ///< the others: notices and problems name them
+  std::vector<std::string> atlasViews;  ///< names of the views whose lengths are in texels
+  std::vector<MethodRecord> methods;    ///< those that were measured
+  std::vector<RefusedMethod> refused;   ///< the others: notices and problems name them
   std::vector<ResultRecord> results;
   std::vector<ConfidenceRecord> confidence;   ///< of every method in every view
   std::vector<DifferenceRecord> differences;  ///< of every two methods in every view

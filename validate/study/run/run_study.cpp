@@ -25,7 +25,7 @@ namespace gnomon {
 namespace {
 
 /// What a run leaves beside its figures.
-enum class Beside { nothing, picturesAndCosts };
+enum class Beside { nothing, memory, picturesAndCosts };
 
 /// The order of a run's stages, and what passes from one to the next.
 class StudyRun {
@@ -51,7 +51,7 @@ class StudyRun {
     record_.notices = noticesOf(scene_, record_.truth, methods_);
     compareMethods(ladders);
     record_.budgets = ladders.attribute(record_.truth);
-    if (isWhole_) measureCosts();
+    if (beside != Beside::nothing) measureCosts();
     record_.judgements = judgeThresholds(study_.thresholds, record_);
     record_.timings = clock_.timings();
     if (scene_.cache.isOn()) record_.cache = scene_.cache.counts() - before_;
@@ -60,7 +60,10 @@ class StudyRun {
 
  private:
   void measureCosts() {
-    for (MethodCase& method : methods_) record_.cost.push_back(costs_.measure(scene_, method));
+    const int frames = isWhole_ ? study_.frames : 0;
+    for (MethodCase& method : methods_) {
+      record_.cost.push_back(costs_.measure(scene_, method, frames));
+    }
   }
 
   void prepareMethods() {
@@ -187,6 +190,12 @@ StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
                      const StageProgress& progress) {
   return runMeasurable(study, gl, writer, kept, progress, Beside::picturesAndCosts);
+}
+
+StudyRecord runStudyFigures(const StudySpec& study, const GlContext& gl, Cache& kept,
+                            const StageProgress& progress) {
+  NoFiles writer;
+  return runMeasurable(study, gl, writer, kept, progress, Beside::memory);
 }
 
 StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,

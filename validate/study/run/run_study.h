@@ -19,6 +19,10 @@ StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& wri
                      const StageProgress& progress = {});
 
 /// The same without pictures, masks and frame times: the figures alone.
+StudyRecord runStudyFigures(const StudySpec& study, const GlContext& gl, Cache& kept,
+                            const StageProgress& progress = {});
+
+/// The same without what the methods cost, too.
 StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
                          const StageProgress& progress = {});
 

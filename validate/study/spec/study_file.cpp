@@ -185,12 +185,12 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options) {
   }
   for (const TomlReader& claim : root.optionalTables("claim")) {
     study.claims.push_back(readClaim(claim, study));
-    if (study.claims.back().gainGrows && !root.optionalTable("sweep")) {
+    if (study.claims.back().gainGrows && root.find("sweep") == nullptr) {
       claim.fail("gain_grows", "no [sweep] found, over which a gain could grow");
     }
   }
   study.ladders = readLadders(root, study, defaults);
-  (void)root.optionalTable("sweep");
+  (void)root.find("sweep");
   root.finish();
   reduce(study, options);
   return study;

@@ -31,23 +31,23 @@ struct StudyHeader {
   std::string name = {}, title = {}, source = {};
   bool ranked = true;  ///< counts in a ranking over the studies of a run
   bool quick = false;  ///< the quick form, see StudyOptions
-  int frames = 25;     ///< timed of every method, at most
+  int frames = 25;     ///< timed of every method, at most; 0: none
 };
 
 inline StudyKeys keysOf(StudyHeader& header) {
   using enum Enters;
-  return {
-      studyKey("name", &header.name,
-               "of the study and its folder: letters, digits, `-`, `_` and `.`", {}, required,
-               nothing),
-      studyKey("title", &header.title, "of its report", {}, required, nothing),
-      studyKey("source", &header.source, "the figure or question that it stands for", {}, required,
-               nothing),
-      studyKey("ranked", &header.ranked, "whether it counts in the ranking over a run's studies",
-               {}, {}, nothing),
-      studyKey("quick", &header.quick, "whether it always has the form of `--quick`", {}, {},
-               nothing),
-      studyKey("frames", &header.frames, "timed of every method, at most", {1, 10000}, {}, costs)};
+  return {studyKey("name", &header.name,
+                   "of the study and its folder: letters, digits, `-`, `_` and `.`", {}, required,
+                   nothing),
+          studyKey("title", &header.title, "of its report", {}, required, nothing),
+          studyKey("source", &header.source, "the figure or question that it stands for", {},
+                   required, nothing),
+          studyKey("ranked", &header.ranked,
+                   "whether it counts in the ranking over a run's studies", {}, {}, nothing),
+          studyKey("quick", &header.quick, "whether it always has the form of `--quick`", {}, {},
+                   nothing),
+          studyKey("frames", &header.frames, "timed of every method, at most; 0: none", {0, 10000},
+                   {}, costs)};
 }
 
 struct StudySpec : StudyHeader {

@@ -93,7 +93,7 @@ StudyKeys studySections() {
           studyKey("threshold", tables, "gates of `gnomon check`", {}, "none"),
           studyKey("claim", tables, "what a paper states, to be judged", {}, "none"),
           studyKey("ladder", tables, "an error, taken apart by cause", {}, "none"),
-          studyKey("sweep", table, "one key's values, a run each", {}, "none")};
+          studyKey("sweep", tables, "keys and their values, a run each", {}, "none")};
 }
 
 std::vector<std::string> judgedRegions() {
@@ -127,7 +127,7 @@ std::string studyKeysText() {
   ClaimSpec claim;
   LadderSpec ladder;
   CauseSpec cause;
-  SweepSpec sweep;
+  SweepTable sweep;
   write("tables of a file", KeyTable().add(studySections()));
   write("[study]", KeyTable().add(keysOf(header)));
   write("[surface]", KeyTable()
@@ -153,7 +153,7 @@ std::string studyKeysText() {
                          .add(boundKeys(claim, {}), "bounds"));
   write("[[ladder]]", KeyTable().add(keysOf(ladder, {})));
   write("[[ladder.rung]]", KeyTable().add(keysOf(cause)));
-  write("[sweep]", KeyTable().add(keysOf(sweep)));
+  write("[[sweep]]", KeyTable().add(keysOf(sweep)));
   return text;
 }
 

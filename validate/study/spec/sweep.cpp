@@ -2,44 +2,15 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <set>
+#include <string_view>
 
 #include "common/error.h"
-#include "study/record/sweep_record.h"
+#include "study/spec/sweep_cases.h"
 #include "study/spec/toml/toml_reader.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
 namespace {
-
-void requireSweepable(const TomlReader& section, const std::string& key,
-                      const StudyOptions& options) {
-  if (key.starts_with("study.") || key.starts_with("sweep.")) {
-    section.fail("key", fmt::format("\"{}\" found, a key of another section expected", key));
-  }
-  for (const std::string& change : options.overrides) {
-    if (change.starts_with(key + "=")) {
-      section.fail("key",
-                   fmt::format("\"{}\" found, but --set {} gives it one value", key, change));
-    }
-  }
-}
-
-SweepSpec readSweep(const TomlReader& section, const StudyOptions& options) {
-  SweepSpec sweep;
-  readSection(section, keysOf(sweep));
-  requireSweepable(section, sweep.key, options);
-  if (sweep.values.size() < 2) section.fail("values", "one value found, at least two expected");
-  std::set<double> seen;
-  for (const double value : sweep.values) {
-    if (!seen.insert(value).second) {
-      section.fail("values", fmt::format("{} found twice, distinct values expected", value));
-    }
-  }
-  if (sweep.axis.empty()) sweep.axis = sweep.key;
-  return sweep;
-}
 
 /// What an error says beyond `opening` and a key, where the key is the sweep's or holds it.
 std::optional<std::string> errorOfKey(std::string_view message, const std::string& opening,
@@ -51,23 +22,59 @@ std::optional<std::string> errorOfKey(std::string_view message, const std::strin
   return its ? std::optional(std::string(message)) : std::nullopt;
 }
 
-/// The study at one value. What the value or its key is to blame for is an error of the section.
-StudySpec readStep(const StudyText& text, StudyOptions options, const TomlReader& section,
-                   const SweepSpec& sweep, double value) {
-  const std::string change = fmt::format("{}={}", sweep.key, sweepValueText(value));
-  options.overrides.push_back(change);
+/// A file's sweep, and what its errors are told by.
+struct SweptFile {
+  const StudyText& text;
+  const StudyOptions& options;
+  std::vector<TomlReader> tables;  ///< one a key
+  Sweep sweep;
+
+  [[nodiscard]] std::string change(std::size_t key, const SweepCase& which) const {
+    return fmt::format("{}={}", sweep.keys[key].key, which.values[key].written);
+  }
+  [[noreturn]] void blame(std::size_t key, const SweepCase& which, std::string_view what) const {
+    tables[key].fail("key", fmt::format("with {}: {}", change(key, which), what));
+  }
+};
+
+/// The study of one case. What a value or its key is to blame for is an error of its table.
+StudySpec readStep(const SweptFile& file, const SweepCase& which) {
+  StudyOptions options = file.options;
+  for (std::size_t k = 0; k < file.sweep.keys.size(); ++k) {
+    options.overrides.push_back(file.change(k, which));
+  }
   try {
-    return readStudy(text, options);
+    return readStudy(file.text, options);
   } catch (const InputError& error) {
-    // What an override sets has no line.
-    const auto blamed = errorOfKey(error.what(), text.file.string() + ": ", sweep.key);
-    if (!blamed) throw;
-    section.fail("key", fmt::format("with {}: {}", change, *blamed));
+    for (std::size_t k = 0; k < file.sweep.keys.size(); ++k) {
+      // What an override sets has no line.
+      const auto blamed =
+          errorOfKey(error.what(), file.text.file.string() + ": ", file.sweep.keys[k].key);
+      if (blamed) file.blame(k, which, *blamed);
+    }
+    throw;
   } catch (const UsageError& error) {
     const std::string message = error.what();
-    const std::string opening = fmt::format("--set {}: ", change);
-    if (!message.starts_with(opening)) throw;
-    section.fail("key", fmt::format("with {}: {}", change, message.substr(opening.size())));
+    for (std::size_t k = 0; k < file.sweep.keys.size(); ++k) {
+      const std::string opening = fmt::format("--set {}: ", file.change(k, which));
+      if (message.starts_with(opening)) file.blame(k, which, message.substr(opening.size()));
+    }
+    throw;
+  }
+}
+
+/// A gain grows from the first value of a sweep to the last: along one dimension, in its order.
+void requireOrder(const TomlReader& root, const Sweep& sweep) {
+  const std::size_t dimensions = dimensionCount(sweep.keys);
+  const bool isDrawn = sweep.keys.front().isDrawn;
+  if (dimensions == 1 && !isDrawn) return;
+  for (const TomlReader& claim : root.optionalTables("claim")) {
+    if (!claim.has("gain_grows") || !claim.flag("gain_grows")) continue;
+    claim.fail("gain_grows",
+               fmt::format("a sweep {} found, one from a first value to a last one "
+                           "expected",
+                           dimensions > 1 ? fmt::format("over a grid of {} keys", sweep.keys.size())
+                                          : std::string("over random draws")));
   }
 }
 
@@ -83,19 +90,22 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options) {
   const StudyText text = readStudyText(file);
   const toml::table table = parseTomlText(text.text, file.string(), options.overrides);
   const TomlReader root(table, file.string(), "");
-  const auto section = root.optionalTable("sweep");
-  if (!section) return singlePlan(readStudy(text, options));
+  std::vector<TomlReader> tables = sweepTables(root);
+  if (tables.empty()) return singlePlan(readStudy(text, options));
+  Sweep sweep = readSweepTables(tables, options);
+  requireOrder(root, sweep);
+  const SweptFile swept{text, options, std::move(tables), std::move(sweep)};
   StudyPlan plan;
-  plan.sweep = readSweep(*section, options);
-  for (const double value : plan.sweep->values) {
-    StudySpec step = readStep(text, options, *section, *plan.sweep, value);
+  for (const SweepCase& which : swept.sweep.cases) {
+    StudySpec step = readStep(swept, which);
     plan.name = step.name;
     plan.title = step.title;
     plan.source = step.source;
-    step.name = fmt::format("{}/{}", plan.name, sweepValueText(value));
-    step.title += fmt::format(", {} = {}", plan.sweep->key, sweepValueText(value));
+    step.name = fmt::format("{}/{}", plan.name, which.name);
+    step.title += ", " + caseText(swept.sweep.keys, which);
     plan.steps.push_back(std::move(step));
   }
+  plan.sweep = swept.sweep;
   return plan;
 }
 

@@ -5,40 +5,63 @@
 #include <string>
 #include <vector>
 
+#include "study/record/swept_value.h"
 #include "study/spec/study_file.h"
 
 namespace gnomon {
 
-/// `[sweep]` of a study file: the study is run once for each value of one key.
-struct SweepSpec {
-  std::string key;             ///< any key of the file that an override may set
-  std::vector<double> values;  ///< at least two, distinct
-  std::string axis;            ///< the key itself, unless the file says better
+/// A table of `[[sweep]]`: one key and its values. A study with such tables is run once for each
+/// case, a combination of values. A file with one table may have it as `[sweep]`.
+struct SweepTable {
+  std::string key;   ///< any key of the file that an override may set
+  std::string axis;  ///< the key itself, unless the file says better
+  std::string with;  ///< the key of a table above, with which it steps; its own dimension if empty
+  std::string draw;  ///< random values; `values` if empty, see distributionOf
+  int count = 0;     ///< of draws; 0: as the other drawn keys have it
+  int seed = 1;      ///< of the draws
 };
 
-inline StudyKeys keysOf(SweepSpec& sweep) {
+inline StudyKeys keysOf(SweepTable& sweep) {
   using enum Enters;
-  return {studyKey("key", &sweep.key, "any that `--set` takes, as `relief.height`", {}, required,
-                   nothing),
-          studyKey("values", NumberOrList{&sweep.values},
-                   "of the key, at least two: the study runs at each", {}, required, nothing),
-          studyKey("axis", &sweep.axis, "label of the plots' axis", {}, "the key", nothing)};
+  constexpr double most = 100'000;
+  return {
+      studyKey("key", &sweep.key, "any that `--set` takes, as `relief.height`", {}, required,
+               nothing),
+      studyKey("values",
+               OwnCode{"a list, `\"FIRST:LAST:STEP\"`, or `\"log:FIRST:LAST:COUNT\"`, which "
+                       "steps by a factor; both ends included"},
+               "of the key, at least two: the study runs at each", {}, "`draw` is there", nothing),
+      studyKey("axis", &sweep.axis, "label of the plots' axis", {}, "the key", nothing),
+      studyKey("with", &sweep.with, "the key of a table above: both step together, value by value",
+               {}, "each value with all those of the other tables", nothing),
+      studyKey("draw", &sweep.draw,
+               "random values: `uniform:LOW:HIGH`, `log-uniform:LOW:HIGH`, `whole:LOW:HIGH`, "
+               "or `choice`, of `values`. All drawn keys are drawn together",
+               {}, "`values` are there", nothing),
+      studyKey("count", &sweep.count, "draws", {2, most}, "that of another drawn key", nothing),
+      studyKey("seed", &sweep.seed, "of the draws, which are the same on every machine",
+               {0, 2147483647}, "that of another drawn key, else 1", nothing)};
 }
 
-/// What a study file asks for: one study, or one for each value of its sweep.
+/// What all tables together ask for.
+struct Sweep {
+  std::vector<SweptKey> keys;    ///< in the order of the file
+  std::vector<SweepCase> cases;  ///< one a step; the first dimension changes slowest
+};
+
+/// What a study file asks for: one study, or one for each case of its sweep.
 struct StudyPlan {
   std::string name;  ///< of the file's study
   std::string title, source;
-  std::optional<SweepSpec> sweep;
-  /// One, without a sweep. A step of a sweep is the file with `key=value` as its last override; it
-  /// is named `NAME/VALUE`, the value's shortest text, so that its folder lies in the sweep's.
+  std::optional<Sweep> sweep;
+  /// One, without a sweep. A step of a sweep is the file with `key=value` of each key as its last
+  /// overrides; it is named `NAME/CASE` (caseNames), so that its folder lies in the sweep's.
   std::vector<StudySpec> steps;
 };
 
 /// Reads and checks a study file with all its steps.
-/// @throws InputError as readStudy; for a sweep without a second value or with repeated ones, of a
-///   key that the file cannot have, that names the study, or that `options` overrides as well; and
-///   for a value that the key cannot take: all name file, line and key of `[sweep]`
+/// @throws InputError as readStudy and readSweepTables; for a value that its key cannot take, and
+///   for a claim that a gain grows over a sweep without an order: all name file, line and key
 StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {});
 
 }  // namespace gnomon

@@ -76,6 +76,9 @@ StudyRecord startRecord(const StudySpec& study, const GlContext& gl) {
   record.title = study.title;
   record.source = study.source;
   record.file = study.file.string();
+  for (const ViewSpec& view : study.views) {
+    if (cameraOf(view) == nullptr) record.atlasViews.push_back(view.name);
+  }
   record.radius = {study.radius.texels, radiusReason(study)};
   return record;
 }

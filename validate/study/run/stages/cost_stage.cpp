@@ -42,21 +42,23 @@ std::optional<std::size_t> firstCamera(const StudySpec& study) {
   return static_cast<std::size_t>(camera - study.views.begin());
 }
 
-ContentKey costKey(const RunScene& scene, const MethodCase& method,
-                   std::optional<std::size_t> view) {
+ContentKey costKey(const RunScene& scene, const MethodCase& method, std::optional<std::size_t> view,
+                   int frames) {
   KeyBuilder key("cost");
   key.add("method", method.key).add("host", hostName());
   key.add("threads", threadCount());
-  addSettings(key, StudyHeader(scene.study), Enters::costs);
+  StudyHeader header = scene.study;
+  header.frames = frames;
+  addSettings(key, header, Enters::costs);
   if (view) key.add("mask", scene.keys.mask(method.key, method.base->choice, *view, 0));
   return key.key();
 }
 
 }  // namespace
 
-CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
-  const std::optional<std::size_t> view = firstCamera(scene.study);
-  const ContentKey key = costKey(scene, method, view);
+CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) const {
+  const auto view = frames > 0 ? firstCamera(scene.study) : std::nullopt;
+  const ContentKey key = costKey(scene, method, view, frames);
   std::optional<KeptCost> cost = scene.cache.find<KeptCost>(key);
   const bool isKept = cost.has_value();
   if (!cost) {
@@ -70,8 +72,8 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method) const {
       const FirstFrame first = ready.hasDrawn ? FirstFrame::isWarm : FirstFrame::warmsUp;
       cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass.frameMilliseconds(method.base->views[*view].view,
-                                            scene.drawing(*method.base, 0), ready.tables,
-                                            scene.study.frames, first, clock_);
+                                            scene.drawing(*method.base, 0), ready.tables, frames,
+                                            first, clock_);
       });
     }
     scene.cache.keep(key, *cost);

@@ -17,7 +17,8 @@ class CostStage {
  public:
   explicit CostStage(FrameClock clock) : clock_(clock) {}
 
-  CostRecord measure(RunScene& scene, MethodCase& method) const;
+  /// @param frames  that are timed at most; with 0 there is no frame time
+  CostRecord measure(RunScene& scene, MethodCase& method, int frames) const;
 
  private:
   FrameClock clock_;

@@ -1,0 +1,130 @@
+#include "report/plots/sweep_lights_plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "common/lists.h"
+#include "report/plots/gnuplot.h"
+#include "report/plots/panel_grid.h"
+#include "report/plots/plot_style.h"
+#include "report/text/number_text.h"
+#include "study/judge/distinguish.h"
+#include "study/judge/study_means.h"
+#include "study/record/cases.h"
+
+namespace gnomon {
+namespace {
+
+/// The lights and the methods of a slice, each once, in the order of the records.
+struct Curves {
+  std::vector<std::string> lights, methods;
+};
+
+Curves curvesOf(const SweepRecord& sweep, const SweepSlice& slice) {
+  Curves curves;
+  std::vector<std::size_t> order = slice.cases;
+  std::sort(order.begin(), order.end());
+  for (const std::size_t i : order) {
+    for (const Case& which : comparedCases(sweep.steps[i])) {
+      appendOnce(curves.lights, which.light);
+    }
+    for (const std::string& method : methodsOf(sweep.steps[i])) {
+      appendOnce(curves.methods, method);
+    }
+  }
+  return curves;
+}
+
+/// A method's error rate under one light, mean over the views that have it; of the interval the
+/// mean of its ends. None where a view has none.
+struct LightMean {
+  std::optional<double> error;
+  std::optional<Interval> interval;
+};
+
+LightMean meanUnder(const StudyRecord& step, const std::string& method, const std::string& light) {
+  std::vector<std::optional<double>> errors, lows, highs;
+  for (const Case& which : comparedCases(step)) {
+    if (which.light != light) continue;
+    const auto error = rateOf(step, method, which, Answer::drawn, "error_rate");
+    if (!error) continue;
+    errors.push_back(error);
+    const auto found = findConfidence(step, which.view, light, method);
+    const auto interval = found ? found->interval : std::nullopt;
+    lows.push_back(interval ? std::optional(interval->low) : std::nullopt);
+    highs.push_back(interval ? std::optional(interval->high) : std::nullopt);
+  }
+  const auto low = meanOf(lows);
+  const auto high = meanOf(highs);
+  return {meanOf(errors), low && high ? std::optional(Interval{*low, *high}) : std::nullopt};
+}
+
+/// One curve's rows, and those of its bars.
+struct CurveData {
+  std::string line, bars;
+};
+
+CurveData dataOf(const SweepRecord& sweep, const SweepSlice& slice, const std::string& method,
+                 const std::string& light) {
+  CurveData data;
+  for (std::size_t i = 0; i < slice.cases.size(); ++i) {
+    const LightMean mean = meanUnder(sweep.steps[slice.cases[i]], method, light);
+    const std::string place = exactText(slice.positions[i]);
+    if (!mean.error) {
+      data.line += place + " NaN\n";
+      continue;
+    }
+    const std::string error = exactText(100 * *mean.error);
+    data.line += fmt::format("{} {}\n", place, error);
+    if (!mean.interval) continue;
+    data.bars += fmt::format("{} {} {}\n", place, exactText(100 * mean.interval->low),
+                             exactText(100 * mean.interval->high));
+  }
+  return data;
+}
+
+/// The plot of one method: its data, then the command.
+std::string panelCommands(const SweepRecord& sweep, const SweepSlice& slice, const Curves& curves,
+                          std::size_t m) {
+  std::string data;
+  std::string lines;
+  std::string bars;
+  for (std::size_t l = 0; l < curves.lights.size(); ++l) {
+    const CurveData curve = dataOf(sweep, slice, curves.methods[m], curves.lights[l]);
+    data += fmt::format("$m{}l{} << EOD\n{}EOD\n", m, l, curve.line);
+    lines += fmt::format("{}$m{}l{} using 1:2 with linespoints {} title {}",
+                         lines.empty() ? "plot " : ", \\\n  ", m, l, plotLine(l),
+                         plotLegend(curves.lights[l]));
+    if (curve.bars.empty()) continue;
+    data += fmt::format("$b{}l{} << EOD\n{}EOD\n", m, l, curve.bars);
+    bars += fmt::format(", \\\n  $b{}l{} {}", m, l, plotBars(l));
+  }
+  return data + fmt::format("set title {}\n", plotLegend(curves.methods[m])) + lines + bars + "\n";
+}
+
+}  // namespace
+
+std::optional<PlotSheet> sweepLightsPlot(const SweepRecord& sweep, const SweepSlice& slice) {
+  const Curves curves = curvesOf(sweep, slice);
+  if (curves.lights.size() < 2 || curves.lights.size() > mostPlottedLights) return std::nullopt;
+  const PanelGrid grid(curves.methods.size(), curves.lights);
+  std::string text = grid.opening(slice.axis) +
+                     "set yrange [0:*]\n"
+                     "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n";
+  if (!slice.categories.empty()) text += categoryTics("xtics", slice.categories);
+  for (std::size_t m = 0; m < curves.methods.size(); ++m) {
+    text += grid.panel(m) + panelCommands(sweep, slice, curves, m);
+  }
+  const std::string title = sweep.heading();
+  return PlotSheet{
+      "sweep_lights" + slice.suffix,
+      fmt::format("{}, by light{}", title, slice.title.empty() ? "" : ", " + slice.title),
+      "Error rate of each method under each light against " + slice.axis,
+      PanelGrid::width,
+      grid.height(),
+      text + "unset multiplot\n"};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "report/plots/plot_sheet.h"
+#include "report/plots/sweep_slices.h"
+#include "study/record/sweep_record.h"
+
+namespace gnomon {
+
+/// The most lights that a plot tells apart.
+constexpr std::size_t mostPlottedLights = 14;
+
+/// A slice of a sweep light by light: a panel a method, with its mean error rate over views against
+/// the swept value, one curve a light, and its 95 % intervals as bars. Each panel has a scale of
+/// its own. None of a study with one light, or with more than mostPlottedLights.
+/// @throws InternalError for a number that is not finite
+std::optional<PlotSheet> sweepLightsPlot(const SweepRecord& sweep, const SweepSlice& slice);
+
+}  // namespace gnomon

@@ -1,0 +1,114 @@
+#include "report/tables/long_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/lists.h"
+#include "compare/boundaries.h"
+#include "compare/shadow_length.h"
+#include "report/tables/formats/csv_format.h"
+#include "study/judge/baseline.h"
+#include "study/judge/claim_cases.h"
+#include "study/judge/distinguish.h"
+#include "study/record/cases.h"
+#include "study/record/result_metrics.h"
+
+namespace gnomon {
+namespace {
+
+std::string unitOf(const StudyRecord& record, const ResultRecord& result, std::string_view metric) {
+  if (metric == "mcc") return "correlation";
+  if (metric == "shadow_runs") return "count";
+  if (contains(lengthMetricNames(), metric)) return "ratio";
+  if (isRate(metric) || !isBoundaryDistance(metric)) return "share";
+  return contains(record.atlasViews, result.view) ? "texels" : "pixels";
+}
+
+/// Whether the table has a metric of a row: of the test alone only what ranks it.
+bool isTold(const ResultRecord& result, std::string_view metric) {
+  if (result.answer == Answer::drawn) return true;
+  return result.region == wholeRegion && contains(baselineMetrics(Answer::test), metric);
+}
+
+std::optional<Interval> intervalOf(const StudyRecord& record, const ResultRecord& result,
+                                   std::string_view metric) {
+  const bool isScore =
+      metric == "error_rate" && result.region == wholeRegion && result.answer == Answer::drawn;
+  if (!isScore) return std::nullopt;
+  const auto confidence = findConfidence(record, result.view, result.light, result.method);
+  return confidence ? confidence->interval : std::nullopt;
+}
+
+std::optional<double> uncertaintyOf(const StudyRecord& record, const ResultRecord& result,
+                                    const std::string& metric) {
+  // A length whose error was not measured would read as exact.
+  if (!isRate(metric) && !spreadOf(record, {result.view, result.light}, metric)) {
+    return std::nullopt;
+  }
+  const double uncertainty = uncertaintyIn(record, result, metric);
+  return std::isfinite(uncertainty) ? std::optional(uncertainty) : std::nullopt;
+}
+
+Cell sweptCell(const SweptValue& value) {
+  return value.number ? valueCell(*value.number) : textCell(value.text);
+}
+
+Table emptyTable(const std::vector<SweptKey>& keys) {
+  Table table{.kind = "long", .columns = {{"case", "", Quantity::exact}}};
+  for (const SweptKey& key : keys) table.columns.push_back({key.key});
+  for (const char* name : {"method", "view", "light", "answer", "region", "metric"}) {
+    table.columns.push_back({name});
+  }
+  table.columns.push_back({"value", "", Quantity::exact});
+  table.columns.push_back({"interval", "", Quantity::interval});
+  table.columns.push_back({"uncertainty", "", Quantity::exact});
+  table.columns.push_back({"unit"});
+  return table;
+}
+
+/// The rows without the line of headings.
+std::string csvRows(const Table& table) {
+  const std::string csv = csvTable(table);
+  return csv.substr(csv.find('\n') + 1);
+}
+
+}  // namespace
+
+Table longTable(const std::vector<SweptKey>& keys, const SweepCase& which, std::size_t number,
+                const StudyRecord& record) {
+  Table table = emptyTable(keys);
+  for (const ResultRecord& result : record.results) {
+    for (const Metric& metric : metricsOf(result)) {
+      if (!metric.value || !isTold(result, metric.name)) continue;
+      const std::string name(metric.name);
+      Row row{{countCell(number)}};
+      for (const SweptValue& value : which.values) row.cells.push_back(sweptCell(value));
+      for (const std::string& text :
+           {result.method, result.view, result.light, std::string(answerName(result.answer)),
+            result.region, name}) {
+        row.cells.push_back(textCell(text));
+      }
+      row.cells.push_back(valueCell(metric.value));
+      row.cells.push_back(intervalCell(intervalOf(record, result, name)));
+      row.cells.push_back(valueCell(uncertaintyOf(record, result, name)));
+      row.cells.push_back(textCell(unitOf(record, result, name)));
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+std::string longCsv(const SweepRecord& sweep) {
+  std::string csv = csvTable(emptyTable(sweep.keys));
+  // Case by case: the cells of all would take many times the room of their text.
+  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
+    csv += csvRows(longTable(sweep.keys, sweep.cases.at(i), i + 1, sweep.steps[i]));
+  }
+  return csv;
+}
+
+std::string longCsv(const StudyRecord& record) {
+  return csvTable(longTable({}, {record.name, {}}, 1, record));
+}
+
+}  // namespace gnomon
