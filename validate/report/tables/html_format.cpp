@@ -42,6 +42,7 @@ Html smallNote(const std::string& text) {
 
 Html contentOf(const Column& column, const Cell& cell) {
   Html content = escapeHtml(cellText(column.quantity, cell) + cell.mark);
+  if (!cell.link.empty()) content = html("<a href=\"{}\">{}</a>", cell.link, content);
   if (cell.uncertainty) {
     content += html(" <small>±&#8239;{}</small>", percentText(cell.uncertainty));
   }

@@ -74,6 +74,7 @@ struct Cell {
   std::string about = {};  ///< why there is no value, or what it stands on: seen by pointing at it
   std::string mark = {};   ///< behind the figure, with its space: " ≈"
   std::string note = {};   ///< small below it, on a page
+  std::string link = {};   ///< where the text leads, on a page
   std::optional<double> uncertainty = {};  ///< a share: "± 0.30" behind the figure, on a page
   std::optional<double> heat = {};         ///< 0 to 1: how strong a page tints it
   Emphasis emphasis = Emphasis::none;
