@@ -16,6 +16,7 @@
 #include "report/page/terminal_report.h"
 #include "report/plots/gnuplot.h"
 #include "report/run_files.h"
+#include "report/suite/suite_files.h"
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/markdown_format.h"
 #include "report/tables/means_table.h"
@@ -255,6 +256,9 @@ void reportRanking(std::span<const StudyMeans> studies, const RunRequest& reques
   folder.write("ranking.md",
                markdownTable(rankedOverStudiesTable(studies, rankOverStudies(studies))));
   folder.write("ranking.html", rankingHtml(studies, request.command).text());
+  if (writeSuiteFiles(studies, request.command, folder)) {
+    printLine("Over the scenes: " + (request.out / "suite.html").string());
+  }
   folder.finish(rankingJson(studies, request.command));
 }
 

@@ -19,16 +19,6 @@ namespace {
 
 using Ends = std::pair<std::optional<double>, std::optional<double>>;
 
-/// "elevation of the light, degrees", or the name of an axis that is not known here.
-std::string axisTitle(std::string_view axis) {
-  for (const SampleAxis& known : sampleAxes()) {
-    if (known.name != axis) continue;
-    return known.unit.empty() ? std::string(known.title)
-                              : fmt::format("{}, {}", known.title, known.unit);
-  }
-  return std::string(axis);
-}
-
 /// The bins of one axis and view, all lights together.
 std::vector<const BinRecord*> binsOf(const StudyRecord& record, std::string_view axis,
                                      std::string_view view) {
@@ -112,6 +102,15 @@ double uncertaintyIn(const StudyRecord& record, std::string_view view) {
 }
 
 }  // namespace
+
+std::string axisTitle(std::string_view axis) {
+  for (const SampleAxis& known : sampleAxes()) {
+    if (known.name != axis) continue;
+    return known.unit.empty() ? std::string(known.title)
+                              : fmt::format("{}, {}", known.title, known.unit);
+  }
+  return std::string(axis);
+}
 
 std::vector<std::string> binAxes(const StudyRecord& record) {
   std::vector<std::string> axes;

@@ -8,6 +8,9 @@
 
 namespace gnomon {
 
+/// "elevation of the light, degrees", or the name of an axis that is not known here.
+std::string axisTitle(std::string_view axis);
+
 /// The views of a record that have bins on an axis, and the axes that have bins, in the record's
 /// order.
 std::vector<std::string> binAxes(const StudyRecord& record);

@@ -6,18 +6,6 @@
 namespace gnomon {
 namespace {
 
-DifferenceVerdict opposite(DifferenceVerdict verdict) {
-  switch (verdict) {
-    case DifferenceVerdict::better:
-      return DifferenceVerdict::worse;
-    case DifferenceVerdict::worse:
-      return DifferenceVerdict::better;
-    case DifferenceVerdict::notDistinguishable:
-      break;
-  }
-  return verdict;
-}
-
 /// A study with one light has records for all lights together only.
 bool isOnlyLight(const StudyRecord& record, std::string_view view) {
   return std::none_of(record.confidence.begin(), record.confidence.end(),
@@ -33,6 +21,18 @@ std::string_view rowLight(const StudyRecord& record, std::string_view view,
 
 Estimate withoutInterval(double value, double uncertainty) {
   return {value, Interval{value, value}, uncertainty};
+}
+
+DifferenceVerdict opposite(DifferenceVerdict verdict) {
+  switch (verdict) {
+    case DifferenceVerdict::better:
+      return DifferenceVerdict::worse;
+    case DifferenceVerdict::worse:
+      return DifferenceVerdict::better;
+    case DifferenceVerdict::notDistinguishable:
+      break;
+  }
+  return verdict;
 }
 
 DifferenceVerdict distinguish(const Estimate& estimate, double number) {

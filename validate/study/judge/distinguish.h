@@ -16,8 +16,10 @@ namespace gnomon {
 /// A figure, or a difference of two figures, with its uncertainty.
 struct Estimate {
   double value = 0;
-  std::optional<Interval> interval;  ///< 95 %, of the value; none where too little is known
-  double uncertainty = 0;            ///< of the truth, in the figure's unit
+  /// 95 %, of the value; none where too little is known. Of a difference over the scenes of a suite
+  /// (judge/suite) that over the scenes, as wide as Holm's correction asks of the comparison.
+  std::optional<Interval> interval;
+  double uncertainty = 0;  ///< of the truth, in the figure's unit
 };
 
 /// Of a metric that has no intervals (all but the error rate of all samples): only the truth's
@@ -29,6 +31,9 @@ Estimate withoutInterval(double value, double uncertainty);
 /// uncertainty; otherwise the smaller one is better. Of a difference of two figures, compared with
 /// 0, the verdict is that on the first.
 DifferenceVerdict distinguish(const Estimate& estimate, double number = 0);
+
+/// The verdict on the second of two methods.
+DifferenceVerdict opposite(DifferenceVerdict verdict);
 
 /// Whether the verdict is better or worse.
 bool isDistinguishable(const Estimate& estimate, double number = 0);

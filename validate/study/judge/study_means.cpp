@@ -132,6 +132,8 @@ StudyMeans studyMeans(const StudyRecord& record) {
     study.methods.push_back(meansOf(record, label));
   }
   study.differences = allDifferences(record);
+  study.suite = suiteNameOf(record);
+  if (!study.suite.empty()) study.bins = sceneBins(record);
   return study;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "study/judge/suite/scene_bins.h"
 #include "study/record/record.h"
 #include "study/record/sweep_record.h"
 
@@ -47,6 +48,10 @@ struct StudyMeans {
   /// Of every two methods that answer in one view: differenceOverViews, for a sweep the mean of it
   /// over the steps that have it.
   std::vector<DifferenceRecord> differences = {};
+  /// Of a single study that was drawn for a suite: that suite's name, and what its samples give to
+  /// the suite's bins. Empty for any other, and for a sweep.
+  std::string suite = {};
+  std::vector<SceneBin> bins = {};
 };
 
 StudyMeans studyMeans(const StudyRecord& record);

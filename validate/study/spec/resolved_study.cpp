@@ -40,6 +40,7 @@ toml::table headerTable(const StudySpec& study) {
   header.name = copyStem(study.name);
   toml::table table = settingsOf(header);
   table.erase("quick");
+  if (header.suite.empty()) table.erase("suite");
   return table;
 }
 

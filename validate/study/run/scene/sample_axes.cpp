@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/parallel.h"
 #include "compare/bins.h"
@@ -23,12 +24,15 @@ AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Re
   const Vec3 tangential = light - sine * frame.normal;
   const double cosine = glm::length(tangential);
   const Vec3 change = applyShapeOperator(point, light);
+  const double unit = worldPerHeight(relief.space, frame);
+  const double height = relief.field.at(frame.texel);
   return {frame,
           std::atan2(sine, cosine),
           cosine > 1e-12 ? glm::dot(tangential, change) / cosine : 0,
           glm::length(change),
-          worldPerHeight(relief.space, frame) * relief.field.at(frame.texel),
-          std::sqrt(glm::length(glm::cross(frame.px, frame.py)))};
+          unit * height,
+          std::sqrt(glm::length(glm::cross(frame.px, frame.py))),
+          unit * std::max(0.0, relief.field.maximum() - height)};
 }
 
 double curvatureHeight(const AxisSample& sample) {
@@ -53,6 +57,11 @@ double uvStretch(const AxisSample& sample) {
   return larger / (sample.texel * sample.texel);
 }
 
+double shadowReach(const AxisSample& sample) {
+  if (!(sample.elevation > 0)) return std::numeric_limits<double>::quiet_NaN();
+  return sample.headroom / std::tan(sample.elevation) / sample.texel;
+}
+
 const std::vector<SampleAxis>& sampleAxes() {
   static const std::vector<SampleAxis> axes = {
       {"curvature_height",
@@ -71,6 +80,11 @@ const std::vector<SampleAxis>& sampleAxes() {
        {-32, -8, 0, 8, 16, 32, 64, 128, 256},
        terminatorDistance},
       {"uv_stretch", "stretch of the texture", "", {1.1, 1.25, 1.5, 2, 3, 5}, uvStretch},
+      {"shadow_reach",
+       "longest shadow that can fall there",
+       "texels",
+       {1, 2, 4, 8, 16, 32, 64, 128},
+       shadowReach},
   };
   return axes;
 }

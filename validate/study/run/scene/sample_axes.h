@@ -24,6 +24,7 @@ struct AxisSample {
   double normalChange;      ///< |S T|: how much n turns along T, radians a world length, 0 or more
   double height;            ///< a h: of the relief above the sample, world length
   double texel;             ///< |P_x × P_y|^½: world length of a texel
+  double headroom = 0;      ///< from `height` up to the relief's highest, world length
 };
 
 /// @param frame  of the same point, defined
@@ -46,6 +47,7 @@ struct SampleAxis {
 ///   elevation         lightElevation    degrees
 ///   terminator        terminatorDistance  texels
 ///   uv_stretch        uvStretch         what of an error is the parametrisation's
+///   shadow_reach      shadowReach       texels; how far a method has to look
 const std::vector<SampleAxis>& sampleAxes();
 
 /// κ(T) · a h: the surface's normal curvature along the light, times the relief's height at the
@@ -68,6 +70,12 @@ double terminatorDistance(const AxisSample& sample);
 /// ratio of the singular values of [P_x P_y], 1 or more. With the larger eigenvalue λ of their
 /// metric it is λ / |P_x × P_y|. 1 where texels are squares, whatever their size.
 double uvStretch(const AxisSample& sample);
+
+/// How far over the map, in texels, the ray toward the light runs until it is above the relief's
+/// highest point: headroom / tan(elevation) / texel, on a flat surface the length of the longest
+/// shadow that can fall on the sample. 0 at the highest point; NaN where the undisplaced surface is
+/// turned from the light.
+double shadowReach(const AxisSample& sample);
 
 /// The bins of all samples of a view, one list an axis, in the order of sampleAxes.
 using SampleBins = std::vector<std::vector<std::uint8_t>>;

@@ -1,0 +1,146 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+#include "report/suite/suite_files.h"
+#include "report/suite/suite_html.h"
+#include "report/suite/suite_json.h"
+#include "report/suite/suite_plots.h"
+#include "report/suite/suite_tables.h"
+#include "report/tables/formats/csv_format.h"
+#include "report/tables/formats/markdown_format.h"
+#include "study/judge/suite/suite_studies.h"
+#include "support/temporary_folder.h"
+
+namespace gnomon {
+namespace {
+
+using test::drawnStudies;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Twenty-five scenes on which m1 is always better than m0; "hard <scene>" is the hardest.
+std::vector<StudyMeans> studies() {
+  std::vector<StudyMeans> all = drawnStudies(
+      25, 2,
+      [](std::size_t s, std::size_t m) {
+        return (m == 0 ? 0.004 : 0.002) * static_cast<double>(s + 1);
+      },
+      0.0005);
+  all[24].title = "hard <scene>";
+  for (StudyMeans& study : all) {
+    for (const MethodMeans& method : study.methods) {
+      study.bins.push_back({method.label, "elevation", {}, 10, {0.25, *method.errorRate / 2}});
+      study.bins.push_back({method.label, "elevation", 10, {}, {0.75, *method.errorRate / 2}});
+    }
+  }
+  return all;
+}
+
+SuiteStatistics statistics() {
+  return suiteStatistics("drawn", studies());
+}
+
+std::vector<DrawnPlot> drawn(const SuiteStatistics& of) {
+  std::vector<DrawnPlot> plots;
+  for (const PlotSheet& sheet : suitePlots(of)) plots.push_back({sheet, svgOf(sheet)});
+  return plots;
+}
+
+TEST(SuiteHtml, SaysWhatWasFound) {
+  const SuiteStatistics found = statistics();
+  const std::string html = suiteHtml(found, drawn(found), "gnomon run a & b").text();
+  for (const char* part : {"drawn: 2 methods over 25 scenes",
+                           "<b>m1</b> has the fewest wrong samples: <b>2.60&#8239;%",
+                           "distinguishable from every other", "Who beats whom",
+                           "hard &lt;scene&gt;", "href=\"scene-024/report.html\"", "below 10",
+                           "gnomon run a &amp; b", "data:image/svg+xml;base64,"}) {
+    EXPECT_THAT(html, HasSubstr(part));
+  }
+  for (const char* fetch : {"http://", "https://", "<link", "<script", "@import", "url("}) {
+    EXPECT_THAT(html, Not(HasSubstr(fetch)));
+  }
+}
+
+TEST(SuiteHtml, WithoutAMethodOnEveryScene) {
+  std::vector<StudyMeans> some = studies();
+  some[0].methods.clear();
+  const SuiteStatistics found = suiteStatistics("drawn", some);
+  const std::string html = suiteHtml(found, drawn(found), "").text();
+  EXPECT_THAT(html, HasSubstr("No method was measured on every scene"));
+  EXPECT_THAT(html, HasSubstr("on 24 of 25 scenes: no rank"));
+  EXPECT_THAT(html, Not(HasSubstr("Who beats whom")));
+}
+
+TEST(SuiteJson, HoldsWhatThePageShows) {
+  const SuiteStatistics found = statistics();
+  const auto json = nlohmann::json::parse(suiteJson(found, "gnomon run"));
+  EXPECT_EQ(json["schema"], "gnomon-suite/1");
+  EXPECT_EQ(json["suite"], "drawn");
+  EXPECT_EQ(json["methods"][0]["label"], "m1");
+  EXPECT_EQ(json["methods"][0]["rank"], 1);
+  EXPECT_EQ(json["methods"][0]["rank_stability"], 1);
+  EXPECT_EQ(json["methods"][0]["worst_scene"], "scene-024");
+  EXPECT_EQ(json["comparisons"], 1);
+  ASSERT_EQ(json["pairs"].size(), 1U);
+  EXPECT_EQ(json["pairs"][0]["verdict"], "better");
+  EXPECT_EQ(json["pairs"][0]["win_probability"], 1);
+  EXPECT_EQ(json["bins"].size(), 4U);
+  EXPECT_EQ(json["scenes"][0]["name"], "scene-024");
+  EXPECT_EQ(json["results"].size(), 50U);
+  SuiteStatistics broken = found;
+  broken.methods[0].spread.mean = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(suiteJson(broken, ""), InternalError);
+}
+
+TEST(SuiteCsv, HasARowASceneAndMethod) {
+  std::vector<StudyMeans> some = studies();
+  some[1].methods[0].caseErrors.emplace_back();  // m0 lacks a light there
+  const std::string csv = csvTable(suiteResultsTable(suiteStatistics("drawn", some), some));
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "scene,method,error_rate,false_shadow,false_light,uncertainty,rank");
+  EXPECT_THAT(csv, HasSubstr("\nscene-000,m0,0.004,0.001,0.003,0.0005,2\n"));
+  EXPECT_THAT(csv, HasSubstr("\nscene-000,m1,0.002,0.0005,0.0015,0.0005,1\n"));
+  EXPECT_THAT(csv, HasSubstr("\nscene-001,m0,,,,0.0005,\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 51);
+}
+
+TEST(SuiteMarkdown, IsTheRankedTable) {
+  const std::string markdown = markdownTable(suiteRankedTable(statistics()));
+  EXPECT_THAT(markdown, HasSubstr("**drawn: 25 scenes**"));
+  EXPECT_THAT(markdown, HasSubstr("| 1 | m1 | 2.60 |"));
+  EXPECT_THAT(markdown, HasSubstr("scene-024"));
+}
+
+TEST(SuiteText, IsRounded) {
+  EXPECT_EQ(probabilityText(0.0004), "<0.001");
+  EXPECT_EQ(probabilityText(0.0126), "0.013");
+  EXPECT_EQ(rankText(2, 2), "2");
+  EXPECT_EQ(rankText(1, 3), "1 to 3");
+  EXPECT_EQ(binText({}, 5), "below 5");
+  EXPECT_EQ(binText(5, 10), "5 to 10");
+  EXPECT_EQ(binText(75, {}), "75 and more");
+}
+
+class SuiteFiles : public test::TemporaryFolder {};
+
+TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
+  RunFolder folder(file("out"), {"ranking.json", {}, "ranking.txt"});
+  std::filesystem::create_directories(folder.path());
+  std::vector<StudyMeans> few = studies();
+  few.resize(19);
+  EXPECT_FALSE(writeSuiteFiles(few, "", folder));
+  EXPECT_FALSE(folder.names("suite.html"));
+  EXPECT_TRUE(writeSuiteFiles(studies(), "", folder));
+  for (const char* name :
+       {"suite.csv", "suite.md", "suite.html", "suite.json", "plots/suite-errors.svg",
+        "plots/suite-wins.pdf", "plots/suite-bins.svg"}) {
+    EXPECT_TRUE(folder.names(name)) << name;
+    EXPECT_GT(std::filesystem::file_size(folder.path() / name), 100U) << name;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

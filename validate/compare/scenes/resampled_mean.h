@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "compare/confidence_interval.h"
+
+namespace gnomon {
+
+/// Fewer scenes than this give no interval.
+constexpr std::size_t leastScenes = 20;
+
+/// Scenes drawn anew with replacement, as often as there are resamples. Draw k of resample b is
+/// ⌊n u⌋, where u is randomUnit(0, "scenes", b n + k) of common/counted_random.h: the same on every
+/// machine.
+class SceneResamples {
+ public:
+  /// @param scenes  n, 1 or more
+  /// @param resamples  1 more than these is best a multiple of 20: then 5 % of them are a whole
+  ///   number
+  explicit SceneResamples(std::size_t scenes, std::size_t resamples = 19'999);
+  [[nodiscard]] std::size_t scenes() const { return scenes_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// Fills n places with the scenes of a resample, each below n.
+  void draw(std::size_t resample, std::span<std::uint32_t> scenes) const;
+
+ private:
+  std::size_t scenes_, count_;
+};
+
+/// What a mean over scenes is known by: the symmetric bootstrap-t (Hall 1988).
+///
+/// With the mean v̄ of n values, their standard deviation s and that of a resample s*, every
+/// resample gives t* = |v̄* - v̄| √n / s*. A t* stands for how far, in standard errors, a mean lies
+/// from what it estimates. Where all values of a resample are the same, t* is 0 if that is v̄ and
+/// else infinite: such a resample says nothing of the error.
+class ResampledMean {
+ public:
+  /// @param values  one a scene, as many as the resamples have scenes
+  ResampledMean(std::span<const double> values, const SceneResamples& resamples);
+
+  [[nodiscard]] double mean() const { return mean_; }
+  /// Why nothing can be said of the mean's error; empty if something can.
+  [[nodiscard]] std::string_view reason() const { return reason_; }
+
+  /// v̄ ± q s / √n, where q is what a share `error` of all t* reaches or exceeds, rounded to the
+  /// wider side. It leaves out 0 just where probabilityOfZero() is no more than `error`.
+  /// @param error  0.05 for 95 %; largestError or less
+  /// @returns none where there is a reason, and where the resamples are too few to tell so small an
+  ///   error or some of them too uniform
+  [[nodiscard]] std::optional<Interval> interval(double error) const;
+
+  /// p: how probable a mean at least as far from 0 would be if it estimated 0. With c of the B
+  /// t* that reach |v̄| √n / s it is (1 + c) / (1 + B), never 0; 1 where there is a reason.
+  [[nodiscard]] double probabilityOfZero() const { return probabilityOfZero_; }
+
+  static constexpr double largestError = 0.05;
+
+ private:
+  double mean_ = 0;
+  double standardError_ = 0;
+  double probabilityOfZero_ = 1;
+  std::string_view reason_;
+  std::size_t resamples_ = 0;
+  std::vector<double> largest_;  ///< of the t*, falling; as many as `largestError` asks for
+};
+
+}  // namespace gnomon

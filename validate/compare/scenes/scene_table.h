@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Statistics over scenes: the scenes are drawn from one population, each independently of the
+/// others, and the scene is the unit. An interval speaks of further scenes of that population.
+
+/// Error rates of methods on scenes, 0 to 1.
+struct SceneTable {
+  std::vector<std::string> scenes;   ///< distinct names
+  std::vector<std::string> methods;  ///< distinct names
+  /// `errors[m][s]`: of method m on scene s; none where it was not measured there.
+  std::vector<std::vector<std::optional<double>>> errors;
+  /// By how much the truth itself may be wrong, one a scene.
+  std::vector<double> uncertainty;
+};
+
+/// The same table with scenes and methods in the order of their names. All functions of this folder
+/// add in the order of the table: sorted first, no result depends on the order of input.
+/// @throws InternalError for sizes that do not fit, for a name twice, and for an error that is not
+///   within 0 to 1 or an uncertainty that is not finite and 0 or more
+SceneTable sortedByName(const SceneTable& table);
+
+/// The scenes on which all of the methods have an error, ascending.
+/// @param methods  indices
+std::vector<std::size_t> sharedScenes(const SceneTable& table,
+                                      const std::vector<std::size_t>& methods);
+
+}  // namespace gnomon

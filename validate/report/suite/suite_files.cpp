@@ -1,0 +1,44 @@
+#include "report/suite/suite_files.h"
+
+#include <fmt/core.h>
+
+#include <vector>
+
+#include "common/parallel.h"
+#include "report/suite/suite_html.h"
+#include "report/suite/suite_json.h"
+#include "report/suite/suite_plots.h"
+#include "report/suite/suite_tables.h"
+#include "report/tables/formats/csv_format.h"
+#include "report/tables/formats/markdown_format.h"
+
+namespace gnomon {
+namespace {
+
+std::vector<DrawnPlot> writePlots(const std::vector<PlotSheet>& sheets, RunFolder& folder) {
+  std::vector<DrawnPlot> plots(sheets.size());
+  parallelFor(0, sheets.size(), [&](std::size_t i) { plots[i] = {sheets[i], svgOf(sheets[i])}; });
+  const std::vector<std::string> pdfs = pdfsOf(sheets);
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    folder.write(fmt::format("plots/{}.svg", sheets[i].name), plots[i].svg);
+    folder.write(fmt::format("plots/{}.pdf", sheets[i].name), pdfs[i]);
+  }
+  return plots;
+}
+
+}  // namespace
+
+bool writeSuiteFiles(std::span<const StudyMeans> studies, std::string_view command,
+                     RunFolder& folder) {
+  const std::string suite = suiteOf(studies);
+  if (suite.empty()) return false;
+  const SuiteStatistics statistics = suiteStatistics(suite, studies);
+  folder.write("suite.csv", csvTable(suiteResultsTable(statistics, studies)));
+  folder.write("suite.md", markdownTable(suiteRankedTable(statistics)));
+  const std::vector<DrawnPlot> plots = writePlots(suitePlots(statistics), folder);
+  folder.write("suite.html", suiteHtml(statistics, plots, command).text());
+  folder.write("suite.json", suiteJson(statistics, command));
+  return true;
+}
+
+}  // namespace gnomon

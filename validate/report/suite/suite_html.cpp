@@ -1,0 +1,147 @@
+#include "report/suite/suite_html.h"
+
+#include <algorithm>
+
+#include "report/page/html_page.h"
+#include "report/plots/bin_plot.h"
+#include "report/suite/suite_tables.h"
+#include "report/tables/formats/html_format.h"
+#include "report/text/interval_text.h"
+#include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::size_t mostHardScenes = 10;
+
+/// Labels of the methods that are not distinguishable from the first.
+std::vector<std::string> likeFirst(const SuiteStatistics& statistics) {
+  std::vector<std::string> alike;
+  const std::string& first = statistics.methods.front().label;
+  for (const SuiteMethod& method : statistics.methods) {
+    const auto pair = method.rank ? findPair(statistics, first, method.label) : std::nullopt;
+    if (pair && pair->verdict == DifferenceVerdict::notDistinguishable) {
+      alike.push_back(method.label);
+    }
+  }
+  return alike;
+}
+
+Html bestOf(const SuiteStatistics& statistics) {
+  if (statistics.methods.empty() || !statistics.methods.front().rank) {
+    return html("No method was measured on every scene, so that none can be called the best.");
+  }
+  const SuiteMethod& best = statistics.methods.front();
+  const std::vector<std::string> alike = likeFirst(statistics);
+  const Html interval =
+      best.interval ? html(" (95&#8239;% interval {})", intervalText(best.interval)) : Html();
+  return html(
+      "<b>{}</b> has the fewest wrong samples: <b>{}&#8239;%</b> on average{}, {}&#8239;% on the "
+      "worst twentieth of the scenes. {}",
+      best.label, percentText(best.spread.mean), interval, percentText(best.spread.worstTwentieth),
+      alike.empty() ? html("It is distinguishable from every other ranked method.")
+                    : html("It is {}.", indistinguishableText(alike)));
+}
+
+Html header(const SuiteStatistics& statistics) {
+  return html(
+      "<h1>{}: {} over {}</h1>\n<p class=\"source\">On every scene the methods’ shadows were "
+      "compared, sample by sample, with ray tracing of the displaced surface; a figure is the "
+      "share "
+      "of wrong samples, mean over the scene’s lights and views. The scenes were drawn from one "
+      "population and the scene is the unit: intervals and verdicts hold for further scenes drawn "
+      "likewise.</p>\n<p class=\"lead\">{}</p>\n",
+      statistics.suite, plural(statistics.methods.size(), "method"),
+      plural(statistics.table.scenes.size(), "scene"), bestOf(statistics));
+}
+
+/// The plot of that name; nothing where there is none.
+Html plotOf(const std::vector<DrawnPlot>& plots, std::string_view name) {
+  for (const DrawnPlot& plot : plots) {
+    if (plot.sheet.name == name) return htmlPlot(plot);
+  }
+  return {};
+}
+
+/// A note and what it is about; nothing without that.
+Html noted(const Html& note, const Html& content) {
+  return content.empty() ? Html() : html("<p class=\"note\">{}</p>\n{}", note, content);
+}
+
+Html rankedSection(const SuiteStatistics& statistics) {
+  return htmlSection(
+      "ranking", "Methods, best first",
+      noted(
+          html("Percent of the samples. <b>Worst 5&#8239;%</b> is the mean over the worst "
+               "twentieth of the scenes. <b>Ranks</b> are those of 95&#8239;% of the resamples of "
+               "the scenes, <b>same rank</b> the share of them in which the rank is the one in "
+               "the table. ≈ marks a method that is not distinguishable from the first: Holm’s "
+               "correction over all {} of methods allows no verdict, or the difference is within "
+               "the truth’s uncertainty.",
+               plural(statistics.comparisons, "pair")),
+          htmlTable(suiteRankedTable(statistics))));
+}
+
+Html leaderSection(const SuiteStatistics& statistics) {
+  const Table table = suiteLeaderTable(statistics);
+  if (table.rows.empty()) return {};
+  return htmlSection(
+      "first", "Against " + statistics.methods.front().label,
+      noted(html("Paired by scene. A scene on which two methods differ by no more than the truth’s "
+                 "uncertainty counts half for each."),
+            htmlTable(table)));
+}
+
+Html winsSection(const std::vector<DrawnPlot>& plots) {
+  return htmlSection(
+      "wins", "Who beats whom",
+      noted(html("How probable it is, in percent, that the method of the row has a smaller error "
+                 "than that of the column on a new scene. Blue above 50, orange below it; white "
+                 "with ≈ where the two are not distinguishable."),
+            plotOf(plots, "suite-wins")));
+}
+
+Html binsSection(const SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots) {
+  Html tables;
+  for (const std::string& axis : suiteAxes(statistics)) {
+    tables += html("<h3>{}</h3>\n{}", axisTitle(axis), htmlTable(suiteBinsTable(statistics, axis)));
+  }
+  if (tables.empty()) return {};
+  return htmlSection(
+      "bins", "Where methods fail",
+      noted(
+          html("Error among the samples of all scenes that lie in a bin, each scene with the same "
+               "weight. Bars are 95&#8239;% intervals over the scenes; errors below "
+               "0.01&#8239;% stand at it. The plot has the best methods and the last one, the "
+               "tables have all."),
+          plotOf(plots, "suite-bins") +
+              html("<details>\n<summary>All methods</summary>\n{}</details>\n", tables)));
+}
+
+Html hardSection(const SuiteStatistics& statistics) {
+  const Table table = suiteScenesTable(statistics, mostHardScenes);
+  if (statistics.methods.empty() || !statistics.methods.front().rank) return {};
+  return htmlSection("scenes", "The hardest scenes",
+                     noted(html("The {} with the largest median of the ranked methods’ errors, "
+                                "percent of the samples.",
+                                plural(table.rows.size(), "scene")),
+                           htmlTable(table)));
+}
+
+}  // namespace
+
+Html suiteHtml(const SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
+               std::string_view command) {
+  const Html curves = htmlSection(
+      "errors", "Share of the scenes with an error below",
+      noted(html("The higher and the farther to the left a curve, the better the method; where it "
+                 "reaches 100 is its worst scene. Errors below 0.01&#8239;% stand at it."),
+            plotOf(plots, "suite-errors")));
+  return htmlPage(statistics.suite, header(statistics),
+                  rankedSection(statistics) + curves + winsSection(plots) +
+                      leaderSection(statistics) + binsSection(statistics, plots) +
+                      hardSection(statistics) + htmlReproduction(command));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/scenes/binned_error.h"
+#include "compare/scenes/rank_stability.h"
+#include "compare/scenes/scene_spread.h"
+#include "compare/scenes/scene_table.h"
+#include "compare/scenes/win_share.h"
+#include "study/judge/study_means.h"
+
+namespace gnomon {
+
+/// Statistics over the scenes of a suite: studies that were drawn from one population, of which
+/// each is one observation. What an interval says of a method holds for new scenes of the suite,
+/// where those of one study (confidence_interval.h) hold for new bumps of one scene.
+
+/// One method over the scenes.
+struct SuiteMethod {
+  std::string label;
+  std::vector<std::string> names;  ///< the methods' own, as a rule one
+  SceneSpread spread;              ///< over the scenes in which it has an error in every case
+  std::string worstScene;
+  std::optional<Interval> interval;  ///< 95 % of the mean, within 0 to 1
+  std::string reason;                ///< why there is none; empty if there is one
+  double uncertainty = 0;            ///< of the truth, mean over these scenes
+  /// None for a method that lacks a scene: means over other scenes cannot be compared.
+  std::optional<SceneRank> rank;
+};
+
+/// Two methods over the scenes that both have, at least one.
+struct SuitePair {
+  std::string first, second;         ///< labels
+  WinShare wins;                     ///< of the first
+  double difference = 0;             ///< mean error of the first less that of the second
+  std::optional<Interval> interval;  ///< 95 % of the difference, by itself
+  std::string reason;                ///< why there is none; empty if there is one
+  double uncertainty = 0;            ///< of the truth, mean over these scenes
+  double probability = 1;            ///< p of no difference
+  double adjusted = 1;               ///< p by Holm over all pairs of the suite
+  /// The difference with the error that Holm allows this pair; `verdict` is `distinguish` of it.
+  std::optional<Interval> corrected;
+  DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
+};
+
+/// A method's error in one bin of an axis, over all scenes.
+struct SuiteBin {
+  std::string method;  ///< a label
+  std::string axis;    ///< as in BinRecord, likewise `low` and `high`
+  std::optional<double> low, high;
+  BinnedError error;
+};
+
+/// One scene, by how hard it is for the methods with a rank; without figures where there are none.
+struct SuiteScene {
+  std::string name;
+  std::string title;
+  std::optional<double> median;       ///< of their errors
+  std::string best;                   ///< of them, label of that with the smallest error; of equal
+                                      ///< ones the first by name
+  std::optional<double> bestError;    ///< its error
+  std::optional<double> leaderError;  ///< that of the method of rank 1
+  double uncertainty = 0;             ///< of the truth
+};
+
+struct SuiteStatistics {
+  std::string suite;
+  SceneTable table;                  ///< sorted by name
+  std::vector<SuiteMethod> methods;  ///< with a rank first, by mean; then by number of scenes
+  std::vector<SuitePair> pairs;      ///< of every two, in the order of `methods`
+  std::vector<SuiteBin> bins;        ///< by method, axis and lower end
+  std::vector<SuiteScene> scenes;    ///< the largest median first
+  std::size_t comparisons = 0;  ///< pairs that Holm's correction counts: those with an interval
+};
+
+/// The one suite that studies of a run were drawn for; empty where there are fewer than
+/// `leastScenes` of them or where they are of several suites.
+std::string suiteOf(std::span<const StudyMeans> studies);
+
+/// @param suite    suiteOf these studies; those that were not drawn for it are left out
+/// @param studies  in any order, with methods in any order
+SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyMeans> studies);
+
+/// The pair of two methods, whichever of them comes first; none where they share no scene.
+std::optional<SuitePair> findPair(const SuiteStatistics& statistics, std::string_view first,
+                                  std::string_view second);
+
+}  // namespace gnomon
