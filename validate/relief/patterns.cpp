@@ -1,7 +1,5 @@
 #include "relief/patterns.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,72 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "common/error.h"
-#include "common/parallel.h"
-#include "common/system/memory.h"
 #include "common/vec.h"
+#include "relief/pattern_parts.h"
 
 namespace gnomon {
 namespace {
-
-void checkBetween(const std::string& parameter, double value, double least, double most) {
-  if (!(value >= least && value <= most)) {
-    throw InputError(fmt::format("{} found, {} to {} expected", value, least, most), parameter);
-  }
-}
-
-constexpr double longest = 1e9;  // texels: coordinates stay exact far beyond any map
-
-void checkPeriod(double period) {
-  // Shorter ones fall between the texels.
-  checkBetween("period", period, 1, longest);
-}
-
-void checkMap(int width, int height, double amplitude) {
-  if (width < 1 || height < 1) {
-    throw InputError(
-        fmt::format("a map of {} × {} texels found, at least 1 × 1 expected", width, height));
-  }
-  if (!std::isfinite(amplitude)) {
-    throw InputError(fmt::format("{} found, a finite number expected", amplitude), "amplitude");
-  }
-  requireMemory(static_cast<double>(width) * height * sizeof(float),
-                fmt::format("a map of {} × {} texels", width, height));
-}
-
-/// amplitude × function at every texel centre.
-template <typename Function>
-HeightField sample(int width, int height, double amplitude, Wrap wrap, const Function& function) {
-  std::vector<float> texels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  parallelFor(0, static_cast<std::size_t>(height), [&](std::size_t row) {
-    for (int x = 0; x < width; ++x) {
-      const Vec2 centre(x + 0.5, static_cast<double>(row) + 0.5);
-      texels[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
-          static_cast<float>(amplitude * function(centre));
-    }
-  });
-  return {width, height, std::move(texels), wrap};
-}
-
-double smoothstep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 /// From a coordinate to the nearest line of a lattice through the cells' centres.
 double toCentre(double x, double period) {
   const double within = x - period * std::floor(x / period);
   return within - period / 2;
-}
-
-/// A number in [0, 1) for a lattice point. An integer hash (the mixing steps are those of Murmur
-/// 3's finaliser), so that it is the same on every machine.
-double hashed(std::uint32_t x, std::uint32_t y, std::uint32_t salt) {
-  std::uint32_t h = x * 0x9E3779B1U ^ (y + 0x7F4A7C15U) * 0x85EBCA77U ^ salt * 0xC2B2AE3DU;
-  h = (h ^ (h >> 16)) * 0x85EBCA6BU;
-  h = (h ^ (h >> 13)) * 0xC2B2AE35U;
-  h ^= h >> 16;
-  return h * 0x1p-32;
 }
 
 /// How many periods make up a side, or 0 if it is no whole number of them: then nothing repeats.
@@ -115,15 +57,6 @@ struct CellPosition {
   double fromCentre, fromBorder;
 };
 
-/// -s log Σ exp(-v / s): the least of the values, or up to a few s less where several are near it.
-template <std::size_t count>
-double softMinimum(const std::array<double, count>& values, double s) {
-  const double least = *std::min_element(values.begin(), values.end());
-  double sum = 0;
-  for (const double v : values) sum += std::exp((least - v) / s);
-  return least - s * std::log(sum);
-}
-
 CellPosition cellPosition(const CellLattice& lattice, Vec2 p) {
   const auto column = static_cast<long long>(std::floor(p.x / lattice.pattern.period));
   const auto row = static_cast<long long>(std::floor(p.y / lattice.pattern.period));
@@ -144,13 +77,6 @@ CellPosition cellPosition(const CellLattice& lattice, Vec2 p) {
   });
   const double softness = 0.3 * lattice.pattern.groove;
   return {glm::length(*nearest - p), std::max(softMinimum(fromBisectors, softness), 0.0)};
-}
-
-/// A ripple from trough (t = 0) over the crest (t = windward) to the next trough (t = 1): rounded
-/// in the trough, bulging to windward, with an edge at the crest where the sand slides down.
-double rippleProfile(double t, double windward) {
-  if (t < windward) return std::pow(std::sin(pi / 2 * t / windward), 1.5);
-  return std::pow((1 - t) / (1 - windward), 1.5);
 }
 
 /// How far crest lines are displaced, between -1 and 1: three waves, a whole number of each across
@@ -180,11 +106,11 @@ class Meanders {
 
 HeightField makeColumns(int width, int height, const ColumnsPattern& pattern, double amplitude,
                         Wrap wrap) {
-  checkMap(width, height, amplitude);
-  checkPeriod(pattern.period);
-  checkBetween("radius", pattern.radius, 0, longest);
-  checkBetween("wall", pattern.wall, 0, longest);
-  return sample(width, height, amplitude, wrap, [&](Vec2 p) {
+  requireMap(width, height, amplitude);
+  requireBetween("period", pattern.period, 1, longestOfPatterns);
+  requireBetween("radius", pattern.radius, 0, longestOfPatterns);
+  requireBetween("wall", pattern.wall, 0, longestOfPatterns);
+  return sampledMap(width, height, amplitude, wrap, [&](Vec2 p) {
     const double beyond =
         std::hypot(toCentre(p.x, pattern.period), toCentre(p.y, pattern.period)) - pattern.radius;
     if (beyond <= 0) return 1.0;
@@ -194,37 +120,36 @@ HeightField makeColumns(int width, int height, const ColumnsPattern& pattern, do
 
 HeightField makeCosine(int width, int height, const CosinePattern& pattern, double amplitude,
                        Wrap wrap) {
-  checkMap(width, height, amplitude);
-  checkPeriod(pattern.period);
+  requireMap(width, height, amplitude);
+  requireBetween("period", pattern.period, 1, longestOfPatterns);
   const double phase = 2 * pi / pattern.period;
-  return sample(width, height, amplitude, wrap, [phase](Vec2 p) {
+  return sampledMap(width, height, amplitude, wrap, [phase](Vec2 p) {
     return (2 - std::cos(phase * p.x) - std::cos(phase * p.y)) / 4;
   });
 }
 
 HeightField makeCells(int width, int height, const CellsPattern& pattern, double amplitude,
                       Wrap wrap) {
-  checkMap(width, height, amplitude);
-  checkPeriod(pattern.period);
-  checkBetween("jitter", pattern.jitter, 0, 1);
-  checkBetween("groove", pattern.groove, 1e-3, longest);
+  requireMap(width, height, amplitude);
+  requireBetween("period", pattern.period, 1, longestOfPatterns);
+  requireBetween("jitter", pattern.jitter, 0, 1);
+  requireBetween("groove", pattern.groove, 1e-3, longestOfPatterns);
   const CellLattice lattice{pattern, periodsIn(width, pattern.period),
                             periodsIn(height, pattern.period)};
-  return sample(width, height, amplitude, wrap, [&](Vec2 p) {
+  return sampledMap(width, height, amplitude, wrap, [&](Vec2 p) {
     const CellPosition at = cellPosition(lattice, p);
-    const double away = std::min(at.fromCentre / pattern.period, 1.0);
-    return smoothstep(at.fromBorder / pattern.groove) * (1 - 0.6 * away * away);
+    return cellHeight(at.fromCentre, at.fromBorder, pattern.period, pattern.groove);
   });
 }
 
 HeightField makeRipples(int width, int height, const RipplesPattern& pattern, double amplitude,
                         Wrap wrap) {
-  checkMap(width, height, amplitude);
-  checkPeriod(pattern.period);
-  checkBetween("windward", pattern.windward, 0.01, 0.99);
-  checkBetween("meander", pattern.meander, 0, longest);
+  requireMap(width, height, amplitude);
+  requireBetween("period", pattern.period, 1, longestOfPatterns);
+  requireBetween("windward", pattern.windward, 0.01, 0.99);
+  requireBetween("meander", pattern.meander, 0, longestOfPatterns);
   const Meanders meanders(width, height, pattern.period);
-  return sample(width, height, amplitude, wrap, [&](Vec2 p) {
+  return sampledMap(width, height, amplitude, wrap, [&](Vec2 p) {
     const double shift = meanders.at(p);
     const double phase = (p.x + pattern.meander * shift) / pattern.period;
     return rippleProfile(phase - std::floor(phase), pattern.windward);

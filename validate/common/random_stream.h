@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace gnomon {
+
+/// Random numbers that are the same on every machine: xoshiro256** (Blackman & Vigna 2018), a
+/// period of 2²⁵⁶ - 1, in whole numbers alone. The standard library's generators are specified, its
+/// distributions are not.
+class RandomStream {
+ public:
+  using State = std::array<std::uint64_t, 4>;
+
+  /// @param state  not all 0
+  explicit RandomStream(const State& state) : state_(state) {}
+  /// The state is the first four numbers of splitmix64 from the seed (Steele, Lea & Flood 2014).
+  explicit RandomStream(std::uint64_t seed) {
+    for (std::uint64_t& word : state_) {
+      seed += 0x9E3779B97F4A7C15U;
+      std::uint64_t z = seed;
+      z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+      z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+      word = z ^ (z >> 31);
+    }
+  }
+
+  /// 64 random bits.
+  std::uint64_t next() {
+    const std::uint64_t result = std::rotl(state_[1] * 5, 7) * 9;
+    const std::uint64_t shifted = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= shifted;
+    state_[3] = std::rotl(state_[3], 45);
+    return result;
+  }
+
+  /// A whole number from 0 to below `count`, each as probable as the others: draws that would
+  /// favour the small ones are thrown away.
+  std::uint64_t below(std::uint64_t count) {
+    const std::uint64_t surplus = (0 - count) % count;  // 2⁶⁴ mod count
+    std::uint64_t draw = next();
+    while (draw < surplus) draw = next();
+    return draw % count;
+  }
+
+  /// A multiple of 2⁻⁵³ from 0 to below 1.
+  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+ private:
+  State state_{};
+};
+
+}  // namespace gnomon

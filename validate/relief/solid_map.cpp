@@ -1,0 +1,190 @@
+#include "relief/solid_map.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "common/parallel.h"
+#include "common/system/memory.h"
+#include "relief/pattern_parts.h"
+#include "surface/limit_face.h"
+#include "surface/texel_frame.h"
+
+namespace gnomon {
+namespace {
+
+double cross(Vec2 a, Vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// A face as it lies on the map: the bilinear image of [0, 1]² with corners at (0, 0), (1, 0),
+/// (1, 1), (0, 1), texels.
+class FaceOnMap {
+ public:
+  FaceOnMap(const LimitFace& face, Vec2 texelsPerUv)
+      : corners_{face.at(0, 0).uv * texelsPerUv, face.at(1, 0).uv * texelsPerUv,
+                 face.at(1, 1).uv * texelsPerUv, face.at(0, 1).uv * texelsPerUv} {}
+
+  [[nodiscard]] Vec2 least() const {
+    return bound([](auto a, auto b) { return glm::min(a, b); });
+  }
+  [[nodiscard]] Vec2 most() const {
+    return bound([](auto a, auto b) { return glm::max(a, b); });
+  }
+  [[nodiscard]] bool hasArea() const {
+    return cross(corners_[2] - corners_[0], corners_[3] - corners_[1]) != 0;
+  }
+
+  /// The face's nearest place with its parameters, and how far it is: 0 for a place on the face.
+  struct Nearest {
+    Vec2 parameters{0};
+    Vec2 place{0};
+    double distance = std::numeric_limits<double>::infinity();
+  };
+  [[nodiscard]] Nearest nearest(Vec2 place) const {
+    if (const Vec2 inside = inverse(place); isParameter(inside)) {
+      return {inside, place, 0};
+    }
+    constexpr std::array<Vec2, 4> at = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+    Nearest best;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t next = (k + 1) % 4;
+      const Vec2 side = corners_[next] - corners_[k];
+      const double square = glm::dot(side, side);
+      const double share =
+          square > 0 ? std::clamp(glm::dot(place - corners_[k], side) / square, 0.0, 1.0) : 0.0;
+      const Vec2 foot = corners_[k] + share * side;
+      const double distance = glm::length(foot - place);
+      if (distance < best.distance) best = {glm::mix(at[k], at[next], share), foot, distance};
+    }
+    return best;
+  }
+
+ private:
+  template <typename Pick>
+  [[nodiscard]] Vec2 bound(const Pick& pick) const {
+    return pick(pick(corners_[0], corners_[1]), pick(corners_[2], corners_[3]));
+  }
+
+  static bool isParameter(Vec2 p) { return p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1; }
+
+  /// (s, t) at which e s + f t + g s t = h, with h the place from the first corner: a root of
+  /// (g × f) t² + (e × f + h × g) t + h × e. Without a root in the face, a place outside it.
+  [[nodiscard]] Vec2 inverse(Vec2 place) const {
+    const Vec2 e = corners_[1] - corners_[0];
+    const Vec2 f = corners_[3] - corners_[0];
+    const Vec2 g = corners_[0] - corners_[1] + corners_[2] - corners_[3];
+    const Vec2 h = place - corners_[0];
+    const double a = cross(g, f);
+    const double b = cross(e, f) + cross(h, g);
+    const double c = cross(h, e);
+    const auto at = [&](double t) {
+      const Vec2 along = e + t * g;
+      const Vec2 rest = h - t * f;
+      const bool byX = std::abs(along.x) > std::abs(along.y);
+      return Vec2(byX ? rest.x / along.x : rest.y / along.y, t);
+    };
+    const double root = b * b - 4 * a * c;
+    if (!(root >= 0)) return Vec2(-1);
+    // The form of the quadratic's roots that loses no digits where a is small.
+    const double q = -0.5 * (b + std::copysign(std::sqrt(root), b));
+    const Vec2 first = q != 0 ? at(c / q) : Vec2(-1);
+    if (isParameter(first)) return first;
+    return a != 0 ? at(q / a) : Vec2(-1);
+  }
+
+  std::array<Vec2, 4> corners_;
+};
+
+/// The face that a texel takes its height from, and where.
+struct Owner {
+  float distance = std::numeric_limits<float>::infinity();
+  int face = -1;
+  glm::vec2 parameters{0};
+  glm::vec2 beyond{0};  ///< from that place to the texel's centre, texels
+};
+
+class Owners {
+ public:
+  Owners(int width, int height, Wrap wrap)
+      : width_(width),
+        height_(height),
+        wrap_(wrap),
+        owners_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+  /// Offers a face all texels within the margin.
+  void offer(int face, const FaceOnMap& map) {
+    const Vec2 size(width_, height_);
+    Vec2 low = map.least() - solidMargin;
+    Vec2 high = map.most() + solidMargin;
+    if (wrap_ == Wrap::clamp) {
+      low = glm::max(low, Vec2(0));
+      high = glm::min(high, size);
+    }
+    for (double j = std::ceil(low.y - 0.5); j + 0.5 <= high.y; ++j) {
+      for (double i = std::ceil(low.x - 0.5); i + 0.5 <= high.x; ++i) {
+        const Vec2 centre(i + 0.5, j + 0.5);
+        const auto nearest = map.nearest(centre);
+        Owner& owner = at(i, j);
+        if (nearest.distance > solidMargin ||
+            !(static_cast<float>(nearest.distance) < owner.distance)) {
+          continue;
+        }
+        owner = {static_cast<float>(nearest.distance), face, nearest.parameters,
+                 centre - nearest.place};
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Owner>& list() const { return owners_; }
+
+ private:
+  Owner& at(double i, double j) {
+    const Vec2 size(width_, height_);
+    const Vec2 wrapped = Vec2(i, j) - glm::floor(Vec2(i, j) / size) * size;
+    return owners_[static_cast<std::size_t>(wrapped.y) * static_cast<std::size_t>(width_) +
+                   static_cast<std::size_t>(wrapped.x)];
+  }
+
+  int width_, height_;
+  Wrap wrap_;
+  std::vector<Owner> owners_;
+};
+
+}  // namespace
+
+HeightField makeSolidMap(const LimitSurface& surface, int width, int height,
+                         const SolidFunction& solid, double amplitude, Wrap wrap) {
+  requireMap(width, height, amplitude);
+  const Vec2 texelsPerUv(width, height);
+  const double texels = texelsPerUv.x * texelsPerUv.y;
+  requireMemory(texels * (sizeof(Owner) + sizeof(float)),
+                fmt::format("a solid on a map of {} × {} texels", width, height));
+  const std::vector<LimitFace> faces = limitFaces(surface, static_cast<std::size_t>(texels));
+  Owners owners(width, height, wrap);
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    const FaceOnMap map(faces[face], texelsPerUv);
+    if (map.hasArea()) owners.offer(static_cast<int>(face), map);
+  }
+  const std::vector<Owner>& list = owners.list();
+  return sampledMap(width, height, amplitude, wrap, [&](Vec2 centre) {
+    const auto column = static_cast<std::size_t>(centre.x);
+    const auto row = static_cast<std::size_t>(centre.y);
+    const Owner& owner = list[row * static_cast<std::size_t>(width) + column];
+    if (owner.face < 0) return 0.0;
+    const LimitFace& face = faces[static_cast<std::size_t>(owner.face)];
+    const TangentPoint point =
+        face.at(static_cast<double>(owner.parameters.x), static_cast<double>(owner.parameters.y));
+    const TexelFrame frame = texelFrame(point, texelsPerUv);
+    const Vec2 beyond(owner.beyond);
+    return solid(point.position + beyond.x * frame.px + beyond.y * frame.py);
+  });
+}
+
+}  // namespace gnomon

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "relief/height_field.h"
+#include "relief/solid.h"
+#include "surface/limit_surface.h"
+
+namespace gnomon {
+
+/// Samples a solid into the map of a surface, so that both sides of every seam agree.
+///
+/// A texel whose centre c lies on a face of the map (texture coordinates are bilinear on a face)
+/// gets amplitude · f(P), P the limit surface's point there. A texel outside all faces, but within
+/// `solidMargin` texels of one, gets amplitude · f(P₀ + (c_x - x₀) P_x + (c_y - y₀) P_y): its
+/// nearest point (x₀, y₀) of the map that is on a face, of position P₀, and the tangent plane
+/// there. Bilinear interpolation at the very border of a chart then has right neighbours on both
+/// sides of the border: it reads texels less than √2 away. Two sides of a seam that meet at P both
+/// have f(P), up to what bilinear interpolation errs by: less than the largest slope of f times a
+/// texel's size in the world, and of second order where f and the texture coordinates are smooth.
+/// All farther texels are 0.
+///
+/// Of several faces that a texel may belong to, the nearest has it, and of equally near ones the
+/// first: charts that lie on one another, or nearer to each other than two texels, do take each
+/// other's texels, and there the two sides do jump. Where the map repeats, texture coordinates
+/// count modulo the map; otherwise faces outside [0, 1] have no texels.
+/// @throws MemoryError naming `relief.size`; InputError for a map without texels
+HeightField makeSolidMap(const LimitSurface& surface, int width, int height,
+                         const SolidFunction& solid, double amplitude, Wrap wrap);
+
+constexpr double solidMargin = 4;  ///< texels
+
+}  // namespace gnomon
