@@ -19,7 +19,7 @@ namespace gnomon {
 /// Texels or world units: coordinates stay exact far beyond any map.
 constexpr double longestOfPatterns = 1e9;
 
-/// @throws InputError naming `relief.KEY` for a value that is not between the two
+/// @throws InputError naming the parameter, for a value that is not between the two
 void requireBetween(const std::string& parameter, double value, double least, double most);
 
 /// @throws InputError for a size that is not positive or an amplitude that is not finite;
