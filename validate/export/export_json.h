@@ -6,6 +6,7 @@
 #include "horizon/table_file.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/truth_study.h"
+#include "study/spec/file_names.h"
 
 namespace gnomon {
 

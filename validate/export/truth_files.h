@@ -5,6 +5,7 @@
 #include "report/run_folder.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/truth_study.h"
+#include "study/spec/file_names.h"
 
 namespace gnomon {
 

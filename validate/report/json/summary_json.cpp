@@ -1,11 +1,11 @@
 #include "report/json/summary_json.h"
 
-#include "report/json/budget_json.h"
-#include "report/json/confidence_json.h"
 #include "report/json/json_values.h"
 #include "report/tables/cost_table.h"
+#include "report/text/interval_text.h"
 #include "report/text/names.h"
 #include "study/record/result_metrics.h"
+#include "study/run/stages/budget.h"
 
 namespace gnomon {
 namespace {
@@ -98,6 +98,68 @@ Json panelJson(const PanelRecord& panel) {
           {"pictures", jsonList(panel.pictures, pictureJson)}};
 }
 
+Json confidenceJson(const ConfidenceRecord& confidence) {
+  return {{"method", confidence.method},
+          {"view", confidence.view},
+          {"light", confidence.light},
+          {"error_rate", jsonNumber(confidence.rate, "confidence.error_rate")},
+          {"low", jsonNumber(lowOf(confidence.interval), "confidence.low")},
+          {"high", jsonNumber(highOf(confidence.interval), "confidence.high")},
+          {"reason", jsonReason(confidence.reason)},
+          {"blocks", confidence.blocks},
+          {"block_side", confidence.blockSide}};
+}
+
+Json differenceJson(const DifferenceRecord& difference) {
+  return {{"view", difference.view},
+          {"light", difference.light},
+          {"first", difference.first},
+          {"second", difference.second},
+          {"difference", jsonNumber(difference.difference, "differences.difference")},
+          {"low", jsonNumber(lowOf(difference.interval), "differences.low")},
+          {"high", jsonNumber(highOf(difference.interval), "differences.high")},
+          {"reason", jsonReason(difference.reason)},
+          {"uncertainty", jsonNumber(difference.uncertainty, "differences.uncertainty")},
+          {"verdict", differenceVerdictName(difference.verdict)},
+          {"radius", jsonRadiusCheck(difference)}};
+}
+
+Json shareJson(const BudgetShare& share) {
+  return {{"share", jsonNumber(share.value, "budget.share")},
+          {"low", jsonNumber(lowOf(share.interval), "budget.low")},
+          {"high", jsonNumber(highOf(share.interval), "budget.high")},
+          {"reason", jsonReason(share.reason)},
+          {"distinguishable", share.distinguishable}};
+}
+
+Json causeJson(const BudgetCause& cause) {
+  return {{"cause", cause.name},
+          {"change", cause.change},
+          {"forward", shareJson(cause.forward)},
+          {"backward", shareJson(cause.backward)}};
+}
+
+Json stateJson(const BudgetState& state) {
+  return {{"error_rate", jsonNumber(state.errorRate, "budget.error_rate")},
+          {"false_shadow", jsonNumber(state.falseShadow, "budget.false_shadow")},
+          {"false_light", jsonNumber(state.falseLight, "budget.false_light")}};
+}
+
+Json budgetJson(const BudgetRecord& budget) {
+  return {{"method", budget.method},
+          {"view", budget.view},
+          {"light", budget.light},
+          {"uncertainty", jsonNumber(budget.uncertainty, "budget.uncertainty")},
+          {"blocks", budget.blocks},
+          {"order_dependence", jsonNumber(orderDependence(budget), "budget.order_dependence")},
+          {"total", shareJson(budget.total)},
+          {"causes", jsonList(budget.causes, causeJson)},
+          {"distant", shareJson(budget.distant)},
+          {"other", shareJson(budget.other)},
+          {"forward_states", jsonList(budget.forward, stateJson)},
+          {"backward_states", jsonList(budget.backward, stateJson)}};
+}
+
 }  // namespace
 
 std::string summaryJson(const StudyRecord& record) {
@@ -111,8 +173,8 @@ std::string summaryJson(const StudyRecord& record) {
       {"truth", jsonTruth(record.truth)},
       {"methods", jsonList(record.methods, methodJson)},
       {"results", jsonList(record.results, resultJson)},
-      {"confidence", jsonList(record.confidence, jsonConfidence)},
-      {"differences", jsonList(record.differences, jsonDifference)},
+      {"confidence", jsonList(record.confidence, confidenceJson)},
+      {"differences", jsonList(record.differences, differenceJson)},
       {"bins", jsonList(record.bins, binJson)},
       {"cost",
        jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
@@ -122,7 +184,7 @@ std::string summaryJson(const StudyRecord& record) {
       {"references", jsonList(references, jsonJudgement)},
       {"problems", jsonList(record.problems, jsonProblem)},
       {"claims", jsonList(record.claims, jsonClaim)},
-      {"budget", jsonList(record.budgets, jsonBudget)},
+      {"budget", jsonList(record.budgets, budgetJson)},
       {"panels", jsonList(record.panels, panelJson)},
       {"region_colours", jsonRegionColours()},
       {"notices", record.notices},

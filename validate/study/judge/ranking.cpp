@@ -4,7 +4,6 @@
 
 #include "compare/rates.h"
 #include "study/judge/distinguish.h"
-#include "study/judge/study_ranking.h"
 
 namespace gnomon {
 namespace {
@@ -21,23 +20,17 @@ Mean meanOver(const Rows& rows, std::string_view metric) {
 
 RankedMethod summarise(const StudyRecord& record, const RankedOverStudies& place) {
   const Rows rows = rankedRows(record, place.label, Answer::drawn);
-  RankedMethod method;
-  method.label = place.label;
-  method.rank = place.rank;
-  method.cases = place.cases;
-  method.allCases = place.allCases;
-  method.leaderError = place.leaderError;
-  method.uncertainty = place.uncertainty;
-  method.errorRate = meanOver(rows, "error_rate");
-  method.falseShadow = meanOver(rows, "false_shadow");
-  method.falseLight = meanOver(rows, "false_light");
-  method.iou = meanOver(rows, "iou");
-  method.ber = meanOver(rows, "ber");
-  method.testError = meanOver(rankedRows(record, place.label, Answer::test), "error_rate");
   std::set<std::string> views;
   for (const ResultRecord* row : rows) views.insert(row->view);
-  method.interval = meanInterval(record, place.label, views);
-  return method;
+  return {place,
+          meanOver(rows, "error_rate"),
+          meanOver(rows, "false_shadow"),
+          meanOver(rows, "false_light"),
+          meanOver(rows, "iou"),
+          meanOver(rows, "ber"),
+          meanInterval(record, place.label, views),
+          meanOver(rankedRows(record, place.label, Answer::test), "error_rate"),
+          {}};
 }
 
 }  // namespace

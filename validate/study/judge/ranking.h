@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/confidence_interval.h"
+#include "study/judge/study_ranking.h"
 #include "study/record/record.h"
 
 namespace gnomon {
@@ -16,17 +17,11 @@ struct Mean {
   std::size_t cases = 0;        ///< how many those are
 };
 
-/// Means of one method's drawn answers over all lights and views, in the region of all samples. A
-/// case is one view under one light.
-struct RankedMethod {
-  std::string label;
-  std::optional<std::size_t> rank;  ///< 1 is best; none where it answers in fewer cases
-  std::size_t cases = 0;            ///< in which it has an error rate
-  std::size_t allCases = 0;         ///< in which some method of the study has one
-  /// Without a rank: mean error rate of the method of rank 1 over this one's cases.
-  std::optional<double> leaderError;
+/// A method in a study: its place in the ranking of this study alone, and means of its drawn
+/// answers over all lights and views, in the region of all samples. A case is one view under one
+/// light.
+struct RankedMethod : RankedOverStudies {
   Mean errorRate, falseShadow, falseLight, iou, ber;
-  std::optional<double> uncertainty;  ///< the truth's, mean over the same cases
   /// 95 % for the mean error rate: the mean of the ends of its views' intervals, all lights
   /// together. Exact for one view; for several as if their errors were fully correlated, so never
   /// too narrow. None where a view has none.

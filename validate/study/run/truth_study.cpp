@@ -5,7 +5,6 @@
 #include "study/run/notices.h"
 #include "study/run/scene/environment.h"
 #include "study/run/stages/refine_stage.h"
-#include "study/spec/file_names.h"
 #include "study/spec/with_keys.h"
 
 namespace gnomon {
@@ -37,13 +36,6 @@ StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progr
   const HorizonTables tables = keptHorizons(cache, field, study.bake, progress);
   return {tables, tables.radiusTexels, storeTable(tables.horizon, study.bake.bits),
           storeTable(tables.distance, study.bake.bits)};
-}
-
-CaseNames caseNames(const StudySpec& study) {
-  std::vector<std::string> views, lights;
-  for (const ViewSpec& view : study.views) views.push_back(view.name);
-  for (const LightSpec& light : study.lights) lights.push_back(light.name);
-  return {fileNames(views), fileNames(lights)};
 }
 
 }  // namespace gnomon

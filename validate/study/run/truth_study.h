@@ -1,8 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "horizon/table_file.h"
 #include "render/gl_context.h"
@@ -12,7 +10,7 @@
 
 namespace gnomon {
 
-/// The parts of a study that need no method: its truth, its tables, and the names of their files.
+/// The parts of a study that need no method: its truth and its tables.
 
 /// A record that names the study, with the truth of the study's own base mesh: traced, with its
 /// uncertainty. The truths themselves are in the scene's standard base.
@@ -24,11 +22,5 @@ StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
 
 /// The study's horizon and distance table as they are stored.
 StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progress& progress = {});
-
-/// Parts of file names for a study's views and lights, as a run's pictures have them.
-struct CaseNames {
-  std::vector<std::string> views, lights;
-};
-CaseNames caseNames(const StudySpec& study);
 
 }  // namespace gnomon

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "study/spec/study_file.h"
+
 namespace gnomon {
 
 /// Whether a study's name may hold a character, since it names a folder: letters, digits, `-`, `_`,
@@ -15,5 +17,11 @@ bool isNameCharacter(char c);
 /// @param taken  parts that none of them may become
 std::vector<std::string> fileNames(const std::vector<std::string>& names,
                                    std::set<std::string> taken = {});
+
+/// Parts of the names of a run's pictures, in the study's order.
+struct CaseNames {
+  std::vector<std::string> views, lights, methods;
+};
+CaseNames caseNames(const StudySpec& study);
 
 }  // namespace gnomon

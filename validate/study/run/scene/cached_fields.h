@@ -138,6 +138,21 @@ void fields(Stream& stream, T& boundaries) {
   }
 }
 
+/// The figures, without the names of view and light.
+template <typename Stream, SameAs<UncertaintyRecord> T>
+void fields(Stream& stream, T& truth) {
+  BoundaryMetrics boundaries{truth.boundaries};
+  stream(truth.flipRate, truth.lengthError, boundaries);
+  if constexpr (!std::is_const_v<T>) truth.boundaries = std::move(boundaries.metrics);
+}
+
+/// The sizes alone.
+template <typename Stream, SameAs<TruthRecord> T>
+void fields(Stream& stream, T& truth) {
+  stream(truth.microTriangles, truth.bvhBytes, truth.meshBytes, truth.stepTexels,
+         truth.askedStepTexels);
+}
+
 template <typename Stream, SameAs<RefinementRecord> T>
 void fields(Stream& stream, T& level) {
   stream(level.stepTexels, level.microTriangles, level.flipRate);

@@ -56,48 +56,30 @@ void requireCoarser(const TracedSurface& half, const TruthRecord& truth) {
       truth.askedStepTexels, half.mesh.triangleCount(), truth.microTriangles));
 }
 
-/// What is kept of the sizes of a surface.
-struct SurfaceSizes {
-  std::uint64_t triangles = 0, bvhBytes = 0, meshBytes = 0;
-  double stepTexels = 0, askedStepTexels = 0;
-};
-
-template <typename Stream, SameAs<SurfaceSizes> T>
-void fields(Stream& stream, T& sizes) {
-  stream(sizes.triangles, sizes.bvhBytes, sizes.meshBytes, sizes.stepTexels, sizes.askedStepTexels);
-}
-
-/// What is kept of the uncertainty of one view under one light.
-struct Flips {
-  double rate = 0;
-  std::optional<double> lengthError;
-  BoundaryMetrics boundaries;
-};
-
-template <typename Stream, SameAs<Flips> T>
-void fields(Stream& stream, T& flips) {
-  stream(flips.rate, flips.lengthError, flips.boundaries);
-}
-
 std::optional<double> differenceFromOne(std::optional<double> ratio) {
   return ratio ? std::optional(std::abs(*ratio - 1)) : std::nullopt;
 }
 
-/// What the cache has, one a light, and which lights it lacks.
-template <typename Value>
-struct KeptLights {
-  std::vector<std::optional<Value>> values;
+/// One value a light: from the cache, or made for all lights together that it lacks.
+/// @param make  gives the values of these lights, in their order
+template <typename Value, typename KeyOf, typename Make>
+std::vector<Value> rememberLights(RunScene& scene, const KeyOf& keyOf, const Make& make) {
+  std::vector<std::optional<Value>> found;
   std::vector<std::size_t> missing;
-};
-
-template <typename Value, typename KeyOf>
-KeptLights<Value> findLights(RunScene& scene, const KeyOf& keyOf) {
-  KeptLights<Value> kept;
   for (std::size_t l = 0; l < scene.study.lights.size(); ++l) {
-    kept.values.push_back(scene.cache.find<Value>(keyOf(l)));
-    if (!kept.values.back()) kept.missing.push_back(l);
+    found.push_back(scene.cache.find<Value>(keyOf(l)));
+    if (!found.back()) missing.push_back(l);
   }
-  return kept;
+  if (!missing.empty()) {
+    std::vector<Value> made = make(missing);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      scene.cache.keep(keyOf(missing[i]), made[i]);
+      found[missing[i]] = std::move(made[i]);
+    }
+  }
+  std::vector<Value> values;
+  for (std::optional<Value>& value : found) values.push_back(std::move(*value));
+  return values;
 }
 
 std::vector<TraceSettings> some(const std::vector<TraceSettings>& lights,
@@ -128,54 +110,43 @@ std::vector<Truth> traceWithSeams(RunScene& scene, const TracedSurface& surface,
 std::vector<Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, const BaseCase& base,
                             std::size_t view) {
   const auto keyOf = [&](std::size_t light) { return scene.keys.truth(base.choice, view, light); };
-  KeptLights<Truth> kept = findLights<Truth>(scene, keyOf);
-  if (!kept.missing.empty()) {
-    std::vector<Truth> traced =
-        traceWithSeams(scene, surface.get(), base.views[view].samples,
-                       some(settingsOf(scene, standardRayOffset), kept.missing));
-    for (std::size_t i = 0; i < traced.size(); ++i) {
-      scene.cache.keep(keyOf(kept.missing[i]), traced[i]);
-      kept.values[kept.missing[i]] = std::move(traced[i]);
-    }
-  }
-  std::vector<Truth> truths;
-  for (std::optional<Truth>& truth : kept.values) truths.push_back(std::move(*truth));
-  return truths;
+  return rememberLights<Truth>(scene, keyOf, [&](const std::vector<std::size_t>& missing) {
+    return traceWithSeams(scene, surface.get(), base.views[view].samples,
+                          some(settingsOf(scene, standardRayOffset), missing));
+  });
 }
 
 /// How a coarser truth of one view under one light differs from the run's own.
-Flips flipsOf(RunScene& scene, const Truth& coarse, const BaseCase& base, std::size_t view,
-              std::size_t light) {
+UncertaintyRecord measured(RunScene& scene, const Truth& coarse, const BaseCase& base,
+                           std::size_t view, std::size_t light) {
   const Truth& truth = base.views[view].truths[light];
   const LightField field = scene.lightField(base, view, light);
-  return {flipRate(truth.mask, coarse.mask),
+  return {"", "", flipRate(truth.mask, coarse.mask),
           differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
-          {compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)}};
+          compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
 }
 
-/// The flips of one view, one a light.
-std::vector<Flips> flipsOf(RunScene& scene, SurfaceOnDemand& half, const TruthRecord& truth,
-                           const BaseCase& base, std::size_t view) {
+/// The truth's uncertainty in one view, one a light.
+std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand& half,
+                                               const TruthRecord& truth, const BaseCase& base,
+                                               std::size_t view) {
   const auto keyOf = [&](std::size_t light) {
     return KeyBuilder("uncertainty").add("truth", scene.keys.truth(base.choice, view, light)).key();
   };
-  KeptLights<Flips> kept = findLights<Flips>(scene, keyOf);
-  if (!kept.missing.empty()) {
+  const auto measure = [&](const std::vector<std::size_t>& missing) {
     requireCoarser(half.get(), truth);
-    scene.clock.measure("uncertainty", [&](const Progress& progress) {
+    return scene.clock.measure("uncertainty", [&](const Progress& progress) {
       const std::vector<Truth> coarse =
           trace(scene, half.get(), base.views[view].samples,
-                some(settingsOf(scene, standardRayOffset / 2), kept.missing), progress);
+                some(settingsOf(scene, standardRayOffset / 2), missing), progress);
+      std::vector<UncertaintyRecord> flips;
       for (std::size_t i = 0; i < coarse.size(); ++i) {
-        const std::size_t light = kept.missing[i];
-        kept.values[light] = flipsOf(scene, coarse[i], base, view, light);
-        scene.cache.keep(keyOf(light), *kept.values[light]);
+        flips.push_back(measured(scene, coarse[i], base, view, missing[i]));
       }
+      return flips;
     });
-  }
-  std::vector<Flips> flips;
-  for (std::optional<Flips>& value : kept.values) flips.push_back(std::move(*value));
-  return flips;
+  };
+  return rememberLights<UncertaintyRecord>(scene, keyOf, measure);
 }
 
 }  // namespace
@@ -202,19 +173,16 @@ const TracedSurface& SurfaceOnDemand::get() {
 
 TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface) {
   const ContentKey key = KeyBuilder("sizes").add("surface", scene.keys.surface()).key();
-  const SurfaceSizes sizes = scene.cache.remember(key, [&] {
+  return scene.cache.remember(key, [&] {
     const MicroMesh& mesh = surface.get().mesh;
-    return SurfaceSizes{mesh.triangleCount(), surface.get().scene.byteCount(),
-                        mesh.coordinates().size() * sizeof(float), mesh.stepTexels(),
-                        mesh.askedStepTexels()};
+    TruthRecord truth;
+    truth.microTriangles = mesh.triangleCount();
+    truth.stepTexels = mesh.stepTexels();
+    truth.askedStepTexels = mesh.askedStepTexels();
+    truth.bvhBytes = surface.get().scene.byteCount();
+    truth.meshBytes = mesh.coordinates().size() * sizeof(float);
+    return truth;
   });
-  TruthRecord truth;
-  truth.microTriangles = sizes.triangles;
-  truth.stepTexels = sizes.stepTexels;
-  truth.askedStepTexels = sizes.askedStepTexels;
-  truth.bvhBytes = sizes.bvhBytes;
-  truth.meshBytes = sizes.meshBytes;
-  return truth;
 }
 
 std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface) {
@@ -250,11 +218,13 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
   });
   const StudySpec& study = scene.study;
   for (std::size_t v = 0; v < study.views.size(); ++v) {
-    std::vector<Flips> flips = flipsOf(scene, half, truth, scene.standardBase(), v);
+    std::vector<UncertaintyRecord> flips =
+        uncertaintiesOf(scene, half, truth, scene.standardBase(), v);
     for (std::size_t l = 0; l < study.lights.size(); ++l) {
-      truth.flips.push_back({study.views[v].name, study.lights[l].name, flips[l].rate,
-                             flips[l].lengthError, std::move(flips[l].boundaries.metrics)});
-      truth.uncertainty = std::max(truth.uncertainty, flips[l].rate);
+      flips[l].view = study.views[v].name;  // names are not cached
+      flips[l].light = study.lights[l].name;
+      truth.uncertainty = std::max(truth.uncertainty, flips[l].flipRate);
+      truth.flips.push_back(std::move(flips[l]));
     }
   }
 }

@@ -7,19 +7,10 @@
 #include "common/on_demand.h"
 #include "common/parallel.h"
 #include "study/run/scene/cached_fields.h"
-#include "study/spec/file_names.h"
 #include "truth/displaced_picture.h"
 
 namespace gnomon {
 namespace {
-
-template <typename Entries, typename NameOf>
-std::vector<std::string> namesOf(const Entries& entries, const NameOf& nameOf) {
-  std::vector<std::string> names;
-  names.reserve(entries.size());
-  for (const auto& entry : entries) names.push_back(nameOf(entry));
-  return names;
-}
 
 /// A picture as a file and as a page embeds it.
 struct PictureBytes {
@@ -105,19 +96,11 @@ struct PanelPictures::Mesh {
 };
 
 PanelPictures::PanelPictures(RunScene& scene, RunWriter& writer)
-    : scene_(scene),
-      writer_(writer),
-      viewFiles_(
-          fileNames(namesOf(scene.study.views, [](const ViewSpec& view) { return view.name; }))),
-      lightFiles_(fileNames(
-          namesOf(scene.study.lights, [](const LightSpec& light) { return light.name; }))),
-      methodFiles_(fileNames(
-          namesOf(scene.study.methods, [](const MethodSpec& method) { return method.label; }),
-          {"truth", "displaced"})) {}
+    : scene_(scene), writer_(writer), names_(caseNames(scene.study)) {}
 
 std::string PanelPictures::path(const char* folder, std::size_t view, std::size_t light,
                                 const std::string& name) const {
-  return fmt::format("{}/{}_{}_{}.png", folder, viewFiles_[view], lightFiles_[light], name);
+  return fmt::format("{}/{}_{}_{}.png", folder, names_.views[view], names_.lights[light], name);
 }
 
 void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
@@ -277,7 +260,7 @@ std::string PanelPictures::writeWeights(std::size_t view) {
   const BaseCase& standard = scene_.standardBase();
   const ViewCase& atlas = standard.views[view];
   if (atlas.weights.empty()) return "";
-  std::string file = fmt::format("regions/{}_weights.exr", viewFiles_[view]);
+  std::string file = fmt::format("regions/{}_weights.exr", names_.views[view]);
   if (!viewsWithWeights_.insert(view).second) return file;
   const ContentKey key =
       KeyBuilder("weights").add("samples", scene_.keys.samples(standard.choice, view)).key();
@@ -314,7 +297,7 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   };
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
-    const std::string& name = methodFiles_[answer.place];
+    const std::string& name = names_.methods[answer.place];
     const BaseCase& base = *answer.method->base;
     const Mesh& mesh = meshFor(base);
     std::string embedded = writeAnswer(
@@ -342,7 +325,7 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
     const std::string& label = study.methods[answer.place].label;
     panel.pictures.push_back(
         {Kind::difference, label, label,
-         path("images", view, light, methodFiles_[answer.place] + "_difference")});
+         path("images", view, light, names_.methods[answer.place] + "_difference")});
   }
   return panel;
 }

@@ -16,6 +16,7 @@
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
 #include "study/run/stages/run_writer.h"
+#include "study/spec/file_names.h"
 
 namespace gnomon {
 
@@ -74,9 +75,7 @@ class PanelPictures {
   RunWriter& writer_;
   std::map<DrawnMesh, ShadePass> shades_;
   std::set<std::size_t> viewsWithWeights_;  ///< whose file is written
-  std::vector<std::string> viewFiles_;
-  std::vector<std::string> lightFiles_;
-  std::vector<std::string> methodFiles_;
+  CaseNames names_;
   /// As a page embeds the displaced surface, by view and light.
   std::map<std::pair<std::size_t, std::size_t>, std::string> displaced_;
 };
