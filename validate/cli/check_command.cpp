@@ -228,12 +228,14 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
   if (!isAny) return;
   const std::unique_ptr<GlContext> gl = prepare(studies, request, records.folders);
   if (!gl) return;
+  MeasuredCases cases(*gl, request.run, cache);
   for (Study& study : studies) {
     if (!study.plan || !records.folders.holds(study.plan->name)) continue;
     try {
-      study.part = runPlan(*study.plan, *gl, request.run, cache, records, [&](StudyRecord& record) {
-        judgeStep(study, request, records.folders.of(record.name), record);
-      });
+      study.part =
+          runPlan(*study.plan, cases, request.run, cache, records, [&](StudyRecord& record) {
+            judgeStep(study, request, records.folders.of(record.name), record);
+          });
     } catch (...) {
       addProblem(study.check, "study");
     }

@@ -3,14 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "cli/output.h"
 #include "cli/study_plans.h"
-#include "cli/terminal_progress.h"
 #include "common/text/shell_quote.h"
-#include "report/folder_writer.h"
 #include "report/json/ranking_json.h"
 #include "report/page/ranking_html.h"
 #include "report/page/terminal_report.h"
@@ -23,8 +20,6 @@
 #include "study/judge/claims.h"
 #include "study/judge/radius_check.h"
 #include "study/judge/sweep_result.h"
-#include "study/run/method_trial.h"
-#include "study/run/run_study.h"
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_inputs.h"
 
@@ -43,43 +38,25 @@ std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunReq
   return "gnomon run " + shellQuoted(copy.string());
 }
 
-/// Where a run's progress goes: to who asked for it, or to the terminal.
-StageProgress progressOf(const RunRequest& request, std::string title) {
-  if (request.progress) return request.progress;
-  return [line = std::make_shared<TerminalProgress>(std::move(title))](
-             std::string_view stage, double share) { line->update(stage, share); };
-}
-
-StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
-                   const RunRequest& request, RunFolder& folder, Cache& cache) {
+StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, CaseSource& cases,
+                   const RunRequest& request, RunFolder& folder) {
   CaseRecord reproduction = inStudy(study, [&] {
     return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder.path()),
                       studyInputs(study, folder.path())};
   });
-  FolderWriter writer(folder);
-  StudyRecord record = inStudy(
-      study, [&] { return runStudy(study, gl, writer, cache, progressOf(request, study.name)); });
+  StudyRecord record = cases.measure(study, folder);
   writeCopy(reproduction.settings, folder, reproduction.file);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
   return record;
 }
 
-/// The figures of a study at so many times its radius.
-StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl,
-                      const RunRequest& request, Cache& cache) {
-  return inStudy(study, [&] {
-    return measureStudy(withRadiusTimes(study, factor), gl, cache,
-                        progressOf(request, fmt::format("{}, radius × {}", study.name, factor)));
-  });
-}
-
-void runStep(const StudyPlan& plan, const StudySpec& step, const GlContext& gl,
-             const RunRequest& request, Cache& cache, Records& records) {
-  StudyRecord record = runOne(plan, step, gl, request, records.folders.of(step.name), cache);
+void measureStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
+                 const RunRequest& request, Records& records) {
+  StudyRecord record = runOne(plan, step, cases, request, records.folders.of(step.name));
   if (request.varyRadius) {
-    StudyRecord half = runVaried(step, 0.5, gl, request, cache);
-    records.twice.push_back(runVaried(step, 2, gl, request, cache));
+    StudyRecord half = cases.measureAt(step, 0.5);
+    records.twice.push_back(cases.measureAt(step, 2));
     records.half.push_back(std::move(half));
   }
   records.all.push_back(std::move(record));
@@ -124,18 +101,15 @@ void keepFirst(Records& records, std::size_t count) {
   }
 }
 
-void runSteps(const PlanRecords& part, const GlContext& gl, const RunRequest& request, Cache& cache,
+void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& request, Cache& cache,
               Records& records, const StepJudge& judge) {
   const StudyPlan& plan = *part.plan;
-  for (const StudySpec& step : plan.steps) inStudy(step, [&] { tryMethods(step, gl, cache); });
+  for (const StudySpec& step : plan.steps) cases.prepare(step);
   RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;
   if (plan.sweep) swept = sweepStudy(plan.steps.front(), request.options, folder.path());
   for (const StudySpec& step : plan.steps) {
-    runStep(plan, step, gl, request, cache, records);
-    if (judge) judge(records.all.back());
-    // At once, so that a later failure leaves this one's report.
-    report(step, records, records.all.size() - 1, request, cache);
+    runStep(plan, step, cases, request, cache, records, judge);
   }
   if (swept) {
     writeCopy(*swept, folder, studyCopyName(plan.name));
@@ -145,11 +119,19 @@ void runSteps(const PlanRecords& part, const GlContext& gl, const RunRequest& re
 
 }  // namespace
 
-PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+void runStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
+             const RunRequest& request, Cache& cache, Records& records, const StepJudge& judge) {
+  measureStep(plan, step, cases, request, records);
+  if (judge) judge(records.all.back());
+  // At once, so that a later failure leaves this one's report.
+  report(step, records, records.all.size() - 1, request, cache);
+}
+
+PlanRecords runPlan(const StudyPlan& plan, CaseSource& cases, const RunRequest& request,
                     Cache& cache, Records& records, const StepJudge& judge) {
   const PlanRecords part{&plan, records.all.size()};
   try {
-    runSteps(part, gl, request, cache, records, judge);
+    runSteps(part, cases, request, cache, records, judge);
   } catch (...) {
     // Nothing may speak of a study of which a part is missing.
     keepFirst(records, part.first);

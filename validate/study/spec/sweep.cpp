@@ -79,7 +79,8 @@ StudyPlan singlePlan(StudySpec study) {
 
 }  // namespace
 
-StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options) {
+StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options,
+                        const StepFilter& wants) {
   const StudyText text = readStudyText(file);
   const toml::table table = parseTomlText(text.text, file.string(), options.overrides);
   const TomlReader root(table, file.string(), "");
@@ -87,7 +88,9 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options) {
   if (!section) return singlePlan(readStudy(text, options));
   StudyPlan plan;
   plan.sweep = readSweep(*section, options);
-  for (const double value : plan.sweep->values) {
+  for (std::size_t i = 0; i < plan.sweep->values.size(); ++i) {
+    if (wants && !wants(i)) continue;
+    const double value = plan.sweep->values[i];
     StudySpec step = readStep(text, options, *section, *plan.sweep, value);
     plan.name = step.name;
     plan.title = step.title;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +37,14 @@ struct StudyPlan {
   std::vector<StudySpec> steps;
 };
 
-/// Reads and checks a study file with all its steps.
+/// Whether a step of a plan is wanted, by its place among all of them; each is, where it is empty.
+using StepFilter = std::function<bool(std::size_t step)>;
+
+/// Reads and checks a study file with all its steps, or with those that are wanted.
 /// @throws InputError as readStudy; for a sweep without a second value or with repeated ones, of a
 ///   key that the file cannot have, that names the study, or that `options` overrides as well; and
 ///   for a value that the key cannot take: all name file, line and key of `[sweep]`
-StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {});
+StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {},
+                        const StepFilter& wants = {});
 
 }  // namespace gnomon
