@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "common/error.h"
 #include "common/files/part_file.h"
@@ -87,7 +89,7 @@ TEST_F(CacheFolder, KeepsItsBound) {
   EXPECT_EQ(limitOf(folder()), standardCacheLimit);
 }
 
-TEST_F(CacheFolder, WhatIsWrittenIsAccountedFor) {
+TEST_F(CacheFolder, IsTrimmedOnceItHoldsMoreThanItsBound) {
   entry("1.entry", 400, 3);
   entry("2.entry", 400, 2);
   account(folder(), 800, 1000);
@@ -95,11 +97,35 @@ TEST_F(CacheFolder, WhatIsWrittenIsAccountedFor) {
   entry("3.entry", 400, 1);
   account(folder(), 400, 1000);
   EXPECT_EQ(usageOf(folder()).entries, 2U);
-  // What is noted there is less than is there, or no number: the folder is looked through.
-  entry("4.entry", 400, 0);
-  std::ofstream(file("size")) << "some";
-  account(folder(), 400, 1000);
-  EXPECT_EQ(usageOf(folder()).bytes, 800U);
+  account(folder(), 0, 100);
+  EXPECT_EQ(usageOf(folder()).entries, 2U) << "nothing was written";
+}
+
+/// One in ten: 16 × 5 of 800 bytes. The chance that 2,000 draws give less than 120 or more than 280
+/// is 10⁻⁹.
+TEST_F(CacheFolder, IsLookedThroughOnceForASixteenthOfItsBound) {
+  int trimmed = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const fs::path first = entry("1.entry", 900, 3);
+    account(folder(), 5, 800);
+    if (!fs::exists(first)) ++trimmed;
+  }
+  EXPECT_GT(trimmed, 120);
+  EXPECT_LT(trimmed, 280);
+}
+
+/// Several writers and one bound: nobody waits, and what is left is whole.
+TEST_F(CacheFolder, ManyMayTrimAtOnce) {
+  for (int i = 0; i < 200; ++i) entry(std::to_string(i) + ".entry", 10, i);
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 5; ++i) account(folder(), 1000, 1000);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_LE(usageOf(folder()).bytes, 1000U);
+  EXPECT_TRUE(fs::exists(file("ab/0.entry"))) << "the last that was used";
 }
 
 TEST_F(CacheFolder, ReadsNumbersOfBytes) {

@@ -67,6 +67,19 @@ TEST_F(CacheTest, AnotherProgramFindsNothing) {
   EXPECT_EQ(remembered(first, inputKey, 9), 7);
 }
 
+TEST_F(CacheTest, ProcessorsShareWhatHoldsOnAll) {
+  const ContentKey key = keyOfBytes("a result");
+  Cache first(folder(), 1'000'000, {program, keyOfBytes("AVX-512")}, {});
+  first.keep(key, std::string("here"));
+  first.keep(key, std::string("everywhere"), HoldsOn::anyProcessor);
+  Cache other(folder(), 1'000'000, {program, keyOfBytes("AVX2")}, {});
+  EXPECT_EQ(other.find<std::string>(key), std::nullopt);
+  EXPECT_EQ(other.find<std::string>(key, HoldsOn::anyProcessor), "everywhere");
+  EXPECT_EQ(first.find<std::string>(key), "here");
+  Cache program2(folder(), 1'000'000, {keyOfBytes("another"), keyOfBytes("AVX-512")}, {});
+  EXPECT_EQ(program2.find<std::string>(key, HoldsOn::anyProcessor), std::nullopt);
+}
+
 TEST_F(CacheTest, OneThatIsOffKeepsNothing) {
   Cache off;
   EXPECT_EQ(remembered(off, inputKey, 7), 7);

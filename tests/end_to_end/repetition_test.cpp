@@ -1,5 +1,4 @@
-#include <sstream>
-
+#include "end_to_end/lasting_files.h"
 #include "end_to_end/program.h"
 
 namespace gnomon::test {
@@ -53,25 +52,6 @@ TEST_F(Repetition, ThreadsDoNotMatter) {
   EXPECT_EQ(summary("small", "two").at("environment").at("threads"), 2);
 }
 
-/// A page without a section.
-std::string withoutSection(std::string html, const std::string& id) {
-  const std::size_t begin = html.find("<section id=\"" + id + "\">");
-  EXPECT_NE(begin, std::string::npos) << id;
-  if (begin == std::string::npos) return html;
-  const std::string end = "</section>";
-  return html.erase(begin, html.find(end, begin) + end.size() - begin);
-}
-
-/// A text of rows without what follows the last separator of each.
-std::string withoutLastColumn(const std::string& text, const std::string& separator) {
-  std::istringstream lines(text);
-  std::string kept;
-  for (std::string line; std::getline(lines, line);) {
-    kept += line.substr(0, line.rfind(separator)) + "\n";
-  }
-  return kept;
-}
-
 /// The list of docs/summary.md, "What may differ between two runs": all else is the same.
 TEST_F(Repetition, TheWholeFolderIsTheSameButForWhatTheManualLists) {
   write("small.toml", study() + "\n[[threshold]]\nmax = 0.9\n");
@@ -84,32 +64,13 @@ TEST_F(Repetition, TheWholeFolderIsTheSameButForWhatTheManualLists) {
   run("none", {"--no-cache"}, "UTC");
   run("empty", {"--threads", "1"}, "Asia/Kolkata");
   run("filled", {"--threads", "3"}, "America/St_Johns");
-  const auto lasting = [&](const std::string& name) {
-    const std::string text = read(name);
-    if (name.ends_with("/summary.json")) {
-      nlohmann::json json = lastingPart(nlohmann::json::parse(text));
-      json.at("environment").erase("threads");
-      return json.dump();
-    }
-    if (name.ends_with("/report.html")) {
-      std::string html = text;
-      for (const char* id : {"cost", "timings", "reproduce"}) html = withoutSection(html, id);
-      const std::size_t begin = html.find("<dt>Ray tracing structure</dt>");
-      EXPECT_NE(begin, std::string::npos);
-      return html.erase(begin, html.find("</dd>", begin) - begin);
-    }
-    if (name.ends_with("/table.csv")) return withoutLastColumn(text, ",");
-    if (name.ends_with("/table.tex")) return withoutLastColumn(text, "&");
-    // Its rows end with a stroke too.
-    if (name.ends_with("/table.md")) return withoutLastColumn(withoutLastColumn(text, "|"), "|");
-    return text;
-  };
   const std::vector<std::string> files = filesBelow("none");
   EXPECT_GT(files.size(), 40U);
   for (const char* other : {"empty", "filled"}) {
     EXPECT_EQ(files, filesBelow(other));
     for (const std::string& name : files) {
-      const bool same = lasting("none/" + name) == lasting(std::string(other) + "/" + name);
+      const bool same = lasting(name, read("none/" + name)) ==
+                        lasting(name, read(std::string(other) + "/" + name));
       EXPECT_TRUE(same) << other << ": " << name;
     }
   }

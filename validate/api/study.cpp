@@ -60,7 +60,8 @@ RunResult run(const RunRequest& request) {
   Records records;
   records.folders.claim(plans.front(), request.out);
   records.folders.clear(request.out);
-  const PlanRecords part = runPlan(plans.front(), gl, request, *cache, records);
+  MeasuredCases cases(gl, request, *cache, caseCount(plans));
+  const PlanRecords part = runPlan(plans.front(), cases, request, *cache, records);
   (void)finishPlan(part, request, *cache, records);
   std::vector<std::string> failures = failuresOf(records.all);
   return {request.out / plans.front().name / "summary.json", failures.empty(), std::move(failures)};

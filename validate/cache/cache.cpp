@@ -80,8 +80,8 @@ Found contentOf(const fs::path& path, const ContentKey& own, std::uint64_t limit
 
 }  // namespace
 
-Cache::Cache(fs::path folder, std::uint64_t limit, const ContentKey& program, Warning warn)
-    : folder_(std::move(folder)), limit_(limit), program_(program), warn_(std::move(warn)) {
+Cache::Cache(fs::path folder, std::uint64_t limit, const CacheOwner& owner, Warning warn)
+    : folder_(std::move(folder)), limit_(limit), owner_(owner), warn_(std::move(warn)) {
   // A writer fills its file in the folder itself: so one look finds all that killed ones left.
   removeLeftovers(folder_);
 }
@@ -90,8 +90,11 @@ Cache::~Cache() {
   accountForWritten();
 }
 
-ContentKey Cache::ownKey(const ContentKey& key) const {
-  return KeyBuilder("entry").add("program", program_).add("key", key).key();
+ContentKey Cache::ownKey(const ContentKey& key, HoldsOn where) const {
+  KeyBuilder own("entry");
+  own.add("program", owner_.program).add("key", key);
+  if (where == HoldsOn::thisProcessor) own.add("processor", owner_.processor);
+  return own.key();
 }
 
 fs::path Cache::pathOf(const ContentKey& own) const {
@@ -99,14 +102,13 @@ fs::path Cache::pathOf(const ContentKey& own) const {
   return folder_ / name.substr(0, 2) / (name.substr(2) + ".entry");
 }
 
-bool Cache::holds(const ContentKey& key) const {
+bool Cache::holds(const ContentKey& key, HoldsOn where) const {
   std::error_code failure;
-  return isOn() && fs::exists(pathOf(ownKey(key)), failure);
+  return isOn() && fs::exists(pathOf(ownKey(key, where)), failure);
 }
 
-std::optional<Cache::Loaded> Cache::load(const ContentKey& key) {
+std::optional<Cache::Loaded> Cache::load(const ContentKey& own) {
   if (!isOn()) return std::nullopt;
-  const ContentKey own = ownKey(key);
   const fs::path path = pathOf(own);
   Found found = contentOf(path, own, limit_);
   if (!found.isAny) {
@@ -117,7 +119,7 @@ std::optional<Cache::Loaded> Cache::load(const ContentKey& key) {
   if (found.file) content = openedEntry(own, {found.file->data(), found.file->size()});
   ++hits_;
   if (!content) {
-    discard(key);
+    discard(own);
     return std::nullopt;
   }
   std::error_code ignored;  // in a folder that cannot be written its age stays
@@ -125,13 +127,13 @@ std::optional<Cache::Loaded> Cache::load(const ContentKey& key) {
   return Loaded{std::move(*found.file), *content};
 }
 
-void Cache::discard(const ContentKey& key) {
+void Cache::discard(const ContentKey& own) {
   --hits_;
   ++misses_;
   ++damaged_;
   std::error_code ignored;
   // Whatever stands in an entry's place: the name is the cache's own.
-  fs::remove_all(pathOf(ownKey(key)), ignored);
+  fs::remove_all(pathOf(own), ignored);
 }
 
 void Cache::accountForWritten() {
@@ -143,8 +145,7 @@ void Cache::accountForWritten() {
   }
 }
 
-void Cache::save(const ContentKey& key, const std::string& content) {
-  const ContentKey own = ownKey(key);
+void Cache::save(const ContentKey& own, const std::string& content) {
   const std::string file = sealedEntry(own, content);
   const std::lock_guard lock(writing_);
   if (isFull_ || file.size() > limit_) return;

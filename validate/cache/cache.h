@@ -16,6 +16,20 @@
 
 namespace gnomon {
 
+/// What computes the results of a cache.
+struct CacheOwner {
+  /// @param ofProgram    stands for everything of the program that a result may depend on
+  /// @param ofProcessor  likewise of the machine
+  // NOLINTNEXTLINE(google-explicit-constructor): a program alone is an owner
+  CacheOwner(const ContentKey& ofProgram = {}, const ContentKey& ofProcessor = {})
+      : program(ofProgram), processor(ofProcessor) {}
+  ContentKey program, processor;
+};
+
+/// Which processors a result holds for: the one that computed it; or any, where a test shows for
+/// every instruction set that its bytes are the same.
+enum class HoldsOn { thisProcessor, anyProcessor };
+
 /// Results that earlier runs left on disk, by the key of all that they depend on. A cache that
 /// cannot be written, or is full, is one that keeps nothing more: a run never fails by it. What
 /// stands in an entry's place and is none (damaged, of another size, a folder, a pipe) is one that
@@ -27,11 +41,9 @@ class Cache {
 
   /// One that holds nothing and keeps nothing: every result is computed.
   Cache() = default;
-  /// @param limit    bytes that entries may take; the least recently used ones make room
-  /// @param program  stands for everything of program and machine that a result may depend on: it
-  /// is
-  ///   part of every key
-  Cache(std::filesystem::path folder, std::uint64_t limit, const ContentKey& program, Warning warn);
+  /// @param limit  bytes that entries may take; the least recently used ones make room
+  /// @param owner  is part of every key, see HoldsOn
+  Cache(std::filesystem::path folder, std::uint64_t limit, const CacheOwner& owner, Warning warn);
   Cache(const Cache&) = delete;
   Cache& operator=(const Cache&) = delete;
   /// Holds the folder to its bound.
@@ -39,31 +51,33 @@ class Cache {
 
   [[nodiscard]] bool isOn() const { return !folder_.empty(); }
   /// Whether there is an entry, sound or not.
-  [[nodiscard]] bool holds(const ContentKey& key) const;
+  [[nodiscard]] bool holds(const ContentKey& key, HoldsOn where = HoldsOn::thisProcessor) const;
 
   /// The value of an entry, counted as a hit or a miss. A damaged entry is removed.
   template <typename Value>
-  std::optional<Value> find(const ContentKey& key) {
-    const std::optional<Loaded> entry = load(key);
+  std::optional<Value> find(const ContentKey& key, HoldsOn where = HoldsOn::thisProcessor) {
+    const ContentKey own = ownKey(key, where);
+    const std::optional<Loaded> entry = load(own);
     if (!entry) return std::nullopt;
     try {
       return valueOf<Value>(entry->content);
     } catch (const DamagedBytes&) {
-      discard(key);
+      discard(own);
       return std::nullopt;
     }
   }
   template <typename Value>
-  void keep(const ContentKey& key, const Value& value) {
-    if (isOn()) save(key, bytesOf(value));
+  void keep(const ContentKey& key, const Value& value, HoldsOn where = HoldsOn::thisProcessor) {
+    if (isOn()) save(ownKey(key, where), bytesOf(value));
   }
   /// The value of an entry, or what `compute()` returns, which is kept.
   template <typename Compute>
-  auto remember(const ContentKey& key, const Compute& compute) {
+  auto remember(const ContentKey& key, const Compute& compute,
+                HoldsOn where = HoldsOn::thisProcessor) {
     using Value = std::remove_cvref_t<decltype(compute())>;
-    if (std::optional<Value> found = find<Value>(key)) return std::move(*found);
+    if (std::optional<Value> found = find<Value>(key, where)) return std::move(*found);
     Value value = compute();
-    keep(key, value);
+    keep(key, value, where);
     return value;
   }
 
@@ -75,18 +89,18 @@ class Cache {
     RawVector<char> file;
     std::string_view content;  ///< of the file
   };
-  std::optional<Loaded> load(const ContentKey& key);
-  void save(const ContentKey& key, const std::string& content);
-  /// The key with the program's.
-  [[nodiscard]] ContentKey ownKey(const ContentKey& key) const;
+  std::optional<Loaded> load(const ContentKey& own);
+  void save(const ContentKey& own, const std::string& content);
+  /// The key with the owner's.
+  [[nodiscard]] ContentKey ownKey(const ContentKey& key, HoldsOn where) const;
   /// Takes back a hit that was none.
-  void discard(const ContentKey& key);
+  void discard(const ContentKey& own);
   [[nodiscard]] std::filesystem::path pathOf(const ContentKey& own) const;
   void accountForWritten();
 
   std::filesystem::path folder_;  ///< empty: off
   std::uint64_t limit_ = 0;
-  ContentKey program_;
+  CacheOwner owner_;
   Warning warn_;
   std::mutex writing_;
   bool isFull_ = false;        ///< writing has failed

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <random>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -13,7 +14,6 @@
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "common/files/file_lock.h"
 #include "common/files/part_file.h"
 
 namespace gnomon {
@@ -21,10 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* limitFile = "limit";
-constexpr const char* sizeFile = "size";
-/// Keeps other processes out of `size`. Without it, in a folder that cannot be written, there is
-/// nothing to keep them from.
-constexpr const char* lockFile = "lock";
 
 struct File {
   fs::path path;
@@ -82,12 +78,8 @@ std::optional<std::uint64_t> numberIn(const fs::path& file) {
   }
 }
 
-void writeNumber(const fs::path& file, std::uint64_t number) {
-  replaceFile(file, fmt::format("{}\n", number), Sync::later, file.parent_path());
-}
-
-/// As trimTo, the folder being locked.
-CacheUsage trimLocked(const fs::path& folder, std::uint64_t bytes) {
+/// Removes entries until they take at most so many bytes.
+CacheUsage removeOldest(const fs::path& folder, std::uint64_t bytes) {
   std::vector<File> files = filesIn(folder);
   CacheUsage usage = usageOf(files);
   std::sort(files.begin(), files.end(),
@@ -127,25 +119,23 @@ std::uint64_t limitOf(const fs::path& folder) {
 }
 
 void setLimit(const fs::path& folder, std::uint64_t bytes) {
-  writeNumber(folder / limitFile, bytes);
+  replaceFile(folder / limitFile, fmt::format("{}\n", bytes), Sync::later, folder);
 }
 
 void account(const fs::path& folder, std::uint64_t written, std::uint64_t limit) {
-  const FileLock lock(folder / lockFile, FileLock::Wait::yes);
-  const std::optional<std::uint64_t> before = numberIn(folder / sizeFile);
-  std::uint64_t bytes = before ? *before + written : usageOf(folder).bytes;
-  if (bytes > limit) bytes = trimLocked(folder, limit - limit / 8).bytes;
-  writeNumber(folder / sizeFile, bytes);
+  constexpr std::uint64_t share = 16;
+  std::random_device random;
+  const std::uint64_t drawn =
+      std::uniform_int_distribution<std::uint64_t>(1, std::max<std::uint64_t>(limit, 1))(random);
+  if (written < limit / share && drawn > share * written) return;
+  if (usageOf(folder).bytes > limit) removeOldest(folder, limit - limit / 8);
 }
 
 CacheUsage trimTo(const fs::path& folder, std::uint64_t bytes) {
   std::error_code failure;
   if (!fs::is_directory(folder, failure)) return {};
   removeLeftovers(folder);
-  const FileLock lock(folder / lockFile, FileLock::Wait::yes);
-  const CacheUsage left = trimLocked(folder, bytes);
-  writeNumber(folder / sizeFile, left.bytes);
-  return left;
+  return removeOldest(folder, bytes);
 }
 
 std::uint64_t parseBytes(std::string_view text) {

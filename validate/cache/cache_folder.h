@@ -8,12 +8,12 @@
 namespace gnomon {
 
 /// The files of a cache: `FOLDER/ab/REST.entry`, named by key; `FOLDER/limit`, the bound that the
-/// user chose; `FOLDER/size` and `FOLDER/lock`; part files (see PartFile) while they are written.
-/// Nothing else in the folder is ever touched.
+/// user chose; part files (see PartFile) while they are written. Nothing else in the folder is ever
+/// touched.
 ///
-/// Several processes may use one folder: an entry takes its name whole or not at all, two that
-/// write the same entry write the same bytes, and an entry that another process removed is one that
-/// is not there.
+/// Several processes may use one folder, of several machines too: an entry takes its name whole or
+/// not at all, two that write the same entry write the same bytes, and an entry that another
+/// process removed is one that is not there. They share no counter and wait for no lock.
 
 /// The environment's GNOMON_CACHE, else `gnomon` in XDG_CACHE_HOME, else `.cache/gnomon` in the
 /// home folder; none without any of them.
@@ -39,10 +39,10 @@ void setLimit(const std::filesystem::path& folder, std::uint64_t bytes);
 /// @throws InputError where the folder cannot be written
 CacheUsage trimTo(const std::filesystem::path& folder, std::uint64_t bytes);
 
-/// Takes note of bytes that were written, and trims the folder where it then holds more than its
-/// bound: to seven eighths of it, so that not every run looks through all files. The sum is in
-/// `FOLDER/size`, under a lock; a writer that was killed may have left it too small, until the
-/// folder is next looked through.
+/// To be called after bytes were written: trims the folder where it holds more than its bound, to
+/// seven eighths of it. All files are looked through by chance, with the probability
+/// written / (limit / 16), so that together all writers do it once for each sixteenth of the bound
+/// that they write: by so much a folder exceeds it on average before somebody looks.
 void account(const std::filesystem::path& folder, std::uint64_t written, std::uint64_t limit);
 
 /// "500 MB", "4GB", "1e9": a number of bytes with a decimal unit.

@@ -16,7 +16,8 @@ namespace gnomon {
 std::unique_ptr<Cache> openCache(bool isOff) {
   const std::optional<std::filesystem::path> folder = standardCacheFolder();
   if (isOff || !folder) return std::make_unique<Cache>();
-  return std::make_unique<Cache>(*folder, limitOf(*folder), programKey(),
+  return std::make_unique<Cache>(*folder, limitOf(*folder),
+                                 CacheOwner{programKey(), processorKey()},
                                  [](const std::string& why) { printWarning(why); });
 }
 

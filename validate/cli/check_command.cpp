@@ -234,15 +234,15 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
   if (!isAny) return;
   const std::unique_ptr<GlContext> gl = prepare(studies, request, records.folders);
   if (!gl) return;
-  std::size_t cases = 0;
-  for (const Study& study : studies) cases += study.plan ? study.plan->steps.size() : 0;
-  records.line = std::make_shared<TerminalProgress>("", cases);
+  std::size_t count = 0;
+  for (const Study& study : studies) count += study.plan ? study.plan->steps.size() : 0;
+  MeasuredCases cases(*gl, request.run, cache, count);
   for (Study& study : studies) {
     if (!study.plan || !records.folders.holds(study.plan->name)) continue;
     try {
-      study.part = runPlan(*study.plan, *gl, request.run, cache, records, [&](StudyRecord& record) {
-        judgeStep(study, request, records.folders, record);
-      });
+      study.part =
+          runPlan(*study.plan, cases, request.run, cache, records,
+                  [&](StudyRecord& record) { judgeStep(study, request, records.folders, record); });
     } catch (...) {
       addProblem(study.check, "study");
     }

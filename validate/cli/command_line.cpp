@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
@@ -19,10 +20,12 @@
 #include "cli/list_option.h"
 #include "cli/output.h"
 #include "cli/run_command.h"
+#include "cli/shards/merge_command.h"
+#include "cli/shards/plan_command.h"
+#include "cli/shards/shard.h"
 #include "cli/view_command.h"
 #include "common/error.h"
 #include "common/system/interruption.h"
-#include "common/text/shell_quote.h"
 #include "render/method.h"
 #include "study/record/result_metrics.h"
 #include "study/run/method_trial.h"
@@ -69,10 +72,26 @@ Examples:
   gnomon cache --limit 20GB
   gnomon cache --clear)";
 
-std::string joinedCommand(int argc, char** argv) {
-  std::string text = "gnomon";
-  for (int i = 1; i < argc; ++i) text += " " + shellQuoted(argv[i]);
-  return text;
+constexpr const char* planExamples = R"(
+Measures one case, the one of median cost, unless an earlier call has; a line for each case up to 50,
+then a line for each study.
+
+Examples:
+  gnomon plan scenes/*.toml
+  gnomon plan scenes/height-sweep.toml --shards 6
+  gnomon plan scenes/*.toml --json)";
+
+constexpr const char* mergeExamples = R"(
+The same files as the run without shards. Studies are read again by the names that the shards were
+given, so call it in the same folder.
+
+Example, each shard on any machine:
+  gnomon run scenes/height-sweep.toml --shard 1/2 --out shards/1
+  gnomon run scenes/height-sweep.toml --shard 2/2 --out shards/2
+  gnomon merge shards/1 shards/2 --out out)";
+
+Arguments argumentsOf(int argc, char** argv) {
+  return {argv + std::min(argc, 1), argv + argc};
 }
 
 void addStudyOptions(CLI::App& command, RunRequest& request) {
@@ -111,6 +130,17 @@ void addRunOptions(CLI::App& command, RunRequest& request) {
                    "Write figures only: no masks, pictures, pages, plots or times; the same input "
                    "then gives the same folder, byte for byte");
   addQuickOption(command, request);
+}
+
+void addPlanOptions(CLI::App& command, PlanRequest& request) {
+  addRunOptions(command, request.run);
+  command.add_flag("--json", request.json, "Print JSON with all cases and the estimate's parts");
+  command
+      .add_option("--shards", request.shards,
+                  "Also how long so many shards take, and the command that gives them to Slurm")
+      ->check(CLI::Range(1, mostShards))
+      ->type_name("N");
+  command.footer(planExamples);
 }
 
 void addCheckOptions(CLI::App& command, CheckRequest& request) {
@@ -170,22 +200,65 @@ class ThreadLimit {
   std::optional<tbb::global_control> limit_;
 };
 
+/// Numbers of threads, which every command takes.
+void addThreadsOption(CLI::App& app, std::optional<int>& threads) {
+  app.add_option("--threads", threads, "Number of threads; all cores by default")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.fallthrough();
+}
+
+/// The words of a `gnomon run`, as a shard has kept them.
+RunRequest readRun(const Arguments& arguments) {
+  CLI::App app("", "gnomon");
+  std::optional<int> threads;
+  addThreadsOption(app, threads);
+  RunRequest request;
+  addRunOptions(*app.add_subcommand("run"), request);
+  try {
+    app.parse(Arguments(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    throw InputError(
+        fmt::format("`{}`, the shards' command: {}", commandText(arguments), error.what()));
+  }
+  return request;
+}
+
+CLI::App* addMergeCommand(CLI::App& app, MergeRequest& request) {
+  request.readRun = readRun;
+  CLI::App* merge = app.add_subcommand("merge", "Put the shards of a run together");
+  merge->add_option("DIR", request.shards, "Folders of results of all shards, in any order")
+      ->required()
+      ->type_name("DIR…");
+  merge->add_option("--out", request.out, "Folder for the results, with one folder per study")
+      ->capture_default_str()
+      ->type_name("DIR");
+  merge->add_flag("--no-cache", request.noCache,
+                  "Do not use the result cache, which keeps plots: read nothing from it and write "
+                  "nothing to it");
+  merge->footer(mergeExamples);
+  return merge;
+}
+
 int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App app("Gnomon measures how accurate real-time bump-map shadows are.", "gnomon");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", GNOMON_VERSION);
   std::optional<int> threads;
-  app.add_option("--threads", threads, "Number of threads; all cores by default")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  app.fallthrough();
+  addThreadsOption(app, threads);
   app.footer("\nSee `gnomon COMMAND --help` for options and examples.");
 
   CheckRequest checkRequest;
   RunRequest& request = checkRequest.run;
-  request.command = joinedCommand(argc, argv);
+  request.arguments = argumentsOf(argc, argv);
+  request.command = commandText(request.arguments);
   CLI::App* run = app.add_subcommand("run", "Measure studies and write their reports");
   addRunOptions(*run, request);
+  std::optional<std::string> shard;
+  run->add_option("--shard", shard,
+                  "Run only the I-th of N parts of all cases, of about the same cost; merge puts "
+                  "them together. Without it an array of Slurm or a sharded test says which")
+      ->type_name("I/N");
   run->footer(runExamples);
   CLI::App* check = app.add_subcommand(
       "check", "Measure studies like run, then judge their thresholds and references");
@@ -210,6 +283,12 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
                    "most 4 million triangles in all")
       ->type_name("N");
   exported->footer(exportExamples);
+  PlanRequest planning;
+  CLI::App* plan =
+      app.add_subcommand("plan", "List the cases of a run with expected time and memory");
+  addPlanOptions(*plan, planning);
+  MergeRequest merging;
+  CLI::App* merge = addMergeCommand(app, merging);
   CompareRequest comparison;
   comparison.command = request.command;
   CLI::App* compare = addCompareCommand(app, comparison);
@@ -241,10 +320,12 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, check, compare, bake, truth, export, view, cache or list. "
+        "a command expected: run, plan, merge, check, compare, bake, truth, export, view, cache or "
+        "list. "
         "See gnomon --help");
   }
   const ThreadLimit limit(threads);
+  if (run->parsed()) request.shard = shard ? parseShard(*shard) : shardOfEnvironment();
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   const ExitStatus status = listed->parsed()     ? list(what)
@@ -255,6 +336,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
                             : truth->parsed()    ? traceStudies(request)
                             : exported->parsed() ? exportStudies(request, subdivisions)
                             : check->parsed()    ? checkStudies(checkRequest)
+                            : plan->parsed()     ? planStudies(planning)
+                            : merge->parsed()    ? mergeShards(merging)
                                                  : runStudies(request);
   return static_cast<int>(status);
 }
@@ -264,7 +347,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
 int runCommandLine(int argc, char** argv, const Viewer& viewer) {
   cleanUpOnSignals();
   prepareStreams();
-  const JunitFile junit({argv, static_cast<std::size_t>(argc)}, joinedCommand(argc, argv));
+  const JunitFile junit({argv, static_cast<std::size_t>(argc)},
+                        commandText(argumentsOf(argc, argv)));
   try {
     if (argc > 1 && std::string_view(argv[1]) == trialArgument) {
       return static_cast<int>(answerTrial(std::vector<std::string>(argv + 2, argv + argc)));

@@ -3,14 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "cli/output.h"
 #include "cli/study_plans.h"
 #include "common/text/shell_quote.h"
 #include "report/figure_files.h"
-#include "report/folder_writer.h"
 #include "report/json/ranking_json.h"
 #include "report/page/ranking_html.h"
 #include "report/page/terminal_report.h"
@@ -24,8 +22,6 @@
 #include "study/judge/claims.h"
 #include "study/judge/radius_check.h"
 #include "study/judge/sweep_result.h"
-#include "study/run/method_trial.h"
-#include "study/run/run_study.h"
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_inputs.h"
 
@@ -51,13 +47,6 @@ std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunReq
   return "gnomon run " + shellQuoted(copy.string());
 }
 
-/// Where a run's progress goes: to who asked for it, or to the terminal.
-StageProgress progressOf(const RunRequest& request, const Records& records) {
-  if (request.progress) return request.progress;
-  return
-      [line = records.line](std::string_view stage, double share) { line->update(stage, share); };
-}
-
 CaseRecord reproductionOf(const StudySpec& study, const fs::path& folder) {
   return inStudy(study, [&] {
     return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder),
@@ -65,13 +54,10 @@ CaseRecord reproductionOf(const StudySpec& study, const fs::path& folder) {
   });
 }
 
-StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
-                   const RunRequest& request, Records& records, Cache& cache) {
-  RunFolder& folder = records.folders.of(study.name);
+StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, CaseSource& cases,
+                   const RunRequest& request, RunFolder& folder) {
   CaseRecord reproduction = reproductionOf(study, folder.path());
-  FolderWriter writer(folder);
-  StudyRecord record = inStudy(
-      study, [&] { return runStudy(study, gl, writer, cache, progressOf(request, records)); });
+  StudyRecord record = cases.measure(study, folder);
   writeCopy(reproduction.settings, folder, reproduction.file);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
@@ -79,38 +65,28 @@ StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, const GlContex
 }
 
 /// The figures of a study; of one that is no step of a sweep also its copy, in its folder.
-StudyRecord runFigures(const StudyPlan& plan, const StudySpec& study, const GlContext& gl,
-                       const RunRequest& request, Records& records, Cache& cache) {
+StudyRecord runFigures(const StudyPlan& plan, const StudySpec& study, CaseSource& cases,
+                       const RunRequest& request, RunFolders& folders) {
   CaseRecord reproduction;
   if (!plan.sweep) {
-    RunFolder& folder = records.folders.of(study.name);
+    RunFolder& folder = folders.of(study.name);
     reproduction = reproductionOf(study, folder.path());
     writeCopy(reproduction.settings, folder, reproduction.file);
   }
-  StudyRecord record = inStudy(
-      study, [&] { return runStudyFigures(study, gl, cache, progressOf(request, records)); });
+  StudyRecord record = cases.measureFigures(study);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
   return figuresAlone(std::move(record), plan.sweep.has_value());
 }
 
-/// The figures of a study at so many times its radius.
-StudyRecord runVaried(const StudySpec& study, double factor, const GlContext& gl,
-                      const RunRequest& request, Records& records, Cache& cache) {
-  records.line->setTitle(fmt::format("{}, radius × {}", study.name, factor));
-  return inStudy(study, [&] {
-    return measureStudy(withRadiusTimes(study, factor), gl, cache, progressOf(request, records));
-  });
-}
-
-void runStep(const StudyPlan& plan, const StudySpec& step, const GlContext& gl,
-             const RunRequest& request, Cache& cache, Records& records) {
-  records.line->beginCase(step.name);
-  StudyRecord record = request.metricsOnly ? runFigures(plan, step, gl, request, records, cache)
-                                           : runOne(plan, step, gl, request, records, cache);
+void measureStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
+                 const RunRequest& request, Records& records) {
+  StudyRecord record = request.metricsOnly
+                           ? runFigures(plan, step, cases, request, records.folders)
+                           : runOne(plan, step, cases, request, records.folders.of(step.name));
   if (request.varyRadius) {
-    StudyRecord half = runVaried(step, 0.5, gl, request, records, cache);
-    records.twice.push_back(runVaried(step, 2, gl, request, records, cache));
+    StudyRecord half = cases.measureAt(step, 0.5);
+    records.twice.push_back(cases.measureAt(step, 2));
     records.half.push_back(std::move(half));
   }
   records.all.push_back(std::move(record));
@@ -169,18 +145,15 @@ void keepFirst(Records& records, std::size_t count) {
   }
 }
 
-void runSteps(const PlanRecords& part, const GlContext& gl, const RunRequest& request, Cache& cache,
+void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& request, Cache& cache,
               Records& records, const StepJudge& judge) {
   const StudyPlan& plan = *part.plan;
-  for (const StudySpec& step : plan.steps) inStudy(step, [&] { tryMethods(step, gl, cache); });
+  for (const StudySpec& step : plan.steps) cases.prepare(step);
   RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;
   if (plan.sweep) swept = sweepStudy(plan.steps.front(), request.options, folder.path());
   for (const StudySpec& step : plan.steps) {
-    runStep(plan, step, gl, request, cache, records);
-    if (judge) judge(records.all.back());
-    // At once, so that a later failure leaves this one's report.
-    report(step, records, records.all.size() - 1, request, cache);
+    runStep(plan, step, cases, request, cache, records, judge);
   }
   if (swept) {
     writeCopy(*swept, folder, studyCopyName(plan.name));
@@ -190,20 +163,26 @@ void runSteps(const PlanRecords& part, const GlContext& gl, const RunRequest& re
 
 }  // namespace
 
+void runStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
+             const RunRequest& request, Cache& cache, Records& records, const StepJudge& judge) {
+  measureStep(plan, step, cases, request, records);
+  if (judge) judge(records.all.back());
+  // At once, so that a later failure leaves this one's report.
+  report(step, records, records.all.size() - 1, request, cache);
+}
+
 std::size_t caseCount(std::span<const StudyPlan> plans) {
   std::size_t count = 0;
   for (const StudyPlan& plan : plans) count += plan.steps.size();
   return count;
 }
 
-PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+PlanRecords runPlan(const StudyPlan& plan, CaseSource& cases, const RunRequest& request,
                     Cache& cache, Records& records, const StepJudge& judge) {
   const PlanRecords part{&plan, records.all.size()};
   try {
-    runSteps(part, gl, request, cache, records, judge);
-    records.line->clear();
+    runSteps(part, cases, request, cache, records, judge);
   } catch (...) {
-    records.line->clear();
     // Nothing may speak of a study of which a part is missing.
     keepFirst(records, part.first);
     throw;

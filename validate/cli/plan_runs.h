@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "cache/cache.h"
+#include "cli/case_source.h"
 #include "cli/run_command.h"
 #include "cli/run_folders.h"
-#include "cli/terminal_progress.h"
-#include "render/gl_context.h"
 #include "study/judge/study_ranking.h"
 #include "study/record/record.h"
 #include "study/spec/sweep.h"
@@ -23,7 +22,6 @@ namespace gnomon {
 struct Records {
   std::vector<StudyRecord> all, half, twice;
   RunFolders folders;
-  std::shared_ptr<TerminalProgress> line = std::make_shared<TerminalProgress>("");
 };
 
 /// The cases of all plans together.
@@ -48,8 +46,14 @@ using StepJudge = std::function<void(StudyRecord&)>;
 /// there. Where it fails, no record of the plan stays.
 /// @param cache    what earlier runs left, and what this one leaves
 /// @param records  its folders have been claimed and cleared
-PlanRecords runPlan(const StudyPlan& plan, const GlContext& gl, const RunRequest& request,
+PlanRecords runPlan(const StudyPlan& plan, CaseSource& cases, const RunRequest& request,
                     Cache& cache, Records& records, const StepJudge& judge = {});
+
+/// Runs one step of a plan, for which the source is prepared, adds its records and writes its
+/// folder with its reports.
+void runStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
+             const RunRequest& request, Cache& cache, Records& records,
+             const StepJudge& judge = {});
 
 /// Writes a plan's reports anew.
 void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache, Records& records);

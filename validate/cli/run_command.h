@@ -1,9 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/shards/arguments.h"
+#include "cli/shards/shard.h"
 #include "common/error.h"
 #include "study/run/scene/stage_clock.h"
 #include "study/spec/study_file.h"
@@ -20,8 +23,10 @@ struct RunRequest {
   /// Figures alone: no masks, pictures, pages, plots and times. Then the same input gives the same
   /// folder, byte for byte.
   bool metricsOnly = false;
-  std::string command;     ///< the command line, for the report
-  StageProgress progress;  ///< told how far a run is; a line on the terminal, if it is empty
+  std::string command;         ///< the command line, for the report
+  Arguments arguments;         ///< the same, word by word
+  std::optional<Shard> shard;  ///< runs only this part of the cases, see runShard
+  StageProgress progress;      ///< told how far a run is; a line on the terminal, if it is empty
 };
 
 /// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks

@@ -70,11 +70,20 @@ void RunFolders::claimRanking(const fs::path& out) {
   ranking_.emplace_back(out, rankingKind);
 }
 
-void RunFolders::clear(const fs::path& out) {
+void RunFolders::clear(const fs::path& out, const std::set<std::string>& kept) {
   clearOldRanking(out);
-  for (auto& [name, claimed] : claimed_) claimed.folder.removeIndex();
-  for (auto& [name, claimed] : claimed_) {
-    claimed.folder.clear(studies_);
+  // With a sweep's folder those of its values would go.
+  const auto stays = [&](const auto& entry) {
+    const std::string below = entry.first + "/";
+    const auto next = kept.lower_bound(below);
+    return kept.contains(entry.first) || (next != kept.end() && next->starts_with(below));
+  };
+  for (auto& entry : claimed_) {
+    if (!kept.contains(entry.first)) entry.second.folder.removeIndex();
+  }
+  for (auto& entry : claimed_) {
+    Claimed& claimed = entry.second;
+    if (!stays(entry)) claimed.folder.clear(studies_);
     std::error_code failure;
     if (fs::exists(claimed.folder.path() / claimed.copy, failure)) claimed.folder.add(claimed.copy);
     for (const std::string& subfolder : claimed.subfolders) claimed.folder.add(subfolder);

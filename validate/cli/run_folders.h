@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ class RunFolders {
   void claimRanking(const std::filesystem::path& out);
 
   /// Removes what earlier runs left in the claimed folders, and in `out` a ranking that tells of
-  /// them. What a study is read from stays.
-  void clear(const std::filesystem::path& out);
+  /// them. What a study is read from stays, and the folders of the steps and studies that are
+  /// `kept`.
+  void clear(const std::filesystem::path& out, const std::set<std::string>& kept = {});
 
   /// Whether a study's or a step's folder has been claimed.
   [[nodiscard]] bool holds(const std::string& name) const { return claimed_.contains(name); }

@@ -15,6 +15,12 @@ std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studi
   return plans;
 }
 
+std::vector<StudyPlan> readOutlines(const std::vector<std::filesystem::path>& studies,
+                                    StudyOptions options) {
+  options.isOutline = true;
+  return readPlans(studies, options);
+}
+
 void requireNewName(std::set<std::string>& names, const std::filesystem::path& file,
                     const std::string& name) {
   if (names.insert(name).second) return;

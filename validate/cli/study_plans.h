@@ -17,6 +17,11 @@ namespace gnomon {
 std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
                                  const StudyOptions& options);
 
+/// What the studies of one command ask for, in outline: see StudyOptions.
+/// @throws as readPlans, as far as outlines can tell
+std::vector<StudyPlan> readOutlines(const std::vector<std::filesystem::path>& studies,
+                                    StudyOptions options);
+
 /// Adds a study's name to those of a command.
 /// @throws InputError for one that is among them
 void requireNewName(std::set<std::string>& names, const std::filesystem::path& file,

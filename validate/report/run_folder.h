@@ -37,6 +37,8 @@ class RunFolder {
   [[nodiscard]] std::filesystem::path listFile() const { return folder_ / kind_.list; }
   /// Whether the list names a file or, with `/` at its end, a folder.
   [[nodiscard]] bool names(const std::string& name) const { return names_.contains(name); }
+  /// All names of the list.
+  [[nodiscard]] const std::set<std::string>& names() const { return names_; }
 
   /// Removes the index alone: the folder then holds no finished run.
   void removeIndex();

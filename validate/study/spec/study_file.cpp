@@ -30,20 +30,23 @@ LimitSurface surfaceOf(const StudySpec& study) {
   }
 }
 
-/// The map gets its border; the bake its radius, by the rule where none is stated.
-void readStudyBake(const TomlReader& root, StudySpec& study) {
-  const auto section = root.optionalTable("bake");
+/// The map gets its border; the radius is found by the rule, unless it is stated.
+void measureSurface(StudySpec& study, bool isStated) {
   const LimitSurface surface = surfaceOf(study);
   Relief& relief = study.relief;
   const Border border = borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
   relief.field = std::move(relief.field).withBorder(border);
   std::vector<Vec3> lights;
   for (const LightSpec& light : study.lights) lights.push_back(light.direction());
-  const bool isStated = section && section->has("radius");
   study.radius =
       isStated ? SearchRadius{0, RadiusBound::stated} : searchRadius(surface, relief, lights);
+}
+
+void readStudyBake(const TomlReader& root, StudySpec& study, bool isOutline) {
+  const auto section = root.optionalTable("bake");
+  if (!isOutline) measureSurface(study, section && section->has("radius"));
   study.bake.settings.radiusTexels = study.radius.texels;
-  if (section) readSection(*section, keysOf(study.bake, relief.resample));
+  if (section) readSection(*section, keysOf(study.bake, study.relief.resample));
   study.radius.texels = study.bake.settings.radiusTexels;
 }
 
@@ -169,7 +172,7 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options) {
   for (const TomlReader& section : root.tables("light")) {
     for (LightSpec& light : readLights(section)) study.lights.push_back(std::move(light));
   }
-  readStudyBake(root, study);
+  readStudyBake(root, study, options.isOutline);
   const MethodDefaults defaults{folder, shaderFolder(), study.bake, study.base,
                                 study.relief.resample};
   for (const TomlReader& method : root.tables("method")) {

@@ -92,6 +92,9 @@ struct StudyOptions {
   /// Names of built-in methods after the study's own, where overrides may reach them.
   std::vector<std::string> addedMethods = {};
   bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate names none
+  /// An outline tells what a study asks for, but cannot be run: neither the map's border nor the
+  /// rule's search radius is found, which takes longer than all the rest.
+  bool isOutline = false;
 };
 
 /// Reads and checks a study: paths in it are relative to its folder, see studyFolder. A `[sweep]`

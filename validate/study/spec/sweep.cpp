@@ -86,7 +86,8 @@ StudyPlan singlePlan(StudySpec study) {
 
 }  // namespace
 
-StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options) {
+StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options,
+                        const StepFilter& wants) {
   const StudyText text = readStudyText(file);
   const toml::table table = parseTomlText(text.text, file.string(), options.overrides);
   const TomlReader root(table, file.string(), "");
@@ -96,7 +97,9 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options) {
   requireOrder(root, sweep);
   const SweptFile swept{text, options, std::move(tables), std::move(sweep)};
   StudyPlan plan;
-  for (const SweepCase& which : swept.sweep.cases) {
+  for (std::size_t i = 0; i < swept.sweep.cases.size(); ++i) {
+    if (wants && !wants(i)) continue;
+    const SweepCase& which = swept.sweep.cases[i];
     StudySpec step = readStep(swept, which);
     plan.name = step.name;
     plan.title = step.title;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,9 +61,13 @@ struct StudyPlan {
   std::vector<StudySpec> steps;
 };
 
-/// Reads and checks a study file with all its steps.
+/// Whether a step of a plan is wanted, by its place among all of them; each is, where it is empty.
+using StepFilter = std::function<bool(std::size_t step)>;
+
+/// Reads and checks a study file with all its steps, or with those that are wanted.
 /// @throws InputError as readStudy and readSweepTables; for a value that its key cannot take, and
 ///   for a claim that a gain grows over a sweep without an order: all name file, line and key
-StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {});
+StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {},
+                        const StepFilter& wants = {});
 
 }  // namespace gnomon

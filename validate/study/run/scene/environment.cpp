@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <fstream>
+#include <optional>
 
 #include "common/error.h"
 #include "common/parallel.h"
@@ -12,16 +13,28 @@
 
 namespace gnomon {
 
-std::string processorName() {
+namespace {
+
+/// The first value of a key in the kernel's description of the processors; none without it.
+std::optional<std::string> processorValue(const std::string& key) {
   std::ifstream file("/proc/cpuinfo");
   std::string line;
   while (std::getline(file, line)) {
     const std::size_t colon = line.find(": ");
-    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
-      return line.substr(colon + 2);
-    }
+    if (line.rfind(key, 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
   }
-  return "unknown";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string processorName() {
+  return processorValue("model name").value_or("unknown");
+}
+
+std::string processorFeatures() {
+  const auto features = processorValue("flags");
+  return features ? *features : processorValue("Features").value_or("");
 }
 
 namespace {
@@ -55,10 +68,18 @@ std::string radiusReason(const StudySpec& study) {
 
 }  // namespace
 
+std::string programVersion() {
+  return GNOMON_VERSION;
+}
+
+std::string programCommit() {
+  return GNOMON_COMMIT;
+}
+
 EnvironmentRecord describeEnvironment(const GlContext& gl) {
   EnvironmentRecord environment;
-  environment.gnomonVersion = GNOMON_VERSION;
-  environment.commit = GNOMON_COMMIT;
+  environment.gnomonVersion = programVersion();
+  environment.commit = programCommit();
   environment.cpu = processorName();
   environment.threads = static_cast<int>(threadCount());
   environment.glRenderer = gl.driver().renderer;

@@ -11,6 +11,16 @@ namespace gnomon {
 /// The processor's name as the kernel knows it, or "unknown".
 std::string processorName();
 
+/// What the processor can do, as the kernel lists it: "fpu … avx2 … avx512f …"; empty where it does
+/// not tell.
+std::string processorFeatures();
+
+/// Of the program, "0.1.0".
+std::string programVersion();
+
+/// Of the sources that the program was built from, or empty outside a checkout.
+std::string programCommit();
+
 /// Versions and hardware, for whoever gets other figures.
 EnvironmentRecord describeEnvironment(const GlContext& gl);
 

@@ -83,8 +83,16 @@ ContentKey reliefKey(const StudySpec& study) {
 ContentKey programKey() {
   KeyBuilder key("program");
   key.add("executable", keyOfBytes(readFile(ownFile())));
-  key.add("embree", MicroScene::embreeVersion()).add("openSubdiv", openSubdivVersion());
-  return key.add("cpu", processorName()).key();
+  return key.add("embree", MicroScene::embreeVersion())
+      .add("openSubdiv", openSubdivVersion())
+      .key();
+}
+
+ContentKey processorKey() {
+  return KeyBuilder("processor")
+      .add("name", processorName())
+      .add("features", processorFeatures())
+      .key();
 }
 
 ContentKey settingsKey(const BakeSpec& bake, Enters result) {

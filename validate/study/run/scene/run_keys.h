@@ -11,11 +11,15 @@
 
 namespace gnomon {
 
-/// Everything of this program and machine that a result may depend on beside its inputs: the bytes
-/// of the program or library that computes it (so any change of its sources), the versions of
-/// OpenSubdiv and Embree, and the processor. A cache adds it to every key. Shaders are files, and
-/// enter where they are used; so does the GL renderer.
+/// Everything of this program that a result may depend on beside its inputs: the bytes of the
+/// program or library that computes it (so any change of its sources), and the versions of
+/// OpenSubdiv and Embree. A cache adds it to every key. Shaders are files, and enter where they are
+/// used; so does the GL renderer.
 ContentKey programKey();
+
+/// The processor, by its name and by what it can do. A cache adds it to every key but those of
+/// results that hold on any (HoldsOn).
+ContentKey processorKey();
 
 /// Every file that methods and passes are made of beside a method's own.
 /// @param shaders  the folder that holds `common/`

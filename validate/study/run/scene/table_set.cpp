@@ -22,7 +22,11 @@ HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSpe
   const auto make = [&] {
     return withKeys("bake", [&] { return bakeHorizons(field, bake.settings, progress); });
   };
-  return keepsHorizons(field, bake.settings) ? cache.remember(bakeKey(field, bake), make) : make();
+  // The kernel gives the same bits on all instruction sets, see tests/horizon/horizon_targets_test
+  // and tests/end_to_end/processors_test.
+  return keepsHorizons(field, bake.settings)
+             ? cache.remember(bakeKey(field, bake), make, HoldsOn::anyProcessor)
+             : make();
 }
 
 const HorizonTables& TableSet::bake(const BakeSpec& spec, StageClock& clock) {

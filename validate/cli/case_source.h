@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+
+#include "cache/cache.h"
+#include "cli/run_command.h"
+#include "cli/terminal_progress.h"
+#include "render/gl_context.h"
+#include "report/run_folder.h"
+#include "study/record/record.h"
+#include "study/spec/study_file.h"
+
+namespace gnomon {
+
+/// Where the figures of a run's cases come from, a case being a study or a step of a sweep: from
+/// measuring it, or from what shards have kept.
+class CaseSource {
+ public:
+  CaseSource() = default;
+  CaseSource(const CaseSource&) = delete;
+  CaseSource& operator=(const CaseSource&) = delete;
+  virtual ~CaseSource() = default;
+
+  /// Called for all cases of a plan before the first of them is asked for.
+  virtual void prepare(const StudySpec& study) = 0;
+  /// What was found, no claim judged yet; its pictures are written to the folder.
+  virtual StudyRecord measure(const StudySpec& study, RunFolder& folder) = 0;
+  /// The figures alone, without pictures and frame times.
+  virtual StudyRecord measureFigures(const StudySpec& study) = 0;
+  /// The figures alone, at half or at twice the search radius.
+  virtual StudyRecord measureAt(const StudySpec& study, double radiusFactor) = 0;
+};
+
+/// Measures, and tells how far it is on the terminal, or whom the request names.
+class MeasuredCases final : public CaseSource {
+ public:
+  /// All outlive the source.
+  /// @param count  of the cases that will be measured
+  MeasuredCases(const GlContext& gl, const RunRequest& request, Cache& cache, std::size_t count)
+      : gl_(gl), request_(request), cache_(cache), line_("", count) {}
+
+  void prepare(const StudySpec& study) override;
+  StudyRecord measure(const StudySpec& study, RunFolder& folder) override;
+  StudyRecord measureFigures(const StudySpec& study) override;
+  StudyRecord measureAt(const StudySpec& study, double radiusFactor) override;
+
+ private:
+  template <typename Work>
+  StudyRecord shown(const StudySpec& study, const Work& work);
+
+  const GlContext& gl_;
+  const RunRequest& request_;
+  Cache& cache_;
+  TerminalProgress line_;
+};
+
+}  // namespace gnomon

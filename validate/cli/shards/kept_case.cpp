@@ -1,0 +1,102 @@
+#include "cli/shards/kept_case.h"
+
+#include <toml++/toml.h>
+
+#include <sstream>
+
+#include "cache/entry.h"
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "common/text/sha256.h"
+#include "study/record/record_fields.h"
+#include "study/run/scene/environment.h"
+#include "study/spec/resolved_study.h"
+#include "study/spec/study_inputs.h"
+#include "study/spec/study_text.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+
+template <typename Stream, SameAs<ContentKey> T>
+void fields(Stream& stream, T& key) {
+  stream(key.high, key.low);
+}
+
+template <typename Stream, SameAs<KeptFile> T>
+void fields(Stream& stream, T& file) {
+  stream(file.name, file.bytes, file.key);
+}
+
+template <typename Stream, SameAs<KeptCase> T>
+void fields(Stream& stream, T& kept) {
+  stream(kept.record, kept.half, kept.twice, kept.files);
+}
+
+namespace {
+
+/// Another version of the program may have other records.
+ContentKey keyOf(const std::string& hash) {
+  KeyBuilder key("case of a shard");
+  key.add("version", programVersion()).add("commit", programCommit());
+  return key.add("case", hash).key();
+}
+
+std::optional<KeptCase> caseIn(const fs::path& folder, const ContentKey& key) {
+  std::error_code failure;
+  if (!fs::exists(folder / "summary.json", failure)) return std::nullopt;
+  if (!fs::is_regular_file(folder / caseFile, failure)) return std::nullopt;
+  const std::string file = readFile(folder / caseFile);
+  const auto content = openedEntry(key, file);
+  if (!content) return std::nullopt;
+  return valueOf<KeptCase>(*content);
+}
+
+}  // namespace
+
+std::string caseHash(const StudySpec& study) {
+  const fs::path home = studyFolder(study.file);
+  std::ostringstream text;
+  text << study.name << '\n' << resolvedStudy(study, home) << '\n';
+  for (const InputRecord& input : studyInputs(study, home)) {
+    text << input.file << ' ' << input.sha256 << '\n';
+  }
+  return sha256(text.str());
+}
+
+void keepCase(RunFolder& folder, const std::string& hash, const KeptCase& kept) {
+  folder.write(caseFile, sealedEntry(keyOf(hash), bytesOf(kept)));
+}
+
+std::optional<KeptCase> findCase(const fs::path& folder, const std::string& hash) {
+  try {
+    std::optional<KeptCase> kept = caseIn(folder, keyOf(hash));
+    if (!kept) return std::nullopt;
+    for (const KeptFile& file : kept->files) (void)readKept(folder, file);
+    return kept;
+  } catch (const DamagedBytes&) {
+    return std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;  // a file that cannot be read is as good as none
+  }
+}
+
+std::vector<KeptFile> filesSince(const RunFolder& folder, const std::set<std::string>& before) {
+  std::vector<KeptFile> files;
+  for (const std::string& name : folder.names()) {
+    if (before.contains(name)) continue;
+    const std::string bytes = readFile(folder.path() / name);
+    files.push_back({name, bytes.size(), keyOfBytes(bytes)});
+  }
+  return files;
+}
+
+std::string readKept(const fs::path& folder, const KeptFile& file) {
+  const fs::path path = folder / file.name;
+  std::string bytes = readFile(path);
+  if (bytes.size() != file.bytes || keyOfBytes(bytes) != file.key) {
+    throw InputError(path.string() + ": is not as the shard wrote it");
+  }
+  return bytes;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gnomon {
+
+/// One of the parts that the cases of a command are divided into.
+struct Shard {
+  int index = 1;  ///< from 1 to `count`
+  int count = 1;
+  bool operator==(const Shard&) const = default;
+};
+
+constexpr int mostShards = 100'000;
+
+/// "2/16": the second of sixteen.
+std::string shardText(const Shard& shard);
+
+/// @throws UsageError for anything else than `I/N` with 1 ≤ I ≤ N ≤ mostShards
+Shard parseShard(std::string_view text);
+
+/// The shard that the environment asks for; none where it asks for none. First of an array of
+/// Slurm: SLURM_ARRAY_TASK_ID of SLURM_ARRAY_TASK_COUNT tasks, which are numbered from
+/// SLURM_ARRAY_TASK_MIN (1) in steps of SLURM_ARRAY_TASK_STEP (1). Then of a runner of tests, as
+/// Bazel and GoogleTest have it: TEST_SHARD_INDEX, from 0, of TEST_TOTAL_SHARDS; the file
+/// TEST_SHARD_STATUS_FILE, where it is named, is then made, which tells the runner that its wish is
+/// known.
+/// @throws UsageError naming the variable for one that is missing beside the other or holds no
+///   number that it may; InputError where the file cannot be made
+std::optional<Shard> shardOfEnvironment();
+
+}  // namespace gnomon

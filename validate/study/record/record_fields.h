@@ -1,0 +1,289 @@
+#pragma once
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+#include "cache/byte_stream.h"
+#include "common/error.h"
+#include "compare/boundaries.h"
+#include "study/record/record.h"
+
+namespace gnomon {
+
+/// What a StudyRecord is made of, as bytes and back: see byte_stream.h. Every member of a struct is
+/// named in a structured binding, so that one that is new, and would be lost, does not compile.
+
+template <typename Stream, SameAs<Counts> T>
+void fields(Stream& stream, T& counts) {
+  auto& [truePositive, falsePositive, falseNegative, trueNegative, samples] = counts;
+  stream(truePositive, falsePositive, falseNegative, trueNegative, samples);
+}
+
+template <typename Stream, SameAs<ShadowLengths> T>
+void fields(Stream& stream, T& lengths) {
+  auto& [runs, ratio, lowerQuartile, upperQuartile, truthLength] = lengths;
+  stream(runs, ratio, lowerQuartile, upperQuartile, truthLength);
+}
+
+/// Boundary metrics: their texts are constants, kept by their places in the lists of them.
+struct BoundaryMetrics {
+  std::vector<Metric> metrics;
+};
+
+/// The place of a text in a list; the list's size for an empty one.
+inline std::uint64_t placeIn(const std::vector<std::string_view>& list, std::string_view text) {
+  const auto found = std::find(list.begin(), list.end(), text);
+  if (found == list.end() && !text.empty()) throw InternalError("a metric's text is in no list");
+  return static_cast<std::uint64_t>(found - list.begin());
+}
+
+inline std::string_view textAt(const std::vector<std::string_view>& list, std::uint64_t place) {
+  if (place > list.size()) throw DamagedBytes();
+  return place < list.size() ? list[place] : std::string_view();
+}
+
+template <typename Stream, SameAs<BoundaryMetrics> T>
+void fields(Stream& stream, T& boundaries) {
+  std::uint64_t count = boundaries.metrics.size();
+  stream(count);
+  if constexpr (!std::is_const_v<T>) {
+    if (count > boundaryMetricNames().size()) throw DamagedBytes();
+    boundaries.metrics.resize(count);
+  }
+  for (auto& metric : boundaries.metrics) {
+    std::uint64_t name = placeIn(boundaryMetricNames(), metric.name);
+    std::uint64_t reason = placeIn(boundaryReasons(), metric.reason);
+    stream(name, metric.value, reason);
+    if constexpr (!std::is_const_v<T>) {
+      metric.name = textAt(boundaryMetricNames(), name);
+      metric.reason = textAt(boundaryReasons(), reason);
+    }
+  }
+}
+
+/// A record's boundary metrics, in their place among its other members.
+template <typename Stream, SameAs<std::vector<Metric>> T>
+void boundaryFields(Stream& stream, T& metrics) {
+  BoundaryMetrics boundaries{metrics};
+  stream(boundaries);
+  if constexpr (!std::is_const_v<T>) metrics = std::move(boundaries.metrics);
+}
+
+template <typename Stream, SameAs<EnvironmentRecord> T>
+void fields(Stream& stream, T& environment) {
+  auto& [version, commit, cpu, threads, renderer, gl, embree, openSubdiv, clock] = environment;
+  stream(version, commit, cpu, threads, renderer, gl, embree, openSubdiv, clock);
+}
+
+template <typename Stream, SameAs<UncertaintyRecord> T>
+void fields(Stream& stream, T& flip) {
+  auto& [view, light, flipRate, lengthError, boundaries] = flip;
+  stream(view, light, flipRate, lengthError);
+  boundaryFields(stream, boundaries);
+}
+
+template <typename Stream, SameAs<RefinementRecord> T>
+void fields(Stream& stream, T& level) {
+  auto& [stepTexels, microTriangles, flipRate] = level;
+  stream(stepTexels, microTriangles, flipRate);
+}
+
+template <typename Stream, SameAs<TruthRecord> T>
+void fields(Stream& stream, T& truth) {
+  auto& [triangles, step, uncertainty, bvh, mesh, flips, wanted, refinement, asked] = truth;
+  stream(triangles, step, uncertainty, bvh, mesh, flips, wanted, refinement, asked);
+}
+
+template <typename Stream, SameAs<RadiusRecord> T>
+void fields(Stream& stream, T& radius) {
+  auto& [texels, reason] = radius;
+  stream(texels, reason);
+}
+
+template <typename Stream, SameAs<MethodRecord> T>
+void fields(Stream& stream, T& method) {
+  auto& [label, name, title, citation] = method;
+  stream(label, name, title, citation);
+}
+
+template <typename Stream, SameAs<RefusedMethod> T>
+void fields(Stream& stream, T& refused) {
+  auto& [label, reason] = refused;
+  stream(label, reason);
+}
+
+template <typename Stream, SameAs<ResultRecord> T>
+void fields(Stream& stream, T& result) {
+  auto& [method, light, view, region, counts, lengths, boundaries, answer] = result;
+  stream(method, light, view, region, counts, lengths, answer);
+  boundaryFields(stream, boundaries);
+}
+
+template <typename Stream, SameAs<Interval> T>
+void fields(Stream& stream, T& interval) {
+  auto& [low, high] = interval;
+  stream(low, high);
+}
+
+template <typename Stream, SameAs<ConfidenceRecord> T>
+void fields(Stream& stream, T& confidence) {
+  auto& [method, view, light, rate, interval, reason, blocks, blockSide] = confidence;
+  stream(method, view, light, rate, interval, reason, blocks, blockSide);
+}
+
+template <typename Stream, typename T>
+requires SameAs<T, RadiusCheck<Verdict>> || SameAs<T, RadiusCheck<DifferenceVerdict>>
+void fields(Stream& stream, T& check) {
+  auto& [atHalf, atTwice] = check;
+  stream(atHalf, atTwice);
+}
+
+template <typename Stream, SameAs<DifferenceRecord> T>
+void fields(Stream& stream, T& pair) {
+  auto& [view, light, first, second, difference, interval, reason, uncertainty, verdict, radius] =
+      pair;
+  stream(view, light, first, second, difference, interval, reason, uncertainty, verdict, radius);
+}
+
+template <typename Stream, SameAs<BinRecord> T>
+void fields(Stream& stream, T& bin) {
+  auto& [method, view, light, axis, low, high, counts] = bin;
+  stream(method, view, light, axis, low, high, counts);
+}
+
+template <typename Stream, SameAs<CostRecord> T>
+void fields(Stream& stream, T& cost) {
+  auto& [method, polygons, tableBytes, heightBytes, frameMs, passes, keptSince] = cost;
+  stream(method, polygons, tableBytes, heightBytes, frameMs, passes, keptSince);
+}
+
+template <typename Stream, SameAs<TimingRecord> T>
+void fields(Stream& stream, T& timing) {
+  auto& [stage, seconds] = timing;
+  stream(stage, seconds);
+}
+
+/// A threshold's own table stays out: it is the study's, and tells nothing of what was found.
+template <typename Stream, SameAs<Threshold> T>
+void fields(Stream& stream, T& threshold) {
+  auto& [line, quick, written] = threshold;
+  stream(line, quick);
+  (void)written;
+}
+
+/// @throws InternalError for a gate that is no threshold: only a check judges by others
+template <typename Stream, SameAs<Gate> T>
+void fields(Stream& stream, T& gate) {
+  auto& [method, light, view, region, metric, minimum, maximum, origin, answer, step] = gate;
+  auto* threshold = std::get_if<Threshold>(&origin);
+  if (threshold == nullptr) throw InternalError("a gate of a run is no threshold");
+  stream(method, light, view, region, metric, minimum, maximum, *threshold, answer, step);
+}
+
+template <typename Stream, SameAs<Judgement> T>
+void fields(Stream& stream, T& judgement) {
+  auto& [gate, verdict, value, reason] = judgement;
+  stream(gate, verdict, value, reason);
+}
+
+template <typename Stream, SameAs<ProblemRecord> T>
+void fields(Stream& stream, T& problem) {
+  auto& [part, status, message] = problem;
+  stream(part, status, message);
+}
+
+template <typename Stream, SameAs<ReferencePictures> T>
+void fields(Stream& stream, T& pictures) {
+  auto& [method, view, light, before, after, change, note] = pictures;
+  stream(method, view, light, before, after, change, note);
+}
+
+template <typename Stream, SameAs<Quartiles> T>
+void fields(Stream& stream, T& quartiles) {
+  auto& [least, first, median, third, most] = quartiles;
+  stream(least, first, median, third, most);
+}
+
+template <typename Stream, SameAs<ClaimSpread> T>
+void fields(Stream& stream, T& spread) {
+  auto& [cases, held, failed, views, quantity, quartiles, hasIntervals, together] = spread;
+  stream(cases, held, failed, views, quantity, quartiles, hasIntervals, together);
+}
+
+template <typename Stream, SameAs<ClaimRecord> T>
+void fields(Stream& stream, T& claim) {
+  auto& [text, source, verdict, detail, spread, radius] = claim;
+  stream(text, source, verdict, detail, spread, radius);
+}
+
+template <typename Stream, SameAs<BudgetShare> T>
+void fields(Stream& stream, T& share) {
+  auto& [value, interval, reason, distinguishable] = share;
+  stream(value, interval, reason, distinguishable);
+}
+
+template <typename Stream, SameAs<BudgetCause> T>
+void fields(Stream& stream, T& cause) {
+  auto& [name, change, forward, backward] = cause;
+  stream(name, change, forward, backward);
+}
+
+template <typename Stream, SameAs<BudgetState> T>
+void fields(Stream& stream, T& state) {
+  auto& [errorRate, falseShadow, falseLight] = state;
+  stream(errorRate, falseShadow, falseLight);
+}
+
+template <typename Stream, SameAs<BudgetRecord> T>
+void fields(Stream& stream, T& budget) {
+  auto& [method, view, light, uncertainty, blocks, total, causes, distant, other, forward,
+         backward] = budget;
+  stream(method, view, light, uncertainty, blocks, total, causes, distant, other, forward,
+         backward);
+}
+
+template <typename Stream, SameAs<TruthFilesRecord> T>
+void fields(Stream& stream, T& files) {
+  auto& [mask, regions, seam, weights] = files;
+  stream(mask, regions, seam, weights);
+}
+
+template <typename Stream, SameAs<PictureRecord> T>
+void fields(Stream& stream, T& picture) {
+  auto& [kind, method, caption, path, mask, embedded, layers, truth, testMask] = picture;
+  stream(kind, method, caption, path, mask, embedded, layers, truth, testMask);
+}
+
+template <typename Stream, SameAs<LayersRecord> T>
+void fields(Stream& stream, T& layers) {
+  auto& [lit, dark] = layers;
+  stream(lit, dark);
+}
+
+template <typename Stream, SameAs<PanelRecord> T>
+void fields(Stream& stream, T& panel) {
+  auto& [view, light, width, height, pictures, layers] = panel;
+  stream(view, light, width, height, pictures, layers);
+}
+
+template <typename Stream, SameAs<CacheCounts> T>
+void fields(Stream& stream, T& counts) {
+  auto& [hits, misses, damaged] = counts;
+  stream(hits, misses, damaged);
+}
+
+/// What tells of the run's folder, `reproduction`, stays out: it follows from study and folder.
+template <typename Stream, SameAs<StudyRecord> T>
+void fields(Stream& stream, T& record) {
+  auto& [name, title, source, file, command, reproduction, environment, radius, truth, atlasViews,
+         methods, refused, results, confidence, differences, bins, cost, timings, judgements,
+         baseline, problems, referencePictures, claims, budgets, panels, notices, undefinedSamples,
+         cache] = record;
+  stream(name, title, source, file, command, environment, radius, truth, atlasViews, methods,
+         refused, results, confidence, differences, bins, cost, timings, judgements, baseline,
+         problems, referencePictures, claims, budgets, panels, notices, undefinedSamples, cache);
+  (void)reproduction;
+}
+
+}  // namespace gnomon
