@@ -9,9 +9,8 @@ scenes=$(realpath "$(dirname "$0")/../../scenes")
 work=$(mktemp -d /tmp/gnomon-efficiency-XXXXXX)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-# The light of the study gives way to one that is swept.
-awk '/^\[\[/ { inLight = /^\[\[light\]\]/ } !inLight && !/^\[\[threshold|^\[\[claim/' \
-  "$scenes/sphere-columns.toml" | awk '/^\[\[(threshold|claim|ladder)/ { skip = 1 } /^\[/ && !/threshold|claim|ladder/ { skip = 0 } !skip' > study.toml
+# The lights of the study give way to one that is swept; nothing is judged.
+awk '/^\[/ { drop = /^\[\[(light|threshold|claim|ladder)/ } !drop' "$scenes/sphere-columns.toml" > study.toml
 cat >> study.toml <<T
 
 [[light]]
