@@ -1,7 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "end_to_end/lasting_files.h"
 #include "end_to_end/program.h"
@@ -285,6 +288,64 @@ TEST_F(Shards, AnotherVersionOrAnotherTextOfAStudyIsForeign) {
   EXPECT_EQ(changed.status, 3);
   EXPECT_THAT(changed.err,
               HasSubstr("s1: shard 1/3 was made of another text of small.toml\n  gnomon run"));
+}
+
+/// The text of the manual's page, from a line on to the end of its block.
+std::string exampleOf(const std::string& begin) {
+  std::ifstream page(std::string(GNOMON_DOCS) + "/many-machines.md");
+  std::ostringstream text;
+  text << page.rdbuf();
+  const std::size_t at = text.str().find(begin);
+  EXPECT_NE(at, std::string::npos) << begin;
+  if (at == std::string::npos) return {};
+  return text.str().substr(at, text.str().find("\n```", at) + 1 - at);
+}
+
+std::string allReplaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// The manual's examples are run as they stand, but for the study.
+class ShardExamples : public Shards {
+ protected:
+  void expectRuns(const std::string& script) const {
+    const std::string programs = fs::path(GNOMON_PROGRAM).parent_path().string();
+    write("script", "set -eu\nPATH=" + programs + ":$PATH\n" + script);
+    const int process = startCommand(folder(), {"sh", "script"}, {}, file("told"), file("error"));
+    EXPECT_EQ(endOf(process), 0) << read("error");
+    EXPECT_TRUE(fs::exists(file("out/small/summary.json")));
+    EXPECT_TRUE(fs::exists(file("out/small/6/summary.json")));
+  }
+};
+
+TEST_F(ShardExamples, OfGnuParallel) {
+  if (std::system("parallel --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no GNU parallel";
+  fs::copy(file("small.toml"), file("study.toml"));
+  expectRuns(exampleOf("seq 3 | parallel"));
+}
+
+TEST_F(ShardExamples, OfAGitHubMatrix) {
+  const std::string matrix = exampleOf("name: sweep\n");
+  EXPECT_THAT(matrix, HasSubstr("shard: [1, 2, 3, 4]"));
+  std::istringstream lines(matrix);
+  std::string script, merge;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("run: ./gnomon ");
+    if (at == std::string::npos) continue;
+    const std::string command =
+        allReplaced(line.substr(at + 7), "scenes/height-sweep.toml", "small.toml") + "\n";
+    // One job a shard, as the runner does.
+    for (const char* shard : {"1", "2", "3", "4"}) {
+      const std::string job = allReplaced(command, "${{ matrix.shard }}", shard);
+      if (job != command) script += job;
+      if (job == command) merge = job;
+    }
+  }
+  EXPECT_EQ(std::count(script.begin(), script.end(), '\n'), 4);
+  expectRuns(script + merge);
 }
 
 TEST_F(Shards, AStudyFromAPipeIsRefused) {

@@ -82,8 +82,9 @@ std::optional<KeptCase> findCase(const fs::path& folder, const std::string& hash
 
 std::vector<KeptFile> filesSince(const RunFolder& folder, const std::set<std::string>& before) {
   std::vector<KeptFile> files;
-  for (const std::string& name : folder.names()) {
-    if (before.contains(name)) continue;
+  std::istringstream list(readFile(folder.listFile()));
+  for (std::string name; std::getline(list, name);) {
+    if (before.contains(name) || !folder.names(name)) continue;
     const std::string bytes = readFile(folder.path() / name);
     files.push_back({name, bytes.size(), keyOfBytes(bytes)});
   }

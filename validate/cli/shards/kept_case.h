@@ -45,7 +45,8 @@ void keepCase(RunFolder& folder, const std::string& hash, const KeptCase& kept);
 /// of this version of the program, and all its files are as they were written.
 std::optional<KeptCase> findCase(const std::filesystem::path& folder, const std::string& hash);
 
-/// The files of a folder that came into its list since it had these names.
+/// The files of a folder that came into its list since it had these names, in the order in which
+/// they did: the merged folder's list is to have the same.
 std::vector<KeptFile> filesSince(const RunFolder& folder, const std::set<std::string>& before);
 
 /// The bytes of a file of a case.

@@ -54,8 +54,9 @@ std::string foreignness(const ShardManifest& manifest, const ShardManifest& comm
 
 /// Where a shard that is missing may go: beside the others.
 fs::path placeOf(const Shard& shard, const fs::path& other) {
-  return other.lexically_normal().parent_path() /
-         fmt::format("shard-{}-of-{}", shard.index, shard.count);
+  fs::path beside = other.lexically_normal();
+  if (!beside.has_filename()) beside = beside.parent_path();  // a slash at the end
+  return beside.parent_path() / fmt::format("shard-{}-of-{}", shard.index, shard.count);
 }
 
 /// `gnomon merge` of the folders but one.

@@ -1,0 +1,40 @@
+#!/bin/bash
+# How much processor time is lost when a run is divided: that of one shard over that of many, on cases
+# of equal kind: a sweep of the light's azimuth over the columns on a sphere of Figure 4.
+#   shard_efficiency.sh GNOMON [CASES [SHARDS]]        GNOMON: build/release/gnomon
+# Prints seconds of the processor, user and system, of one shard, of all, and of merge.
+set -eu
+gnomon=$(realpath "$1") cases=${2:-320} shards=${3:-64}
+scenes=$(realpath "$(dirname "$0")/../../scenes")
+work=$(mktemp -d /tmp/gnomon-efficiency-XXXXXX)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+# The lights of the study give way to one that is swept; nothing is judged.
+awk '/^\[/ { drop = /^\[\[(light|threshold|claim|ladder)/ } !drop' "$scenes/sphere-columns.toml" > study.toml
+cat >> study.toml <<T
+
+[[light]]
+azimuth = 0
+elevation = 30
+
+[sweep]
+key = "light.0.azimuth"
+values = [$(seq -s ', ' 0 "$(awk "BEGIN { print 300 / $cases }")" 300 | cut -d, -f "1-$cases")]
+T
+options="--no-cache --quick"
+if "$gnomon" run --help | grep -q -- --metrics-only; then options="$options --metrics-only"; fi
+TIMEFORMAT='%U %S'
+seconds() {  # of the processor that a command takes
+  { time "$@" > log 2>&1; } 2>&1 | awk '{ print $1 + $2 }'
+}
+one=$(seconds "$gnomon" run study.toml $options --shard 1/1 --out one)
+echo "one shard: $one s"
+all=0
+for i in $(seq "$shards"); do
+  part=$(seconds "$gnomon" run study.toml $options --shard "$i/$shards" --out "shards/$i")
+  grep -q '"whole": true' "shards/$i/shard.json" || { cat log; exit 1; }
+  all=$(awk "BEGIN { print $all + $part }")
+done
+echo "$shards shards: $all s"
+echo "merge: $(seconds "$gnomon" merge shards/* --no-cache --out merged) s"
+awk "BEGIN { printf \"$cases cases in $shards shards: %.1f %% of the processor's time is that of one\n\", 100 * $one / $all }"
