@@ -107,8 +107,8 @@ double cellsHeight(const SolidCells& made, const Vec3& point) {
   return cellHeight(glm::length(*nearest - p), fromBorder, 1, groove);
 }
 
-void requireLength(std::string_view key, double value) {
-  requireBetween(key, value, 1 / longestOfPatterns, longestOfPatterns);
+void requireLength(const std::string& parameter, double value) {
+  requireBetween(parameter, value, 1 / longestOfPatterns, longestOfPatterns);
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ TEST(SuiteText, IsRounded) {
   EXPECT_EQ(binText(75, {}), "75 and more");
 }
 
-class SuiteFiles : public test::TemporaryFolder {};
+class SuiteFiles : public TemporaryFolder {};
 
 TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   RunFolder folder(file("out"), {"ranking.json", {}, "ranking.txt"});

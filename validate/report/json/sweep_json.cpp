@@ -20,7 +20,7 @@ Json keyJson(const SweptKey& key) {
       {"key", key.key}, {"axis", key.axis}, {"dimension", key.dimension}, {"drawn", key.isDrawn}};
 }
 
-Json valueJson(const SweptValue& value) {
+Json sweptValueJson(const SweptValue& value) {
   return value.number ? jsonNumber(*value.number, "steps.values") : Json(value.text);
 }
 
@@ -31,7 +31,7 @@ Json stepsJson(const SweepRecord& sweep) {
     steps.push_back(
         {{"case", i + 1},
          {"name", which.name},
-         {"values", jsonList(which.values, valueJson)},
+         {"values", jsonList(which.values, sweptValueJson)},
          {"status", jsonStatus(sweep.steps[i].status())},
          {"summary", sweep.hasStepReports ? Json(which.name + "/summary.json") : Json(nullptr)}});
   }

@@ -50,18 +50,20 @@ inline std::vector<std::size_t> risingOrder(const std::vector<double>& numbers) 
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i]; });
   return order;
-  /// How the bars of its intervals are drawn, of columns x, low and high.
-  inline std::string plotBars(std::size_t m) {
-    return "using 1:2:(0):($3-$2) with vectors heads size graph 0.006,90 lc rgb '" +
-           std::string(plotColours.at(m % plotColours.size())) + "' lw 1 dt 1 notitle";
-  }
+}
 
-  /// The most characters of a label that a legend shows.
-  constexpr std::size_t longestLegend = 40;
+/// How the bars of its intervals are drawn, of columns x, low and high.
+inline std::string plotBars(std::size_t m) {
+  return "using 1:2:(0):($3-$2) with vectors heads size graph 0.006,90 lc rgb '" +
+         std::string(plotColours.at(m % plotColours.size())) + "' lw 1 dt 1 notitle";
+}
 
-  /// A label of a legend, shortened where it is too long, quoted for gnuplot.
-  inline std::string plotLegend(const std::string& label) {
-    return gnuplotText(displayWidth(label) > longestLegend ? fitLeft(label, longestLegend) : label);
-  }
+/// The most characters of a label that a legend shows.
+constexpr std::size_t longestLegend = 40;
+
+/// A label of a legend, shortened where it is too long, quoted for gnuplot.
+inline std::string plotLegend(const std::string& label) {
+  return gnuplotText(displayWidth(label) > longestLegend ? fitLeft(label, longestLegend) : label);
+}
 
 }  // namespace gnomon

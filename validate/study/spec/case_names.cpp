@@ -48,9 +48,9 @@ std::string numbered(const char* name, std::size_t index, std::size_t count) {
 }
 
 /// The parts of a case's name.
-class CaseNames {
+class CaseNamer {
  public:
-  CaseNames(std::span<const SweptKey> keys, std::span<const std::vector<std::size_t>> places)
+  CaseNamer(std::span<const SweptKey> keys, std::span<const std::vector<std::size_t>> places)
       : keys_(keys), names_(shortNames(keys)), draws_(dimensionCount(keys), 0) {
     for (const std::vector<std::size_t>& place : places) {
       for (std::size_t d = 0; d < place.size(); ++d) draws_[d] = std::max(draws_[d], place[d] + 1);
@@ -97,7 +97,7 @@ void nameCases(std::span<const SweptKey> keys, std::span<const std::vector<std::
     for (SweepCase& which : cases) which.name = which.values.front().text;
     return;
   }
-  const CaseNames names(keys, places);
+  const CaseNamer names(keys, places);
   for (std::size_t c = 0; c < cases.size(); ++c) cases[c].name = names.name(cases[c], places[c]);
   if (areGood(cases)) return;
   for (std::size_t c = 0; c < cases.size(); ++c) {
