@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "end_to_end/program.h"
+#include "end_to_end/suite_scenes.h"
 #include "study/record/result_metrics.h"
 #include "study/run/scene/sample_axes.h"
 
@@ -71,7 +71,7 @@ void addKeys(const nlohmann::json& json, const std::string& path, std::set<std::
   }
 }
 
-class SummarySchema : public EndToEnd {
+class SummarySchema : public SuiteScenes {
  protected:
   [[nodiscard]] static std::string study() {
     std::string text = replaced(smallStudy(), "elevation = 30", "elevation = [50, 20]");
@@ -163,6 +163,13 @@ than = "unshadowed"
   ASSERT_EQ(gnomon({"check", "swept.toml", "--baseline", "nowhere", "--out", "problem"}).status, 3);
   add(written, "sweep: summary.json", "problem/swept/summary.json");
   addColumns(written, "ranking.csv", "out/ranking.csv");
+
+  write("drawn.toml", ofSuite("drawn", "suite-t"));
+  ASSERT_EQ(gnomon({"run", "drawn.toml"}).status, 0);
+  copyScenes("out/drawn", "scenes", 20);
+  ASSERT_EQ(gnomon({"gather", "scenes", "--out", "gathered"}).status, 0);
+  add(written, "suite.json", "gathered/suite.json");
+  addColumns(written, "suite.csv", "gathered/suite.csv");
 
   ASSERT_EQ(gnomon({"truth", "small.toml"}).status, 0);
   add(written, "truth.json", "out/small/truth/truth.json");

@@ -16,6 +16,7 @@
 #include "cli/compare_command.h"
 #include "cli/export_command.h"
 #include "cli/failure.h"
+#include "cli/gather_command.h"
 #include "cli/junit_file.h"
 #include "cli/list_option.h"
 #include "cli/output.h"
@@ -305,6 +306,9 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
                    "Largest size of the cache from now on, for example 500MB or 4GB")
       ->type_name("BYTES");
   cache->footer(cacheExamples);
+  GatherRequest gatherRequest;
+  gatherRequest.command = request.command;
+  CLI::App* gather = addGatherCommand(app, gatherRequest);
   CLI::App* listed = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
   std::string what;
   listed->add_option("WHAT", what, "`keys`: every key of a study, as Markdown")
@@ -320,7 +324,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, plan, merge, check, compare, bake, truth, export, view, cache or "
+        "a command expected: run, plan, merge, gather, check, compare, bake, truth, export, view, "
+        "cache or "
         "list. "
         "See gnomon --help");
   }
@@ -329,6 +334,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   const ExitStatus status = listed->parsed()     ? list(what)
+                            : gather->parsed()   ? gatherScenes(gatherRequest)
                             : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
                             : view->parsed()     ? viewer(viewRequest)

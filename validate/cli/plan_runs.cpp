@@ -235,7 +235,7 @@ void reportRanking(std::span<const StudyMeans> studies, const RunRequest& reques
   folder.write("ranking.md",
                markdownTable(rankedOverStudiesTable(studies, rankOverStudies(studies))));
   folder.write("ranking.html", rankingHtml(studies, request.command).text());
-  if (writeSuiteFiles(studies, request.command, folder)) {
+  if (writeSuiteOf(studies, request.command, folder)) {
     printLine("Over the scenes: " + (request.out / "suite.html").string());
   }
   folder.finish(rankingJson(studies, request.command));

@@ -131,9 +131,9 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   std::filesystem::create_directories(folder.path());
   std::vector<StudyMeans> few = studies();
   few.resize(19);
-  EXPECT_FALSE(writeSuiteFiles(few, "", folder));
+  EXPECT_FALSE(writeSuiteOf(few, "", folder));
   EXPECT_FALSE(folder.names("suite.html"));
-  EXPECT_TRUE(writeSuiteFiles(studies(), "", folder));
+  EXPECT_TRUE(writeSuiteOf(studies(), "", folder));
   for (const char* name :
        {"suite.csv", "suite.md", "suite.html", "suite.json", "plots/suite-errors.svg",
         "plots/suite-wins.pdf", "plots/suite-bins.svg"}) {

@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
-#include "common/text/one_line.h"
+#include "report/json/json_reader.h"
 #include "report/json/json_values.h"
 
 namespace gnomon {
@@ -53,66 +53,7 @@ std::string lines(const Entries& entries, const ToJson& toJson) {
   return text.empty() ? "[]" : "[" + text + "\n  ]";
 }
 
-/// A JSON value with its place, so that errors can name it.
-class Reader {
- public:
-  Reader(const Json& json, std::string file, std::string path)
-      : json_(&json), file_(std::move(file)), path_(std::move(path)) {}
-
-  [[noreturn]] void fail(const std::string& key, const std::string& what) const {
-    throw InputError(fmt::format("{}: {}{}: {}", file_, path_, key, oneLine(what)));
-  }
-
-  [[nodiscard]] const Json& at(const char* key, const char* expected,
-                               bool (Json::*isRight)() const noexcept) const {
-    if (!json_->is_object() || !json_->contains(key)) {
-      fail(key, fmt::format("missing, {} expected", expected));
-    }
-    const Json& value = json_->at(key);
-    if (!(value.*isRight)()) {
-      fail(key, fmt::format("{} found, {} expected", value.type_name(), expected));
-    }
-    return value;
-  }
-
-  [[nodiscard]] std::string text(const char* key) const {
-    return at(key, "a string", &Json::is_string).get<std::string>();
-  }
-  [[nodiscard]] double number(const char* key) const {
-    return at(key, "a number", &Json::is_number).get<double>();
-  }
-  [[nodiscard]] Reader object(const char* key) const {
-    return {at(key, "an object", &Json::is_object), file_, path_ + key + "."};
-  }
-  [[nodiscard]] std::vector<Reader> list(const char* key) const {
-    std::vector<Reader> entries;
-    for (const Json& entry : at(key, "a list", &Json::is_array)) {
-      entries.emplace_back(entry, file_, fmt::format("{}{}.{}.", path_, key, entries.size()));
-    }
-    return entries;
-  }
-
- private:
-  const Json* json_;
-  std::string file_;
-  std::string path_;
-};
-
-Json parsed(const fs::path& path) {
-  const std::string text = readFile(path);
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const auto read = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(text.begin(), text.begin() + read, '\n');
-    throw InputError(fmt::format("{}:{}: no JSON: {}", path.string(), line, error.what()));
-  } catch (const Json::exception& error) {
-    // A number that no double holds.
-    throw InputError(fmt::format("{}: no JSON: {}", path.string(), error.what()));
-  }
-}
-
-EnvironmentRecord readEnvironment(const Reader& reader) {
+EnvironmentRecord readEnvironment(const JsonReader& reader) {
   EnvironmentRecord environment;
   environment.gnomonVersion = reader.text("gnomon_version");
   environment.commit = reader.text("commit");
@@ -124,7 +65,7 @@ EnvironmentRecord readEnvironment(const Reader& reader) {
 }
 
 /// @throws InputError for numbers that the metric cannot have, or a tolerance that is too large
-void requireSense(const Reader& reader, const std::string& metric, const Reference& reference) {
+void requireSense(const JsonReader& reader, const std::string& metric, const Reference& reference) {
   const auto [value, spread, tolerance] = reference;
   const bool isShare = !isLengthMetric(metric);
   if (!(value >= 0) || (isShare && value > 1)) {
@@ -147,7 +88,7 @@ void requireSense(const Reader& reader, const std::string& metric, const Referen
   }
 }
 
-Gate readGate(const Reader& reader) {
+Gate readGate(const JsonReader& reader) {
   Gate row;
   row.step = reader.text("study");
   row.method = reader.text("method");
@@ -189,8 +130,8 @@ std::string baselineJson(const Baseline& baseline) {
 }
 
 Baseline readBaseline(const fs::path& path) {
-  const Json json = parsed(path);
-  const Reader root(json, path.string(), "");
+  const Json json = readJson(path);
+  const JsonReader root(json, path.string(), "");
   const std::string schema = root.text("schema");
   if (schema != baselineSchema) {
     root.fail("schema", fmt::format("\"{}\" found, \"{}\" expected", schema, baselineSchema));
@@ -203,12 +144,12 @@ Baseline readBaseline(const fs::path& path) {
   }
   baseline.quick = form == "quick";
   baseline.environment = readEnvironment(root.object("environment"));
-  for (const Reader& entry : root.list("history")) {
+  for (const JsonReader& entry : root.list("history")) {
     baseline.history.push_back(
         {entry.text("reason"), entry.text("gnomon_version"), entry.text("commit")});
   }
-  const std::vector<Reader> values = root.list("values");
-  for (const Reader& value : values) baseline.gates.push_back(readGate(value));
+  const std::vector<JsonReader> values = root.list("values");
+  for (const JsonReader& value : values) baseline.gates.push_back(readGate(value));
   std::set<decltype(valueKey(Gate()))> seen;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (seen.insert(valueKey(baseline.gates[i])).second) continue;

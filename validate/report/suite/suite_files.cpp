@@ -28,15 +28,20 @@ std::vector<DrawnPlot> writePlots(const std::vector<PlotSheet>& sheets, RunFolde
 
 }  // namespace
 
-bool writeSuiteFiles(std::span<const StudyMeans> studies, std::string_view command,
-                     RunFolder& folder) {
-  const std::string suite = suiteOf(studies);
-  if (suite.empty()) return false;
-  const SuiteStatistics statistics = suiteStatistics(suite, studies);
+void writeSuiteFiles(const SuiteStatistics& statistics, std::span<const StudyMeans> studies,
+                     std::string_view command, RunFolder& folder) {
   folder.write("suite.csv", csvTable(suiteResultsTable(statistics, studies)));
   folder.write("suite.md", markdownTable(suiteRankedTable(statistics)));
   const std::vector<DrawnPlot> plots = writePlots(suitePlots(statistics), folder);
   folder.write("suite.html", suiteHtml(statistics, plots, command).text());
+}
+
+bool writeSuiteOf(std::span<const StudyMeans> studies, std::string_view command,
+                  RunFolder& folder) {
+  const std::string suite = suiteOf(studies);
+  if (suite.empty()) return false;
+  const SuiteStatistics statistics = suiteStatistics(suite, studies);
+  writeSuiteFiles(statistics, studies, command, folder);
   folder.write("suite.json", suiteJson(statistics, command));
   return true;
 }

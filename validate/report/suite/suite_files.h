@@ -10,12 +10,15 @@
 namespace gnomon {
 
 /// Writes what the studies of one suite come to, beside their folders: suite.csv, suite.md,
-/// suite.html, suite.json, and its plots as plots/suite-*.svg and .pdf. Nothing where suiteOf names
-/// no suite.
+/// suite.html, and its plots as plots/suite-*.svg and .pdf. suite.json is left to the caller.
+/// @param studies  that the statistics were made of
 /// @param command  reproduces the run
-/// @returns whether it was written
 /// @throws InputError for a file that cannot be written; InternalError as the writers
-bool writeSuiteFiles(std::span<const StudyMeans> studies, std::string_view command,
-                     RunFolder& folder);
+void writeSuiteFiles(const SuiteStatistics& statistics, std::span<const StudyMeans> studies,
+                     std::string_view command, RunFolder& folder);
+
+/// Writes them, and suite.json, where suiteOf names a suite.
+/// @returns whether it does
+bool writeSuiteOf(std::span<const StudyMeans> studies, std::string_view command, RunFolder& folder);
 
 }  // namespace gnomon

@@ -156,6 +156,19 @@ std::string binRows(const SuiteStatistics& statistics, const std::string& method
 constexpr std::array<const char*, 4> panelAxes = {"curvature_height", "elevation", "shadow_reach",
                                                   "uv_stretch"};
 
+/// One for all panels, so that they can be compared: of the errors, not of their intervals.
+std::string errorRange(const SuiteStatistics& statistics, const std::vector<std::string>& methods) {
+  double least = 1;
+  double most = leastShown / 100;
+  for (const SuiteBin& bin : statistics.bins) {
+    if (!contains(methods, bin.method) || !contains(panelAxes, bin.axis)) continue;
+    least = std::min(least, bin.error.errorRate);
+    most = std::max(most, bin.error.errorRate);
+  }
+  return fmt::format("set yrange [{}:{}]\n", exactText(std::max(leastShown, 100 * least) / 1.5),
+                     exactText(std::min(120.0, 150 * most)));
+}
+
 struct Panels {
   std::string data, plots;
 };
@@ -165,7 +178,7 @@ void addPanel(const SuiteStatistics& statistics, const std::vector<std::string>&
   const std::string axis = panelAxes.at(place);
   const std::vector<Ends> ends = endsOf(statistics, axis);
   if (ends.empty()) return;
-  const double left = place % 2 == 0 ? 0.065 : 0.43;
+  const double left = place % 2 == 0 ? 0.06 : 0.41;
   const double top = place < 2 ? 0.97 : 0.47;
   std::string plot;
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -175,18 +188,21 @@ void addPanel(const SuiteStatistics& statistics, const std::vector<std::string>&
     panels.data +=
         fmt::format("{} << EOD\n{}EOD\n", name, binRows(statistics, methods[m], axis, ends, shift));
     plot += fmt::format(
-        "{}{} using 1:2:3:4 with yerrorbars lc rgb '{}' pt 0 lw 1 notitle, \\\n"
+        "{}{} using 1:3:(0):($4-$3) with vectors nohead lc rgb '{}' lw 1 dt 1 notitle, \\\n"
         "  {} using 1:2 with linespoints {} title {}",
         m == 0 ? "plot " : ", \\\n  ", name, plotColours.at(m), name, plotLine(m),
         plotLegend(methods[m]));
   }
+  // Edges of many digits would meet.
+  const std::string edges = ticks(ends);
+  const char* turned = edges.size() > 120 ? "rotate by 35 right" : "norotate";
   panels.plots += fmt::format(
       "set lmargin at screen {:.3f}\nset rmargin at screen {:.3f}\n"
       "set tmargin at screen {:.3f}\nset bmargin at screen {:.3f}\n"
-      "set xtics ({})\nset xrange [-0.5:{}]\nset xlabel {} offset 0,0.4\n{}\n{}\n",
-      left, left + 0.3, top, top - 0.36, ticks(ends),
+      "set xtics {} ({})\nset xrange [-0.5:{}]\nset xlabel {} offset 0,0.4\n{}\n{}\n",
+      left, left + 0.28, top, top - 0.36, turned, edges,
       exactText(static_cast<double>(ends.size()) - 0.5), gnuplotText(axisTitle(axis)), plot,
-      "unset key");
+      "unset key\nunset label 1");
 }
 
 }  // namespace
@@ -201,7 +217,7 @@ PlotSheet suiteErrorsPlot(const SuiteStatistics& statistics) {
     right = std::max(right, all.back().back());
   }
   left = std::max(leastShown, left / 1.2);
-  right *= 1.2;
+  right = std::min(100.0, 1.2 * right);
   std::string data;
   std::string plot;
   for (std::size_t m = 0; m < all.size(); ++m) {
@@ -215,9 +231,9 @@ PlotSheet suiteErrorsPlot(const SuiteStatistics& statistics) {
       "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
       "set logscale x\nset format x '%g'\n" +
       fmt::format("set xrange [{}:{}]\nset yrange [0:100]\n", exactText(left), exactText(right)) +
-      "set lmargin at screen 0.07\nset rmargin at screen 0.69\n"
+      "set lmargin at screen 0.075\nset rmargin at screen 0.69\n"
       "set xlabel 'error rate, percent of the samples'\n"
-      "set ylabel 'scenes with no more, percent'\n"
+      "set ylabel 'scenes with no more, percent' offset 1,0\n"
       "set key at screen 0.7, screen 0.97 left top Left reverse samplen 3 spacing 1.1 maxcols 1\n" +
       plot + "\n";
   return {"suite-errors",
@@ -295,13 +311,13 @@ std::optional<PlotSheet> suiteBinsPlot(const SuiteStatistics& statistics) {
   const std::string commands =
       panels.data + frame +
       "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
-      "set bars 0\n"
-      "set tics font ',10'\n"
+      "set tics font ',9'\n"
       "set xlabel font ',12'\n"
-      "set logscale y\nset format y '%g'\n"
+      "set logscale y\nset format y '%g'\n" +
+      errorRange(statistics, methods) +
       "set label 1 'error rate, percent of the bin’s samples' at screen 0.012, screen 0.52 center "
       "rotate\n"
-      "set key at screen 0.745, screen 0.975 left top Left reverse samplen 2 spacing 1.1 maxcols "
+      "set key at screen 0.7, screen 0.975 left top Left reverse samplen 2 spacing 1.1 maxcols "
       "1\n"
       "set multiplot\n" +
       panels.plots + "unset multiplot\n";

@@ -45,7 +45,7 @@ bool isLikeFirst(const SuiteStatistics& statistics, const SuiteMethod& method) {
 Row rankedRow(const SuiteStatistics& statistics, const SuiteMethod& method) {
   const SceneSpread& spread = method.spread;
   Cell worst = textCell(method.worstScene);
-  worst.link = method.worstScene + "/report.html";
+  worst.link = reportOf(statistics, method.worstScene);
   Cell rank;
   Cell ranks;
   Cell stability;
@@ -195,7 +195,7 @@ Table suiteScenesTable(const SuiteStatistics& statistics, std::size_t most) {
   for (const SuiteScene& scene : statistics.scenes) {
     if (table.rows.size() == most) break;
     Cell name = textCell(scene.name);
-    name.link = scene.name + "/report.html";
+    name.link = scene.report;
     name.note = scene.title;
     table.rows.push_back(
         {{name, valueCell(scene.median), valueCell(scene.leaderError), textCell(scene.best),

@@ -172,6 +172,29 @@ TEST(SampleAxes, StretchIsTheRatioOfTheLongestTexelToTheShortest) {
   }
 }
 
+/// Beside a column of height 6 on a plane of texels of one size: the length of its shadow on the
+/// ground, less what the ground itself is high.
+TEST(SampleAxes, TheReachOfAShadowIsTheLongestThatCanFallThere) {
+  const double texel = 0.5;
+  const LimitSurface surface(makePlane(64 * texel, 48 * texel, 8, 6));
+  for (const double ground : {0.0, 2.0}) {
+    Relief relief = stepRelief(
+        64, 48, 6, [](int i, int) { return i >= 60; }, Wrap::repeat);
+    std::vector<float> texels = relief.field.texels();
+    for (float& height : texels) height = std::max(height, static_cast<float>(ground));
+    relief.field = HeightField(64, 48, texels, Wrap::repeat);
+    const LimitPoint point = surface.evaluate(0, 0.5, 0.5);
+    const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+    for (const double elevation : {15.0, 45.0, 80.0}) {
+      const AxisSample sample = axisSample(point, frame, relief, lightToward(10, elevation));
+      EXPECT_NEAR(shadowReach(sample), (6 - ground) / std::tan(elevation * pi / 180) / texel, 1e-6);
+    }
+    EXPECT_TRUE(std::isnan(shadowReach(axisSample(point, frame, relief, Vec3(1, 0, 0)))));
+    EXPECT_TRUE(std::isnan(shadowReach(axisSample(point, frame, relief, lightToward(10, -5)))));
+    EXPECT_NEAR(shadowReach(axisSample(point, frame, relief, Vec3(0, 0, 1))), 0, 1e-12);
+  }
+}
+
 TEST(SampleAxes, HaveEdgesThatRiseAndNamesOfTheirOwn) {
   std::vector<std::string_view> names;
   for (const SampleAxis& axis : sampleAxes()) {
@@ -181,7 +204,7 @@ TEST(SampleAxes, HaveEdgesThatRiseAndNamesOfTheirOwn) {
     names.push_back(axis.name);
   }
   EXPECT_EQ(names, (std::vector<std::string_view>{"curvature_height", "elevation", "terminator",
-                                                  "uv_stretch"}));
+                                                  "uv_stretch", "shadow_reach"}));
 }
 
 /// A light at the very edge of two bins over a plane: rounding must not part its samples.
@@ -196,13 +219,14 @@ TEST(BinSamples, PutsEverySampleIntoTheBinOfItsValue) {
   samples.samples[7].face = -1;
   for (const double azimuth : {0.0, 10.0, 77.0}) {
     const SampleBins bins = binSamples(surface, relief, samples, lightToward(azimuth, 30));
-    ASSERT_EQ(bins.size(), 4U);
+    ASSERT_EQ(bins.size(), 5U);
     for (std::size_t i = 0; i < 200; ++i) {
       const bool none = i == 7;
       EXPECT_EQ(bins[0][i], none ? noBin : 5) << i;  // -0.005 to 0.005
       EXPECT_EQ(bins[1][i], none ? noBin : 7) << i;  // 30° to 40°
       EXPECT_EQ(bins[2][i], none ? noBin : 9) << i;  // 256 texels or more
       EXPECT_EQ(bins[3][i], none ? noBin : 0) << i;  // square texels
+      EXPECT_EQ(bins[4][i], none ? noBin : 0) << i;  // nothing is higher
     }
   }
 }

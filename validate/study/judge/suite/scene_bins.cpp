@@ -9,10 +9,6 @@
 namespace gnomon {
 namespace {
 
-double weightOf(const Counts& counts) {
-  return counts.truePositive + counts.falsePositive + counts.falseNegative + counts.trueNegative;
-}
-
 /// One axis of a method.
 using AxisKey = std::pair<std::string, std::string>;
 
@@ -22,7 +18,7 @@ AxisKey keyOf(const BinRecord& bin) {
 
 /// All lights together.
 bool isCounted(const BinRecord& bin) {
-  return bin.light == allLights && weightOf(bin.counts) > 0;
+  return bin.light == allLights && bin.counts.total() > 0;
 }
 
 }  // namespace
@@ -34,7 +30,7 @@ std::string suiteNameOf(const StudyRecord& record) {
 std::vector<SceneBin> sceneBins(const StudyRecord& record) {
   std::map<AxisKey, std::map<std::string, double>> viewWeights;
   for (const BinRecord& bin : record.bins) {
-    if (isCounted(bin)) viewWeights[keyOf(bin)][bin.view] += weightOf(bin.counts);
+    if (isCounted(bin)) viewWeights[keyOf(bin)][bin.view] += bin.counts.total();
   }
   std::vector<SceneBin> bins;
   for (const BinRecord& bin : record.bins) {
@@ -48,7 +44,7 @@ std::vector<SceneBin> sceneBins(const StudyRecord& record) {
     if (found == bins.end()) {
       found = bins.insert(bins.end(), {bin.method, bin.axis, bin.low, bin.high, {}});
     }
-    found->share.weight += weightOf(bin.counts) / all;
+    found->share.weight += bin.counts.total() / all;
     found->share.wrong += (bin.counts.falsePositive + bin.counts.falseNegative) / all;
   }
   return bins;

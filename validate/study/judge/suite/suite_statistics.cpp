@@ -242,6 +242,7 @@ std::vector<SuiteBin> binsOf(const Scenes& scenes, const std::vector<SuiteMethod
 SuiteScene sceneOf(const SceneTable& table, std::size_t s, const std::vector<std::size_t>& ranked) {
   SuiteScene scene;
   scene.name = table.scenes[s];
+  scene.report = scene.name + "/report.html";
   scene.uncertainty = table.uncertainty[s];
   std::vector<double> errors;
   for (const std::size_t m : ranked) {
@@ -303,6 +304,12 @@ SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyM
   statistics.bins = binsOf(scenes, statistics.methods);
   statistics.scenes = hardestFirst(statistics.table, scenes, statistics.methods);
   return statistics;
+}
+
+std::string reportOf(const SuiteStatistics& statistics, std::string_view scene) {
+  const auto found = std::find_if(statistics.scenes.begin(), statistics.scenes.end(),
+                                  [&](const SuiteScene& other) { return other.name == scene; });
+  return found == statistics.scenes.end() ? "" : found->report;
 }
 
 std::optional<SuitePair> findPair(const SuiteStatistics& statistics, std::string_view first,

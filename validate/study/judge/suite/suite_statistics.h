@@ -59,6 +59,7 @@ struct SuiteBin {
 struct SuiteScene {
   std::string name;
   std::string title;
+  std::string report;                 ///< its page, relative to where the suite's page will lie
   std::optional<double> median;       ///< of their errors
   std::string best;                   ///< of them, label of that with the smallest error; of equal
                                       ///< ones the first by name
@@ -84,6 +85,9 @@ std::string suiteOf(std::span<const StudyMeans> studies);
 /// @param suite    suiteOf these studies; those that were not drawn for it are left out
 /// @param studies  in any order, with methods in any order
 SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyMeans> studies);
+
+/// The page of a scene; empty where there is no such scene.
+std::string reportOf(const SuiteStatistics& statistics, std::string_view scene);
 
 /// The pair of two methods, whichever of them comes first; none where they share no scene.
 std::optional<SuitePair> findPair(const SuiteStatistics& statistics, std::string_view first,

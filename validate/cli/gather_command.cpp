@@ -1,0 +1,134 @@
+#include "cli/gather_command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "cli/output.h"
+#include "cli/run_folders.h"
+#include "compare/scenes/resampled_mean.h"
+#include "report/suite/finished_scenes.h"
+#include "report/suite/suite_files.h"
+#include "report/suite/suite_json.h"
+#include "study/judge/suite/suite_agreement.h"
+
+namespace gnomon {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* gatherExamples = R"(
+DIR holds the folders of scenes that were drawn for a suite, as `gnomon run` leaves them in its --out.
+
+Examples:
+  gnomon gather out
+  gnomon gather night-1 night-2 --out both
+  gnomon gather second-seed --out second --against first/suite.json)";
+
+const FolderKind suiteKind{"suite.json", {"suite.csv", "suite.md", "suite.html"}, "suite.txt"};
+
+std::vector<FinishedScene> readAll(const std::vector<fs::path>& folders) {
+  std::vector<FinishedScene> scenes;
+  std::map<std::string, fs::path> names;
+  for (const fs::path& folder : folders) {
+    for (FinishedScene& scene : readFinishedScenes(folder)) {
+      const auto [first, isNew] = names.try_emplace(scene.means.name, scene.folder);
+      if (!isNew) {
+        throw InputError(
+            fmt::format("{}: \"{}\" found, which {} holds too; each scene once expected",
+                        scene.folder.string(), scene.means.name, first->second.string()));
+      }
+      scenes.push_back(std::move(scene));
+    }
+  }
+  return scenes;
+}
+
+/// @throws InputError
+std::string requireSuite(const std::vector<StudyMeans>& scenes, const fs::path& folder) {
+  std::set<std::string> suites;
+  for (const StudyMeans& scene : scenes) suites.insert(scene.suite);
+  if (suites.size() > 1) {
+    throw InputError(fmt::format("{}: scenes of \"{}\" and \"{}\" found, of one suite expected",
+                                 folder.string(), *suites.begin(), *suites.rbegin()));
+  }
+  if (scenes.size() < leastScenes) {
+    throw InputError(fmt::format("{}: {} finished scenes of a suite found, {} or more expected",
+                                 folder.string(), scenes.size(), leastScenes));
+  }
+  return *suites.begin();
+}
+
+/// Where a scene's page is, seen from the folder of the suite's page.
+std::string relativeReport(const fs::path& scene, const fs::path& out) {
+  const fs::path page = fs::absolute(scene / "report.html").lexically_normal();
+  return page.lexically_relative(fs::absolute(out).lexically_normal()).generic_string();
+}
+
+void printAgreement(const SuiteAgreement& agreement, const fs::path& other) {
+  if (!agreement.tau) {
+    throw InputError(
+        fmt::format("{}: {} methods with a rank in both found, two or more of different means "
+                    "expected",
+                    other.string(), agreement.methods));
+  }
+  printLine(
+      fmt::format("Against {}: Kendall's τ-b {:.3f} over {} methods; {} of {} pairs in another "
+                  "order, {} of them distinguishable",
+                  other.string(), *agreement.tau, agreement.methods, agreement.swapped,
+                  agreement.pairs, agreement.contradictions.size()));
+  for (const auto& [first, second] : agreement.contradictions) {
+    printLine(fmt::format("  {} before {} here, behind it there", first, second));
+  }
+}
+
+}  // namespace
+
+CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request) {
+  CLI::App* command = app.add_subcommand(
+      "gather", "Statistics over the drawn scenes that finished runs have measured");
+  command->add_option("DIR", request.folders, "Folders of results")->required()->type_name("DIR…");
+  command->add_option("--out", request.out, "Folder for the statistics")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command
+      ->add_option("--against", request.against,
+                   "Also compare the ranking with that of another suite.json")
+      ->type_name("FILE");
+  command->footer(gatherExamples);
+  return command;
+}
+
+ExitStatus gatherScenes(const GatherRequest& request) {
+  const std::vector<FinishedScene> scenes = readAll(request.folders);
+  std::vector<StudyMeans> studies;
+  for (const FinishedScene& scene : scenes) studies.push_back(scene.means);
+  const std::string suite = requireSuite(studies, request.folders.front());
+  std::optional<SuiteRanking> other;
+  if (request.against) other = readSuiteRanking(*request.against);
+
+  SuiteStatistics statistics = suiteStatistics(suite, studies);
+  for (SuiteScene& scene : statistics.scenes) {
+    for (const FinishedScene& finished : scenes) {
+      if (finished.means.name == scene.name) {
+        scene.report = relativeReport(finished.folder, request.out);
+      }
+    }
+  }
+  RunFolder claimed(request.out, suiteKind);
+  const FileLock lock = lockFolder(claimed);
+  // Once more: while it was not locked another command may have changed it.
+  RunFolder folder(request.out, suiteKind);
+  folder.clear();
+  writeSuiteFiles(statistics, studies, request.command, folder);
+  folder.finish(suiteJson(statistics, request.command));
+  printLine(fmt::format("{}: {} scenes, {} methods", suite, statistics.table.scenes.size(),
+                        statistics.methods.size()));
+  if (other) printAgreement(agreementOf(rankingOf(statistics), *other), *request.against);
+  printLine("Report: " + (request.out / "suite.html").string());
+  return ExitStatus::pass;
+}
+
+}  // namespace gnomon

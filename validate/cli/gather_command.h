@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gnomon {
+
+/// What `gnomon gather` was asked for.
+struct GatherRequest {
+  std::vector<std::filesystem::path> folders;  ///< of results
+  std::filesystem::path out = "out/suite";
+  std::optional<std::filesystem::path> against;  ///< another suite's suite.json
+  std::string command;                           ///< the command line, for the report
+};
+
+/// Adds the command `gather` with its options.
+CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request);
+
+/// Writes the statistics over the scenes that finished runs left: suite.csv, suite.md, suite.html,
+/// plots/suite-* and last suite.json. With `against` it also prints how the ranking agrees with the
+/// other one.
+/// @throws InputError where the folders hold fewer than 20 scenes of a suite, scenes of several
+///   suites or one scene twice, and as readFinishedScenes
+ExitStatus gatherScenes(const GatherRequest& request);
+
+}  // namespace gnomon

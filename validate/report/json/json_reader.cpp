@@ -1,0 +1,74 @@
+#include "report/json/json_reader.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/error.h"
+#include "common/files/atomic_file.h"
+#include "common/text/one_line.h"
+
+namespace gnomon {
+
+JsonReader::JsonReader(const Json& json, std::string file, std::string path)
+    : json_(&json), file_(std::move(file)), path_(std::move(path)) {}
+
+void JsonReader::fail(const std::string& key, const std::string& what) const {
+  throw InputError(fmt::format("{}: {}{}: {}", file_, path_, key, oneLine(what)));
+}
+
+const Json& JsonReader::at(const char* key, const char* expected,
+                           bool (Json::*isRight)() const noexcept) const {
+  if (!has(key)) fail(key, fmt::format("missing, {} expected", expected));
+  const Json& value = json_->at(key);
+  if (!(value.*isRight)()) {
+    fail(key, fmt::format("{} found, {} expected", value.type_name(), expected));
+  }
+  return value;
+}
+
+bool JsonReader::has(const char* key) const {
+  return json_->is_object() && json_->contains(key);
+}
+
+std::string JsonReader::text(const char* key) const {
+  return at(key, "a string", &Json::is_string).get<std::string>();
+}
+
+double JsonReader::number(const char* key) const {
+  return at(key, "a number", &Json::is_number).get<double>();
+}
+
+std::optional<double> JsonReader::numberOrNull(const char* key) const {
+  if (has(key) && json_->at(key).is_null()) return std::nullopt;
+  return number(key);
+}
+
+JsonReader JsonReader::object(const char* key) const {
+  return {at(key, "an object", &Json::is_object), file_, path_ + key + "."};
+}
+
+std::vector<JsonReader> JsonReader::list(const char* key) const {
+  std::vector<JsonReader> entries;
+  for (const Json& entry : at(key, "a list", &Json::is_array)) {
+    entries.emplace_back(entry, file_, fmt::format("{}{}.{}.", path_, key, entries.size()));
+  }
+  return entries;
+}
+
+Json readJson(const std::filesystem::path& path) {
+  const std::string text = readFile(path);
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const auto read = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), text.begin() + read, '\n');
+    throw InputError(fmt::format("{}:{}: no JSON: {}", path.string(), line, error.what()));
+  } catch (const Json::exception& error) {
+    // A number that no double holds.
+    throw InputError(fmt::format("{}: no JSON: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace gnomon
