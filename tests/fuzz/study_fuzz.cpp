@@ -4,7 +4,10 @@
 #include "study/spec/sweep.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gnomon::test::fuzzReader(data, size, ".toml",
-                           [](const std::filesystem::path& path) { gnomon::readStudyPlan(path); });
+  gnomon::test::fuzzReader(data, size, ".toml", [](const std::filesystem::path& path) {
+    gnomon::StudyOptions options;
+    options.mostCases = 20;  // each of which is read
+    gnomon::readStudyPlan(path, options);
+  });
   return 0;
 }

@@ -56,14 +56,15 @@ HeightField inverted(const HeightField& field, double height) {
 HeightField::HeightField(int width, int height, std::vector<float> texels, Wrap wrap, Border border)
     : width_(width),
       height_(height),
-      texels_(std::move(texels)),
+      texels_(std::make_shared<const std::vector<float>>(std::move(texels))),
+      first_(texels_->data()),
       wrap_(wrap),
       border_(border),
       minimum_(0),
       maximum_(0) {
-  checkSize(width_, height_, texels_.size());
-  checkFinite(width_, texels_);
-  const auto [least, greatest] = std::minmax_element(texels_.begin(), texels_.end());
+  checkSize(width_, height_, texels_->size());
+  checkFinite(width_, *texels_);
+  const auto [least, greatest] = std::minmax_element(texels_->begin(), texels_->end());
   minimum_ = *least;
   maximum_ = *greatest;
 }
@@ -71,7 +72,7 @@ HeightField::HeightField(int width, int height, std::vector<float> texels, Wrap 
 float HeightField::texel(int i, int j) const {
   const auto column = static_cast<std::size_t>(wrappedIndex(i, width_, wrap_));
   const auto row = static_cast<std::size_t>(wrappedIndex(j, height_, wrap_));
-  return texels_[row * static_cast<std::size_t>(width_) + column];
+  return first_[row * static_cast<std::size_t>(width_) + column];
 }
 
 double HeightField::at(Vec2 texelPosition) const {
@@ -82,8 +83,8 @@ double HeightField::at(Vec2 texelPosition) const {
   const Neighbours x = neighbours(texelPosition.x, width_, wrap_);
   const Neighbours y = neighbours(texelPosition.y, height_, wrap_);
   const auto stored = [this](int i, int j) -> double {
-    return texels_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_) +
-                   static_cast<std::size_t>(i)];
+    return first_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(i)];
   };
   return mix(mix(stored(x.first, y.first), stored(x.second, y.first), x.share),
              mix(stored(x.first, y.second), stored(x.second, y.second), x.share), y.share);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "common/vec.h"
@@ -24,7 +25,7 @@ class HeightField {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] Wrap wrap() const { return wrap_; }
   [[nodiscard]] Border border() const { return border_; }
-  [[nodiscard]] const std::vector<float>& texels() const { return texels_; }
+  [[nodiscard]] const std::vector<float>& texels() const { return *texels_; }
   [[nodiscard]] float minimum() const { return minimum_; }
   [[nodiscard]] float maximum() const { return maximum_; }
 
@@ -50,7 +51,8 @@ class HeightField {
  private:
   int width_;
   int height_;
-  std::vector<float> texels_;
+  std::shared_ptr<const std::vector<float>> texels_;  ///< which copies share
+  const float* first_ = nullptr;                      ///< of them
   Wrap wrap_;
   Border border_;
   float minimum_;

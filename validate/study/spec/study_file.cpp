@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <set>
 
 #include "common/error.h"
@@ -16,6 +18,7 @@
 #include "study/spec/study_table.h"
 #include "study/spec/threshold_limits.h"
 #include "study/spec/toml/toml_reader.h"
+#include "study/spec/toml/toml_text.h"
 
 namespace gnomon {
 namespace fs = std::filesystem;
@@ -30,21 +33,59 @@ LimitSurface surfaceOf(const StudySpec& study) {
   }
 }
 
+/// Makes a part that is not there yet.
+template <typename Part, typename Make>
+const Part& remembered(std::map<std::string, Part>& parts, const std::string& key,
+                       const Make& make) {
+  const auto found = parts.find(key);
+  return found != parts.end() ? found->second : parts.emplace(key, make()).first->second;
+}
+
+/// The text of a table, by which its parts are looked up.
+std::string keyOf(const TomlReader& section) {
+  return tomlValueText(section.written());
+}
+
+Cage sharedCage(StudyParts& parts, const TomlReader& section, const SurfaceSection& surface,
+                const fs::path& folder) {
+  const std::string key = keyOf(section);
+  if (parts.cage == nullptr || parts.surfaceKey != key) {
+    parts.cage = std::make_shared<const Cage>(cageOf(surface, section, folder));
+    parts.surfaceKey = key;
+    parts.limit.reset();
+  }
+  return *parts.cage;
+}
+
+Relief sharedRelief(StudyParts& parts, const TomlReader& section, const ReliefSection& relief,
+                    const fs::path& folder) {
+  return remembered(parts.reliefs, keyOf(section),
+                    [&] { return reliefOf(relief, section, folder); });
+}
+
+SearchRadius sharedRadius(StudyParts& parts, const TomlReader& root, const Relief& relief,
+                          const std::vector<Vec3>& lights) {
+  std::string key = parts.surfaceKey + keyOf(root.table("relief"));
+  for (const Vec3& light : lights) key += fmt::format(" {} {} {}", light.x, light.y, light.z);
+  return remembered(parts.radii, key, [&] { return searchRadius(*parts.limit, relief, lights); });
+}
+
 /// The map gets its border; the radius is found by the rule, unless it is stated.
-void measureSurface(StudySpec& study, bool isStated) {
-  const LimitSurface surface = surfaceOf(study);
+void measureSurface(const TomlReader& root, StudySpec& study, StudyParts& parts, bool isStated) {
+  if (parts.limit == nullptr) parts.limit = std::make_shared<const LimitSurface>(surfaceOf(study));
+  const LimitSurface& surface = *parts.limit;
   Relief& relief = study.relief;
   const Border border = borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
   relief.field = std::move(relief.field).withBorder(border);
   std::vector<Vec3> lights;
   for (const LightSpec& light : study.lights) lights.push_back(light.direction());
   study.radius =
-      isStated ? SearchRadius{0, RadiusBound::stated} : searchRadius(surface, relief, lights);
+      isStated ? SearchRadius{0, RadiusBound::stated} : sharedRadius(parts, root, relief, lights);
 }
 
-void readStudyBake(const TomlReader& root, StudySpec& study, bool isOutline) {
+void readStudyBake(const TomlReader& root, StudySpec& study, StudyParts& parts, bool isOutline) {
   const auto section = root.optionalTable("bake");
-  if (!isOutline) measureSurface(study, section && section->has("radius"));
+  if (!isOutline) measureSurface(root, study, parts, section && section->has("radius"));
   study.bake.settings.radiusTexels = study.radius.texels;
   if (section) readSection(*section, keysOf(study.bake, study.relief.resample));
   study.radius.texels = study.bake.settings.radiusTexels;
@@ -138,6 +179,11 @@ StudySpec readStudy(const fs::path& file, const StudyOptions& options) {
 }
 
 StudySpec readStudy(const StudyText& text, const StudyOptions& options) {
+  StudyParts parts;
+  return readStudy(text, options, parts);
+}
+
+StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyParts& parts) {
   const fs::path& file = text.file;
   const fs::path folder = studyFolder(file);
   const toml::table table = studyTable(text, options);
@@ -152,8 +198,8 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options) {
   const TomlReader relief = root.table("relief");
   const SurfaceSection surfaceSection = readSurfaceSection(surface);
   const ReliefSection reliefSection = readReliefSection(relief);
-  StudySpec study{header, file, cageOf(surfaceSection, surface, folder),
-                  reliefOf(reliefSection, relief, folder)};
+  StudySpec study{header, file, sharedCage(parts, surface, surfaceSection, folder),
+                  sharedRelief(parts, relief, reliefSection, folder)};
   study.surfaceSection = surfaceSection;
   study.reliefSection = reliefSection;
   study.text = text.text;
@@ -172,7 +218,7 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options) {
   for (const TomlReader& section : root.tables("light")) {
     for (LightSpec& light : readLights(section)) study.lights.push_back(std::move(light));
   }
-  readStudyBake(root, study, options.isOutline);
+  readStudyBake(root, study, parts, options.isOutline);
   const MethodDefaults defaults{folder, shaderFolder(), study.bake, study.base,
                                 study.relief.resample};
   for (const TomlReader& method : root.tables("method")) {

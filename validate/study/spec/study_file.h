@@ -19,6 +19,7 @@
 #include "study/spec/sections/threshold_section.h"
 #include "study/spec/sections/truth_section.h"
 #include "study/spec/sections/view_section.h"
+#include "study/spec/study_parts.h"
 #include "study/spec/study_text.h"
 
 namespace gnomon {
@@ -91,6 +92,7 @@ struct StudyOptions {
   std::vector<std::string> replacements = {};
   /// Names of built-in methods after the study's own, where overrides may reach them.
   std::vector<std::string> addedMethods = {};
+  std::size_t mostCases = 100'000;  ///< of a sweep: more are refused
   bool gatedOnly = false;  ///< only the methods that a gate names; all, if a gate names none
   /// An outline tells what a study asks for, but cannot be run: neither the map's border nor the
   /// rule's search radius is found, which takes longer than all the rest.
@@ -102,5 +104,7 @@ struct StudyOptions {
 /// @throws InputError naming file, line, key, what was found and what was expected
 StudySpec readStudy(const StudyText& text, const StudyOptions& options = {});
 StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& options = {});
+/// @param parts  that another study was read with, and this one is: the same study in less time
+StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyParts& parts);
 
 }  // namespace gnomon

@@ -38,13 +38,13 @@ struct SweptFile {
 };
 
 /// The study of one case. What a value or its key is to blame for is an error of its table.
-StudySpec readStep(const SweptFile& file, const SweepCase& which) {
+StudySpec readStep(const SweptFile& file, const SweepCase& which, StudyParts& parts) {
   StudyOptions options = file.options;
   for (std::size_t k = 0; k < file.sweep.keys.size(); ++k) {
     options.overrides.push_back(file.change(k, which));
   }
   try {
-    return readStudy(file.text, options);
+    return readStudy(file.text, options, parts);
   } catch (const InputError& error) {
     for (std::size_t k = 0; k < file.sweep.keys.size(); ++k) {
       // What an override sets has no line.
@@ -97,10 +97,11 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options,
   requireOrder(root, sweep);
   const SweptFile swept{text, options, std::move(tables), std::move(sweep)};
   StudyPlan plan;
+  StudyParts parts;
   for (std::size_t i = 0; i < swept.sweep.cases.size(); ++i) {
     if (wants && !wants(i)) continue;
     const SweepCase& which = swept.sweep.cases[i];
-    StudySpec step = readStep(swept, which);
+    StudySpec step = readStep(swept, which, parts);
     plan.name = step.name;
     plan.title = step.title;
     plan.source = step.source;

@@ -177,13 +177,13 @@ std::vector<std::size_t> dimensionSizes(const std::vector<Column>& columns) {
   return sizes;
 }
 
-std::size_t caseCountOf(const std::vector<Column>& columns, const std::vector<std::size_t>& sizes) {
+std::size_t caseCountOf(const std::vector<Column>& columns, const std::vector<std::size_t>& sizes,
+                        std::size_t most) {
   double count = 1;
   for (const std::size_t size : sizes) count *= static_cast<double>(size);
-  if (count > static_cast<double>(mostSweepCases)) {
+  if (count > static_cast<double>(most)) {
     columns.back().section->fail(
-        "key", fmt::format("{:.0f} cases found over all tables, at most {} expected", count,
-                           mostSweepCases));
+        "key", fmt::format("{:.0f} cases found over all tables, at most {} expected", count, most));
   }
   return static_cast<std::size_t>(count);
 }
@@ -209,7 +209,7 @@ Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions&
   }
   arrange(columns);
   const std::vector<std::size_t> sizes = dimensionSizes(columns);
-  const std::size_t count = caseCountOf(columns, sizes);
+  const std::size_t count = caseCountOf(columns, sizes, options.mostCases);
   Sweep sweep;
   for (const Column& column : columns) {
     const SweepTable& table = column.table;

@@ -17,7 +17,7 @@ std::vector<TomlReader> sweepTables(const TomlReader& root);
 /// @throws InputError naming file, line and key: as sweepValues and distributionOf; for a key
 ///   without a second value or with repeated ones, that the file cannot have, that names the study,
 ///   that another table sets too or that `options` overrides; for tables that cannot step together;
-///   and for more than mostSweepCases cases
+///   and for more than options.mostCases cases
 Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions& options);
 
 }  // namespace gnomon

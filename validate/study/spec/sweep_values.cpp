@@ -71,8 +71,8 @@ std::vector<double> arithmeticRange(const RangeText& range, const std::vector<do
   if (!(steps > 0) || !std::isfinite(steps)) {
     range.refuse("a step other than 0 that leads from the first to the last expected");
   }
-  if (steps >= static_cast<double>(mostSweepCases)) {
-    range.refuse(fmt::format("at most {} values expected", mostSweepCases));
+  if (steps >= static_cast<double>(mostSweepValues)) {
+    range.refuse(fmt::format("at most {} values expected", mostSweepValues));
   }
   const auto count = static_cast<std::size_t>(std::llround(steps));
   if (count == 0 || std::abs(steps - static_cast<double>(count)) > 1e-6) {
@@ -95,8 +95,8 @@ std::vector<double> geometricRange(const RangeText& range, const std::vector<dou
   const double last = parts[1];
   if (!(first > 0) || !(last > 0)) range.refuse("a first and a last value above 0 expected");
   if (parts[2] != std::floor(parts[2]) || parts[2] < 2 ||
-      parts[2] > static_cast<double>(mostSweepCases)) {
-    range.refuse(fmt::format("a count from 2 to {} expected", mostSweepCases));
+      parts[2] > static_cast<double>(mostSweepValues)) {
+    range.refuse(fmt::format("a count from 2 to {} expected", mostSweepValues));
   }
   const auto count = static_cast<std::size_t>(parts[2]);
   std::vector<double> values = {first};
@@ -167,9 +167,9 @@ std::vector<SweptValue> sweepValues(const TomlReader& section, std::string_view 
       values.push_back(std::move(*value));
     }
   }
-  if (values.size() > mostSweepCases) {
+  if (values.size() > mostSweepValues) {
     section.fail(
-        key, fmt::format("{} values found, at most {} expected", values.size(), mostSweepCases));
+        key, fmt::format("{} values found, at most {} expected", values.size(), mostSweepValues));
   }
   return values;
 }

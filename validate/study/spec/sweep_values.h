@@ -11,8 +11,8 @@
 
 namespace gnomon {
 
-/// The most cases of a sweep, and values of a key.
-constexpr std::size_t mostSweepCases = 100'000;
+/// The most values of a key.
+constexpr std::size_t mostSweepValues = 100'000;
 
 /// The values of a `[[sweep]]` table: a list of numbers, of texts, of true and false, or of flat
 /// lists; or a text that stands for numbers:
@@ -21,7 +21,7 @@ constexpr std::size_t mostSweepCases = 100'000;
 ///   "log:0.001:0.1:7"  first, last and count: first·(last/first)^(i/(count - 1)), both above 0
 /// Numbers of a range are rounded to 12 digits, those of a geometric one to 6: so that they read
 /// well, and are the same on every machine. First and last are as they are written.
-/// @throws InputError for anything else, and for over mostSweepCases values
+/// @throws InputError for anything else, and for over mostSweepValues values
 std::vector<SweptValue> sweepValues(const TomlReader& section, std::string_view key);
 
 /// What a key is drawn from.

@@ -1,0 +1,149 @@
+#include "report/plots/sweep_slices.h"
+
+#include <gmock/gmock.h>
+
+#include "report/plots/plot_sheet.h"
+#include "report/plots/sweep_lights_plot.h"
+#include "report/plots/sweep_map_plot.h"
+#include "report/plots/sweep_plot.h"
+#include "report/sample_record.h"
+
+namespace gnomon {
+namespace {
+
+using test::countsOf;
+using test::result;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A step in which "flat" errs in as many of 1000 samples under each light.
+StudyRecord stepOf(const std::vector<std::pair<std::string, double>>& lights) {
+  StudyRecord record = test::emptyRecord();
+  record.methods.push_back({"flat", "flat", "", ""});
+  for (const auto& [light, error] : lights) {
+    record.results.push_back(result("flat", light, "camera", "all", countsOf(1000, error, 0)));
+  }
+  return record;
+}
+
+/// A grid of a × b cases, of which the first key changes slowest; case (i, j) errs in 10 i + j
+/// thousandths.
+SweepRecord gridSweep(const std::vector<double>& a, const std::vector<double>& b) {
+  SweepRecord sweep;
+  sweep.name = "grid";
+  sweep.keys = {{"relief.height", "height", 0}, {"bake.bits", "bits", 1}};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      sweep.cases.push_back(
+          {std::to_string(sweep.cases.size()), {sweptNumber(a[i]), sweptNumber(b[j])}});
+      sweep.steps.push_back(
+          stepOf({{"noon", 10.0 * static_cast<double>(i) + static_cast<double>(j)}}));
+    }
+  }
+  return sweep;
+}
+
+TEST(SweepSlices, OneDimensionIsOneSliceInTheOrderOfItsValues) {
+  SweepRecord sweep = gridSweep({3, 1, 2}, {8});
+  for (SweepCase& which : sweep.cases) which.values.pop_back();
+  sweep.keys.pop_back();
+  const auto slices = slicesOf(sweep);
+  ASSERT_EQ(slices.size(), 1U);
+  EXPECT_THAT(slices[0].cases, ElementsAre(1, 2, 0));
+  EXPECT_THAT(slices[0].positions, ElementsAre(1, 2, 3));
+  EXPECT_EQ(slices[0].suffix, "");
+  EXPECT_EQ(slices[0].axis, "height");
+  EXPECT_FALSE(isGrid(sweep));
+}
+
+TEST(SweepSlices, OfTwoDimensionsTheOneOfFewerValuesCuts) {
+  const auto slices = slicesOf(gridSweep({1, 2, 3}, {16, 8}));
+  ASSERT_EQ(slices.size(), 2U);
+  EXPECT_EQ(slices[0].title, "bake.bits = 8");
+  EXPECT_THAT(slices[0].cases, ElementsAre(1, 3, 5));
+  EXPECT_THAT(slices[1].cases, ElementsAre(0, 2, 4));
+  EXPECT_EQ(slices[1].suffix, "_2");
+  const auto turned = slicesOf(gridSweep({1, 2}, {8, 16, 32}));
+  ASSERT_EQ(turned.size(), 2U);
+  EXPECT_EQ(turned[1].title, "relief.height = 2");
+  EXPECT_EQ(turned[1].axis, "bits");
+  EXPECT_THAT(turned[1].cases, ElementsAre(3, 4, 5));
+}
+
+TEST(SweepSlices, KeysThatStepTogetherAreOneAxis) {
+  SweepRecord sweep = gridSweep({1, 2, 3}, {8});
+  for (SweptKey& key : sweep.keys) key.dimension = 0;
+  // The first key repeats a value: the second tells the cases apart.
+  sweep.cases[0].values = {sweptNumber(1), sweptNumber(30)};
+  sweep.cases[1].values = {sweptNumber(1), sweptNumber(10)};
+  sweep.cases[2].values = {sweptNumber(2), sweptNumber(20)};
+  const auto slices = slicesOf(sweep);
+  ASSERT_EQ(slices.size(), 1U);
+  EXPECT_EQ(slices[0].axis, "bits, with height");
+  EXPECT_THAT(slices[0].cases, ElementsAre(1, 2, 0));
+}
+
+TEST(SweepSlices, TextsAreCategories) {
+  SweepRecord sweep = gridSweep({1, 2}, {8});
+  sweep.keys.pop_back();
+  sweep.cases[0].values = {{"columns", {}, "\"columns\""}};
+  sweep.cases[1].values = {{"cells", {}, "\"cells\""}};
+  const auto slices = slicesOf(sweep);
+  ASSERT_EQ(slices.size(), 1U);
+  EXPECT_THAT(slices[0].categories, ElementsAre("columns", "cells"));
+  EXPECT_THAT(slices[0].positions, ElementsAre(0, 1));
+  const PlotSheet sheet = sweepPlot(sweep, slices[0]);
+  EXPECT_THAT(sheet.commands, HasSubstr("set xtics ('columns' 0, 'cells' 1)\n"));
+  EXPECT_THAT(svgOf(sheet), HasSubstr(">columns</"));
+}
+
+TEST(SweepSlices, ManyDimensionsAndManyDrawnKeysHaveNone) {
+  SweepRecord sweep = gridSweep({1, 2}, {8, 16});
+  sweep.keys.push_back({"bake.azimuths", "azimuths", 2});
+  for (SweepCase& which : sweep.cases) which.values.push_back(sweptNumber(4));
+  EXPECT_THAT(slicesOf(sweep), IsEmpty());
+  EXPECT_FALSE(isGrid(sweep));
+  SweepRecord drawn = gridSweep({1, 2}, {8});
+  for (SweptKey& key : drawn.keys) key = {key.key, key.axis, 0, true};
+  EXPECT_THAT(slicesOf(drawn), IsEmpty());
+  drawn.keys.pop_back();
+  for (SweepCase& which : drawn.cases) which.values.pop_back();
+  EXPECT_EQ(slicesOf(drawn).size(), 1U);
+}
+
+TEST(SweepMap, HasEachCaseInItsPlace) {
+  std::vector<double> values;
+  for (int i = 9; i > 0; --i) values.push_back(i);
+  const SweepRecord sweep = gridSweep(values, values);
+  EXPECT_THAT(slicesOf(sweep), IsEmpty());
+  ASSERT_TRUE(isGrid(sweep));
+  const SweepGrid grid = gridOf(sweep);
+  EXPECT_EQ(grid.across.front(), "1");
+  // The first case has the largest value of both.
+  EXPECT_EQ(grid.cases.back(), 0U);
+  EXPECT_EQ(grid.cases[0], 80U);
+  // One step to the right is the next larger value of the first key.
+  EXPECT_EQ(grid.cases[1], 71U);
+  const PlotSheet sheet = sweepMapPlot(sweep);
+  EXPECT_THAT(sheet.commands, HasSubstr("$m0 << EOD\n0 0 8.8\n1 0 7.8\n"));
+  EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
+}
+
+TEST(SweepLights, HasACurveALight) {
+  SweepRecord sweep = gridSweep({2, 1}, {8});
+  sweep.keys.pop_back();
+  for (SweepCase& which : sweep.cases) which.values.pop_back();
+  EXPECT_FALSE(sweepLightsPlot(sweep, slicesOf(sweep).at(0))) << "one light";
+  sweep.steps = {stepOf({{"noon", 10}, {"dusk", 20}}), stepOf({{"noon", 30}, {"dusk", 40}})};
+  sweep.steps[0].confidence = {{"flat", "camera", "dusk", 0.02, Interval{0.015, 0.03}, "", 9, 8}};
+  const auto sheet = sweepLightsPlot(sweep, slicesOf(sweep).at(0));
+  ASSERT_TRUE(sheet);
+  EXPECT_THAT(sheet->commands, HasSubstr("$m0l0 << EOD\n1 3\n2 1\nEOD\n"));
+  EXPECT_THAT(sheet->commands, HasSubstr("$m0l1 << EOD\n1 4\n2 2\nEOD\n"));
+  EXPECT_THAT(sheet->commands, HasSubstr("$b0l1 << EOD\n2 1.5 3\nEOD\n"));
+  EXPECT_THAT(svgOf(*sheet), HasSubstr(">dusk</"));
+}
+
+}  // namespace
+}  // namespace gnomon
