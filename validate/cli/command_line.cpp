@@ -19,6 +19,7 @@
 #include "cli/list_option.h"
 #include "cli/output.h"
 #include "cli/run_command.h"
+#include "cli/suite_command.h"
 #include "cli/view_command.h"
 #include "common/error.h"
 #include "common/system/interruption.h"
@@ -148,6 +149,7 @@ ExitStatus list(const std::string& what) {
   }
   printLine(fmt::format("\nShapes ([surface] shape): {}", fmt::join(shapeNames, ", ")));
   printLine(fmt::format("Patterns ([relief] pattern): {}", fmt::join(patternNames, ", ")));
+  printLine(fmt::format("Solids ([relief] solid): {}", fmt::join(solidNames, ", ")));
   printLine(fmt::format("Metrics ([[threshold]] metric): {}", fmt::join(metricNames(), ", ")));
   return ExitStatus::pass;
 }
@@ -223,6 +225,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
                    "Largest size of the cache from now on, for example 500MB or 4GB")
       ->type_name("BYTES");
   cache->footer(cacheExamples);
+  SuiteRequest suiteRequest;
+  CLI::App* suite = addSuiteCommand(app, suiteRequest);
   CLI::App* listed = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
   std::string what;
   listed->add_option("WHAT", what, "`keys`: every key of a study, as Markdown")
@@ -238,13 +242,14 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   }
   if (app.get_subcommands().empty()) {
     throw UsageError(
-        "a command expected: run, check, compare, bake, truth, export, view, cache or list. "
+        "a command expected: run, check, compare, bake, truth, export, view, cache, suite or list. "
         "See gnomon --help");
   }
   const ThreadLimit limit(threads);
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   const ExitStatus status = listed->parsed()     ? list(what)
+                            : suite->parsed()    ? drawSuiteScenes(suiteRequest)
                             : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
                             : view->parsed()     ? viewer(viewRequest)

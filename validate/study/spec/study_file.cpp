@@ -149,8 +149,9 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options) {
   const TomlReader relief = root.table("relief");
   const SurfaceSection surfaceSection = readSurfaceSection(surface);
   const ReliefSection reliefSection = readReliefSection(relief);
-  StudySpec study{header, file, cageOf(surfaceSection, surface, folder),
-                  reliefOf(reliefSection, relief, folder)};
+  Cage cage = cageOf(surfaceSection, surface, folder);
+  Relief heights = reliefOf(reliefSection, relief, folder, cage);
+  StudySpec study{header, file, std::move(cage), std::move(heights)};
   study.surfaceSection = surfaceSection;
   study.reliefSection = reliefSection;
   study.text = text.text;
