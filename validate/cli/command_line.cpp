@@ -24,6 +24,7 @@
 #include "cli/shards/merge_command.h"
 #include "cli/shards/plan_command.h"
 #include "cli/shards/shard.h"
+#include "cli/suite_command.h"
 #include "cli/view_command.h"
 #include "common/error.h"
 #include "common/system/interruption.h"
@@ -182,6 +183,7 @@ ExitStatus list(const std::string& what) {
   }
   printLine(fmt::format("\nShapes ([surface] shape): {}", fmt::join(shapeNames, ", ")));
   printLine(fmt::format("Patterns ([relief] pattern): {}", fmt::join(patternNames, ", ")));
+  printLine(fmt::format("Solids ([relief] solid): {}", fmt::join(solidNames, ", ")));
   printLine(fmt::format("Metrics ([[threshold]] metric): {}", fmt::join(metricNames(), ", ")));
   return ExitStatus::pass;
 }
@@ -309,6 +311,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   GatherRequest gatherRequest;
   gatherRequest.command = request.command;
   CLI::App* gather = addGatherCommand(app, gatherRequest);
+  SuiteRequest suiteRequest;
+  CLI::App* suite = addSuiteCommand(app, suiteRequest);
   CLI::App* listed = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
   std::string what;
   listed->add_option("WHAT", what, "`keys`: every key of a study, as Markdown")
@@ -325,8 +329,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   if (app.get_subcommands().empty()) {
     throw UsageError(
         "a command expected: run, plan, merge, gather, check, compare, bake, truth, export, view, "
-        "cache or "
-        "list. "
+        "cache, suite or list. "
         "See gnomon --help");
   }
   const ThreadLimit limit(threads);
@@ -335,6 +338,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   const ExitStatus status = listed->parsed()     ? list(what)
                             : gather->parsed()   ? gatherScenes(gatherRequest)
+                            : suite->parsed()    ? drawSuiteScenes(suiteRequest)
                             : cache->parsed()    ? showCache(cacheRequest)
                             : compare->parsed()  ? compareMasks(comparison)
                             : view->parsed()     ? viewer(viewRequest)

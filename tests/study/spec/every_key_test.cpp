@@ -29,6 +29,12 @@ const std::vector<std::string> reliefs = {
     "pattern = \"cosine\"\ntexels = [32, 32]\nperiod = 16\n",
     "pattern = \"cells\"\ntexels = [32, 32]\nperiod = 16\njitter = 0.5\ngroove = 6\nseed = 2\n",
     "pattern = \"ripples\"\ntexels = [32, 32]\nperiod = 16\nwindward = 0.7\nmeander = 6\n",
+    "pattern = \"spectrum\"\ntexels = [32, 32]\nbeta = 3\nperiod = 16\nshortest = 4\nseed = 2\n",
+    "pattern = \"scratches\"\ntexels = [32, 32]\ndensity = 0.3\nlength = 16\nwidth = 4\nseed = 2\n",
+    "solid = \"noise\"\ntexels = [32, 32]\nperiod = 16\noctaves = 2\ngain = 0.5\nseed = 2\n",
+    "solid = \"cells\"\ntexels = [32, 32]\nperiod = 16\njitter = 0.5\ngroove = 3\nseed = 2\n",
+    "solid = \"ripples\"\ntexels = [32, 32]\nperiod = 16\nwindward = 0.7\nmeander = 2\n"
+    "direction = [1, 0, 0]\nseed = 2\n",
     "image = \"heights.pgm\"\nchannel = 0\n"};
 
 std::string everyKey(const std::string& surface, const std::string& relief,

@@ -81,7 +81,8 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       {"surface.shape=cube",
        "the string \"cube\" found, one of plane, cylinder, sphere, torus, bezier, b-spline"},
       {"relief.pattern=noise",
-       "the string \"noise\" found, one of columns, cosine, cells, ripples expected"},
+       "the string \"noise\" found, one of columns, cosine, cells, ripples, spectrum, scratches "
+       "expected"},
       {"relief.wrap=mirror", "one of repeat, clamp expected"},
       {"relief.height_space=tangent", "one of world, texture expected"},
       {"view.0.type=orthographic", "one of camera, atlas expected"},

@@ -59,8 +59,9 @@ Cage sharedCage(StudyParts& parts, const TomlReader& section, const SurfaceSecti
 
 Relief sharedRelief(StudyParts& parts, const TomlReader& section, const ReliefSection& relief,
                     const fs::path& folder) {
-  return remembered(parts.reliefs, keyOf(section),
-                    [&] { return reliefOf(relief, section, folder); });
+  // A solid is sampled into the map of its surface.
+  return remembered(parts.reliefs, parts.surfaceKey + keyOf(section),
+                    [&] { return reliefOf(relief, section, folder, *parts.cage); });
 }
 
 SearchRadius sharedRadius(StudyParts& parts, const TomlReader& root, const Relief& relief,

@@ -25,14 +25,17 @@ class KeyTable {
   }
 
   /// The key that tells the kinds of a table, and the keys of each.
+  /// @param before  a kind's name among the forms
   template <typename Variant, std::size_t size>
   KeyTable& addKinds(const char* tag, const std::array<std::string_view, size>& names,
-                     std::string_view meaning) {
+                     std::string_view meaning, std::string_view before = "") {
     std::string first;
     add({studyKey(tag, &first, meaning, {}, required, Enters::nothing,
                   {names.begin(), names.end()})});
     std::vector<Variant> kinds = allKinds<Variant>();
-    for (std::size_t k = 0; k < size; ++k) add(keysOf(kinds[k]), fmt::format("`{}`", names.at(k)));
+    for (std::size_t k = 0; k < size; ++k) {
+      add(keysOf(kinds[k]), fmt::format("{}`{}`", before, names.at(k)));
+    }
     return *this;
   }
 
@@ -116,6 +119,7 @@ std::string studyKeysText() {
   SurfaceMesh mesh;
   ReliefSection relief;
   PatternMap pattern;
+  SolidMap solid;
   ImageMap image;
   BakeSpec bake;
   BaseSpec base;
@@ -137,8 +141,13 @@ std::string studyKeysText() {
         KeyTable()
             .add(keysOf(relief))
             .add(keysOf(image), "`image`")
-            .addKinds<Pattern>("pattern", patternNames, "a built-in pattern, or `image`")
-            .add(keysOf(pattern), "`pattern`"));
+            .addKinds<Pattern>("pattern", patternNames,
+                               "a built-in pattern of the plane, or `solid`, or `image`")
+            .add(keysOf(pattern), "`pattern`")
+            .addKinds<SolidPattern>("solid", solidNames,
+                                    "a function of the point in space, carved into the surface",
+                                    "solid ")
+            .add(keysOf(solid), "`solid`"));
   write("[bake]", KeyTable().add(keysOf(bake, 1)));
   write("[base]", KeyTable().add(keysOf(base)));
   write("[truth]", KeyTable().add(keysOf(truth, 1)));

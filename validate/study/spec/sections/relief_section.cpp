@@ -4,6 +4,7 @@
 
 #include "relief/height_image.h"
 #include "relief/resampled_heights.h"
+#include "relief/solid_map.h"
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon {
@@ -23,8 +24,19 @@ HeightField heightsOf(const PatternMap& map, const ReliefSection& relief) {
                  },
                  [&](const RipplesPattern& pattern) {
                    return makeRipples(width, height, pattern, relief.height, relief.wrap);
+                 },
+                 [&](const SpectrumPattern& pattern) {
+                   return makeSpectrum(width, height, pattern, relief.height, relief.wrap);
+                 },
+                 [&](const ScratchesPattern& pattern) {
+                   return makeScratches(width, height, pattern, relief.height, relief.wrap);
                  }},
       map.pattern);
+}
+
+HeightField heightsOf(const SolidMap& map, const ReliefSection& relief, const Cage& cage) {
+  return makeSolidMap(LimitSurface(cage), map.texels.x, map.texels.y, solidFunction(map.solid),
+                      relief.height, relief.wrap);
 }
 
 /// Heights as far as `height` may go, which is that of the value 1: floats may have others.
@@ -40,13 +52,15 @@ void requireHeights(const TomlReader& section, const HeightField& field) {
 ReliefSection readReliefSection(const TomlReader& section) {
   ReliefSection relief;
   PatternMap pattern;
+  SolidMap solid;
   ImageMap image;
   KeyNames names = namesOfAllKinds<Pattern>("pattern");
+  names.merge(namesOfAllKinds<SolidPattern>("solid"));
   for (const StudyKeys& keys : {keysOf(relief), keysOf(pattern), keysOf(image)}) {
     names.merge(namesOf(keys));
   }
   section.allow(names);
-  section.requireOneOf("pattern", "image");
+  section.requireOneOf({"pattern", "solid", "image"});
   readKeys(section, keysOf(relief));
   // An even factor would have no texel where an old one was, and so be another function.
   if (relief.resample % 2 == 0) {
@@ -55,6 +69,15 @@ ReliefSection readReliefSection(const TomlReader& section) {
   if (section.has("image")) {
     readKeys(section, keysOf(image));
     relief.map = image;
+  } else if (section.has("solid")) {
+    if (relief.repeats != Vec2(1)) {
+      section.fail("repeats",
+                   "a solid has a texel of its own for every point, no `repeats` "
+                   "expected");
+    }
+    solid.solid = readKind<SolidPattern>(section, "solid", solidNames);
+    readKeys(section, keysOf(solid));
+    relief.map = solid;
   } else {
     pattern.pattern = readKind<Pattern>(section, "pattern", patternNames);
     readKeys(section, keysOf(pattern));
@@ -68,14 +91,20 @@ toml::table tableOf(ReliefSection relief) {
   if (const auto* map = std::get_if<PatternMap>(&relief.map)) {
     table.insert("pattern", patternNames.at(map->pattern.index()));
   }
+  if (const auto* map = std::get_if<SolidMap>(&relief.map)) {
+    table.insert("solid", solidNames.at(map->solid.index()));
+  }
   return table;
 }
 
 Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
-                const std::filesystem::path& folder) {
+                const std::filesystem::path& folder, const Cage& cage) {
   HeightField field = std::visit(
       Overloaded{[&](const PatternMap& map) {
                    return section.blame("texels", [&] { return heightsOf(map, relief); });
+                 },
+                 [&](const SolidMap& map) {
+                   return section.blame("solid", [&] { return heightsOf(map, relief, cage); });
                  },
                  [&](const ImageMap& map) {
                    return readHeightImage(folder / pathOf(map.path), map.channel, relief.height,

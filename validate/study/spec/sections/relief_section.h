@@ -8,17 +8,30 @@
 #include "common/overloaded.h"
 #include "relief/patterns.h"
 #include "relief/relief.h"
+#include "relief/scratches_pattern.h"
+#include "relief/solid.h"
+#include "relief/spectrum_pattern.h"
 #include "study/spec/sections/study_key.h"
+#include "surface/cage/cage.h"
 
 namespace gnomon {
 
-/// `[relief]`: a height map from a pattern, told by its `pattern`, or from an image.
+/// `[relief]`: a height map from a pattern, told by its `pattern`, from a solid, told by its
+/// `solid`, or from an image.
 
-using Pattern = std::variant<ColumnsPattern, CosinePattern, CellsPattern, RipplesPattern>;
-constexpr std::array<std::string_view, 4> patternNames = {"columns", "cosine", "cells", "ripples"};
+using Pattern = std::variant<ColumnsPattern, CosinePattern, CellsPattern, RipplesPattern,
+                             SpectrumPattern, ScratchesPattern>;
+constexpr std::array<std::string_view, 6> patternNames = {"columns", "cosine",   "cells",
+                                                          "ripples", "spectrum", "scratches"};
+constexpr std::array<std::string_view, 3> solidNames = {"noise", "cells", "ripples"};
 
 struct PatternMap {
   Pattern pattern;
+  glm::ivec2 texels{0};
+};
+
+struct SolidMap {
+  SolidPattern solid;
   glm::ivec2 texels{0};
 };
 
@@ -34,8 +47,12 @@ struct ReliefSection {
   Vec2 repeats{1, 1};
   bool isInverted = false;
   int resample = 1;
-  std::variant<PatternMap, ImageMap> map;
+  std::variant<PatternMap, SolidMap, ImageMap> map;
 };
+
+inline StudyKey seedKey(int& seed, std::string_view meaning) {
+  return studyKey("seed", &seed, meaning, {0, std::numeric_limits<int>::max()});
+}
 
 inline StudyKeys keysOf(Pattern& pattern) {
   const auto period = [](double& place) -> StudyKey {
@@ -43,32 +60,83 @@ inline StudyKeys keysOf(Pattern& pattern) {
   };
   using Keys = StudyKeys;
   return std::visit(
-      Overloaded{[&](ColumnsPattern& p) -> Keys {
-                   return {period(p.period),
-                           studyKey("radius", numbers(p.radius), "texels: of a column", positive),
-                           studyKey("wall", numbers(p.wall), "texels: width of its slope", {0})};
-                 },
-                 [&](CosinePattern& p) -> Keys { return {period(p.period)}; },
-                 [&](CellsPattern& p) -> Keys {
+      Overloaded{
+          [&](ColumnsPattern& p) -> Keys {
+            return {period(p.period),
+                    studyKey("radius", numbers(p.radius), "texels: of a column", positive),
+                    studyKey("wall", numbers(p.wall), "texels: width of its slope", {0})};
+          },
+          [&](CosinePattern& p) -> Keys { return {period(p.period)}; },
+          [&](CellsPattern& p) -> Keys {
+            return {period(p.period),
+                    studyKey("jitter", numbers(p.jitter),
+                             "share of its square in which a point may lie", {0, 1}),
+                    studyKey("groove", numbers(p.groove), "texels: width of a rim", positive),
+                    seedKey(p.seed, "of the points")};
+          },
+          [&](RipplesPattern& p) -> Keys {
+            return {period(p.period),
+                    studyKey("windward", numbers(p.windward), "share of the wavelength that rises",
+                             {0, 1}),
+                    studyKey("meander", numbers(p.meander), "texels that crest lines stray at most",
+                             {0})};
+          },
+          [&](SpectrumPattern& p) -> Keys {
+            return {studyKey("beta", numbers(p.beta),
+                             "power falls as frequency to the power of minus this", {0, 10}),
+                    studyKey("period", numbers(p.period), "texels: of the longest wave", positive),
+                    studyKey("shortest", numbers(p.shortest), "texels: of the shortest wave", {2}),
+                    seedKey(p.seed, "of the phases")};
+          },
+          [&](ScratchesPattern& p) -> Keys {
+            return {studyKey("density", numbers(p.density),
+                             "share of the map that they would cover side by side", {0, 4, true}),
+                    studyKey("length", numbers(p.length), "texels: of the longest", {1, 16384}),
+                    studyKey("width", numbers(p.width), "texels: of a groove", {1, 16384}),
+                    seedKey(p.seed, "of places, directions and lengths")};
+          }},
+      pattern);
+}
+
+inline StudyKeys keysOf(SolidPattern& solid) {
+  const auto period = [](double& place) -> StudyKey {
+    return studyKey("period", numbers(place), "world units from one feature to the next", positive,
+                    required);
+  };
+  using Keys = StudyKeys;
+  return std::visit(
+      Overloaded{[&](SolidNoise& p) -> Keys {
                    return {
                        period(p.period),
-                       studyKey("jitter", numbers(p.jitter),
-                                "share of its square in which a point may lie", {0, 1}),
-                       studyKey("groove", numbers(p.groove), "texels: width of a rim", positive),
-                       studyKey("seed", &p.seed, "of the points",
-                                {0, std::numeric_limits<int>::max()})};
+                       studyKey("octaves", &p.octaves, "each of half the period", {1, 16}),
+                       studyKey("gain", numbers(p.gain), "of an octave on the one before", {0, 1}),
+                       seedKey(p.seed, "of the gradients")};
                  },
-                 [&](RipplesPattern& p) -> Keys {
+                 [&](SolidCells& p) -> Keys {
+                   return {period(p.period),
+                           studyKey("jitter", numbers(p.jitter),
+                                    "share of its cube in which a point may lie", {0, 1}),
+                           studyKey("groove", numbers(p.groove), "world units: width of a rim",
+                                    positive, required),
+                           seedKey(p.seed, "of the points")};
+                 },
+                 [&](SolidRipples& p) -> Keys {
                    return {period(p.period),
                            studyKey("windward", numbers(p.windward),
                                     "share of the wavelength that rises", {0, 1}),
                            studyKey("meander", numbers(p.meander),
-                                    "texels that crest lines stray at most", {0})};
+                                    "world units that crests stray at most", {0}, required),
+                           studyKey("direction", numbers(p.direction), "across the crests"),
+                           seedKey(p.seed, "of the meanders")};
                  }},
-      pattern);
+      solid);
 }
 
 inline StudyKeys keysOf(PatternMap& map) {
+  return {studyKey("texels", &map.texels, "columns and rows of the map", {1, 16384}, required)};
+}
+
+inline StudyKeys keysOf(SolidMap& map) {
   return {studyKey("texels", &map.texels, "columns and rows of the map", {1, 16384}, required)};
 }
 
@@ -78,7 +146,7 @@ inline StudyKeys keysOf(ImageMap& map) {
           studyKey("channel", &map.channel, "of the picture", {0, 1023})};
 }
 
-/// The keys that a pattern and an image have in common.
+/// The keys that all reliefs have in common.
 inline StudyKeys keysOf(ReliefSection& relief) {
   const std::vector<std::pair<Wrap, std::string>> wraps = {{Wrap::repeat, "repeat"},
                                                            {Wrap::clamp, "clamp"}};
@@ -106,6 +174,7 @@ inline StudyKeys allKeysOf(ReliefSection& relief) {
   const auto add = [&](StudyKeys more) { keys.insert(keys.end(), more.begin(), more.end()); };
   std::visit([&](auto& map) { add(keysOf(map)); }, relief.map);
   if (auto* map = std::get_if<PatternMap>(&relief.map)) add(keysOf(map->pattern));
+  if (auto* map = std::get_if<SolidMap>(&relief.map)) add(keysOf(map->solid));
   return keys;
 }
 
@@ -119,8 +188,9 @@ toml::table tableOf(ReliefSection relief);
 /// The relief that the section asks for.
 /// @param section  for messages
 /// @param folder   of the study: what paths are relative to
-/// @throws InputError for an image or pattern that cannot be
+/// @param cage     of the surface, on which a solid is sampled
+/// @throws InputError for an image, pattern or solid that cannot be; for a solid as LimitSurface
 Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
-                const std::filesystem::path& folder);
+                const std::filesystem::path& folder, const Cage& cage);
 
 }  // namespace gnomon

@@ -89,9 +89,17 @@ void TomlReader::fail(std::string_view key, const std::string& what) const {
   throw InputError(failure(key, what));
 }
 
-void TomlReader::requireOneOf(std::string_view a, std::string_view b) const {
-  if (has(a) && has(b)) fail(b, fmt::format("`{}` found beside it, one of the two expected", a));
-  if (!has(a) && !has(b)) fail(a, fmt::format("missing, either `{}` or `{}` expected", a, b));
+void TomlReader::requireOneOf(const std::vector<std::string_view>& keys) const {
+  std::vector<std::string_view> found;
+  for (const std::string_view key : keys) {
+    if (has(key)) found.push_back(key);
+  }
+  if (found.size() > 1) {
+    fail(found[1], fmt::format("`{}` found beside it, one of the two expected", found[0]));
+  }
+  if (found.empty()) {
+    fail(keys.front(), fmt::format("missing, either `{}` expected", fmt::join(keys, "` or `")));
+  }
 }
 
 void TomlReader::refuseKey(const toml::node& node, std::string_view key,

@@ -71,8 +71,9 @@ class TomlReader {
 
   /// @throws InputError naming the first key that is none of these, and the nearest that is
   void allow(const KeyNames& keys) const;
-  /// Refuses a table that has both of two keys, or neither.
-  void requireOneOf(std::string_view a, std::string_view b) const;
+  /// Refuses a table that has two of these keys, or none.
+  void requireOneOf(const std::vector<std::string_view>& keys) const;
+  void requireOneOf(std::string_view a, std::string_view b) const { requireOneOf({a, b}); }
   /// @throws InputError naming the first key that nobody read
   void finish() const;
   /// Refuses the value of a key for a reason of the caller's.

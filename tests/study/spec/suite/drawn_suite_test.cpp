@@ -1,0 +1,201 @@
+#include "study/spec/suite/drawn_suite.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "common/files/atomic_file.h"
+#include "study/spec/study_file.h"
+#include "study/spec/suite/drawn_surface.h"
+#include "support/error_messages.h"
+#include "support/temporary_folder.h"
+#include "surface/cage/shapes.h"
+#include "surface/curvature.h"
+#include "surface/texel_frame.h"
+
+namespace gnomon {
+namespace {
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+const SuiteSpec& firstSuite() {
+  static const SuiteSpec read = readSuite(standardSuiteFile());
+  return read;
+}
+
+const SuiteMethods& suiteMethods() {
+  static const SuiteMethods read = readSuiteMethods(standardMethodsFile(), {});
+  return read;
+}
+
+DrawnSuite suiteOf(SuiteSplit split, const std::string& seed, int count) {
+  return drawSuite(firstSuite(), suiteMethods(), split, seed, count);
+}
+
+TEST(DrawnSuite, SceneDoesNotDependOnHowManyThereAre) {
+  const DrawnSuite few = suiteOf(SuiteSplit::test, "1", 5);
+  const DrawnSuite more = suiteOf(SuiteSplit::test, "1", 9);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(few.studies[i].text, more.studies[i].text);
+  EXPECT_NE(few.sha256, more.sha256);
+}
+
+/// Seeds and splits have no scene in common.
+TEST(DrawnSuite, SeedsAndSplitsAreDisjoint) {
+  std::set<std::string> scenes;
+  std::size_t count = 0;
+  for (const SuiteSplit split : {SuiteSplit::train, SuiteSplit::test}) {
+    for (const char* seed : {"1", "2", "1 "}) {
+      for (int number = 1; number <= 10; ++number) {
+        DrawnScene scene = drawScene(firstSuite(), split, seed, number);
+        scene.study.erase("study");  // which names it
+        std::ostringstream text;
+        text << scene.study;
+        scenes.insert(text.str());
+        ++count;
+      }
+    }
+  }
+  EXPECT_EQ(scenes.size(), count);
+}
+
+double factOf(const DrawnScene& scene, const char* name) {
+  return scene.facts[name].value<double>().value();
+}
+
+/// The limits hold in what is written, measured on the study itself.
+TEST(DrawnSuite, KeepsItsLimits) {
+  std::set<std::string> surfaces;
+  std::set<std::string> reliefs;
+  int cameras = 0;
+  constexpr int count = 150;
+  for (int number = 1; number <= count; ++number) {
+    const DrawnScene scene = drawScene(firstSuite(), SuiteSplit::test, "limits", number);
+    surfaces.insert(scene.facts["surface"].value<std::string>().value());
+    reliefs.insert(scene.facts["relief"].value<std::string>().value());
+    cameras += scene.facts["view"] == "camera" ? 1 : 0;
+    EXPECT_NEAR(factOf(scene, "height"),
+                factOf(scene, "height_over_feature") * factOf(scene, "feature"),
+                1e-3 * factOf(scene, "height"));
+    if (scene.facts.contains("kappa_height") && scene.facts["surface"] != "plane") {
+      EXPECT_GE(factOf(scene, "kappa_height"), 0.0049) << number;
+      EXPECT_LE(factOf(scene, "kappa_height"), 0.251) << number;
+    }
+    // The stretch of shadow, by the library's tangent.
+    for (const SuiteRelief& relief : firstSuite().reliefs) {
+      const std::string name = (relief.form == "solid" ? "solid " : "") + relief.name;
+      const auto surface = scene.facts["surface"].value<std::string>().value();
+      const bool isClosed = surface != "plane" && surface != "cylinder" && surface != "sphere" &&
+                            surface != "inside-sphere" && surface != "bezier" &&
+                            surface != "b-spline";
+      if (scene.facts["relief"] != name || isClosed) continue;
+      const double shadow =
+          factOf(scene, "height_over_feature") / std::tan(radians(factOf(scene, "elevation")));
+      EXPECT_GE(shadow, relief.shadow.x * (1 - 1e-9)) << number;
+      EXPECT_LE(shadow, relief.shadow.y * (1 + 1e-9)) << number;
+    }
+  }
+  EXPECT_EQ(surfaces.size(), firstSuite().surfaces.size());
+  EXPECT_EQ(reliefs.size(), firstSuite().reliefs.size());
+  // Two of three, within four standard deviations.
+  EXPECT_NEAR(cameras, count * 2 / 3, 4 * std::sqrt(count * 2.0 / 9));
+}
+
+class WrittenSuite : public TemporaryFolder {};
+
+/// Every study is read from where it was written, by itself.
+TEST_F(WrittenSuite, StandsOnItsOwn) {
+  const DrawnSuite suiteOfTen = suiteOf(SuiteSplit::test, "1", 12);
+  writeSuite(suiteOfTen, "{}\n", file("suite"));
+  for (const SuiteStudy& study : suiteOfTen.studies) {
+    const StudySpec read = readStudy(file("suite") / study.file);
+    EXPECT_EQ(read.name + ".toml", study.file);
+    EXPECT_EQ(read.lights.size(), 1U);
+    EXPECT_EQ(read.views.size(), 1U);
+    EXPECT_EQ(read.methods.size(), suiteMethods().methods.size());
+    EXPECT_TRUE(study.text.starts_with(study.scene + "\n" + std::string(methodsMark)));
+  }
+  EXPECT_THAT(messageOf<InputError>([&] { writeSuite(suiteOfTen, "{}\n", file("suite")); }),
+              HasSubstr("files found"));
+}
+
+/// What a table of facts says of curvature is what the surface has.
+TEST_F(WrittenSuite, CurvatureIsThatOfItsSurface) {
+  int compared = 0;
+  const DrawnSuite some = suiteOf(SuiteSplit::test, "1", 30);
+  writeSuite(some, "{}\n", file("suite"));
+  for (const SuiteStudy& study : some.studies) {
+    if (!study.facts.contains("kappa_height")) continue;
+    const std::string kind = study.facts["surface"].value<std::string>().value();
+    if (kind != "bezier" && kind != "b-spline") continue;
+    const StudySpec read = readStudy(file("suite") / study.file);
+    const LimitSurface surface(read.cage);
+    double largest = 0;
+    for (int face = 0; face < surface.faceCount(); ++face) {
+      const LimitPoint point = surface.evaluate(face, 0.5, 0.5);
+      const TexelFrame frame = texelFrame(point, read.relief.texelsPerUv());
+      const PrincipalCurvatures bends = principalCurvatures(point);
+      largest = std::max(largest, std::max(std::abs(bends.k1), std::abs(bends.k2)) *
+                                      worldPerHeight(read.relief.space, frame) *
+                                      read.reliefSection.height);
+    }
+    // Middles of faces miss the extremes, which lie at corners.
+    EXPECT_LE(largest, 1.01 * study.facts["kappa_height"].value<double>().value()) << study.file;
+    EXPECT_GE(largest, 0.6 * study.facts["kappa_height"].value<double>().value()) << study.file;
+    ++compared;
+  }
+  EXPECT_GE(compared, 4);
+}
+
+TEST_F(WrittenSuite, TrainVariesOneSettingAtATimeAndTestHasTheChosenOnes) {
+  std::ofstream(file("chosen.toml")) << "[[method]]\nname = \"max-forsyth\"\n"
+                                        "bake = { azimuths = 64 }\n";
+  const SuiteMethods chosen = readSuiteMethods(standardMethodsFile(), file("chosen.toml"));
+  const toml::array train = methodsOf(chosen, SuiteSplit::train, 3);
+  const toml::array test = methodsOf(chosen, SuiteSplit::test, 3);
+  EXPECT_EQ(train.size(), chosen.methods.size() + chosen.varied.size());
+  EXPECT_EQ(test.size(), chosen.methods.size() + 1);
+  const toml::table& last = *test.back().as_table();
+  EXPECT_EQ(last["label"].value<std::string>(), "max-forsyth, chosen");
+  EXPECT_EQ(last["bake"]["azimuths"].value<int>(), 64);
+  std::set<std::string> labels;
+  for (const toml::node& node : train) {
+    const toml::table& method = *node.as_table();
+    const auto label = method["label"].value<std::string>();
+    labels.insert(label.value_or(method["name"].value<std::string>().value()));
+    if (method["name"] == "shadow-volume" && !label) {
+      EXPECT_EQ(method["base"]["subdivisions"].value<int>(), 27);
+    }
+  }
+  EXPECT_EQ(labels.size(), train.size());
+  EXPECT_TRUE(labels.contains("max-forsyth, azimuths 16"));
+  EXPECT_TRUE(labels.contains("shadow-map, width 1.5"));
+}
+
+TEST(DrawnSurface, RefinedPointsAreTheSameSurface) {
+  RandomStream random(3);
+  std::vector<Vec3> points;
+  for (int j = 0; j < 5; ++j) {
+    for (int i = 0; i < 6; ++i) points.emplace_back(i, j, random.unit());
+  }
+  const LimitSurface coarse(makeBSpline(points, 6, 5));
+  const LimitSurface fine(makeBSpline(refinedPoints(points, 6), 9, 7));
+  ASSERT_EQ(coarse.faceCount(), 6);
+  ASSERT_EQ(fine.faceCount(), 24);
+  for (const Vec2 at : {Vec2(0.1, 0.2), Vec2(0.7, 0.4), Vec2(0.5, 0.9)}) {
+    for (int row = 0; row < 2; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        const Vec2 half = 2.0 * at;
+        const glm::ivec2 which(half);
+        const Vec3 expected = coarse.evaluate(row * 3 + column, at.x, at.y).position;
+        const int face = (2 * row + which.y) * 6 + 2 * column + which.x;
+        const Vec3 found = fine.evaluate(face, half.x - which.x, half.y - which.y).position;
+        EXPECT_LT(glm::length(found - expected), 1e-9);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gnomon

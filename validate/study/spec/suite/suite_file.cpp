@@ -1,0 +1,191 @@
+#include "study/spec/suite/suite_file.h"
+
+#include <algorithm>
+
+#include "render/shader_files.h"
+
+namespace gnomon {
+namespace {
+
+constexpr NumberRange angle{-360, 360};
+
+const std::vector<std::string> surfaceKinds = {"plane", "cylinder", "sphere",   "inside-sphere",
+                                               "torus", "bezier",   "b-spline", "mesh"};
+const std::vector<std::string> surfaceClasses = {"open", "torus", "body"};
+
+bool isArc(SurfaceKind kind) {
+  return kind == SurfaceKind::cylinder || kind == SurfaceKind::sphere ||
+         kind == SurfaceKind::insideSphere;
+}
+
+bool isSpline(SurfaceKind kind) {
+  return kind == SurfaceKind::bezier || kind == SurfaceKind::bSpline;
+}
+
+Vec3 pointAt(const TomlReader& section, std::string_view key) {
+  const std::vector<double> numbers = section.list(key, anyNumber, 3);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+SuiteSurface readSurface(const TomlReader& section) {
+  SuiteSurface surface;
+  const std::size_t kind = section.choice("kind", surfaceKinds);
+  surface.kind = static_cast<SurfaceKind>(kind);
+  surface.name = surfaceKinds.at(kind);
+  surface.weight = section.integer("weight", 1, 1000000);
+  if (isArc(surface.kind)) surface.turn = readDistribution(section, "turn", {1, 180});
+  if (isSpline(surface.kind)) {
+    surface.bend = readDistribution(section, "bend", {0, 2});
+    surface.sway = readDistribution(section, "sway", {-0.25, 0.25});
+  }
+  if (surface.kind == SurfaceKind::mesh) {
+    surface.file = section.text("file");
+    surface.name = section.text("name");
+    const std::vector<std::string> wraps = {"clamp", "repeat"};
+    surface.wrap = wraps.at(section.choice("wrap", wraps));
+    surface.target = pointAt(section, "target");
+    surface.radius = section.number("radius", positive);
+    surface.texel = section.number("texel", positive);
+    surface.face = section.number("face", {0, 1, true});
+  }
+  section.finish();
+  return surface;
+}
+
+std::map<std::string, Distribution> readKeys(const TomlReader& section, std::string_view key) {
+  std::map<std::string, Distribution> distributions;
+  if (const auto table = section.optionalTable(key)) {
+    for (const auto& [name, node] : table->written()) {
+      distributions.emplace(name.str(), readDistribution(*table, name.str()));
+    }
+  }
+  return distributions;
+}
+
+SuiteRelief readRelief(const TomlReader& section) {
+  SuiteRelief relief;
+  section.requireOneOf({"pattern", "solid", "image"});
+  for (const char* form : {"pattern", "solid", "image"}) {
+    if (!section.has(form)) continue;
+    relief.form = form;
+    relief.name = section.text(form);
+  }
+  relief.weight = section.integer("weight", 1, 1000000);
+  const toml::node* on = section.find("on");
+  if (on == nullptr || !on->is_array() || on->as_array()->empty()) {
+    section.fail("on", "a list of open, torus and body expected");
+  }
+  for (const toml::node& one : *on->as_array()) {
+    const auto found =
+        std::find(surfaceClasses.begin(), surfaceClasses.end(), one.value_or<std::string>(""));
+    if (found == surfaceClasses.end()) section.fail("on", "open, torus or body expected");
+    relief.on.push_back(static_cast<SurfaceClass>(found - surfaceClasses.begin()));
+  }
+  relief.height = readDistribution(section, "height", positive);
+  const std::vector<double> shadow = section.list("shadow", positive, 2);
+  relief.shadow = {shadow[0], shadow[1]};
+  if (section.has("whole_periods")) relief.wholePeriods = section.flag("whole_periods");
+  if (section.has("seeded")) relief.seeded = section.flag("seeded");
+  relief.lengths = readKeys(section, "lengths");
+  relief.shares = readKeys(section, "shares");
+  if (relief.form == "image") {
+    const std::vector<double> texels = section.list("texels", {1, 16384}, 2);
+    relief.texels = {static_cast<int>(texels[0]), static_cast<int>(texels[1])};
+    relief.feature = section.number("feature", positive);
+  }
+  section.finish();
+  return relief;
+}
+
+/// Every surface must have a relief that may lie on it, and the reverse.
+void requireMatches(const TomlReader& root, const SuiteSpec& suite) {
+  for (const SuiteSurface& surface : suite.surfaces) {
+    const auto fits = [&](const SuiteRelief& relief) {
+      return std::count(relief.on.begin(), relief.on.end(), classOf(surface.kind)) > 0;
+    };
+    if (std::none_of(suite.reliefs.begin(), suite.reliefs.end(), fits)) {
+      root.fail("relief", "none found that lies on the surface " + surface.name);
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceClass classOf(SurfaceKind kind) {
+  return kind == SurfaceKind::mesh    ? SurfaceClass::body
+         : kind == SurfaceKind::torus ? SurfaceClass::torus
+                                      : SurfaceClass::open;
+}
+
+SuiteSpec readSuite(const std::filesystem::path& file) {
+  const toml::table table = parseToml(file);
+  const TomlReader root(table, file.string(), "");
+  SuiteSpec suite;
+  suite.file = file;
+  const TomlReader header = root.table("suite");
+  suite.name = header.text("name");
+  suite.tries = header.integer("tries", 1, 1000000);
+  header.finish();
+  for (const TomlReader& surface : root.tables("surface")) {
+    suite.surfaces.push_back(readSurface(surface));
+  }
+  for (const TomlReader& relief : root.tables("relief")) {
+    suite.reliefs.push_back(readRelief(relief));
+  }
+  requireMatches(root, suite);
+
+  const TomlReader map = root.table("map");
+  suite.side = readDistribution(map, "side", {16, 16384});
+  suite.bodySide = readDistribution(map, "body_side", {16, 16384});
+  suite.feature = readDistribution(map, "feature", positive);
+  suite.bodyFeature = readDistribution(map, "body_feature", positive);
+  suite.fewestFeatures = map.number("fewest_features", positive);
+  suite.fewestTexels = map.number("fewest_texels", positive);
+  map.finish();
+
+  const TomlReader curvature = root.table("curvature");
+  const std::vector<double> bounds = curvature.list("bounds", {0}, 2);
+  suite.leastCurvature = bounds[0];
+  suite.mostCurvature = bounds[1];
+  curvature.finish();
+
+  const TomlReader light = root.table("light");
+  suite.lightElevation = readDistribution(light, "elevation", {1, 89});
+  suite.lightAzimuth = readDistribution(light, "azimuth", angle);
+  suite.bodyLightElevation = readDistribution(light, "body_elevation", {-90, 90});
+  suite.aboveRim = light.number("above_rim", {0, 90});
+  const std::vector<double> apart = light.list("from_camera", {0, 180}, 2);
+  suite.leastFromCamera = apart[0];
+  suite.mostFromCamera = apart[1];
+  light.finish();
+
+  const TomlReader view = root.table("view");
+  suite.cameraWeight = view.integer("camera", 0, 1000);
+  suite.atlasWeight = view.integer("atlas", 0, 1000);
+  if (suite.cameraWeight + suite.atlasWeight == 0) view.fail("camera", "a weight above 0 expected");
+  suite.cameraElevation = readDistribution(view, "elevation", {1, 89});
+  suite.cameraAzimuth = readDistribution(view, "azimuth", angle);
+  suite.bodyCameraElevation = readDistribution(view, "body_elevation", {-90, 90});
+  suite.pixels = view.integer("pixels", 16, 16384);
+  suite.atlasSamples = view.integer("atlas_samples", 1, 100000000);
+  suite.fov = view.number("fov", {1, 120});
+  suite.margin = view.number("margin", positive);
+  view.finish();
+
+  const TomlReader rules = root.table("rules");
+  suite.texelsPerFace = rules.number("texels_per_face", positive);
+  suite.radiansPerFace = rules.number("radians_per_face", {0, 0.1, true});
+  suite.triangles = rules.number("triangles", {1, 1e9});
+  suite.azimuths = rules.integer("azimuths", 1, 1024);
+  suite.bits = rules.integer("bits", 8, 32);
+  suite.frames = rules.integer("frames", 1, 10000);
+  rules.finish();
+  root.finish();
+  return suite;
+}
+
+std::filesystem::path standardSuiteFile() {
+  return shaderFolder().parent_path() / "scenes/suite/suite-1.toml";
+}
+
+}  // namespace gnomon

@@ -1,0 +1,102 @@
+#include "study/spec/suite/suite_methods.h"
+
+#include <fmt/core.h>
+
+#include "render/shader_files.h"
+#include "study/spec/toml/toml_text.h"
+
+namespace gnomon {
+namespace {
+
+const KeyNames methodKeys = {"name", "file", "label", "filter", "bake", "base", "parameters"};
+
+std::string labelOf(const toml::table& method) {
+  for (const char* key : {"label", "name", "file"}) {
+    if (const auto text = method[key].value<std::string>()) return *text;
+  }
+  return "";
+}
+
+toml::table labelled(toml::table method, const std::string& what) {
+  const std::string label = fmt::format("{}, {}", labelOf(method), what);
+  method.insert_or_assign("label", label);
+  return method;
+}
+
+/// A method with one key changed, as "bake.azimuths".
+toml::table with(toml::table method, const std::string& key, const toml::node& value) {
+  const std::size_t dot = key.find('.');
+  if (dot == std::string::npos) {
+    method.insert_or_assign(key, value);
+    return method;
+  }
+  const std::string section = key.substr(0, dot);
+  method.insert(section, toml::table());
+  method[section].as_table()->insert_or_assign(key.substr(dot + 1), value);
+  return method;
+}
+
+std::vector<toml::table> variedOf(const toml::table& method, const TomlReader& vary) {
+  std::vector<toml::table> varied;
+  for (const auto& [key, values] : vary.written()) {
+    const std::string name(key.str());
+    const toml::array* list = values.as_array();
+    if (list == nullptr || list->empty()) vary.fail(name, "a list of values expected");
+    for (const toml::node& value : *list) {
+      const std::string what = name.substr(name.find('.') + 1);
+      varied.push_back(
+          labelled(with(method, name, value), fmt::format("{} {}", what, tomlValueText(value))));
+    }
+  }
+  return varied;
+}
+
+}  // namespace
+
+SuiteMethods readSuiteMethods(const std::filesystem::path& file,
+                              const std::optional<std::filesystem::path>& settings) {
+  SuiteMethods all;
+  const toml::table table = parseToml(file);
+  const TomlReader root(table, file.string(), "");
+  root.allow({"method"});
+  for (const TomlReader& section : root.tables("method")) {
+    KeyNames names = methodKeys;
+    names.insert("vary");
+    section.allow(names);
+    toml::table method = section.written();
+    method.erase("vary");
+    if (const auto vary = section.optionalTable("vary")) {
+      for (toml::table& one : variedOf(method, *vary)) all.varied.push_back(std::move(one));
+    }
+    all.methods.push_back(std::move(method));
+  }
+  if (!settings) return all;
+  const toml::table chosen = parseToml(*settings);
+  const TomlReader chosenRoot(chosen, settings->string(), "");
+  chosenRoot.allow({"method"});
+  for (const TomlReader& section : chosenRoot.tables("method")) {
+    section.allow(methodKeys);
+    all.chosen.push_back(labelled(section.written(), "chosen"));
+  }
+  return all;
+}
+
+std::filesystem::path standardMethodsFile() {
+  return shaderFolder().parent_path() / "scenes/suite/methods.toml";
+}
+
+toml::array methodsOf(const SuiteMethods& methods, SuiteSplit split, int sceneSubdivisions) {
+  toml::array list;
+  const auto add = [&](toml::table method) {
+    if (toml::node* pieces = method["base"]["subdivisions"].node()) {
+      *pieces->as_integer() = pieces->value_or<std::int64_t>(1) * sceneSubdivisions;
+    }
+    list.push_back(std::move(method));
+  };
+  for (const toml::table& method : methods.methods) add(method);
+  const auto& more = split == SuiteSplit::train ? methods.varied : methods.chosen;
+  for (const toml::table& method : more) add(method);
+  return list;
+}
+
+}  // namespace gnomon

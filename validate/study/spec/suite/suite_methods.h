@@ -1,0 +1,39 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/spec/suite/drawn_scene.h"
+
+namespace gnomon {
+
+/// The methods that a suite's scenes are measured with, as scenes/suite/methods.toml. They are no
+/// part of a suite: new methods may come, and its scenes stay.
+///
+/// Each `[[method]]` is one of a study, with the settings of its authors, and a table `vary`: the
+/// few other values of each setting that they leave open, by its key below the method, as
+/// `vary = { "bake.azimuths" = [16, 64], "parameters.steps" = [32, 128] }`.
+struct SuiteMethods {
+  std::vector<toml::table> methods;  ///< without `vary`
+  std::vector<toml::table> varied;   ///< each with one key changed, labelled "NAME, KEY VALUE"
+  std::vector<toml::table> chosen;   ///< of the file of settings, labelled "NAME, chosen"
+};
+
+/// @param settings  a file of `[[method]]` tables: the settings that were chosen on train
+/// @throws InputError naming file, line and key
+SuiteMethods readSuiteMethods(const std::filesystem::path& file,
+                              const std::optional<std::filesystem::path>& settings);
+
+/// scenes/suite/methods.toml beside the program's shaders.
+std::filesystem::path standardMethodsFile();
+
+/// The list `method` of one scene's study: all methods; on train with every varied setting, on test
+/// with the chosen ones. `base.subdivisions` of a method counts pieces of a piece of the scene's
+/// own base mesh, so that a piece has the same size in texels everywhere.
+toml::array methodsOf(const SuiteMethods& methods, SuiteSplit split, int sceneSubdivisions);
+
+}  // namespace gnomon
