@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "common/counted_random.h"
+
 namespace gnomon {
 
 /// Random numbers that are the same on every machine: xoshiro256** (Blackman & Vigna 2018), a
@@ -18,11 +20,8 @@ class RandomStream {
   /// The state is the first four numbers of splitmix64 from the seed (Steele, Lea & Flood 2014).
   explicit RandomStream(std::uint64_t seed) {
     for (std::uint64_t& word : state_) {
+      word = splitMix64(seed);
       seed += 0x9E3779B97F4A7C15U;
-      std::uint64_t z = seed;
-      z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-      z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-      word = z ^ (z >> 31);
     }
   }
 

@@ -86,7 +86,7 @@ Draws drawsOf(const std::vector<Column>& columns) {
 }
 
 void draw(Column& column, const Draws& draws) {
-  const Distribution distribution = distributionOf(*column.section);
+  const SweptDistribution distribution = distributionOf(*column.section);
   const auto seed = static_cast<std::uint64_t>(draws.seed.value_or(1));
   for (int i = 0; i < *draws.count; ++i) {
     column.values.push_back(

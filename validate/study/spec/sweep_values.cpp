@@ -174,8 +174,8 @@ std::vector<SweptValue> sweepValues(const TomlReader& section, std::string_view 
   return values;
 }
 
-Distribution distributionOf(const TomlReader& section) {
-  using Kind = Distribution::Kind;
+SweptDistribution distributionOf(const TomlReader& section) {
+  using Kind = SweptDistribution::Kind;
   const RangeText range{section, "draw", section.text("draw")};
   const std::vector<std::string_view> parts = partsOf(range.text);
   if (range.text == "choice") return {Kind::choice, 0, 0, sweepValues(section, "values")};
@@ -185,7 +185,7 @@ Distribution distributionOf(const TomlReader& section) {
   }
   const auto bounds = numbersOf(std::span(parts).subspan(1));
   if (!bounds || bounds->size() != 2) range.refuse(drawsExpected);
-  Distribution distribution{Kind::uniform, bounds->at(0), bounds->at(1)};
+  SweptDistribution distribution{Kind::uniform, bounds->at(0), bounds->at(1)};
   if (parts[0] == "log-uniform") {
     distribution.kind = Kind::logUniform;
   } else if (parts[0] == "whole") {
@@ -207,8 +207,8 @@ Distribution distributionOf(const TomlReader& section) {
   return distribution;
 }
 
-SweptValue drawnValue(const Distribution& distribution, std::uint64_t seed, std::string_view key,
-                      std::size_t index) {
+SweptValue drawnValue(const SweptDistribution& distribution, std::uint64_t seed,
+                      std::string_view key, std::size_t index) {
   constexpr int digits = 9;
   const double u = randomUnit(seed, key, index);
   const double low = distribution.low;
@@ -217,13 +217,13 @@ SweptValue drawnValue(const Distribution& distribution, std::uint64_t seed, std:
     return sweptNumber(std::clamp(rounded(value, digits), low, high));
   };
   switch (distribution.kind) {
-    case Distribution::Kind::uniform:
+    case SweptDistribution::Kind::uniform:
       return number(low + u * (high - low));
-    case Distribution::Kind::logUniform:
+    case SweptDistribution::Kind::logUniform:
       return number(low * std::pow(high / low, u));
-    case Distribution::Kind::whole:
+    case SweptDistribution::Kind::whole:
       return sweptNumber(low + std::floor(u * (high - low + 1)));
-    case Distribution::Kind::choice:
+    case SweptDistribution::Kind::choice:
       break;
   }
   const auto count = static_cast<double>(distribution.values.size());

@@ -25,7 +25,7 @@ constexpr std::size_t mostSweepValues = 100'000;
 std::vector<SweptValue> sweepValues(const TomlReader& section, std::string_view key);
 
 /// What a key is drawn from.
-struct Distribution {
+struct SweptDistribution {
   enum class Kind { uniform, logUniform, whole, choice };
   Kind kind = Kind::uniform;
   double low = 0, high = 1;             ///< both included
@@ -38,11 +38,11 @@ struct Distribution {
 ///   "whole:1:6"             a whole number, each as likely as any other
 ///   "choice"                of `values`, likewise
 /// @throws InputError for anything else
-Distribution distributionOf(const TomlReader& section);
+SweptDistribution distributionOf(const TomlReader& section);
 
 /// One draw of a key, rounded to 9 digits: with u = randomUnit(seed, key, index). It depends
 /// neither on the other keys nor on the number of draws.
-SweptValue drawnValue(const Distribution& distribution, std::uint64_t seed, std::string_view key,
-                      std::size_t index);
+SweptValue drawnValue(const SweptDistribution& distribution, std::uint64_t seed,
+                      std::string_view key, std::size_t index);
 
 }  // namespace gnomon

@@ -21,7 +21,7 @@ std::string stringText(std::string_view text) {
   return quoted + "\"";
 }
 
-std::string keyText(std::string_view key) {
+std::string bareOrQuoted(std::string_view key) {
   const bool isBare = key.find_first_not_of(
                           "abcdefghijklmnopqrstuvwxyz"
                           "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string_view::npos &&
@@ -43,7 +43,7 @@ std::string valueText(const toml::node& node) {
   std::vector<std::string> entries;
   if (const auto* table = node.as_table()) {
     for (const auto& [key, value] : *table) {
-      entries.push_back(fmt::format("{} = {}", keyText(key.str()), valueText(value)));
+      entries.push_back(fmt::format("{} = {}", bareOrQuoted(key.str()), valueText(value)));
     }
     return fmt::format("{{ {} }}", fmt::join(entries, ", "));
   }
@@ -59,7 +59,7 @@ std::string valueText(const toml::node& node) {
 std::string sectionText(const std::string& heading, const toml::table& section) {
   std::string text = heading + "\n";
   for (const auto& [key, value] : section) {
-    text += fmt::format("{} = {}\n", keyText(key.str()), valueText(value));
+    text += fmt::format("{} = {}\n", bareOrQuoted(key.str()), valueText(value));
   }
   return text;
 }
