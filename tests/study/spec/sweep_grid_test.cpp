@@ -25,7 +25,7 @@ using ::testing::Le;
 using ::testing::StartsWith;
 
 /// Its last line is line 29.
-constexpr const char* sweptStudy = R"([study]
+constexpr const char* gridStudy = R"([study]
 name = "bumps"
 title = "Columns"
 source = "a test"
@@ -59,7 +59,7 @@ label = "ours"
 class SweepGridFile : public TemporaryFolder {
  protected:
   StudyPlan read(const std::string& sections) {
-    std::ofstream(file("bumps.toml"), std::ios::binary) << sweptStudy << sections;
+    std::ofstream(file("bumps.toml"), std::ios::binary) << gridStudy << sections;
     return readStudyPlan(file("bumps.toml"));
   }
   std::string failure(const std::string& sections) {
@@ -77,7 +77,7 @@ std::string elevations(const std::string& values) {
   return table("light.0.elevation", "values = " + values);
 }
 
-std::vector<double> numbers(const StudyPlan& plan, std::size_t key = 0) {
+std::vector<double> numbersOf(const StudyPlan& plan, std::size_t key = 0) {
   std::vector<double> values;
   for (const SweepCase& which : plan.sweep->cases) {
     values.push_back(which.values.at(key).number.value());
@@ -94,19 +94,19 @@ std::vector<std::string> names(const StudyPlan& plan) {
 // ---- ranges
 
 TEST_F(SweepGridFile, ARangeHasBothItsEnds) {
-  EXPECT_THAT(numbers(read(heights("\"5:25:5\""))), ElementsAre(5, 10, 15, 20, 25));
-  EXPECT_THAT(numbers(read(heights("\"3:1:-1\""))), ElementsAre(3, 2, 1));
+  EXPECT_THAT(numbersOf(read(heights("\"5:25:5\""))), ElementsAre(5, 10, 15, 20, 25));
+  EXPECT_THAT(numbersOf(read(heights("\"3:1:-1\""))), ElementsAre(3, 2, 1));
   // As they read, not as steps of a binary fraction add up.
-  EXPECT_THAT(numbers(read(heights("\"0:0.5:0.1\""))), ElementsAre(0, 0.1, 0.2, 0.3, 0.4, 0.5));
-  EXPECT_THAT(numbers(read(heights("\"-0.3:0.3:0.1\""))),
+  EXPECT_THAT(numbersOf(read(heights("\"0:0.5:0.1\""))), ElementsAre(0, 0.1, 0.2, 0.3, 0.4, 0.5));
+  EXPECT_THAT(numbersOf(read(heights("\"-0.3:0.3:0.1\""))),
               ElementsAre(-0.3, -0.2, -0.1, 0, 0.1, 0.2, 0.3));
   EXPECT_THAT(names(read(heights("\"0:0.2:0.1\""))),
               ElementsAre("bumps/0", "bumps/0.1", "bumps/0.2"));
 }
 
 TEST_F(SweepGridFile, AGeometricRangeHasBothItsEnds) {
-  EXPECT_THAT(numbers(read(heights("\"log:0.001:1:4\""))), ElementsAre(0.001, 0.01, 0.1, 1));
-  const std::vector<double> seven = numbers(read(heights("\"log:0.3:7:7\"")));
+  EXPECT_THAT(numbersOf(read(heights("\"log:0.001:1:4\""))), ElementsAre(0.001, 0.01, 0.1, 1));
+  const std::vector<double> seven = numbersOf(read(heights("\"log:0.3:7:7\"")));
   ASSERT_EQ(seven.size(), 7U);
   EXPECT_EQ(seven.front(), 0.3);
   EXPECT_EQ(seven.back(), 7);
@@ -114,7 +114,7 @@ TEST_F(SweepGridFile, AGeometricRangeHasBothItsEnds) {
     const double exact = std::exp(std::log(0.3) + static_cast<double>(i) / 6 * std::log(7 / 0.3));
     EXPECT_NEAR(seven[i], exact, 1e-5 * exact);
   }
-  EXPECT_THAT(numbers(read(heights("\"log:8:1:4\""))), ElementsAre(8, 4, 2, 1));
+  EXPECT_THAT(numbersOf(read(heights("\"log:8:1:4\""))), ElementsAre(8, 4, 2, 1));
 }
 
 TEST_F(SweepGridFile, RefusesTextsThatAreNoRange) {
@@ -140,8 +140,8 @@ TEST_F(SweepGridFile, RefusesTextsThatAreNoRange) {
 
 TEST_F(SweepGridFile, SeveralTablesAreAGridWhoseFirstKeyChangesSlowest) {
   const StudyPlan plan = read(heights("[2, 8]") + elevations("\"20:60:20\""));
-  EXPECT_THAT(numbers(plan, 0), ElementsAre(2, 2, 2, 8, 8, 8));
-  EXPECT_THAT(numbers(plan, 1), ElementsAre(20, 40, 60, 20, 40, 60));
+  EXPECT_THAT(numbersOf(plan, 0), ElementsAre(2, 2, 2, 8, 8, 8));
+  EXPECT_THAT(numbersOf(plan, 1), ElementsAre(20, 40, 60, 20, 40, 60));
   EXPECT_THAT(names(plan),
               ElementsAre("bumps/height-2_elevation-20", "bumps/height-2_elevation-40",
                           "bumps/height-2_elevation-60", "bumps/height-8_elevation-20",
@@ -156,9 +156,9 @@ TEST_F(SweepGridFile, SeveralTablesAreAGridWhoseFirstKeyChangesSlowest) {
 TEST_F(SweepGridFile, TablesWithAnotherStepWithIt) {
   const StudyPlan plan = read(heights("[2, 8]") + elevations("[20, 60, 70]") +
                               table("bake.azimuths", "values = [8, 16]\nwith = \"relief.height\""));
-  EXPECT_THAT(numbers(plan, 0), ElementsAre(2, 2, 2, 8, 8, 8));
-  EXPECT_THAT(numbers(plan, 1), ElementsAre(20, 60, 70, 20, 60, 70));
-  EXPECT_THAT(numbers(plan, 2), ElementsAre(8, 8, 8, 16, 16, 16));
+  EXPECT_THAT(numbersOf(plan, 0), ElementsAre(2, 2, 2, 8, 8, 8));
+  EXPECT_THAT(numbersOf(plan, 1), ElementsAre(20, 60, 70, 20, 60, 70));
+  EXPECT_THAT(numbersOf(plan, 2), ElementsAre(8, 8, 8, 16, 16, 16));
   EXPECT_EQ(plan.sweep->keys[2].dimension, 0U);
   EXPECT_EQ(plan.steps[5].bake.settings.azimuths, 16);
   // What repeats in one key is told apart by the other.
@@ -253,9 +253,9 @@ TEST_F(SweepGridFile, DrawnKeysAreDrawnTogether) {
   ASSERT_EQ(plan.steps.size(), 12U);
   EXPECT_EQ(plan.steps[0].name, "bumps/draw-01");
   EXPECT_EQ(plan.steps[11].name, "bumps/draw-12");
-  EXPECT_THAT(numbers(plan, 0), Each(AllOf(Ge(1), Le(8))));
-  EXPECT_THAT(numbers(plan, 1), Each(AllOf(Ge(5), Le(80))));
-  const std::vector<double> drawn = numbers(plan, 0);
+  EXPECT_THAT(numbersOf(plan, 0), Each(AllOf(Ge(1), Le(8))));
+  EXPECT_THAT(numbersOf(plan, 1), Each(AllOf(Ge(5), Le(80))));
+  const std::vector<double> drawn = numbersOf(plan, 0);
   EXPECT_EQ(std::set<double>(drawn.begin(), drawn.end()).size(), 12U);
   EXPECT_TRUE(plan.sweep->keys[0].isDrawn);
   EXPECT_EQ(plan.sweep->keys[1].dimension, 0U);
@@ -263,21 +263,21 @@ TEST_F(SweepGridFile, DrawnKeysAreDrawnTogether) {
   for (std::size_t i = 0; i < 12; ++i) {
     const double u = randomUnit(5, "relief.height", i);
     const double v = randomUnit(5, "light.0.elevation", i);
-    EXPECT_NEAR(numbers(plan, 0)[i], 1 + 7 * u, 1e-8);
-    EXPECT_NEAR(numbers(plan, 1)[i], 5 * std::pow(16, v), 1e-6);
+    EXPECT_NEAR(numbersOf(plan, 0)[i], 1 + 7 * u, 1e-8);
+    EXPECT_NEAR(numbersOf(plan, 1)[i], 5 * std::pow(16, v), 1e-6);
   }
 }
 
 TEST_F(SweepGridFile, DrawsAreTheSameOnAnyMachine) {
   const StudyPlan plan = read(draws("relief.height", "uniform:1:8", "count = 3") +
                               draws("light.0.elevation", "log-uniform:5:80"));
-  EXPECT_THAT(numbers(plan, 0), ElementsAre(5.58699902, 1.49047816, 1.48517168));
-  EXPECT_THAT(numbers(plan, 1), ElementsAre(5.1937272, 20.4497088, 13.9399947));
+  EXPECT_THAT(numbersOf(plan, 0), ElementsAre(5.58699902, 1.49047816, 1.48517168));
+  EXPECT_THAT(numbersOf(plan, 1), ElementsAre(5.1937272, 20.4497088, 13.9399947));
   // More of them are the same and more; another key beside them changes none.
   const StudyPlan more = read(draws("relief.height", "uniform:1:8", "count = 5"));
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(numbers(more)[i], numbers(plan)[i]);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(numbersOf(more)[i], numbersOf(plan)[i]);
   const StudyPlan other = read(draws("relief.height", "uniform:1:8", "count = 5\nseed = 2"));
-  EXPECT_NE(numbers(other)[0], numbers(more)[0]);
+  EXPECT_NE(numbersOf(other)[0], numbersOf(more)[0]);
 }
 
 TEST_F(SweepGridFile, DrawsAreCrossedWithTheGrid) {
@@ -285,10 +285,10 @@ TEST_F(SweepGridFile, DrawsAreCrossedWithTheGrid) {
       read(heights("[2, 8]") + draws("light.0.elevation", "uniform:10:80", "count = 3") +
            draws("light.0.azimuth", "uniform:0:360", ""));
   ASSERT_EQ(plan.steps.size(), 6U);
-  EXPECT_THAT(numbers(plan, 0), ElementsAre(2, 2, 2, 8, 8, 8));
+  EXPECT_THAT(numbersOf(plan, 0), ElementsAre(2, 2, 2, 8, 8, 8));
   for (std::size_t i = 0; i < 3; ++i) {
     for (const std::size_t key : {1U, 2U}) {
-      EXPECT_EQ(numbers(plan, key)[i], numbers(plan, key)[i + 3]);
+      EXPECT_EQ(numbersOf(plan, key)[i], numbersOf(plan, key)[i + 3]);
     }
   }
   EXPECT_EQ(plan.steps[4].name, "bumps/height-8_draw-2");
