@@ -54,7 +54,9 @@ std::optional<KeptCase> caseIn(const fs::path& folder, const ContentKey& key) {
 }  // namespace
 
 std::string caseHash(const StudySpec& study) {
-  const fs::path home = studyFolder(study.file);
+  // Relative to the study, wherever that lies.
+  const fs::path folder = studyFolder(study.file);
+  const fs::path home = folder.empty() ? fs::path(".") : folder;
   std::ostringstream text;
   text << study.name << '\n' << resolvedStudy(study, home) << '\n';
   for (const InputRecord& input : studyInputs(study, home)) {
