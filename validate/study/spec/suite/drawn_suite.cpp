@@ -21,9 +21,8 @@ SuiteStudy studyOf(const DrawnScene& scene, const SuiteMethods& methods, SuiteSp
                             scene.study["study"]["source"].value_or<std::string>("")) +
                 suiteText(scene.study,
                           {"study", "surface", "relief", "bake", "base", "truth", "view", "light"});
-  const int subdivisions = scene.study["base"]["subdivisions"].value_or(1);
   toml::table rest;
-  rest.insert("method", methodsOf(methods, split, subdivisions));
+  rest.insert("method", methodsOf(methods, scene, split));
   study.text = fmt::format("{}\n{}\n{}", study.scene, methodsMark, suiteText(rest, {"method"}));
   return study;
 }

@@ -10,15 +10,21 @@ namespace {
 
 const KeyNames methodKeys = {"name", "file", "label", "filter", "bake", "base", "parameters"};
 
-std::string labelOf(const toml::table& method) {
-  for (const char* key : {"label", "name", "file"}) {
+/// The first of some keys that a method has.
+std::string textOf(const toml::table& method, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
     if (const auto text = method[key].value<std::string>()) return *text;
   }
   return "";
 }
 
+/// What a method is, whatever its label.
+std::string shaderOf(const toml::table& method) {
+  return textOf(method, {"name", "file"});
+}
+
 toml::table labelled(toml::table method, const std::string& what) {
-  const std::string label = fmt::format("{}, {}", labelOf(method), what);
+  const std::string label = fmt::format("{}, {}", textOf(method, {"label", "name", "file"}), what);
   method.insert_or_assign("label", label);
   return method;
 }
@@ -61,10 +67,12 @@ SuiteMethods readSuiteMethods(const std::filesystem::path& file,
   root.allow({"method"});
   for (const TomlReader& section : root.tables("method")) {
     KeyNames names = methodKeys;
-    names.insert("vary");
+    names.merge(KeyNames{"vary", "camera"});
     section.allow(names);
     toml::table method = section.written();
     method.erase("vary");
+    method.erase("camera");
+    if (section.has("camera") && section.flag("camera")) all.ofCameras.insert(shaderOf(method));
     if (const auto vary = section.optionalTable("vary")) {
       for (toml::table& one : variedOf(method, *vary)) all.varied.push_back(std::move(one));
     }
@@ -85,9 +93,12 @@ std::filesystem::path standardMethodsFile() {
   return shaderFolder().parent_path() / "scenes/suite/methods.toml";
 }
 
-toml::array methodsOf(const SuiteMethods& methods, SuiteSplit split, int sceneSubdivisions) {
+toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, SuiteSplit split) {
+  const std::int64_t sceneSubdivisions = scene.study["base"]["subdivisions"].value_or(1);
+  const bool isCamera = scene.facts["view"] == "camera";
   toml::array list;
   const auto add = [&](toml::table method) {
+    if (!isCamera && methods.ofCameras.contains(shaderOf(method))) return;
     if (toml::node* pieces = method["base"]["subdivisions"].node()) {
       *pieces->as_integer() = pieces->value_or<std::int64_t>(1) * sceneSubdivisions;
     }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,13 @@ namespace gnomon {
 ///
 /// Each `[[method]]` is one of a study, with the settings of its authors, and a table `vary`: the
 /// few other values of each setting that they leave open, by its key below the method, as
-/// `vary = { "bake.azimuths" = [16, 64], "parameters.steps" = [32, 128] }`.
+/// `vary = { "bake.azimuths" = [16, 64], "parameters.steps" = [32, 128] }`. `camera = true` says
+/// that a method answers at a camera's pixels alone: a study of an atlas goes without it.
 struct SuiteMethods {
   std::vector<toml::table> methods;  ///< without `vary`
   std::vector<toml::table> varied;   ///< each with one key changed, labelled "NAME, KEY VALUE"
   std::vector<toml::table> chosen;   ///< of the file of settings, labelled "NAME, chosen"
+  std::set<std::string> ofCameras;   ///< names (or files) of those that need a camera
 };
 
 /// @param settings  a file of `[[method]]` tables: the settings that were chosen on train
@@ -34,6 +37,6 @@ std::filesystem::path standardMethodsFile();
 /// The list `method` of one scene's study: all methods; on train with every varied setting, on test
 /// with the chosen ones. `base.subdivisions` of a method counts pieces of a piece of the scene's
 /// own base mesh, so that a piece has the same size in texels everywhere.
-toml::array methodsOf(const SuiteMethods& methods, SuiteSplit split, int sceneSubdivisions);
+toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, SuiteSplit split);
 
 }  // namespace gnomon
