@@ -21,8 +21,7 @@ elevation = 30
 key = "light.0.azimuth"
 values = [$(seq -s ', ' 0 "$(awk "BEGIN { print 300 / $cases }")" 300 | cut -d, -f "1-$cases")]
 T
-options="--no-cache --quick"
-if "$gnomon" run --help | grep -q -- --metrics-only; then options="$options --metrics-only"; fi
+options="--no-cache --quick --metrics-only"
 TIMEFORMAT='%U %S'
 seconds() {  # of the processor that a command takes
   { time "$@" > log 2>&1; } 2>&1 | awk '{ print $1 + $2 }'

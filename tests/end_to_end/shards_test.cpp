@@ -115,6 +115,20 @@ TEST_F(Shards, MergedInAnyOrderAreTheRunWithoutThem) {
   EXPECT_THAT(outcome.out, HasSubstr("Report: out/ranking.html"));
 }
 
+/// Without times every byte is the same.
+TEST_F(Shards, FiguresAloneAreTheSameToTheByte) {
+  runWhole({"--metrics-only", "--vary-radius"});
+  runThree({"--metrics-only", "--vary-radius"});
+  const Outcome outcome = merge({"s2", "s3", "s1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> files = filesBelow("whole");
+  EXPECT_GE(files.size(), 9U);
+  EXPECT_EQ(files, filesBelow("out"));
+  for (const std::string& name : files) {
+    EXPECT_TRUE(read("whole/" + name) == read("out/" + name)) << name;
+  }
+}
+
 TEST_F(Shards, MergeNeedsNoOpenGl) {
   runThree();
   const Outcome without = gnomon({"merge", "s1", "s2", "s3"},

@@ -124,7 +124,7 @@ struct Plan {
 };
 
 std::string calibrationText(const Calibration& calibration) {
-  return fmt::format("By {}, {} {} on this machine with {} threads: {}.", calibration.name,
+  return fmt::format("By {}, {} {}, on this machine with {} threads: {}.", calibration.name,
                      calibration.isKept ? "measured on" : "measured now,", calibration.day,
                      calibration.threads, durationText(calibration.seconds));
 }
