@@ -53,9 +53,11 @@ inline std::vector<std::size_t> risingOrder(const std::vector<double>& numbers) 
 }
 
 /// How the bars of its intervals are drawn, of columns x, low and high.
-inline std::string plotBars(std::size_t m) {
-  return "using 1:2:(0):($3-$2) with vectors heads size graph 0.006,90 lc rgb '" +
-         std::string(plotColours.at(m % plotColours.size())) + "' lw 1 dt 1 notitle";
+/// @param cap  half the width of their ends, of that of the axis
+inline std::string plotBars(std::size_t m, const char* cap) {
+  return "using 1:2:(0):($3-$2) with vectors heads size graph " + std::string(cap) +
+         ",90 lc rgb '" + std::string(plotColours.at(m % plotColours.size())) +
+         "' lw 1 dt 1 notitle";
 }
 
 /// The most characters of a label that a legend shows.

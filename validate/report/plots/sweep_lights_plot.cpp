@@ -99,7 +99,7 @@ std::string panelCommands(const SweepRecord& sweep, const SweepSlice& slice, con
                          plotLegend(curves.lights[l]));
     if (curve.bars.empty()) continue;
     data += fmt::format("$b{}l{} << EOD\n{}EOD\n", m, l, curve.bars);
-    bars += fmt::format(", \\\n  $b{}l{} {}", m, l, plotBars(l));
+    bars += fmt::format(", \\\n  $b{}l{} {}", m, l, plotBars(l, "0.015"));
   }
   return data + fmt::format("set title {}\n", plotLegend(curves.methods[m])) + lines + bars + "\n";
 }

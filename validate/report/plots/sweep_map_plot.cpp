@@ -32,9 +32,9 @@ PlotSheet sweepMapPlot(const SweepRecord& sweep) {
                           error ? exactText(100 * *error) : "NaN");
     }
     data += "EOD\n";
-    plots +=
-        panels.panel(m) + fmt::format("set title {}\nplot $m{} using 1:2:3 with image notitle\n",
-                                      plotLegend(labels[m]), m);
+    plots += panels.panel(m) +
+             fmt::format("set title {}\nplot $m{} using 1:2:3 with image pixels notitle\n",
+                         plotLegend(labels[m]), m);
     if (m == 0) plots += "unset colorbox\n";
   }
   std::string text =

@@ -100,7 +100,7 @@ std::string intervalData(const Series& series, const std::string& method) {
   for (std::size_t i = 0; i < series.values.size(); ++i) {
     const MethodMeans* means = findMeans(series.steps[i], method);
     if (means == nullptr || !means->errorRate || !means->interval) continue;
-    rows += fmt::format("{} {} {} {}\n", exactText(series.values[i]), percentData(means->errorRate),
+    rows += fmt::format("{} {} {}\n", exactText(series.values[i]),
                         percentData(means->interval->low), percentData(means->interval->high));
   }
   return rows;
@@ -142,7 +142,7 @@ std::string plotCommand(const Series& series, const Panel& panel) {
   for (std::size_t m = 0; m < series.methods.size(); ++m) {
     if (panel.figure != &MethodMeans::errorRate) break;
     if (intervalData(series, series.methods[m]).empty()) continue;
-    text += fmt::format(", \\\n  $i{} {}", m, plotBars(m));
+    text += fmt::format(", \\\n  $i{} {}", m, plotBars(m, "0.006"));
   }
   return text + "\n";
 }

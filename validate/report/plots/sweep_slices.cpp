@@ -115,7 +115,7 @@ std::vector<std::string> labelsOf(const Dimension& dimension) {
   std::vector<std::string> labels;
   for (const double place : dimension.places()) {
     labels.push_back(dimension.categories.empty()
-                         ? sweptNumber(place).text
+                         ? fmt::format("{:.3g}", place)
                          : dimension.categories.at(static_cast<std::size_t>(place)));
   }
   return labels;

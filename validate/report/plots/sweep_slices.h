@@ -31,7 +31,7 @@ std::vector<SweepSlice> slicesOf(const SweepRecord& sweep);
 /// A sweep over a grid of two dimensions, each with more than mostSlices values: neither is drawn.
 struct SweepGrid {
   std::string acrossAxis, upAxis;
-  std::vector<std::string> across, up;  ///< the values in increasing order
+  std::vector<std::string> across, up;  ///< the values in increasing order, three digits
   /// The case of each place, row by row from the bottom.
   std::vector<std::size_t> cases;
 };
