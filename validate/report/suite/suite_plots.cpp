@@ -20,7 +20,7 @@ namespace {
 /// The least error that a logarithmic axis shows, percent.
 constexpr double leastShown = 0.01;
 
-constexpr const char* frame =
+constexpr const char* openFrame =
     "set border 3 lc rgb '#5b626b'\n"
     "set tics nomirror out textcolor rgb '#1a1d21'\n";
 
@@ -118,7 +118,7 @@ std::vector<Ends> endsOf(const SuiteStatistics& statistics, const std::string& a
 }
 
 /// What stands between two bins.
-std::string edgeText(const Ends& left, const Ends& right) {
+std::string edgeBetween(const Ends& left, const Ends& right) {
   const auto text = [](const std::optional<double>& edge) { return edge ? exactText(*edge) : ""; };
   if (left.second == right.first) return text(left.second);
   return text(left.second) + "…" + text(right.first);
@@ -127,7 +127,7 @@ std::string edgeText(const Ends& left, const Ends& right) {
 std::string ticks(const std::vector<Ends>& ends) {
   std::string edges;
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    edges += fmt::format("{}{} {}", i > 1 ? ", " : "", gnuplotText(edgeText(ends[i - 1], ends[i])),
+    edges += fmt::format("{}{} {}", i > 1 ? ", " : "", gnuplotText(edgeBetween(ends[i - 1], ends[i])),
                          exactText(static_cast<double>(i) - 0.5));
   }
   return edges;
@@ -227,7 +227,7 @@ PlotSheet suiteErrorsPlot(const SuiteStatistics& statistics) {
                         1 + m / plotColours.size(), plotLegend(statistics.methods[m].label));
   }
   const std::string commands =
-      data + frame +
+      data + openFrame +
       "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
       "set logscale x\nset format x '%g'\n" +
       fmt::format("set xrange [{}:{}]\nset yrange [0:100]\n", exactText(left), exactText(right)) +
@@ -309,7 +309,7 @@ std::optional<PlotSheet> suiteBinsPlot(const SuiteStatistics& statistics) {
   }
   if (panels.plots.empty()) return std::nullopt;
   const std::string commands =
-      panels.data + frame +
+      panels.data + openFrame +
       "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
       "set tics font ',9'\n"
       "set xlabel font ',12'\n"

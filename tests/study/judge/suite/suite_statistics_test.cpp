@@ -206,14 +206,14 @@ TEST(SuiteControl, WithoutCorrectionEqualMethodsWouldOftenBe) {
   EXPECT_GE(suites, 0.12 * 40);
 }
 
-TEST(SuiteControl, AMethodOfLessThanHalfTheErrorIsFound) {
+TEST(SuiteControl, AMethodOfAQuarterOfTheErrorIsFound) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const SuiteStatistics statistics = statisticsOf(randomStudies(100, {1, 1, 0.4}, seed));
+    const SuiteStatistics statistics = statisticsOf(randomStudies(100, {1, 1, 0.25}, seed));
     found += statistics.methods.front().label == "m2" &&
              findPair(statistics, "m2", "m0")->verdict == DifferenceVerdict::better;
   }
-  EXPECT_GE(found, 19);
+  EXPECT_GE(found, 18);
 }
 
 // ---- scenes and bins
