@@ -194,5 +194,24 @@ TEST(Counts, RefusesAShadeThatDoesNotExist) {
   EXPECT_THROW(countSamples(mask, mask), InputError);
 }
 
+TEST(CountClasses, AreTheCountsOfEachClassAlone) {
+  EXPECT_TRUE(rc::check([] {
+    const auto c = test::arbitraryComparison();
+    const auto classes = countClasses(c.candidate, c.truth, c.selected, 2, c.weights);
+    RC_ASSERT(classes.size() == 2U);
+    for (std::uint8_t k = 0; k < 2; ++k) {
+      std::vector<std::uint8_t> own(c.selected.size());
+      for (std::size_t i = 0; i < own.size(); ++i) own[i] = c.selected[i] == k ? 1 : 0;
+      const Counts alone =
+          own.empty() ? Counts{} : countSamples(c.candidate, c.truth, c.weights, own);
+      RC_ASSERT(classes[k].truePositive == alone.truePositive);
+      RC_ASSERT(classes[k].falsePositive == alone.falsePositive);
+      RC_ASSERT(classes[k].falseNegative == alone.falseNegative);
+      RC_ASSERT(classes[k].trueNegative == alone.trueNegative);
+      RC_ASSERT(classes[k].samples == alone.samples);
+    }
+  }));
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -480,5 +480,36 @@ TEST(ShadowLength, DoesNotDependOnHowThePictureIsTurned) {
   }));
 }
 
+/// More than are compared at once; some without an answer where the truth has one.
+TEST(ShadowLength, OfManyCandidatesAtOnceIsThatOfEach) {
+  std::mt19937 random(11);
+  const Mask truth = randomPair(70, 60).truth;
+  std::vector<Mask> masks;
+  for (int k = 0; k < 70; ++k) {
+    Mask mask = truth;
+    for (Shade& shade : mask.samples) {
+      if (random() % 100 < static_cast<unsigned>(k)) {
+        shade = shade == Shade::lit ? Shade::shadowed : Shade::lit;
+      }
+      if (k % 10 == 9 && random() % 50 == 0) shade = Shade::none;
+    }
+    masks.push_back(std::move(mask));
+  }
+  std::vector<const Mask*> candidates;
+  for (const Mask& mask : masks) candidates.push_back(&mask);
+  LightField field = uniformField(70, 60, {std::cos(0.3), std::sin(0.3)});
+  for (LightStep& step : field.steps) step.length = static_cast<float>(0.1 + step.place.x / 7);
+  std::vector<std::uint8_t> selected(truth.size());
+  for (std::uint8_t& is : selected) is = random() % 3 == 0 ? 1 : 0;
+  const std::vector<ShadowLengths> found = compareShadowLengths(candidates, truth, field, selected);
+  ASSERT_EQ(found.size(), masks.size());
+  for (std::size_t k = 0; k < masks.size(); ++k) {
+    EXPECT_EQ(found[k], compareShadowLengths(masks[k], truth, field, selected)) << k;
+  }
+  EXPECT_NE(found[0], found[30]);
+  EXPECT_NE(found[0].runs, found[9].runs);
+  EXPECT_TRUE(compareShadowLengths(std::span<const Mask* const>(), truth, field).empty());
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -221,5 +221,49 @@ TEST(SurfaceHorizons, OneRayMeetsWhatAPacketMeets) {
   EXPECT_LT(hits, 590U);
 }
 
+/// The stated search, one ray after the other.
+double angleByOneRayAtATime(const HorizonScene& scene, const SurfaceSample& sample, double azimuth,
+                            double limit) {
+  const TexelFrame frame = texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
+  const Facet facet = scene.mesh.facet(sample);
+  const Vec3 tangent = glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
+  const auto isFree = [&](double off) {
+    const Vec3 direction = std::cos(off) * frame.normal + std::sin(off) * tangent;
+    return !facet.facesAwayFrom(direction) &&
+           !scene.scene.occluded(facet.rayOrigin(scene.mesh.rayOffset()), direction);
+  };
+  if (isFree(limit)) return limit;
+  double blocked = limit;
+  double free = limit - radians(4);
+  for (; free > 0 && !isFree(free); free -= radians(4)) blocked = free;
+  if (free <= 0 && !isFree(0)) return 0;
+  free = std::max(free, 0.0);
+  while (blocked - free > precision) {
+    const double middle = (blocked + free) / 2;
+    (isFree(middle) ? free : blocked) = middle;
+  }
+  return free;
+}
+
+TEST(SurfaceHorizons, SearchedTogetherAreThoseSearchedAlone) {
+  const HorizonScene scene(makeTorus(30, 10, 66, 66), test::randomRelief(96, 66, 3, 7), 0.5);
+  constexpr int azimuths = 5;
+  const AngleTable table = scene.shoot(20, 10, 19, 11, azimuths, pi / 2);
+  std::size_t between = 0;
+  for (int m = 0; m < azimuths; ++m) {
+    for (int y = 0; y < 11; ++y) {
+      for (int x = 0; x < 19; ++x) {
+        const double alone = angleByOneRayAtATime(
+            scene, sampleAt(scene.surface, scene.relief, Vec2(20 + x, 10 + y) + 0.5),
+            2 * pi * m / azimuths, pi / 2);
+        const float found = table.angles[static_cast<std::size_t>((m * 11 + y) * 19 + x)];
+        ASSERT_EQ(found, static_cast<float>(alone)) << m << ' ' << x << ' ' << y;
+        between += alone > 0 && alone < pi / 2 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(between, table.angles.size() / 4);
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -17,6 +17,7 @@ StudyRecord MeasuredCases::shown(const StudySpec& study, const Work& work) {
   if (!progress) {
     progress = [this](std::string_view stage, double share) { line_.update(stage, share); };
   }
+  store_.expectCases(isStep(study) || request_.varyRadius);
   StudyRecord record = inStudy(study, [&] { return work(progress); });
   line_.clear();
   return record;
@@ -30,21 +31,21 @@ StudyRecord MeasuredCases::measure(const StudySpec& study, RunFolder& folder) {
   line_.beginCase(study.name);
   FolderWriter writer(folder);
   return shown(study, [&](const StageProgress& progress) {
-    return runStudy(study, gl_, writer, cache_, progress);
+    return runStudy(study, gl_, writer, cache_, store_, progress);
   });
 }
 
 StudyRecord MeasuredCases::measureFigures(const StudySpec& study) {
   line_.beginCase(study.name);
   return shown(study, [&](const StageProgress& progress) {
-    return runStudyFigures(study, gl_, cache_, progress);
+    return runStudyFigures(study, gl_, cache_, store_, progress);
   });
 }
 
 StudyRecord MeasuredCases::measureAt(const StudySpec& study, double radiusFactor) {
   line_.setTitle(fmt::format("{}, radius × {}", study.name, radiusFactor));
   return shown(study, [&](const StageProgress& progress) {
-    return measureStudy(withRadiusTimes(study, radiusFactor), gl_, cache_, progress);
+    return measureStudy(withRadiusTimes(study, radiusFactor), gl_, cache_, store_, progress);
   });
 }
 

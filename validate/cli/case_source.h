@@ -8,6 +8,7 @@
 #include "render/gl_context.h"
 #include "report/run_folder.h"
 #include "study/record/record.h"
+#include "study/run/scene/scene_store.h"
 #include "study/spec/study_file.h"
 
 namespace gnomon {
@@ -51,6 +52,7 @@ class MeasuredCases final : public CaseSource {
   const GlContext& gl_;
   const RunRequest& request_;
   Cache& cache_;
+  SceneStore store_;
   TerminalProgress line_;
 };
 

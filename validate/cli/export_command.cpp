@@ -76,7 +76,8 @@ void printNotices(const StudyRecord& record) {
 
 void traceOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, StageClock& clock,
               Cache& cache, const RunRequest& request) {
-  RunScene scene(study, clock, gl, cache);
+  SceneStore store;
+  RunScene scene(study, clock, gl, cache, store);
   StudyRecord record = traceStudy(scene, gl);
   record.command = request.command;
   writeTruth(folder, scene, record);
@@ -99,13 +100,14 @@ ExportedMesh writeDisplaced(const fs::path& path, const RunScene& scene,
 
 void writeBase(const fs::path& path, RunScene& scene) {
   const int pieces = scene.study.base.subdivisions;
-  writeObj(path, scene.standardBase().drawn.get().mesh, scene.study.relief.texelsPerUv(),
+  writeObj(path, scene.standardBase().drawn.get()->mesh, scene.study.relief.texelsPerUv(),
            fmt::format("base mesh, {} x {} pieces a face", pieces, pieces));
 }
 
 void exportOne(const StudySpec& study, RunFolder& folder, const GlContext& gl, StageClock& clock,
                Cache& cache, const RunRequest& request, std::optional<int> subdivisions) {
-  RunScene scene(study, clock, gl, cache);
+  SceneStore store;
+  RunScene scene(study, clock, gl, cache, store);
   const ExportedMesh mesh = clock.measure("meshes", [&](const Progress&) {
     return writeDisplaced(folder.newFile("displaced.ply"), scene, subdivisions);
   });

@@ -28,9 +28,13 @@ void requireNewName(std::set<std::string>& names, const std::filesystem::path& f
                                file.string(), name));
 }
 
+bool isStep(const StudySpec& study) {
+  return study.name.find('/') != std::string::npos;
+}
+
 std::string placeOf(const StudySpec& study) {
-  const bool isStep = study.name.find('/') != std::string::npos;
-  return isStep ? fmt::format("{}: {}", study.file.string(), study.name) : study.file.string();
+  return isStep(study) ? fmt::format("{}: {}", study.file.string(), study.name)
+                       : study.file.string();
 }
 
 }  // namespace gnomon

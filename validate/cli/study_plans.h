@@ -27,6 +27,9 @@ std::vector<StudyPlan> readOutlines(const std::vector<std::filesystem::path>& st
 void requireNewName(std::set<std::string>& names, const std::filesystem::path& file,
                     const std::string& name);
 
+/// Whether a study is a step of a sweep.
+bool isStep(const StudySpec& study);
+
 /// The study's file, and of a sweep's step which one it is.
 std::string placeOf(const StudySpec& study);
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/parallel.h"
+#include "compare/answer_groups.h"
 #include "compare/contour.h"
 #include "compare/mask_checks.h"
 
@@ -66,112 +67,135 @@ struct Shares {
 };
 using RowShares = std::array<Shares, tolerances>;
 
-/// One of the two masks, with its contour as the other sees it.
+/// A candidate's contour beside the truth's.
 struct Outline {
-  Outline(const Mask& shown, const Mask& other, const SampleLayout& layout)
-      : mask(shown), contour(contourOf(shown, other, layout)), distances(contour.size()) {}
-
-  const Mask& mask;
   Contour contour;
-  std::vector<BoundaryDistance> distances;  ///< of its sides, row by row
-};
-
-class Comparison {
- public:
-  Comparison(const Mask& candidate, const Mask& truth, const SampleLayout& layout)
-      : candidate_(candidate, truth, layout),
-        truth_(truth, candidate, layout),
-        layout_(layout),
-        rooms_(layout),
-        rows_(candidate_.contour.rowStarts.size() - 1) {}
-
-  /// Fills all distances and sums. Rows are independent of each other.
-  void measure() {
-    constexpr std::size_t rowsAtOnce = 64;
-    parallelFor(0, (rows_.size() + rowsAtOnce - 1) / rowsAtOnce, [&](std::size_t strip) {
-      const std::size_t first = strip * rowsAtOnce;
-      ContourDistances toCandidate(candidate_.contour, layout_, static_cast<int>(first));
-      ContourDistances toTruth(truth_.contour, layout_, static_cast<int>(first));
-      for (std::size_t row = first; row < std::min(first + rowsAtOnce, rows_.size()); ++row) {
-        measureSides(row, candidate_, toTruth);
-        measureSides(row, truth_, toCandidate);
-        if (row % 2 == 0) measureSamples(row, toCandidate, toTruth);
-      }
-    });
-  }
-
-  [[nodiscard]] const std::vector<BoundaryDistance>& candidateDistances() const {
-    return candidate_.distances;
-  }
-  [[nodiscard]] const std::vector<BoundaryDistance>& truthDistances() const {
-    return truth_.distances;
-  }
+  std::vector<BoundaryDistance> distances;       ///< of its sides to the truth's contour
+  std::vector<BoundaryDistance> truthDistances;  ///< of the truth's sides to its contour
+  std::vector<RowShares> rows;                   ///< of each half row
 
   /// Over all rows, from the top down.
   [[nodiscard]] Shares shares(std::size_t tolerance) const {
     Shares sum;
-    for (const RowShares& row : rows_) sum += row.at(tolerance);
+    for (const RowShares& row : rows) sum += row.at(tolerance);
     return sum;
+  }
+};
+
+/// Compares a group of candidates (see answer_groups.h), to which the truth's contour is the same.
+class Comparison {
+ public:
+  Comparison(std::span<const Mask* const> candidates, const Mask& truth, const SampleLayout& layout)
+      : candidates_(candidates),
+        truth_(truth),
+        layout_(layout),
+        rooms_(layout),
+        contour_(contourOf(truth, *candidates.front(), layout)),
+        outlines_(candidates.size()) {
+    parallelFor(0, outlines_.size(), [&](std::size_t c) {
+      Outline& outline = outlines_[c];
+      outline.contour = contourOf(*candidates[c], truth, layout);
+      outline.distances.resize(outline.contour.size());
+      outline.truthDistances.resize(contour_.size());
+      outline.rows.resize(halfRows());
+    });
+  }
+
+  /// Fills all distances and sums. Rows are independent of each other.
+  const std::vector<Outline>& measure() {
+    constexpr std::size_t rowsAtOnce = 64;
+    parallelFor(0, (halfRows() + rowsAtOnce - 1) / rowsAtOnce, [&](std::size_t strip) {
+      const std::size_t first = strip * rowsAtOnce;
+      const std::size_t end = std::min(first + rowsAtOnce, halfRows());
+      ContourDistances toTruth(contour_, layout_, static_cast<int>(first));
+      std::vector<ContourDistances> toCandidates;
+      toCandidates.reserve(outlines_.size());
+      for (const Outline& outline : outlines_) {
+        toCandidates.emplace_back(outline.contour, layout_, static_cast<int>(first));
+      }
+      for (std::size_t row = first; row < end; ++row) {
+        for (std::size_t c = 0; c < outlines_.size(); ++c)
+          measureRow(row, c, toCandidates[c], toTruth);
+      }
+    });
+    return outlines_;
   }
 
  private:
-  void measureSides(std::size_t row, Outline& from, ContourDistances& other) {
-    const Contour& contour = from.contour;
+  [[nodiscard]] std::size_t halfRows() const { return contour_.rowStarts.size() - 1; }
+
+  void measureRow(std::size_t row, std::size_t c, ContourDistances& toCandidate,
+                  ContourDistances& toTruth) {
+    Outline& outline = outlines_[c];
+    RowShares& shares = outline.rows[row];
+    measureSides(row, outline.contour, toTruth, outline.distances, shares);
+    measureSides(row, contour_, toCandidate, outline.truthDistances, shares);
+    if (row % 2 == 0) measureSamples(row, *candidates_[c], toCandidate, toTruth, shares);
+  }
+
+  void measureSides(std::size_t row, const Contour& contour, ContourDistances& other,
+                    std::vector<BoundaryDistance>& distances, RowShares& rowShares) const {
     if (contour.rowStarts[row] == contour.rowStarts[row + 1]) return;
     const int halfRow = static_cast<int>(row);
     other.moveTo(halfRow);
     const double length = row % 2 == 0 ? layout_.rowStep : layout_.columnStep;
     for (std::size_t i = contour.rowStarts[row]; i < contour.rowStarts[row + 1]; ++i) {
-      const double distance = other.from(contour.columns[i]);
-      from.distances[i] = {distance, length};
+      // Among tiles no distance is stated.
+      const double distance = layout_.tileSide == 0 ? other.from(contour.columns[i])
+                                                    : other.fromNearby(contour.columns[i]);
+      distances[i] = {distance, length};
       for (std::size_t t = 0; t < tolerances; ++t) {
         const double tolerance = boundaryTolerances.at(t);
         if (!rooms_.isRoomy(contour.columns[i], halfRow, tolerance)) continue;
-        Shares& shares = rows_[row].at(t);
+        Shares& shares = rowShares.at(t);
         shares.sides += length;
         if (isWithin(distance, tolerance)) shares.near += length;
       }
     }
   }
 
-  void measureSamples(std::size_t row, ContourDistances& toCandidate, ContourDistances& toTruth) {
+  void measureSamples(std::size_t row, const Mask& candidate, ContourDistances& toCandidate,
+                      ContourDistances& toTruth, RowShares& rowShares) const {
     const int halfRow = static_cast<int>(row);
     toCandidate.moveTo(halfRow);
     toTruth.moveTo(halfRow);
-    const auto width = static_cast<std::size_t>(candidate_.mask.width);
+    const auto width = static_cast<std::size_t>(truth_.width);
     for (std::size_t column = 0; column < width; ++column) {
       const std::size_t i = row / 2 * width + column;
-      const Shade ours = candidate_.mask.samples[i];
-      const Shade theirs = truth_.mask.samples[i];
+      const Shade ours = candidate.samples[i];
+      const Shade theirs = truth_.samples[i];
       if (!isAnswer(ours) || !isAnswer(theirs)) continue;
       const auto place = static_cast<int>(2 * column);
       constexpr double never = std::numeric_limits<double>::infinity();
-      const double our = ours == Shade::shadowed ? toCandidate.from(place) : never;
-      const double their = theirs == Shade::shadowed ? toTruth.from(place) : never;
+      const double our = ours == Shade::shadowed ? toCandidate.fromNearby(place) : never;
+      const double their = theirs == Shade::shadowed ? toTruth.fromNearby(place) : never;
       if (isWithin(std::min(our, their), boundaryTolerances.back())) {
-        addSample(place, halfRow, our, their);
+        addSample(place, halfRow, our, their, rowShares);
       }
     }
   }
 
-  void addSample(int halfColumn, int halfRow, double our, double their) {
+  void addSample(int halfColumn, int halfRow, double our, double their,
+                 RowShares& rowShares) const {
     for (std::size_t t = 0; t < tolerances; ++t) {
       const double tolerance = boundaryTolerances.at(t);
       const bool inOurs = isWithin(our, tolerance);
       const bool inTheirs = isWithin(their, tolerance);
       if (!(inOurs || inTheirs) || !rooms_.isRoomy(halfColumn, halfRow, tolerance)) continue;
-      Shares& shares = rows_[static_cast<std::size_t>(halfRow)].at(t);
+      Shares& shares = rowShares.at(t);
       ++shares.any;
       if (inOurs && inTheirs) ++shares.both;
     }
   }
 
-  Outline candidate_;
-  Outline truth_;
+  std::span<const Mask* const> candidates_;
+  const Mask& truth_;
   const SampleLayout& layout_;
   Rooms rooms_;
-  std::vector<RowShares> rows_;  ///< of each half row
+  Contour contour_;  ///< the truth's
+  std::vector<Outline> outlines_;
 };
+static_assert(ContourDistances::nearby > boundaryTolerances.back());
 
 double averageDistance(const std::vector<BoundaryDistance>& a,
                        const std::vector<BoundaryDistance>& b) {
@@ -212,33 +236,26 @@ constexpr std::string_view noneOnTile =
 constexpr std::string_view allAtBorder = "every boundary is nearer to a face's border";
 
 /// Why there is no distance between two contours, or empty.
-std::string_view noDistanceReason(const Comparison& found, const SampleLayout& layout) {
+std::string_view noDistanceReason(const Outline& found, const SampleLayout& layout) {
   if (layout.tileSide > 0) return facesApart;
-  if (found.candidateDistances().empty()) return onlyTruth;
-  if (found.truthDistances().empty()) return onlyCandidate;
+  if (found.distances.empty()) return onlyTruth;
+  if (found.truthDistances.empty()) return onlyCandidate;
   return {};
 }
 
-}  // namespace
-
-std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
-                                      const SampleLayout& layout) {
-  Comparison found(candidate, truth, layout);
-  found.measure();
-
+std::vector<Metric> metricsOf(const Outline& found, const SampleLayout& layout) {
   std::vector<Metric> metrics;
   const auto add = [&](std::string_view reason, const auto& value) {
     Metric metric{boundaryMetricNames()[metrics.size()], {}, reason};
     if (reason.empty()) metric.value = value();
     metrics.push_back(metric);
   };
-  const bool isEmpty = found.candidateDistances().empty() && found.truthDistances().empty();
+  const bool isEmpty = found.distances.empty() && found.truthDistances.empty();
   const std::string_view none = isEmpty ? noBoundary : std::string_view();
   const std::string_view apart = isEmpty ? none : noDistanceReason(found, layout);
-  add(apart, [&] { return averageDistance(found.candidateDistances(), found.truthDistances()); });
+  add(apart, [&] { return averageDistance(found.distances, found.truthDistances); });
   add(apart, [&] {
-    return std::max(percentileDistance(found.candidateDistances()),
-                    percentileDistance(found.truthDistances()));
+    return std::max(percentileDistance(found.distances), percentileDistance(found.truthDistances));
   });
   for (std::size_t t = 0; t < tolerances; ++t) {
     const Shares shares = found.shares(t);
@@ -252,6 +269,25 @@ std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
     add(isDefined ? none : allAtBorder, [&] { return shares.near / shares.sides; });
   }
   return metrics;
+}
+
+}  // namespace
+
+std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
+                                      const SampleLayout& layout) {
+  const std::array<const Mask*, 1> one = {&candidate};
+  return compareBoundaries(one, truth, layout).front();
+}
+
+std::vector<std::vector<Metric>> compareBoundaries(std::span<const Mask* const> candidates,
+                                                   const Mask& truth, const SampleLayout& layout) {
+  return compareInGroups(candidates, truth, [&](std::span<const Mask* const> group) {
+    Comparison comparison(group, truth, layout);
+    const std::vector<Outline>& outlines = comparison.measure();
+    std::vector<std::vector<Metric>> found(group.size());
+    parallelFor(0, group.size(), [&](std::size_t c) { found[c] = metricsOf(outlines[c], layout); });
+    return found;
+  });
 }
 
 bool isBoundaryDistance(std::string_view name) {

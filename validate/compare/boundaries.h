@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -54,6 +55,13 @@ constexpr std::array<double, 3> boundaryTolerances = {1, 2, 4};
 ///   contours cannot be held
 std::vector<Metric> compareBoundaries(const Mask& candidate, const Mask& truth,
                                       const SampleLayout& layout = {});
+
+/// The same for several candidates at once: distances to the truth's contour are prepared once for
+/// all of them.
+/// @returns one list a candidate
+/// @throws likewise
+std::vector<std::vector<Metric>> compareBoundaries(std::span<const Mask* const> candidates,
+                                                   const Mask& truth, const SampleLayout& layout);
 
 /// The names above, in order.
 const std::vector<std::string_view>& boundaryMetricNames();

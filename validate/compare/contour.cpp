@@ -102,6 +102,11 @@ void orderByColumn(Contour& contour, std::size_t width) {
   }
 }
 
+/// Whether squared distances have no rounding.
+bool isExact(const SampleLayout& layout) {
+  return layout.columnStep == 1 && layout.rowStep == 1;
+}
+
 void requireSides(std::size_t sides) {
   // Row and column of each; its distance and length, twice while a percentile is found.
   constexpr double bytesPerSide = 2 * sizeof(int) + 4 * sizeof(double);
@@ -133,7 +138,10 @@ Contour contourOf(const Mask& mask, const Mask& other, const SampleLayout& layou
 
 ContourDistances::ContourDistances(const Contour& contour, const SampleLayout& layout,
                                    int firstHalfRow)
-    : contour_(contour), columnScale_(layout.columnStep / 2), rowScale_(layout.rowStep / 2) {
+    : contour_(contour),
+      columnScale_(layout.columnStep / 2),
+      rowScale_(layout.rowStep / 2),
+      nearHeight_(isExact(layout) || layout.tileSide > 0 ? nearby * nearby : infinity) {
   const auto rows = contour.rows.begin();
   for (std::size_t column = 0; column + 1 < contour.columnStarts.size(); ++column) {
     const std::size_t begin = contour.columnStarts[column];
@@ -149,15 +157,24 @@ ContourDistances::ContourDistances(const Contour& contour, const SampleLayout& l
 void ContourDistances::moveTo(int halfRow) {
   if (halfRow == halfRow_) return;
   halfRow_ = halfRow;
-  envelope_.clear();
-  last_ = 0;
   for (Column& column : columns_) {
     while (column.next < column.end && contour_.rows[column.next] < halfRow) ++column.next;
     int gap = std::numeric_limits<int>::max();
     if (column.next < column.end) gap = contour_.rows[column.next] - halfRow;
     if (column.next > column.begin) gap = std::min(gap, halfRow - contour_.rows[column.next - 1]);
     const double height = gap * rowScale_;
-    add({column.halfColumn * columnScale_, height * height, -infinity});
+    column.height = height * height;
+  }
+  envelop(nearHeight_);
+}
+
+void ContourDistances::envelop(double height) {
+  isWhole_ = height == infinity;
+  envelope_.clear();
+  last_ = 0;
+  for (const Column& column : columns_) {
+    if (column.height > height) continue;
+    add({column.halfColumn * columnScale_, column.height, -infinity});
   }
 }
 
@@ -176,6 +193,13 @@ void ContourDistances::add(Parabola parabola) {
 }
 
 double ContourDistances::from(int halfColumn) {
+  const double found = fromNearby(halfColumn);
+  if (isWhole_ || found <= nearby) return found;
+  envelop(infinity);
+  return fromNearby(halfColumn);
+}
+
+double ContourDistances::fromNearby(int halfColumn) {
   if (envelope_.empty()) return infinity;
   const double place = halfColumn * columnScale_;
   while (last_ + 1 < envelope_.size() && envelope_[last_ + 1].from <= place) ++last_;

@@ -33,6 +33,9 @@ Contour contourOf(const Mask& mask, const Mask& other, const SampleLayout& layou
 /// nearest side in each half column, then the lower envelope of the parabolas that these give
 /// (Felzenszwalb & Huttenlocher 2012). Takes time in proportion to the half columns that hold a
 /// side, and to the places asked for.
+///
+/// Most places asked for lie near the contour, and there only sides near the half row count: so at
+/// first only those are taken, and all once a place turns out to be farther away.
 class ContourDistances {
  public:
   /// @param contour       must outlive it
@@ -44,23 +47,36 @@ class ContourDistances {
 
   /// From a place of this half row, in the layout's unit; infinite for a contour without a side.
   [[nodiscard]] double from(int halfColumn);
+  /// The same where it is at most `nearby`; anything above that elsewhere.
+  [[nodiscard]] double fromNearby(int halfColumn);
+
+  /// How near sides are for `fromNearby`, in the layout's unit.
+  static constexpr double nearby = 5;
 
  private:
   /// A half column with a side: its sides in `rows`, the first of them not above this half row.
   struct Column {
     int halfColumn;
     std::size_t begin, end, next;
+    double height = 0;  ///< squared distance of the nearest of them, along the column
   };
   /// Squared distance (x - place)² + height, the lowest of all from x = `from` on.
   struct Parabola {
     double place, height, from;
   };
 
+  /// The envelope of the columns that are at most so high.
+  void envelop(double height);
   void add(Parabola parabola);
 
   const Contour& contour_;
   double columnScale_;
   double rowScale_;
+  /// Squared: columns that are higher are left out of the envelope at first. Infinite where
+  /// distances are rounded, since which of two equally near sides is taken then shows in the last
+  /// bit; but not among tiles, where no distance is stated.
+  double nearHeight_;
+  bool isWhole_ = false;  ///< the envelope is that of all columns
   int halfRow_ = -1;
   std::vector<Column> columns_;
   std::vector<Parabola> envelope_;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "common/mask.h"
 
@@ -34,5 +35,11 @@ struct Counts {
 ///   the other has none (both come from the same view, so that is a fault, not a case)
 Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights = {},
                     std::span<const std::uint8_t> selected = {});
+
+/// The same of each class of samples: countSamples of those alone, to the bit.
+/// @param classes  one a sample; those of `classCount` and more take no part
+std::vector<Counts> countClasses(const Mask& candidate, const Mask& truth,
+                                 std::span<const std::uint8_t> classes, std::size_t classCount,
+                                 std::span<const double> weights = {});
 
 }  // namespace gnomon

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "common/error.h"
 #include "common/parallel.h"
 #include "common/quantile.h"
 #include "common/vec.h"
+#include "compare/answer_groups.h"
 #include "compare/mask_checks.h"
 
 namespace gnomon {
@@ -88,32 +90,73 @@ class Walk {
   int taken_ = 0;
 };
 
-/// One shadow on one line.
-struct Run {
-  double truth = 0;
-  double candidate = 0;
+/// One bit a candidate.
+using Candidates = std::uint64_t;
+static_assert(mostCandidatesAtOnce <= 64);
+
+/// Calls `act(c)` for every candidate of a set.
+template <typename Act>
+void forEach(Candidates set, const Act& act) {
+  for (; set != 0; set &= set - 1) act(static_cast<std::size_t>(std::countr_zero(set)));
+}
+
+/// What is measured: the truth's lengths, and each candidate's in the same runs.
+struct Runs {
+  explicit Runs(std::size_t candidates) : ratios(candidates) {}
+
+  std::vector<double> truth;
+  std::vector<std::vector<double>> ratios;  ///< of each candidate's length over the truth's
 };
 
+/// Follows every run of the truth once for a group of candidates (see answer_groups.h). Candidates
+/// whose sums are the truth's own so far share that.
 class RunFinder {
  public:
-  RunFinder(const Mask& candidate, const Mask& truth, const LightField& field,
+  RunFinder(std::span<const Mask* const> candidates, const Mask& truth, const LightField& field,
             std::span<const std::uint8_t> selected)
-      : candidate_(candidate), truth_(truth), field_(field), selected_(selected) {}
+      : count_(candidates.size()),
+        any_(*candidates.front()),
+        truth_(truth),
+        field_(field),
+        selected_(selected),
+        dark_(truth.size()) {
+    constexpr std::size_t samplesAtOnce = 1 << 14;
+    parallelFor(0, (truth.size() + samplesAtOnce - 1) / samplesAtOnce, [&](std::size_t strip) {
+      const std::size_t first = strip * samplesAtOnce;
+      const std::size_t end = std::min(first + samplesAtOnce, truth.size());
+      std::fill(&dark_[first], &dark_[first] + (end - first), Candidates{0});
+      for (std::size_t c = 0; c < count_; ++c) {
+        const Mask& mask = *candidates[c];
+        for (std::size_t i = first; i < end; ++i) {
+          dark_[i] |= Candidates{mask.samples[i] == Shade::shadowed} << c;
+        }
+      }
+    });
+  }
 
   /// In the order of the samples that they start in.
-  [[nodiscard]] std::vector<Run> find() const {
+  [[nodiscard]] Runs find() const {
     constexpr std::size_t samplesAtOnce = 1 << 14;
-    std::vector<std::vector<Run>> strips((truth_.size() + samplesAtOnce - 1) / samplesAtOnce);
+    std::vector<Runs> strips((truth_.size() + samplesAtOnce - 1) / samplesAtOnce, Runs(count_));
     parallelFor(0, strips.size(), [&](std::size_t strip) {
       const std::size_t first = strip * samplesAtOnce;
-      strips[strip] = findFrom(first, std::min(first + samplesAtOnce, truth_.size()));
+      findFrom(first, std::min(first + samplesAtOnce, truth_.size()), strips[strip]);
     });
-    std::vector<Run> runs;
-    for (const auto& strip : strips) runs.insert(runs.end(), strip.begin(), strip.end());
+    Runs runs(count_);
+    const auto append = [](std::vector<double>& all, const std::vector<double>& some) {
+      all.insert(all.end(), some.begin(), some.end());
+    };
+    for (const Runs& strip : strips) append(runs.truth, strip.truth);
+    parallelFor(0, count_, [&](std::size_t c) {
+      for (const Runs& strip : strips) append(runs.ratios[c], strip.ratios[c]);
+    });
     return runs;
   }
 
  private:
+  /// A length of each candidate.
+  using Lengths = std::array<double, mostCandidatesAtOnce>;
+
   /// A point of the view: a sample and the place in it, from its centre.
   struct Start {
     std::size_t sample;
@@ -121,18 +164,15 @@ class RunFinder {
   };
 
   /// That start in some of the samples.
-  [[nodiscard]] std::vector<Run> findFrom(std::size_t first, std::size_t end) const {
-    std::vector<Run> runs;
+  void findFrom(std::size_t first, std::size_t end, Runs& runs) const {
     for (std::size_t i = first; i < end; ++i) {
-      if (!isDark(truth_, i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
+      if (!isDark(i) || !hasAnswers(i) || !Walk::hasDirection(field_, i)) continue;
       if (!isBesideLit(i)) continue;
       for (int k = 0; k < linesPerRun; ++k) {
         const Start start{i, lineStart(k)};
-        if (!isStart(start)) continue;
-        if (const auto run = follow(start)) runs.push_back(*run);
+        if (isStart(start)) follow(start, runs);
       }
     }
-    return runs;
   }
 
   [[nodiscard]] Walk walkFrom(const Start& start, Walk::Heading heading) const {
@@ -151,8 +191,8 @@ class RunFinder {
     for (const double row : {first.y, first.y + 1}) {
       for (const double column : {first.x, first.x + 1}) {
         const bool isSeen = row >= 0 && column >= 0 && row < field_.height && column < field_.width;
-        if (isSeen && !isDark(truth_, static_cast<std::size_t>(row) * width +
-                                          static_cast<std::size_t>(column))) {
+        if (isSeen &&
+            !isDark(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column))) {
           return true;
         }
       }
@@ -162,71 +202,89 @@ class RunFinder {
 
   [[nodiscard]] bool isStart(const Start& start) const {
     Walk back = walkFrom(start, Walk::Heading::toward);
-    return goOn(back) && !isDark(truth_, back.index());
+    return goOn(back) && !isDark(back.index());
   }
 
-  [[nodiscard]] std::optional<Run> follow(const Start& start) const {
+  /// Adds the run that starts there, unless it is left out.
+  void follow(const Start& start, Runs& runs) const {
     Walk walk = walkFrom(start, Walk::Heading::away);
-    Run run;
+    Lengths lengths{};
+    double length = 0;
     std::size_t samples = 0;
     bool isSelected = false;
-    bool darkAtEnd = false;
+    Candidates whole = all();  // dark in every sample so far: as long as the truth
+    Candidates darkAtEnd = 0;
     do {
-      darkAtEnd = isDark(candidate_, walk.index());
+      darkAtEnd = dark_[walk.index()];
+      forEach(whole & ~darkAtEnd, [&](std::size_t c) { lengths[c] = length; });
+      whole &= darkAtEnd;
       isSelected = isSelected || selected_.empty() || selected_[walk.index()] != 0;
-      run.truth += walk.length();
-      if (darkAtEnd) run.candidate += walk.length();
+      length += walk.length();
+      forEach(darkAtEnd & ~whole, [&](std::size_t c) { lengths[c] += walk.length(); });
       ++samples;
-      if (!goOn(walk)) return std::nullopt;
-    } while (isDark(truth_, walk.index()));
-    if (samples < leastRunSamples || !isSelected || !(run.truth > 0)) return std::nullopt;
+      if (!goOn(walk)) return;
+    } while (isDark(walk.index()));
+    if (samples < leastRunSamples || !isSelected || !(length > 0)) return;
+    forEach(whole, [&](std::size_t c) { lengths[c] = length; });
 
-    const auto beyond = lengthBeyond(walk, darkAtEnd, run.truth);
-    if (!beyond) return std::nullopt;
-    run.candidate += *beyond + lengthBefore(start);
-    return run;
+    Lengths beyond{};
+    if (!addBeyond(walk, darkAtEnd, length, beyond)) return;
+    Lengths before{};
+    addBefore(start, before);
+    runs.truth.push_back(length);
+    for (std::size_t c = 0; c < count_; ++c) {
+      runs.ratios[c].push_back((lengths[c] + (beyond[c] + before[c])) / length);
+    }
   }
 
-  /// What the candidate adds after the truth's run; nothing to tell where the line ends too soon.
-  [[nodiscard]] std::optional<double> lengthBeyond(Walk& walk, bool isConnected,
-                                                   double room) const {
+  /// What the candidates add after the truth's run; false where the line ends too soon to tell.
+  /// @param connected  those whose shadow goes on from the run's end
+  bool addBeyond(Walk& walk, Candidates connected, double room, Lengths& beyond) const {
     double seen = 0;
-    double beyond = 0;
-    while (!isDark(truth_, walk.index())) {
-      isConnected = isConnected && isDark(candidate_, walk.index());
+    while (!isDark(walk.index())) {
+      const Candidates ended = connected & ~dark_[walk.index()];
+      forEach(ended, [&](std::size_t c) { beyond[c] = seen; });
+      connected &= ~ended;
       seen += walk.length();
-      if (isConnected) beyond += walk.length();
-      if (!isConnected && seen >= room) break;
+      if (connected == 0 && seen >= room) break;
       if (goOn(walk)) continue;
-      if (seen < room) return std::nullopt;
+      if (seen < room) return false;
       break;
     }
-    return beyond;
+    forEach(connected, [&](std::size_t c) { beyond[c] = seen; });
+    return true;
   }
 
-  [[nodiscard]] double lengthBefore(const Start& start) const {
-    if (!isDark(candidate_, start.sample)) return 0;
-    double before = 0;
-    for (Walk walk = walkFrom(start, Walk::Heading::toward); goOn(walk);) {
-      if (isDark(truth_, walk.index())) return 0;
-      if (!isDark(candidate_, walk.index())) break;
-      before += walk.length();
+  /// What they add before its start.
+  void addBefore(const Start& start, Lengths& before) const {
+    Candidates connected = dark_[start.sample];
+    double seen = 0;
+    for (Walk walk = walkFrom(start, Walk::Heading::toward); connected != 0 && goOn(walk);) {
+      if (isDark(walk.index())) return;
+      const Candidates ended = connected & ~dark_[walk.index()];
+      forEach(ended, [&](std::size_t c) { before[c] = seen; });
+      connected &= ~ended;
+      seen += walk.length();
     }
-    return before;
+    forEach(connected, [&](std::size_t c) { before[c] = seen; });
   }
 
+  [[nodiscard]] Candidates all() const {
+    return ~Candidates{0} >> (8 * sizeof(Candidates) - count_);
+  }
   [[nodiscard]] bool goOn(Walk& walk) const { return walk.advance() && hasAnswers(walk.index()); }
+  /// Of the truth and, in a group, of all candidates alike.
   [[nodiscard]] bool hasAnswers(std::size_t i) const {
-    return isAnswer(candidate_.samples[i]) && isAnswer(truth_.samples[i]);
+    return isAnswer(any_.samples[i]) && isAnswer(truth_.samples[i]);
   }
-  [[nodiscard]] static bool isDark(const Mask& mask, std::size_t i) {
-    return mask.samples[i] == Shade::shadowed;
-  }
+  [[nodiscard]] bool isDark(std::size_t i) const { return truth_.samples[i] == Shade::shadowed; }
 
-  const Mask& candidate_;
+  std::size_t count_;
+  const Mask& any_;
   const Mask& truth_;
   const LightField& field_;
   std::span<const std::uint8_t> selected_;
+  RawVector<Candidates> dark_;  ///< which candidates shadow each sample
 };
 
 void requireField(const LightField& field, const Mask& truth) {
@@ -243,26 +301,32 @@ void requireField(const LightField& field, const Mask& truth) {
 ShadowLengths compareShadowLengths(const Mask& candidate, const Mask& truth,
                                    const LightField& field,
                                    std::span<const std::uint8_t> selected) {
-  requireSameView(candidate, truth);
+  const std::array<const Mask*, 1> one = {&candidate};
+  return compareShadowLengths(one, truth, field, selected).front();
+}
+
+std::vector<ShadowLengths> compareShadowLengths(std::span<const Mask* const> candidates,
+                                                const Mask& truth, const LightField& field,
+                                                std::span<const std::uint8_t> selected) {
+  for (const Mask* candidate : candidates) requireSameView(*candidate, truth);
   requireField(field, truth);
   requireOnePerSample(selected.size(), truth.size(), "selection");
-
-  std::vector<double> ratios;
-  std::vector<double> lengths;
-  for (const Run& run : RunFinder(candidate, truth, field, selected).find()) {
-    ratios.push_back(run.candidate / run.truth);
-    lengths.push_back(run.truth);
-  }
-  ShadowLengths found;
-  found.runs = static_cast<double>(ratios.size()) / linesPerRun;
-  if (found.runs < leastRuns) return found;
-  std::sort(ratios.begin(), ratios.end());
-  std::sort(lengths.begin(), lengths.end());
-  found.ratio = quantile(ratios, 0.5);
-  found.lowerQuartile = quantile(ratios, 0.25);
-  found.upperQuartile = quantile(ratios, 0.75);
-  found.truthLength = quantile(lengths, 0.5);
-  return found;
+  return compareInGroups(candidates, truth, [&](std::span<const Mask* const> group) {
+    Runs runs = RunFinder(group, truth, field, selected).find();
+    ShadowLengths common;
+    common.runs = static_cast<double>(runs.truth.size()) / linesPerRun;
+    std::vector<ShadowLengths> found(group.size(), common);
+    if (common.runs < leastRuns) return found;
+    const double truthLength = takeQuantile(runs.truth, 0.5);
+    parallelFor(0, group.size(), [&](std::size_t c) {
+      std::vector<double>& ratios = runs.ratios[c];
+      found[c].ratio = takeQuantile(ratios, 0.5);
+      found[c].lowerQuartile = takeQuantile(ratios, 0.25);
+      found[c].upperQuartile = takeQuantile(ratios, 0.75);
+      found[c].truthLength = truthLength;
+    });
+    return found;
+  });
 }
 
 std::vector<Metric> lengthMetrics(const ShadowLengths& lengths) {

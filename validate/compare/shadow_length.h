@@ -87,6 +87,13 @@ ShadowLengths compareShadowLengths(const Mask& candidate, const Mask& truth,
                                    const LightField& field,
                                    std::span<const std::uint8_t> selected = {});
 
+/// The same for several candidates at once: the lines of the truth are walked once for all of them.
+/// @returns one a candidate
+/// @throws likewise
+std::vector<ShadowLengths> compareShadowLengths(std::span<const Mask* const> candidates,
+                                                const Mask& truth, const LightField& field,
+                                                std::span<const std::uint8_t> selected = {});
+
 /// As metrics, in this order:
 ///   shadow_length_ratio  the median: 1 as long as the truth, 2 twice as long, 0 missing
 ///   shadow_length_q1     lower quartile

@@ -98,7 +98,7 @@ Json viewJson(RunScene& scene, const StudyRecord& record, const CaseNames& names
   const std::string type(viewKindNames.at(spec.kind.index()));
   json["type"] = type;
   json[type] = std::visit(
-      Overloaded{[&](const Camera& camera) { return cameraJson(camera, base.drawn.get().mesh); },
+      Overloaded{[&](const Camera& camera) { return cameraJson(camera, base.drawn.get()->mesh); },
                  [&](const AtlasSpec& atlas) { return atlasJson(atlas, view); }},
       spec.kind);
   json["samples"] = sampleMapFile(names, index);
@@ -167,7 +167,7 @@ std::string exportJson(RunScene& scene, const StudyRecord& record, const Exporte
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
     views.push_back(viewJson(scene, record, names, v));
   }
-  const BaseMesh& base = scene.standardBase().drawn.get().mesh;
+  const BaseMesh& base = scene.standardBase().drawn.get()->mesh;
   const Json json = {{"schema", "gnomon-export/1"},
                      {"study", jsonStudy(record)},
                      {"environment", jsonEnvironment(record.environment)},

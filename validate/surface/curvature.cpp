@@ -6,6 +6,15 @@
 namespace gnomon {
 namespace {
 
+/// The unit tangential part of a vector, along e1 and e2; zero where that vanishes.
+Vec2 tangentOf(const ShapeOperator& shape, const Vec3& direction) {
+  const Vec2 parts(glm::dot(direction, shape.e1), glm::dot(direction, shape.e2));
+  const double tangential = std::hypot(parts.x, parts.y);
+  return tangential > 1e-12 * glm::length(direction) ? parts / tangential : Vec2(0);
+}
+
+}  // namespace
+
 /// With e1 along P_s: in this frame H and √(H² - K) need no difference of large numbers.
 ShapeOperator shapeOperator(const LimitPoint& point) {
   const Vec3 n = outwardNormal(point);
@@ -26,15 +35,6 @@ ShapeOperator shapeOperator(const LimitPoint& point) {
   if (!finite) return {};
   return {e1, e2, l11, l12, l22};
 }
-
-/// The unit tangential part of a vector, along e1 and e2; zero where that vanishes.
-Vec2 tangentOf(const ShapeOperator& shape, const Vec3& direction) {
-  const Vec2 parts(glm::dot(direction, shape.e1), glm::dot(direction, shape.e2));
-  const double tangential = std::hypot(parts.x, parts.y);
-  return tangential > 1e-12 * glm::length(direction) ? parts / tangential : Vec2(0);
-}
-
-}  // namespace
 
 PrincipalCurvatures ShapeOperator::principal(double umbilic) const {
   const double mean = (l11 + l22) / 2;
@@ -60,7 +60,10 @@ double normalCurvature(const LimitPoint& point, const Vec3& direction) {
 }
 
 Vec3 applyShapeOperator(const LimitPoint& point, const Vec3& direction) {
-  const ShapeOperator shape = shapeOperator(point);
+  return applyShapeOperator(shapeOperator(point), direction);
+}
+
+Vec3 applyShapeOperator(const ShapeOperator& shape, const Vec3& direction) {
   const Vec2 t = tangentOf(shape, direction);
   return (shape.l11 * t.x + shape.l12 * t.y) * shape.e1 +
          (shape.l12 * t.x + shape.l22 * t.y) * shape.e2;

@@ -27,6 +27,9 @@ struct ShapeOperator {
   [[nodiscard]] PrincipalCurvatures principal(double umbilic) const;
 };
 
+/// Zero where the surface is degenerate.
+ShapeOperator shapeOperator(const LimitPoint& point);
+
 /// From the fundamental forms I = (E, F, G), II = (e, f, g): with H = (eG - 2fF + gE) / 2(EG - F²)
 /// and K = (eg - f²) / (EG - F²), the curvatures are H ± √(H² - K) (do Carmo 1976, §3-3), with
 /// the sign changed. They satisfy k1 + k2 = -2 H, k1 k2 = K, v1 × v2 = n. Where P_s × P_t vanishes,
@@ -41,5 +44,6 @@ double normalCurvature(const LimitPoint& point, const Vec3& direction);
 /// tangential part of a world vector: a tangent of length |κ1 (T·v1) v1 + κ2 (T·v2) v2|, with T · S
 /// T = κ(T). On a sphere it is T / R. Zero where that part vanishes.
 Vec3 applyShapeOperator(const LimitPoint& point, const Vec3& direction);
+Vec3 applyShapeOperator(const ShapeOperator& shape, const Vec3& direction);
 
 }  // namespace gnomon

@@ -28,12 +28,16 @@ using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseGeometry>;
 
+/// Whether the rays of a packet take nearly the same way, which decides how they are traced.
+enum class Rays { coherent, incoherent };
+
 #if RTC_VERSION_MAJOR >= 4
 
-inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays) {
+inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays, Rays kind) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
-  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  arguments.flags =
+      kind == Rays::coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
   rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
@@ -47,10 +51,11 @@ inline void intersect1(RTCScene scene, RTCRayHit& ray) {
 
 #else
 
-inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays) {
+inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays, Rays kind) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = kind == Rays::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                         : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcOccluded16(valid, scene, &context, &rays);
 }
 

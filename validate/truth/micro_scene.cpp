@@ -96,7 +96,34 @@ RTCRay endlessRay(const Vec3& origin, const Vec3& direction) {
   return ray;
 }
 
+/// What all rays of all packets have.
+void setCommon(RTCRay16& packet, std::size_t k) {
+  packet.tnear[k] = 0;
+  packet.time[k] = 0;
+  packet.mask[k] = ~0U;
+  packet.id[k] = static_cast<unsigned>(k);
+  packet.flags[k] = 0;
+}
+
+std::bitset<RayPacket::size> blockedOf(const RTCRay16& packet, std::size_t count) {
+  std::bitset<RayPacket::size> blocked;
+  for (std::size_t k = 0; k < count; ++k) {
+    blocked[k] = packet.tfar[k] < 0;  // Embree marks an occluded ray by a negative end
+  }
+  return blocked;
+}
+
 }  // namespace
+
+void RayBundle::add(const Vec3& origin, const Vec3& direction) {
+  const std::size_t k = count++;
+  x[k] = static_cast<float>(origin.x);
+  y[k] = static_cast<float>(origin.y);
+  z[k] = static_cast<float>(origin.z);
+  dx[k] = static_cast<float>(direction.x);
+  dy[k] = static_cast<float>(direction.y);
+  dz[k] = static_cast<float>(direction.z);
+}
 
 MicroScene::MicroScene(const MicroMesh& mesh, const Progress& progress) : device_(makeDevice()) {
   rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
@@ -127,19 +154,29 @@ std::bitset<RayPacket::size> MicroScene::occluded(const RayPacket& rays,
     packet.dir_x[k] = static_cast<float>(direction.x);
     packet.dir_y[k] = static_cast<float>(direction.y);
     packet.dir_z[k] = static_cast<float>(direction.z);
-    packet.tnear[k] = 0;
     packet.tfar[k] = rays.lengths[k];
-    packet.time[k] = 0;
-    packet.mask[k] = ~0U;
-    packet.id[k] = static_cast<unsigned>(k);
-    packet.flags[k] = 0;
+    setCommon(packet, k);
   }
-  embree::occluded16(valid.data(), scene_.get(), packet);
-  std::bitset<RayPacket::size> blocked;
-  for (std::size_t k = 0; k < rays.count; ++k) {
-    blocked[k] = packet.tfar[k] < 0;  // Embree marks an occluded ray by a negative end
+  embree::occluded16(valid.data(), scene_.get(), packet, embree::Rays::coherent);
+  return blockedOf(packet, rays.count);
+}
+
+std::bitset<RayPacket::size> MicroScene::occluded(const RayBundle& rays) const {
+  alignas(64) std::array<int, RayPacket::size> valid;
+  RTCRay16 packet;
+  for (std::size_t k = 0; k < RayPacket::size; ++k) {
+    valid[k] = k < rays.count ? -1 : 0;
+    packet.org_x[k] = rays.x[k];
+    packet.org_y[k] = rays.y[k];
+    packet.org_z[k] = rays.z[k];
+    packet.dir_x[k] = rays.dx[k];
+    packet.dir_y[k] = rays.dy[k];
+    packet.dir_z[k] = rays.dz[k];
+    packet.tfar[k] = std::numeric_limits<float>::infinity();
+    setCommon(packet, k);
   }
-  return blocked;
+  embree::occluded16(valid.data(), scene_.get(), packet, embree::Rays::incoherent);
+  return blockedOf(packet, rays.count);
 }
 
 bool MicroScene::occluded(const Vec3& origin, const Vec3& direction) const {

@@ -21,6 +21,15 @@ struct RayPacket {
   std::size_t count = 0;            ///< rays 0 to count - 1 are there
 };
 
+/// Up to sixteen endless shadow rays, each with a unit direction of its own.
+struct RayBundle {
+  std::array<float, RayPacket::size> x, y, z;     ///< origins, in the mesh's centred coordinates
+  std::array<float, RayPacket::size> dx, dy, dz;  ///< directions
+  std::size_t count = 0;                          ///< rays 0 to count - 1 are there
+
+  void add(const Vec3& origin, const Vec3& direction);
+};
+
 /// The nearest surface along one ray.
 struct SurfaceHit {
   double distance;  ///< world units along a unit direction
@@ -42,6 +51,8 @@ class MicroScene {
   /// Which of the rays toward `direction` (unit) meet the surface within their lengths.
   [[nodiscard]] std::bitset<RayPacket::size> occluded(const RayPacket& rays,
                                                       const Vec3& direction) const;
+  /// Which of the rays meet the surface.
+  [[nodiscard]] std::bitset<RayPacket::size> occluded(const RayBundle& rays) const;
   /// Whether an endless ray with a unit direction meets the surface.
   [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction) const;
   /// The nearest hit of a ray with a unit direction, if any.

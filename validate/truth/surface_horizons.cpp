@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "common/counted_progress.h"
 #include "common/parallel.h"
@@ -17,26 +20,112 @@ namespace {
 constexpr double rise = radians(4);
 constexpr double precision = 1e-3;
 
-/// The largest angle off the normal, up to `limit`, at which a ray escapes.
-template <typename IsFree>
-double horizonAngle(double limit, const IsFree& isFree) {
-  double blocked = limit;
-  if (isFree(limit)) return limit;
-  double free = limit - rise;
-  while (free > 0 && !isFree(free)) {
-    blocked = free;
-    free -= rise;
+/// The search for the largest angle off the normal, up to a limit, at which a ray escapes: from the
+/// limit upward by steps, then by halving. It asks for one ray after the other.
+class HorizonSearch {
+ public:
+  explicit HorizonSearch(double limit) : asked_(limit), blocked_(limit) {}
+
+  /// The angle of the ray that it waits for.
+  [[nodiscard]] double asked() const { return asked_; }
+  [[nodiscard]] bool isDone() const { return isDone_; }
+  [[nodiscard]] double angle() const { return free_.value_or(0); }
+
+  void take(bool isFree) {
+    if (isFree) {
+      free_ = asked_;
+    } else {
+      blocked_ = asked_;
+    }
+    if (free_) {
+      isDone_ = !(blocked_ - *free_ > precision);
+      asked_ = (blocked_ + *free_) / 2;
+    } else {
+      isDone_ = asked_ == 0;
+      asked_ = asked_ - rise > 0 ? asked_ - rise : 0;
+    }
   }
-  if (free <= 0) {
-    if (!isFree(0)) return 0;
-    free = 0;
+
+ private:
+  double asked_;
+  double blocked_;              ///< the least angle known to be so
+  std::optional<double> free_;  ///< the largest known to be so
+  bool isDone_ = false;
+};
+
+/// A texel with a horizon, as its rays need it.
+struct Place {
+  std::size_t texel;  ///< of the table
+  Facet facet;
+  Vec3 origin;  ///< of its rays
+  Vec3 normal, px, py;
+};
+
+/// Searches the horizons of some texels toward one azimuth. Sixteen searches go on at once, so that
+/// their rays are traced together; where one ends the next begins. What a search finds does not
+/// depend on the others.
+class AzimuthSearch {
+ public:
+  AzimuthSearch(const MicroScene& scene, const std::vector<Place>& places, double azimuth,
+                double limit)
+      : scene_(scene),
+        places_(places),
+        cosine_(std::cos(azimuth)),
+        sine_(std::sin(azimuth)),
+        limit_(limit) {}
+
+  /// @param layer  of the table: gets the angles of the texels
+  void run(float* layer) {
+    while (true) {
+      RayBundle rays{};
+      std::array<Lane*, RayPacket::size> asking{};
+      for (Lane& lane : lanes_) {
+        if (!needsRay(lane, layer)) continue;
+        asking[rays.count] = &lane;
+        rays.add(lane.place->origin, lane.direction);
+      }
+      if (rays.count == 0) return;
+      const auto blocked = scene_.occluded(rays);
+      for (std::size_t k = 0; k < rays.count; ++k) asking[k]->search.take(!blocked[k]);
+    }
   }
-  while (blocked - free > precision) {
-    const double middle = (blocked + free) / 2;
-    (isFree(middle) ? free : blocked) = middle;
+
+ private:
+  struct Lane {
+    const Place* place = nullptr;  ///< none: nothing is searched
+    Vec3 tangent;
+    HorizonSearch search{0};
+    Vec3 direction;  ///< of the ray that the search waits for
+  };
+
+  /// Goes on with a lane, or with the next place where it is done, up to a ray that has to be
+  /// traced; false where no place is left.
+  bool needsRay(Lane& lane, float* layer) {
+    while (true) {
+      if (lane.place != nullptr && lane.search.isDone()) {
+        layer[lane.place->texel] = static_cast<float>(lane.search.angle());
+        lane.place = nullptr;
+      }
+      if (lane.place == nullptr) {
+        if (next_ == places_.size()) return false;
+        lane.place = &places_[next_++];
+        lane.tangent = glm::normalize(cosine_ * lane.place->px + sine_ * lane.place->py);
+        lane.search = HorizonSearch(limit_);
+      }
+      const double off = lane.search.asked();
+      lane.direction = std::cos(off) * lane.place->normal + std::sin(off) * lane.tangent;
+      if (!lane.place->facet.facesAwayFrom(lane.direction)) return true;
+      lane.search.take(false);
+    }
   }
-  return free;
-}
+
+  const MicroScene& scene_;
+  const std::vector<Place>& places_;
+  double cosine_, sine_;
+  double limit_;
+  std::size_t next_ = 0;
+  std::array<Lane, RayPacket::size> lanes_;
+};
 
 }  // namespace
 
@@ -49,33 +138,37 @@ AngleTable shootHorizons(const LimitSurface& surface, const Relief& relief, cons
                             texels.width, texels.height, azimuths));
   AngleTable table{{texels.width, texels.height, azimuths, Wrap::clamp}, limit, {}};
   table.angles.assign(table.entries(), static_cast<float>(limit));
-  const Vec2 texelsPerUv = relief.texelsPerUv();
-  const auto shoot = [&](const SurfaceSample& sample, std::size_t texel) {
+  const auto width = static_cast<std::size_t>(texels.width);
+  const auto height = static_cast<std::size_t>(texels.height);
+  const auto addPlace = [&](std::vector<Place>& places, std::size_t row, std::size_t column) {
+    const SurfaceSample& sample = texels.samples[(height - 1 - row) * width + column];
     if (!sample.isOnSurface()) return;
-    const TexelFrame frame = texelFrame(surface.evaluate(sample), texelsPerUv);
+    const TexelFrame frame = texelFrame(surface.evaluate(sample), relief.texelsPerUv());
     const Facet facet = mesh.facet(sample);
     if (!frame.defined || facet.normal == Vec3(0)) return;
-    const Vec3 origin = facet.rayOrigin(mesh.rayOffset());
-    for (int m = 0; m < azimuths; ++m) {
-      const double azimuth = 2 * pi * m / azimuths;
-      const Vec3 tangent =
-          glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
-      const double angle = horizonAngle(limit, [&](double off) {
-        const Vec3 direction = std::cos(off) * frame.normal + std::sin(off) * tangent;
-        return !facet.facesAwayFrom(direction) && !scene.occluded(origin, direction);
-      });
-      table.angles[static_cast<std::size_t>(m) * count + texel] = static_cast<float>(angle);
-    }
+    places.push_back({row * width + column, facet, facet.rayOrigin(mesh.rayOffset()), frame.normal,
+                      frame.px, frame.py});
   };
-  CountedProgress rows(progress, static_cast<std::size_t>(texels.height));
-  parallelFor(0, static_cast<std::size_t>(texels.height), [&](std::size_t row) {
+  // Tiles of neighbours, whose rays meet the same parts of the hierarchy.
+  constexpr std::size_t side = 8;
+  const std::size_t across = (width + side - 1) / side;
+  const std::size_t tiles = across * ((height + side - 1) / side);
+  CountedProgress done(progress, tiles);
+  parallelFor(0, tiles, [&](std::size_t tile) {
     const FlushDenormals flush;
-    const auto width = static_cast<std::size_t>(texels.width);
-    const std::size_t fromBelow = static_cast<std::size_t>(texels.height) - 1 - row;
-    for (std::size_t column = 0; column < width; ++column) {
-      shoot(texels.samples[fromBelow * width + column], row * width + column);
+    const std::size_t top = tile / across * side;
+    const std::size_t left = tile % across * side;
+    std::vector<Place> places;
+    for (std::size_t row = top; row < std::min(height, top + side); ++row) {
+      for (std::size_t column = left; column < std::min(width, left + side); ++column) {
+        addPlace(places, row, column);
+      }
     }
-    rows.advance();
+    for (int m = 0; m < azimuths; ++m) {
+      AzimuthSearch(scene, places, 2 * pi * m / azimuths, limit)
+          .run(&table.angles[static_cast<std::size_t>(m) * count]);
+    }
+    done.advance();
   });
   return table;
 }

@@ -126,7 +126,8 @@ ExitStatus answerTrial(std::span<const std::string> arguments) {
       trialStudy(std::move(method), arguments[2] == "clamp" ? Wrap::clamp : Wrap::repeat);
   const GlContext gl;
   Cache none;
-  (void)measureStudy(study, gl, none);
+  SceneStore store;
+  (void)measureStudy(study, gl, none, store);
   return ExitStatus::pass;
 }
 

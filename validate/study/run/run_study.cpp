@@ -31,11 +31,11 @@ enum class Beside { nothing, memory, picturesAndCosts };
 class StudyRun {
  public:
   StudyRun(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
-           const StageProgress& progress)
+           SceneStore& held, const StageProgress& progress)
       : study_(study),
         costs_(frameClockOf(gl.driver().renderer)),
         clock_(progress),
-        scene_(study, clock_, gl, kept),
+        scene_(study, clock_, gl, kept, held),
         before_(scene_.cache.counts()),
         surface_(scene_),
         writer_(writer),
@@ -124,15 +124,27 @@ class StudyRun {
 
   void compareMethods(std::span<const PanelAnswer> answers, std::size_t view, std::size_t light,
                       SpreadStage& spread) {
-    OutcomeStage outcomes(scene_, view, light, spread.cellSide());
+    std::vector<std::optional<MethodOutcome>> outcomes;
+    std::vector<ContentKey> keys;
+    std::vector<ComparedMethod> missing;
     for (const PanelAnswer& answer : answers) {
       KeyBuilder key("outcome");
       key.add("answer", answerKey(scene_, *answer.method, view, light));
       key.add("cells", spread.cellSide());
-      const MethodOutcome outcome = scene_.cache.remember(
-          key.key(), [&] { return outcomes.compare(*answer.method->base, answer.answers); });
-      spread.add(answer.place, outcome);
-      addResults(*answer.method, view, light, outcome);
+      keys.push_back(key.key());
+      outcomes.push_back(scene_.cache.find<MethodOutcome>(keys.back()));
+      if (!outcomes.back()) missing.push_back({answer.method->base, answer.answers});
+    }
+    std::vector<MethodOutcome> found =
+        OutcomeStage(scene_, view, light, spread.cellSide()).compare(missing);
+    auto next = found.begin();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (!outcomes[i]) {
+        outcomes[i] = std::move(*next++);
+        scene_.cache.keep(keys[i], *outcomes[i]);
+      }
+      spread.add(answers[i].place, *outcomes[i]);
+      addResults(*answers[i].method, view, light, *outcomes[i]);
     }
   }
 
@@ -176,11 +188,12 @@ class StudyRun {
 
 /// Measures what the driver draws right.
 StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter& writer,
-                          Cache& kept, const StageProgress& progress, Beside beside) {
+                          Cache& kept, SceneStore& held, const StageProgress& progress,
+                          Beside beside) {
   DriverFaults faults(shaderFolder(), kept);
   const MeasurableStudy left = measurable(study, faults);
   StudyRecord record =
-      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, progress).run(beside);
+      StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, held, progress).run(beside);
   addRefused(record, study, left.refused);
   return record;
 }
@@ -188,20 +201,20 @@ StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter
 }  // namespace
 
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
-                     const StageProgress& progress) {
-  return runMeasurable(study, gl, writer, kept, progress, Beside::picturesAndCosts);
+                     SceneStore& held, const StageProgress& progress) {
+  return runMeasurable(study, gl, writer, kept, held, progress, Beside::picturesAndCosts);
 }
 
 StudyRecord runStudyFigures(const StudySpec& study, const GlContext& gl, Cache& kept,
-                            const StageProgress& progress) {
+                            SceneStore& held, const StageProgress& progress) {
   NoFiles writer;
-  return runMeasurable(study, gl, writer, kept, progress, Beside::memory);
+  return runMeasurable(study, gl, writer, kept, held, progress, Beside::memory);
 }
 
-StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
+StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept, SceneStore& held,
                          const StageProgress& progress) {
   NoFiles writer;
-  return runMeasurable(study, gl, writer, kept, progress, Beside::nothing);
+  return runMeasurable(study, gl, writer, kept, held, progress, Beside::nothing);
 }
 
 }  // namespace gnomon

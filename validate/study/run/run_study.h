@@ -3,6 +3,7 @@
 #include "render/gl_context.h"
 #include "study/record/record.h"
 #include "study/run/scene/run_scene.h"
+#include "study/run/scene/scene_store.h"
 #include "study/run/scene/stage_clock.h"
 #include "study/run/stages/run_writer.h"
 #include "study/spec/study_file.h"
@@ -15,15 +16,16 @@ namespace gnomon {
 /// studies of the same run.
 /// @param gl    current on this thread
 /// @param kept  results of earlier runs: what is found there is not computed again
+/// @param held  what earlier studies of this process left in memory: likewise
 StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
-                     const StageProgress& progress = {});
+                     SceneStore& held, const StageProgress& progress = {});
 
 /// The same without pictures, masks and frame times: the figures alone.
 StudyRecord runStudyFigures(const StudySpec& study, const GlContext& gl, Cache& kept,
-                            const StageProgress& progress = {});
+                            SceneStore& held, const StageProgress& progress = {});
 
 /// The same without what the methods cost, too.
-StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept,
+StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept, SceneStore& held,
                          const StageProgress& progress = {});
 
 }  // namespace gnomon

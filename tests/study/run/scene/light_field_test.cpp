@@ -96,6 +96,26 @@ TEST(LightField, IsTheMotionOfThePictureInACamera) {
   EXPECT_GT(defined, 200);
 }
 
+TEST(LightField, FromPointsIsTheSame) {
+  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  const Camera camera = obliqueCamera();
+  const SampleGrid samples = scatteredSamples(surface);
+  const FieldPoints points = makeFieldPoints(surface, samples);
+  const RenderView seen = cameraView(camera, makeBaseMesh(surface, Vec2(1), 1));
+  for (const double azimuth : {35.0, -70.0}) {
+    const Vec3 light = lightToward(azimuth, 40);
+    const LightField alone = makeLightField(surface, camera, seen, samples, light);
+    const LightField found = makeLightField(surface, camera, seen, samples, points, light);
+    ASSERT_EQ(found.steps.size(), alone.steps.size());
+    for (std::size_t i = 0; i < alone.steps.size(); ++i) {
+      EXPECT_EQ(found.steps[i].away, alone.steps[i].away) << i;
+      EXPECT_EQ(found.steps[i].length, alone.steps[i].length) << i;
+      EXPECT_EQ(found.steps[i].place, alone.steps[i].place) << i;
+      EXPECT_EQ(found.steps[i].spacing, alone.steps[i].spacing) << i;
+    }
+  }
+}
+
 TEST(LightField, IsTheMotionOfTheParametersInAnAtlas) {
   const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
   constexpr int side = 8;

@@ -240,5 +240,20 @@ TEST(BinSamples, LeavesOutSamplesWithoutFrame) {
   }
 }
 
+TEST(BinSamples, FromPlacesAreTheSame) {
+  const LimitSurface surface(makeTorus(30, 10, 12, 12));
+  const Relief relief = plateau(5);
+  SampleGrid samples{300, 1, {}};
+  for (int i = 0; i < 300; ++i) {
+    const auto share = [i](int k) { return static_cast<float>((i * k + 3) % 17 + 1) / 19; };
+    samples.samples.push_back({i % 7 == 0 ? -1 : i % surface.faceCount(), share(5), share(7)});
+  }
+  const AxisPlaces places = axisPlaces(surface, relief, samples);
+  for (const double azimuth : {0.0, 77.0}) {
+    const Vec3 light = lightToward(azimuth, 30);
+    EXPECT_EQ(binSamples(samples, places, light), binSamples(surface, relief, samples, light));
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -90,28 +90,48 @@ DrawnBase displaced(const StudySpec& study, const LimitSurface& surface, const M
   return {std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture};
 }
 
+/// About what a mesh takes, in memory and on the GPU.
+std::uint64_t heldBytes(const DrawnBase& drawn) {
+  const std::size_t copies = drawn.volumes ? 4 : 2;
+  return copies * (drawn.mesh.vertices.size() * sizeof(BaseVertex) +
+                   drawn.mesh.triangles.size() * sizeof(std::uint32_t));
+}
+
+std::uint64_t heldBytes(const ChosenSamples& chosen) {
+  return chosen.samples.samples.size() * sizeof(SurfaceSample) + chosen.layout.breaks.size() +
+         chosen.weights.size() * sizeof(double);
+}
+
 }  // namespace
 
 BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
-                      const std::filesystem::path& shaders, Cache& cache, const RunKeys& keys) {
+                      CaseMakers with) {
+  const auto make = [&study, &surface, choice] {
+    return std::make_shared<const DrawnBase>(choice.kind == DrawnMesh::displaced
+                                                 ? displaced(study, surface, choice)
+                                                 : undisplaced(study, surface, choice));
+  };
   BaseCase base{choice,
-                OnDemand<DrawnBase>([&study, &surface, choice] {
-                  return choice.kind == DrawnMesh::displaced ? displaced(study, surface, choice)
-                                                             : undisplaced(study, surface, choice);
+                OnDemand<std::shared_ptr<const DrawnBase>>([make, with, choice] {
+                  return with.store.get<DrawnBase>(
+                      with.keys.mesh(choice), make,
+                      [](const DrawnBase& drawn) { return heldBytes(drawn); });
                 }),
                 {}};
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     const ViewSpec& spec = study.views[v];
     const RenderView size = pictureSize(spec, surface);
     requireRoom(study, size.width, size.height, spec.name);
-    ChosenSamples chosen = cache.remember(keys.samples(choice, v), [&] {
-      return chooseSamples(study, surface, base.drawn.get(), shaders, spec);
-    });
-    base.views.push_back({chosen.view,
-                          std::move(chosen.samples),
-                          std::move(chosen.layout),
-                          std::move(chosen.weights),
-                          {}});
+    const ContentKey key = with.keys.samples(choice, v);
+    const std::shared_ptr<const ChosenSamples> chosen = with.store.get<ChosenSamples>(
+        key,
+        [&] {
+          return std::make_shared<const ChosenSamples>(with.cache.remember(key, [&] {
+            return chooseSamples(study, surface, *base.drawn.get(), with.shaders, spec);
+          }));
+        },
+        [](const ChosenSamples& samples) { return heldBytes(samples); });
+    base.views.push_back({chosen->view, chosen->samples, chosen->layout, chosen->weights, {}});
   }
   return base;
 }

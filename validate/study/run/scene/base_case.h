@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "render/view.h"
 #include "study/run/scene/mesh_choice.h"
 #include "study/run/scene/run_keys.h"
+#include "study/run/scene/scene_store.h"
 #include "study/spec/study_file.h"
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
@@ -43,15 +45,25 @@ struct DrawnBase {
 /// samples.
 struct BaseCase {
   MeshChoice choice;
-  OnDemand<DrawnBase> drawn;    ///< made only where something has to be drawn
+  /// Made only where something has to be drawn.
+  OnDemand<std::shared_ptr<const DrawnBase>> drawn;
   std::vector<ViewCase> views;  ///< as the study lists them
 };
 
-/// Chooses the samples of every view by drawing the mesh, or takes what the cache has of them.
-/// @param study    outlives the case, as does `surface`
+/// What a base case is made with.
+struct CaseMakers {
+  const std::filesystem::path& shaders;
+  Cache& cache;
+  SceneStore& store;
+  const RunKeys& keys;
+};
+
+/// Chooses the samples of every view by drawing the mesh, or takes what the store or the cache has
+/// of them.
+/// @param study    outlives the case, as do `surface` and `with`'s
 /// @throws InputError for a view that is larger than OpenGL allows or shows no surface; MemoryError
 ///   for one whose samples, truths and masks cannot be held
 BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
-                      const std::filesystem::path& shaders, Cache& cache, const RunKeys& keys);
+                      CaseMakers with);
 
 }  // namespace gnomon

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "common/mask.h"
 #include "compare/shadow_length.h"
 #include "truth/shadow_tracer.h"
@@ -10,5 +13,9 @@ namespace gnomon {
 /// `cast` and `distant`): an attached shadow has no end to measure.
 /// @throws InputError as `compareShadowLengths`
 ShadowLengths castLengths(const Mask& mask, const Truth& truth, const LightField& field);
+
+/// The same of several masks at once. @returns one a mask
+std::vector<ShadowLengths> castLengths(std::span<const Mask* const> masks, const Truth& truth,
+                                       const LightField& field);
 
 }  // namespace gnomon

@@ -8,15 +8,21 @@
 namespace gnomon {
 namespace {
 
-LightStep lightStep(const ViewMap& map, const TangentPoint& point, const Vec3& light) {
+FieldPoint fieldPoint(const LimitSurface& surface, const SurfaceSample& sample) {
+  const TangentPoint point = surface.tangentPoint(sample);
+  return {point.position, point.ds, point.dt, outwardNormal(point)};
+}
+
+LightStep lightStep(const ViewMap& map, const FieldPoint& at, const Vec3& light) {
   constexpr double leastSine = 1e-6;
-  const Vec3 normal = outwardNormal(point);
+  const Vec3& normal = at.normal;
   const double cosine = glm::dot(light, normal);
   const Vec3 toLight = light - cosine * normal;
   if (normal == Vec3(0) || !(cosine > 0) || !(glm::length(toLight) > leastSine)) return {};
 
   const Vec3 along = -glm::normalize(toLight);
   const Vec3 across = glm::cross(normal, along);
+  const TangentPoint point{at.position, at.ds, at.dt, Vec2(0), Vec2(0), Vec2(0)};
   const Vec2 image = map.image(point, along);
   const Vec2 imageAcross = map.image(point, across);
   const double speed = glm::length(image);
@@ -26,22 +32,48 @@ LightStep lightStep(const ViewMap& map, const TangentPoint& point, const Vec3& l
           static_cast<float>(spacing)};
 }
 
-}  // namespace
-
-LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
-                          const SampleGrid& samples, const Vec3& light) {
-  const ViewMap map(surface, kind, view);
+/// @param pointOf  `pointOf(i)` is a sample's
+template <typename PointOf>
+LightField lightFieldOf(const ViewMap& map, const SampleGrid& samples, const PointOf& pointOf,
+                        const Vec3& light) {
   LightField field{samples.width, samples.height, map.tileSide(),
                    RawVector<LightStep>(samples.samples.size())};
   parallelFor(
       0, field.steps.size(),
       [&](std::size_t i) {
-        const SurfaceSample& sample = samples.samples[i];
-        if (!sample.isOnSurface()) return;
-        field.steps[i] = lightStep(map, surface.tangentPoint(sample), light);
+        if (!samples.samples[i].isOnSurface()) return;
+        field.steps[i] = lightStep(map, pointOf(i), light);
       },
       1024);
   return field;
+}
+
+}  // namespace
+
+FieldPoints makeFieldPoints(const LimitSurface& surface, const SampleGrid& samples) {
+  FieldPoints points(samples.samples.size());
+  parallelFor(
+      0, points.size(),
+      [&](std::size_t i) {
+        const SurfaceSample& sample = samples.samples[i];
+        if (sample.isOnSurface()) points[i] = fieldPoint(surface, sample);
+      },
+      1024);
+  return points;
+}
+
+LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
+                          const SampleGrid& samples, const Vec3& light) {
+  return lightFieldOf(
+      ViewMap(surface, kind, view), samples,
+      [&](std::size_t i) { return fieldPoint(surface, samples.samples[i]); }, light);
+}
+
+LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
+                          const SampleGrid& samples, const FieldPoints& points, const Vec3& light) {
+  return lightFieldOf(
+      ViewMap(surface, kind, view), samples,
+      [&](std::size_t i) -> const FieldPoint& { return points[i]; }, light);
 }
 
 }  // namespace gnomon

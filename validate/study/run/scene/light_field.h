@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/raw_vector.h"
 #include "common/vec.h"
 #include "compare/shadow_length.h"
 #include "render/view.h"
@@ -8,6 +9,17 @@
 #include "surface/sample_grid.h"
 
 namespace gnomon {
+
+/// A sample's point of the surface, as the light fields of all lights need it.
+struct FieldPoint {
+  Vec3 position;
+  Vec3 ds, dt;  ///< first derivatives
+  Vec3 normal;  ///< outwardNormal
+};
+
+/// Those of a view's samples; undefined where there is none on the surface.
+using FieldPoints = RawVector<FieldPoint>;
+FieldPoints makeFieldPoints(const LimitSurface& surface, const SampleGrid& samples);
 
 /// The steps along which the shadows of one light are measured in one view.
 ///
@@ -24,5 +36,9 @@ namespace gnomon {
 /// @param light  unit vector toward the light
 LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
                           const SampleGrid& samples, const Vec3& light);
+
+/// The same from the points of the samples.
+LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
+                          const SampleGrid& samples, const FieldPoints& points, const Vec3& light);
 
 }  // namespace gnomon

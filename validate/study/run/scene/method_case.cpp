@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "common/error.h"
 #include "render/passes/passes.h"
@@ -29,12 +31,19 @@ GpuTables reliefTables(RunScene& scene, const Method& method, const BakeSpec& ba
 void compile(RunScene& scene, MethodCase& method) {
   const MethodSpec& spec = *method.spec;
   const DrawnBase& base = scene.clock.measure(
-      "samples", [&](const Progress&) -> const DrawnBase& { return method.base->drawn.get(); });
+      "samples", [&](const Progress&) -> const DrawnBase& { return *method.base->drawn.get(); });
   if (method.method.passes.texture || method.method.tables.surfaceAngles) {
     requireTextureView(base.texture);
   }
-  MethodPass pass(scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
-                  spec.parameters);
+  constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
+  auto pass = scene.store.get<MethodPass>(
+      scene.keys.program(spec, method.method),
+      [&] {
+        return std::make_shared<const MethodPass>(scene.shaders, method.method,
+                                                  scene.study.relief.field.wrap(), spec.filter,
+                                                  spec.parameters);
+      },
+      [](const MethodPass&) { return bytes; });
   method.compiled.emplace(
       CompiledMethod{std::move(pass), reliefTables(scene, method.method, spec.bake)});
 }
@@ -50,18 +59,47 @@ bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
   return true;
 }
 
+/// The layers of every `step`-th azimuth: what is shot toward the fewer azimuths, to the bit where
+/// the step is a power of two.
+AngleTable everyAzimuth(const AngleTable& table, int step) {
+  AngleTable some = table;
+  some.layers = table.layers / step;
+  some.angles.clear();
+  const auto texels = static_cast<std::ptrdiff_t>(table.width) * table.height;
+  for (int m = 0; m < table.layers; m += step) {
+    const auto layer = table.angles.begin() + m * texels;
+    some.angles.insert(some.angles.end(), layer, layer + texels);
+  }
+  return some;
+}
+
+/// Of a table that was shot toward more azimuths, if the store has one.
+std::shared_ptr<const AngleTable> finerAngles(RunScene& scene, const MethodCase& method,
+                                              int azimuths) {
+  BakeSpec bake = method.spec->bake;
+  bake.settings.azimuths = azimuths;
+  return scene.store.held<AngleTable>(scene.keys.surfaceAngles(method.base->choice, bake));
+}
+
 AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
-  const RenderView& plane = method.base->drawn.get().texture;
-  const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->drawn.get().gpu);
+  const BakeSpec& bake = method.spec->bake;
+  for (const int step : {2, 4, 8, 16}) {
+    const auto finer = finerAngles(scene, method, step * bake.settings.azimuths);
+    if (finer) return everyAzimuth(*finer, step);
+  }
+  const RenderView& plane = method.base->drawn.get()->texture;
+  const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->drawn.get()->gpu);
   const TracedSurface& traced = method.surface->get();
   AngleTable table = scene.clock.measure("surface horizons", [&](const Progress& progress) {
     return shootHorizons(scene.surface, scene.study.relief, traced.mesh, traced.scene, texels,
-                         method.spec->bake.settings.azimuths, method.spec->bake.angleLimit,
-                         progress);
+                         bake.settings.azimuths, bake.angleLimit, progress);
   });
   table.originX = plane.texelWindow.x;
   table.originY = plane.texelWindow.y;
-  return table;
+  return *scene.store.get<AngleTable>(
+      scene.keys.surfaceAngles(method.base->choice, bake),
+      [&] { return std::make_shared<const AngleTable>(std::move(table)); },
+      [](const AngleTable& angles) { return sizeof(float) * angles.angles.size(); });
 }
 
 /// A shader has to answer wherever the mesh is: one that leaves out pixels would not be scored on
@@ -110,11 +148,20 @@ void requireView(const MethodCase& method, const StudySpec& study) {
 }
 
 void shootTables(RunScene& scene, std::span<MethodCase> methods) {
+  std::vector<MethodCase*> needing;
   for (MethodCase& method : methods) {
     const bool isNeeded = method.compiled && method.method.tables.surfaceAngles;
-    if (!isNeeded || method.compiled->tables.angles != nullptr) continue;
-    method.compiled->tables.angles = &scene.tables.surfaceAngles(
-        method.spec->bake, method.base->choice, [&] { return shootAngles(scene, method); });
+    if (isNeeded && method.compiled->tables.angles == nullptr) needing.push_back(&method);
+  }
+  // The finest first: coarser ones may be a part of them.
+  const auto azimuths = [](const MethodCase* method) {
+    return method->spec->bake.settings.azimuths;
+  };
+  std::stable_sort(needing.begin(), needing.end(),
+                   [&](const auto* a, const auto* b) { return azimuths(a) > azimuths(b); });
+  for (MethodCase* method : needing) {
+    method->compiled->tables.angles = &scene.tables.surfaceAngles(
+        method->spec->bake, method->base->choice, [&] { return shootAngles(scene, *method); });
   }
 }
 
@@ -128,7 +175,7 @@ MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, s
   MethodAnswers answers = scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
     MethodAnswers rendered =
-        ready.pass.render(seen.view, scene.drawing(*method.base, light), ready.tables);
+        ready.pass->render(seen.view, scene.drawing(*method.base, light), ready.tables);
     method.compiled->hasDrawn = true;
     return rendered;
   });
@@ -160,7 +207,7 @@ std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   if (declared.distance) bytes += tables.distance->byteCount();
   if (declared.ellipse) bytes += tables.ellipse->byteCount();
   if (tables.angles != nullptr) bytes += tables.angles->byteCount();
-  return bytes + ready.pass.passBytes(scene.drawing(*method.base, 0), tables);
+  return bytes + ready.pass->passBytes(scene.drawing(*method.base, 0), tables);
 }
 
 }  // namespace gnomon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -14,7 +15,7 @@ namespace gnomon {
 
 /// A method's shader and its tables.
 struct CompiledMethod {
-  MethodPass pass;
+  std::shared_ptr<const MethodPass> pass;
   GpuTables tables;
   bool hasDrawn = false;  ///< a mask: frames can be timed without a warm-up
 };

@@ -2,41 +2,39 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "common/alongside.h"
+#include "common/lists.h"
 #include "common/parallel.h"
 #include "compare/bins.h"
 #include "compare/boundaries.h"
 #include "study/run/scene/cast_lengths.h"
+#include "study/run/scene/truth_stage.h"
 #include "truth/seam_crossing.h"
 
 namespace gnomon {
 namespace {
 
-Counts countRegion(const Mask& mask, const ViewCase& seen, const Truth& truth, Region region) {
-  std::vector<std::uint8_t> selected(mask.size());
-  std::transform(truth.regions.begin(), truth.regions.end(), selected.begin(),
-                 [region](Region r) { return static_cast<std::uint8_t>(r == region); });
-  return countSamples(mask, truth.mask, seen.weights, selected);
+/// The counts of the regions, in the order of outcomeRegions.
+std::vector<Counts> countRegions(const Mask& mask, const ViewCase& seen, const Truth& truth) {
+  std::vector<std::uint8_t> regions(truth.regions.size());
+  std::transform(truth.regions.begin(), truth.regions.end(), regions.begin(),
+                 [](Region region) { return static_cast<std::uint8_t>(region); });
+  const auto place = [](Region region) { return static_cast<std::size_t>(region); };
+  const std::size_t count =
+      1 + place(*std::max_element(reportedRegions.begin(), reportedRegions.end()));
+  const std::vector<Counts> all = countClasses(mask, truth.mask, regions, count, seen.weights);
+  std::vector<Counts> counts = {countSamples(mask, truth.mask, seen.weights)};
+  for (const Region region : reportedRegions) counts.push_back(all[place(region)]);
+  counts.push_back(countSamples(mask, truth.mask, seen.weights, truth.crossesSeam));
+  return counts;
 }
 
-/// Adds what compares one answer with the truth. All references outlive the parts.
-void addParts(std::vector<std::function<void()>>& parts, const Mask& mask, const ViewCase& seen,
-              const Truth& truth, const LightField& field, AnswerOutcome& outcome) {
-  outcome.regions.resize(outcomeRegions().size());
-  parts.emplace_back([&] { outcome.lengths = castLengths(mask, truth, field); });
-  parts.emplace_back(
-      [&] { outcome.boundaries = compareBoundaries(mask, truth.mask, seen.layout); });
-  parts.emplace_back(
-      [&] { outcome.regions.front() = countSamples(mask, truth.mask, seen.weights); });
-  for (std::size_t r = 0; r < reportedRegions.size(); ++r) {
-    parts.emplace_back(
-        [&, r] { outcome.regions[r + 1] = countRegion(mask, seen, truth, reportedRegions[r]); });
-  }
-  parts.emplace_back([&] {
-    outcome.regions.back() = countSamples(mask, truth.mask, seen.weights, truth.crossesSeam);
-  });
+/// Two answers of a method that do not differ are one mask.
+bool isSame(const MethodAnswers& answers) {
+  return answers.drawn.samples == answers.test.samples;
 }
 
 }  // namespace
@@ -51,57 +49,92 @@ const std::vector<std::string_view>& outcomeRegions() {
   return names;
 }
 
-const OutcomeStage::Shared* OutcomeStage::findShared(const BaseCase& base) const {
-  const auto found = std::find_if(shared_.begin(), shared_.end(),
-                                  [&](const Shared& shared) { return shared.base == &base; });
-  return found != shared_.end() ? &*found : nullptr;
-}
-
-const OutcomeStage::Shared& OutcomeStage::makeShared(const BaseCase& base, LightField field) {
-  SampleBins bins = scene_.clock.measure("bins", [&](const Progress&) {
-    return scene_.cache.remember(scene_.keys.bins(base.choice, view_, light_), [&] {
-      return binSamples(scene_.surface, scene_.study.relief, base.views[view_].samples,
-                        scene_.study.lights[light_].direction());
-    });
-  });
-  shared_.push_back({&base, std::move(field), std::move(bins)});
-  return shared_.back();
-}
-
-MethodOutcome OutcomeStage::compare(const BaseCase& base,
-                                    const std::function<const MethodAnswers&()>& answersOf) {
-  const Shared* known = findShared(base);
-  const MethodAnswers* answers = nullptr;
-  LightField field;
+OutcomeStage::Shared OutcomeStage::makeShared(const BaseCase& base,
+                                              const std::function<void()>& meanwhile) {
+  Shared shared;
+  const std::shared_ptr<const FieldPoints> points = scene_.fieldPoints(base, view_);
   // Where OpenGL draws in software it compiles on one thread.
-  alongside([&] { answers = &answersOf(); },
-            [&] {
-              if (known == nullptr) field = scene_.lightField(base, view_, light_);
-            });
-  const Shared& shared = known != nullptr ? *known : makeShared(base, std::move(field));
+  alongside(meanwhile,
+            [&] { shared.field = scene_.lightField(base, view_, light_, points.get()); });
+  shared.bins = scene_.clock.measure("bins", [&](const Progress&) {
+    return scene_.cache.remember(scene_.keys.bins(base.choice, view_, light_),
+                                 [&] { return scene_.bins(base, view_, light_); });
+  });
+  return shared;
+}
+
+std::vector<MethodOutcome> OutcomeStage::compareOnOne(
+    const BaseCase& base, const std::vector<const MethodAnswers*>& answers,
+    const Shared& shared) const {
   const ViewCase& seen = base.views[view_];
   const Truth& truth = seen.truths[light_];
   const std::vector<SampleAxis>& axes = sampleAxes();
-  const bool isSame = answers->drawn.samples == answers->test.samples;
-  MethodOutcome outcome;
-  outcome.bins.resize(axes.size());
-  // The longest first.
+  std::vector<MethodOutcome> outcomes(answers.size());
+  std::vector<const Mask*> masks;
+  std::vector<AnswerOutcome*> places;
   std::vector<std::function<void()>> parts;
-  addParts(parts, answers->drawn, seen, truth, shared.field, outcome.drawn);
-  if (!isSame) addParts(parts, answers->test, seen, truth, shared.field, outcome.test);
-  for (std::size_t a = 0; a < axes.size(); ++a) {
-    parts.emplace_back([&, a] {
-      outcome.bins[a] = countBins(answers->drawn, truth.mask, shared.bins[a],
-                                  axes[a].edges.size() + 1, seen.weights);
-    });
+  for (std::size_t m = 0; m < answers.size(); ++m) {
+    const Mask& drawn = answers[m]->drawn;
+    MethodOutcome& outcome = outcomes[m];
+    masks.push_back(&drawn);
+    places.push_back(&outcome.drawn);
+    if (!isSame(*answers[m])) {
+      masks.push_back(&answers[m]->test);
+      places.push_back(&outcome.test);
+    }
+    outcome.bins.resize(axes.size());
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+      parts.emplace_back([&, a] {
+        outcome.bins[a] =
+            countBins(drawn, truth.mask, shared.bins[a], axes[a].edges.size() + 1, seen.weights);
+      });
+    }
+    parts.emplace_back(
+        [&] { outcome.blocks = blockErrors(drawn, truth.mask, cellSide_, seen.weights); });
   }
-  parts.emplace_back(
-      [&] { outcome.blocks = blockErrors(answers->drawn, truth.mask, cellSide_, seen.weights); });
-  scene_.clock.measure("compare", [&](const Progress&) {
-    parallelFor(0, parts.size(), [&](std::size_t i) { parts[i](); });
-  });
-  if (isSame) outcome.test = outcome.drawn;
-  return outcome;
+  for (std::size_t k = 0; k < masks.size(); ++k) {
+    parts.emplace_back([&, k] { places[k]->regions = countRegions(*masks[k], seen, truth); });
+  }
+  const std::vector<ShadowLengths> lengths = castLengths(masks, truth, shared.field);
+  std::vector<std::vector<Metric>> boundaries = compareBoundaries(masks, truth.mask, seen.layout);
+  parallelFor(0, parts.size(), [&](std::size_t i) { parts[i](); });
+  for (std::size_t k = 0; k < masks.size(); ++k) {
+    places[k]->lengths = lengths[k];
+    places[k]->boundaries = std::move(boundaries[k]);
+  }
+  for (std::size_t m = 0; m < answers.size(); ++m) {
+    if (isSame(*answers[m])) outcomes[m].test = outcomes[m].drawn;
+  }
+  return outcomes;
+}
+
+std::vector<MethodOutcome> OutcomeStage::compare(std::span<const ComparedMethod> methods) {
+  std::map<const BaseCase*, const BaseCase*> shown;  // whose samples a mesh shows
+  std::vector<const BaseCase*> bases;
+  for (const ComparedMethod& method : methods) {
+    const auto [place, isNew] = shown.try_emplace(method.base, method.base);
+    const bool isAtlas = cameraOf(scene_.study.views[view_]) == nullptr;
+    if (isNew && isAtlas) {
+      const BaseCase* same = baseWithSamples(scene_, *method.base, view_);
+      if (same != nullptr) place->second = same;
+    }
+    appendOnce(bases, place->second);
+  }
+  std::vector<MethodOutcome> outcomes(methods.size());
+  for (const BaseCase* base : bases) {
+    std::vector<std::size_t> places;
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (shown.at(methods[m].base) == base) places.push_back(m);
+    }
+    std::vector<const MethodAnswers*> answers;
+    const Shared shared = makeShared(*base, [&] {
+      for (const std::size_t m : places) answers.push_back(&methods[m].answers());
+    });
+    std::vector<MethodOutcome> found = scene_.clock.measure(
+        "compare", [&](const Progress&) { return compareOnOne(*base, answers, shared); });
+    for (std::size_t i = 0; i < places.size(); ++i) outcomes[places[i]] = std::move(found[i]);
+  }
+  return outcomes;
 }
 
 }  // namespace gnomon

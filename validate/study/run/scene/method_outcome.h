@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -36,33 +36,40 @@ struct MethodOutcome {
   BlockErrors blocks;                     ///< likewise, in the cells of the view's tiling
 };
 
-/// Compares masks with the truth of one view under one light. Data that all methods on one mesh
-/// share are computed once, when the first of them is compared.
+/// A method to be compared, by the mesh that it draws.
+struct ComparedMethod {
+  const BaseCase* base;
+  std::function<const MethodAnswers&()> answers;  ///< draws them; called once, on this thread
+};
+
+/// Compares masks with the truth of one view under one light. Methods on one mesh, and in an atlas
+/// those on meshes that show the same samples, are compared together: much of a comparison is the
+/// truth's alone.
 class OutcomeStage {
  public:
   /// @param cellSide  of the view's tiling, samples
   OutcomeStage(RunScene& scene, std::size_t view, std::size_t light, int cellSide)
       : scene_(scene), view_(view), light_(light), cellSide_(cellSide) {}
 
-  /// @param base       the mesh that the method draws
-  /// @param answersOf  gives the method's answers; called once, on this thread
-  MethodOutcome compare(const BaseCase& base,
-                        const std::function<const MethodAnswers&()>& answersOf);
+  /// @returns one a method
+  std::vector<MethodOutcome> compare(std::span<const ComparedMethod> methods);
 
  private:
+  /// What all methods on one mesh share.
   struct Shared {
-    const BaseCase* base;
     LightField field;
     SampleBins bins;
   };
-  [[nodiscard]] const Shared* findShared(const BaseCase& base) const;
-  const Shared& makeShared(const BaseCase& base, LightField field);
+  /// @param meanwhile  called on this thread
+  [[nodiscard]] Shared makeShared(const BaseCase& base, const std::function<void()>& meanwhile);
+  [[nodiscard]] std::vector<MethodOutcome> compareOnOne(
+      const BaseCase& base, const std::vector<const MethodAnswers*>& answers,
+      const Shared& shared) const;
 
   RunScene& scene_;
   std::size_t view_;
   std::size_t light_;
   int cellSide_;
-  std::vector<Shared> shared_;
 };
 
 }  // namespace gnomon

@@ -170,6 +170,11 @@ ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const 
   return key.add("view", viewKey(study_.views[view])).key();
 }
 
+ContentKey RunKeys::seenSurface(std::size_t view) const {
+  KeyBuilder key("seen surface");
+  return key.add("surface", surface()).add("view", viewKey(study_.views[view])).key();
+}
+
 ContentKey RunKeys::ellipses(const BakeSpec& bake, double texelsPerHeight) const {
   return KeyBuilder("ellipses")
       .add("bake", bakeKey(study_.relief.field, bake))
@@ -203,6 +208,23 @@ ContentKey RunKeys::method(const MethodSpec& spec, const Method& method) const {
     key.add("angles", surfaceAngles(meshOf(spec, method), spec.bake));
   }
   return key.key();
+}
+
+ContentKey RunKeys::program(const MethodSpec& spec, const Method& method) const {
+  KeyBuilder key("program of a method");
+  key.add("file", method.source.file).add("name", method.name);
+  key.add("source", method.source.text).add("shaders", shaders_);
+  key.add("wrap", study_.relief.field.wrap()).add("filter", spec.filter);
+  for (const auto& [name, value] : spec.parameters) {
+    key.add("parameter", name).add("value", value);
+  }
+  return key.key();
+}
+
+ContentKey RunKeys::shading(DrawnMesh mesh) const {
+  KeyBuilder key("program of pictures");
+  key.add("shaders", shaders_).add("wrap", study_.relief.field.wrap());
+  return key.add("mesh", mesh).key();
 }
 
 ContentKey RunKeys::mask(const ContentKey& method, const MeshChoice& choice, std::size_t view,

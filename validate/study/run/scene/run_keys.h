@@ -48,6 +48,8 @@ class RunKeys {
   /// @param shaders   the folder: every file of `common/` enters
   RunKeys(const StudySpec& study, const GlContext& gl, const std::filesystem::path& shaders);
 
+  /// A mesh as it is drawn.
+  [[nodiscard]] ContentKey mesh(const MeshChoice& choice) const;
   /// A view's samples on a mesh, with their layout and weights.
   [[nodiscard]] ContentKey samples(const MeshChoice& mesh, std::size_t view) const;
   /// The displaced micro-mesh that the truth is traced on; where its step is searched, all that the
@@ -62,18 +64,23 @@ class RunKeys {
                                   std::size_t light) const;
   /// The displaced surface by its own rays, in a camera view.
   [[nodiscard]] ContentKey displacedPicture(std::size_t view, std::size_t light) const;
+  /// What a camera sees of that surface, whatever the light.
+  [[nodiscard]] ContentKey seenSurface(std::size_t view) const;
   /// Ellipses fitted to the horizons of a bake.
   [[nodiscard]] ContentKey ellipses(const BakeSpec& bake, double texelsPerHeight) const;
   /// Horizon angles shot on the study's micro-mesh, at the texels that a mesh shows.
   [[nodiscard]] ContentKey surfaceAngles(const MeshChoice& mesh, const BakeSpec& bake) const;
   /// A method with all that its answers depend on: shaders, parameters, filter, tables and mesh.
   [[nodiscard]] ContentKey method(const MethodSpec& spec, const Method& method) const;
+  /// Its shaders compiled, whatever the study.
+  [[nodiscard]] ContentKey program(const MethodSpec& spec, const Method& method) const;
+  /// The shaders of pictures compiled.
+  [[nodiscard]] ContentKey shading(DrawnMesh mesh) const;
   /// What its shader answers at every sample of a view under one light.
   [[nodiscard]] ContentKey mask(const ContentKey& method, const MeshChoice& mesh, std::size_t view,
                                 std::size_t light) const;
 
  private:
-  [[nodiscard]] ContentKey mesh(const MeshChoice& choice) const;
   [[nodiscard]] ContentKey light(std::size_t index) const;
 
   const StudySpec& study_;

@@ -4,23 +4,41 @@
 #include "render/shader_files.h"
 
 namespace gnomon {
-RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept)
+namespace {
+
+std::shared_ptr<const LimitSurface> limitSurface(const StudySpec& study, SceneStore& store) {
+  const auto bytes = [&](const LimitSurface& surface) {
+    constexpr std::uint64_t bytesPerFace = 1000;  // about
+    return bytesPerFace * static_cast<std::uint64_t>(surface.faceCount());
+  };
+  return store.get<LimitSurface>(
+      surfaceKey(study), [&] { return std::make_shared<const LimitSurface>(study.cage); }, bytes);
+}
+
+}  // namespace
+
+RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept,
+                   SceneStore& held)
     : study(of),
       clock(stageClock),
       cache(kept),
+      store(held),
       shaders(shaderFolder()),
       keys(of, gl, shaders),
-      surface(clock.measure("surface", [&](const Progress&) { return LimitSurface(of.cage); })),
+      heldSurface(
+          clock.measure("surface", [&](const Progress&) { return limitSurface(of, store); })),
+      surface(*heldSurface),
       texelsPerHeight(
           gnomon::texelsPerHeight(of.relief.space, texelScale(surface, of.relief.texelsPerUv()))),
       heights(of.relief.field),
-      tables(of.relief.field, texelsPerHeight, cache, keys) {}
+      tables(of.relief.field, texelsPerHeight, cache, store, keys) {}
 
 BaseCase& RunScene::base(MeshChoice choice) {
   const auto found = bases.find(choice);
   if (found != bases.end()) return found->second;
   return clock.measure("samples", [&](const Progress&) -> BaseCase& {
-    return bases.emplace(choice, makeBaseCase(study, surface, choice, shaders, cache, keys))
+    return bases
+        .emplace(choice, makeBaseCase(study, surface, choice, {shaders, cache, store, keys}))
         .first->second;
   });
 }
@@ -34,7 +52,7 @@ MeshChoice RunScene::standardMesh() const {
 }
 
 Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
-  const DrawnBase& drawn = on.drawn.get();
+  const DrawnBase& drawn = *on.drawn.get();
   return {drawn.gpu,
           heights,
           study.relief.field.wrap(),
@@ -45,10 +63,41 @@ Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
           &drawn.texture};
 }
 
-LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_t light) const {
+std::shared_ptr<const FieldPoints> RunScene::fieldPoints(const BaseCase& on,
+                                                         std::size_t view) const {
+  const SampleGrid& samples = on.views[view].samples;
+  const std::uint64_t bytes = sizeof(FieldPoint) * samples.samples.size();
+  if (!store.canHold(bytes)) return nullptr;
+  return store.get<FieldPoints>(
+      keys.samples(on.choice, view),
+      [&] { return std::make_shared<const FieldPoints>(makeFieldPoints(surface, samples)); },
+      [&](const FieldPoints&) { return bytes; });
+}
+
+LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_t light,
+                                const FieldPoints* points) const {
   const ViewCase& seen = on.views[view];
-  return makeLightField(surface, study.views[view].kind, seen.view, seen.samples,
-                        study.lights[light].direction());
+  const ViewKind& kind = study.views[view].kind;
+  const Vec3 toLight = study.lights[light].direction();
+  if (points == nullptr) return makeLightField(surface, kind, seen.view, seen.samples, toLight);
+  return makeLightField(surface, kind, seen.view, seen.samples, *points, toLight);
+}
+
+SampleBins RunScene::bins(const BaseCase& on, std::size_t view, std::size_t light) const {
+  const SampleGrid& samples = on.views[view].samples;
+  const Vec3 toLight = study.lights[light].direction();
+  const std::uint64_t bytes = sizeof(AxisPlace) * samples.samples.size();
+  const bool isSharedByLights = study.lights.size() > 1 || store.expectsCases();
+  if (!isSharedByLights || !store.canHold(bytes)) {
+    return binSamples(surface, study.relief, samples, toLight);
+  }
+  const auto places = store.get<AxisPlaces>(
+      keys.samples(on.choice, view),
+      [&] {
+        return std::make_shared<const AxisPlaces>(axisPlaces(surface, study.relief, samples));
+      },
+      [&](const AxisPlaces&) { return bytes; });
+  return binSamples(samples, *places, toLight);
 }
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 
 #include "cache/cache.h"
 #include "render/gpu_scene.h"
@@ -9,6 +10,8 @@
 #include "study/run/scene/base_case.h"
 #include "study/run/scene/light_field.h"
 #include "study/run/scene/run_keys.h"
+#include "study/run/scene/sample_axes.h"
+#include "study/run/scene/scene_store.h"
 #include "study/run/scene/stage_clock.h"
 #include "study/run/scene/table_set.h"
 #include "study/spec/study_file.h"
@@ -22,14 +25,18 @@ namespace gnomon {
 struct RunScene {
   /// @param clock  of the stages "surface", "samples", "bake" and "tables"; outlives the scene
   /// @param kept   results of earlier runs; outlives the scene
-  RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept);
+  /// @param held   what earlier scenes of this process left in memory; likewise
+  RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept,
+           SceneStore& held);
 
   const StudySpec& study;
   StageClock& clock;
   Cache& cache;
+  SceneStore& store;
   std::filesystem::path shaders;
   RunKeys keys;
-  LimitSurface surface;
+  std::shared_ptr<const LimitSurface> heldSurface;
+  const LimitSurface& surface;
   double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
   GpuHeights heights;
   TableSet tables;
@@ -43,9 +50,17 @@ struct RunScene {
 
   /// What a pass needs to draw a base mesh under one of the study's lights.
   [[nodiscard]] Drawing drawing(const BaseCase& on, std::size_t light) const;
-  /// The steps along which shadows are measured in one view under one light.
-  [[nodiscard]] LightField lightField(const BaseCase& on, std::size_t view,
-                                      std::size_t light) const;
+  /// The points of the samples of one view, for its light fields; null where they are too many to
+  /// be kept.
+  [[nodiscard]] std::shared_ptr<const FieldPoints> fieldPoints(const BaseCase& on,
+                                                               std::size_t view) const;
+  /// The steps along which shadows are measured in one view under one light. May be called from any
+  /// thread.
+  /// @param points  of `fieldPoints`
+  [[nodiscard]] LightField lightField(const BaseCase& on, std::size_t view, std::size_t light,
+                                      const FieldPoints* points) const;
+  /// The bins of the samples of one view under one light.
+  [[nodiscard]] SampleBins bins(const BaseCase& on, std::size_t view, std::size_t light) const;
 };
 
 }  // namespace gnomon

@@ -18,21 +18,34 @@ double roundedToAMillionth(double value) {
 
 }  // namespace
 
-AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
-                      const Vec3& light) {
-  const double sine = std::clamp(glm::dot(frame.normal, light), -1.0, 1.0);
-  const Vec3 tangential = light - sine * frame.normal;
-  const double cosine = glm::length(tangential);
-  const Vec3 change = applyShapeOperator(point, light);
+AxisPlace axisPlace(const LimitPoint& point, const TexelFrame& frame, const Relief& relief) {
   const double unit = worldPerHeight(relief.space, frame);
   const double height = relief.field.at(frame.texel);
-  return {frame,
+  return {shapeOperator(point), frame, unit * height,
+          std::sqrt(glm::length(glm::cross(frame.px, frame.py))),
+          unit * std::max(0.0, relief.field.maximum() - height)};
+}
+
+AxisSample axisSample(const AxisPlace& place, const Vec3& light) {
+  const double sine = std::clamp(glm::dot(place.frame.normal, light), -1.0, 1.0);
+  const Vec3 tangential = light - sine * place.frame.normal;
+  const double cosine = glm::length(tangential);
+  const Vec3 change = applyShapeOperator(place.shape, light);
+  return {place.frame,
           std::atan2(sine, cosine),
           cosine > 1e-12 ? glm::dot(tangential, change) / cosine : 0,
           glm::length(change),
-          unit * height,
-          std::sqrt(glm::length(glm::cross(frame.px, frame.py))),
-          unit * std::max(0.0, relief.field.maximum() - height)};
+          place.height,
+          place.texel,
+          place.headroom};
+}
+
+AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
+                      const Vec3& light) {
+  const AxisPlace place = axisPlace(point, frame, relief);
+  const AxisSample sample = axisSample(place, light);
+  return {frame,         sample.elevation, sample.curvature, sample.normalChange,
+          sample.height, sample.texel,     sample.headroom};
 }
 
 double curvatureHeight(const AxisSample& sample) {
@@ -89,27 +102,65 @@ const std::vector<SampleAxis>& sampleAxes() {
   return axes;
 }
 
-SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples,
-                      const Vec3& light) {
+namespace {
+
+/// @param placeOf  `placeOf(i)` is the place of a sample on the surface
+template <typename PlaceOf>
+SampleBins binsOf(const SampleGrid& samples, const PlaceOf& placeOf, const Vec3& light) {
   const std::vector<SampleAxis>& axes = sampleAxes();
   for (const SampleAxis& axis : axes) requireEdges(axis.edges);
-  const std::vector<LimitFace> faces = limitFaces(surface, samples.samples.size());
   SampleBins bins(axes.size(), std::vector<std::uint8_t>(samples.samples.size(), noBin));
   parallelFor(
       0, samples.samples.size(),
       [&](std::size_t i) {
-        const SurfaceSample& sample = samples.samples[i];
-        if (!sample.isOnSurface()) return;
-        const LimitPoint point = faces[sample.faceIndex()].evaluate(sample.s, sample.t);
-        const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
-        if (!frame.defined) return;
-        const AxisSample seen = axisSample(point, frame, relief, light);
+        if (!samples.samples[i].isOnSurface()) return;
+        const AxisPlace& place = placeOf(i);
+        if (!place.frame.defined) return;
+        const AxisSample seen = axisSample(place, light);
         for (std::size_t a = 0; a < axes.size(); ++a) {
           bins[a][i] = binOf(roundedToAMillionth(axes[a].value(seen)), axes[a].edges);
         }
       },
       1024);
   return bins;
+}
+
+AxisPlace placeOf(const LimitFace& face, const SurfaceSample& sample, const Relief& relief) {
+  const LimitPoint point = face.evaluate(sample.s, sample.t);
+  return axisPlace(point, texelFrame(point, relief.texelsPerUv()), relief);
+}
+
+}  // namespace
+
+SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples,
+                      const Vec3& light) {
+  const std::vector<LimitFace> faces = limitFaces(surface, samples.samples.size());
+  return binsOf(
+      samples,
+      [&](std::size_t i) {
+        const SurfaceSample& sample = samples.samples[i];
+        return placeOf(faces[sample.faceIndex()], sample, relief);
+      },
+      light);
+}
+
+AxisPlaces axisPlaces(const LimitSurface& surface, const Relief& relief,
+                      const SampleGrid& samples) {
+  const std::vector<LimitFace> faces = limitFaces(surface, samples.samples.size());
+  AxisPlaces places(samples.samples.size());
+  parallelFor(
+      0, places.size(),
+      [&](std::size_t i) {
+        const SurfaceSample& sample = samples.samples[i];
+        if (sample.isOnSurface()) places[i] = placeOf(faces[sample.faceIndex()], sample, relief);
+      },
+      1024);
+  return places;
+}
+
+SampleBins binSamples(const SampleGrid& samples, const AxisPlaces& places, const Vec3& light) {
+  return binsOf(
+      samples, [&](std::size_t i) -> const AxisPlace& { return places[i]; }, light);
 }
 
 }  // namespace gnomon

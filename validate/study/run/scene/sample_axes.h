@@ -4,8 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "common/raw_vector.h"
 #include "common/vec.h"
 #include "relief/relief.h"
+#include "surface/curvature.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "surface/texel_frame.h"
@@ -26,6 +28,21 @@ struct AxisSample {
   double texel;             ///< |P_x × P_y|^½: world length of a texel
   double headroom = 0;      ///< from `height` up to the relief's highest, world length
 };
+
+/// What an axis needs of a sample, whatever the light.
+struct AxisPlace {
+  ShapeOperator shape;
+  TexelFrame frame;
+  double height;    ///< as AxisSample's
+  double texel;     ///< likewise
+  double headroom;  ///< likewise
+};
+
+/// @param frame  of the same point
+AxisPlace axisPlace(const LimitPoint& point, const TexelFrame& frame, const Relief& relief);
+
+/// The sample at a place whose frame is defined. @param light  unit vector toward the light
+AxisSample axisSample(const AxisPlace& place, const Vec3& light);
 
 /// @param frame  of the same point, defined
 /// @param light  unit vector toward the light
@@ -86,5 +103,12 @@ using SampleBins = std::vector<std::vector<std::uint8_t>>;
 /// @param light  unit vector toward the light
 SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples,
                       const Vec3& light);
+
+/// The places of a view's samples; undefined where there is none on the surface.
+using AxisPlaces = RawVector<AxisPlace>;
+AxisPlaces axisPlaces(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples);
+
+/// The same bins from these.
+SampleBins binSamples(const SampleGrid& samples, const AxisPlaces& places, const Vec3& light);
 
 }  // namespace gnomon

@@ -1,5 +1,6 @@
 #include "study/run/scene/table_set.h"
 
+#include <memory>
 #include <span>
 
 #include "horizon/angle_table.h"
@@ -30,29 +31,41 @@ HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSpe
 }
 
 const HorizonTables& TableSet::bake(const BakeSpec& spec, StageClock& clock) {
-  const ContentKey key = settingsKey(spec, Enters::horizons);
-  const auto found = bakes_.find(key);
-  if (found != bakes_.end()) return found->second;
-  return bakes_
-      .emplace(key, clock.measure("bake",
-                                  [&](const Progress& progress) {
-                                    return keptHorizons(cache_, field_, spec, progress);
-                                  }))
-      .first->second;
+  std::shared_ptr<const HorizonTables>& held = bakes_[settingsKey(spec, Enters::horizons)];
+  if (held) return *held;
+  held = store_.get<HorizonTables>(
+      bakeKey(field_, spec),
+      [&] {
+        return clock.measure("bake", [&](const Progress& progress) {
+          return std::make_shared<const HorizonTables>(
+              keptHorizons(cache_, field_, spec, progress));
+        });
+      },
+      [](const HorizonTables& tables) {
+        return sizeof(float) * (tables.horizon.size() + tables.distance.size());
+      });
+  return *held;
 }
 
 const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
-  const ContentKey key = settingsKey(spec, Enters::horizons | Enters::codes);
-  const auto found = stored_.find(key);
-  if (found != stored_.end()) return found->second;
-  const HorizonTables& baked = bake(spec, clock);
-  return clock.measure("tables", [&](const Progress&) -> const TablePair& {
-    const auto store = [&](std::span<const float> values) {
-      return GpuTable(storeTable(values, spec.bits), baked);
-    };
-    return stored_.emplace(key, TablePair{store(baked.horizon), store(baked.distance)})
-        .first->second;
+  const ContentKey settings = settingsKey(spec, Enters::horizons | Enters::codes);
+  std::shared_ptr<const TablePair>& held = stored_[settings];
+  if (held) return *held;
+  const auto make = [&] {
+    const HorizonTables& baked = bake(spec, clock);
+    return clock.measure("tables", [&](const Progress&) {
+      const auto store = [&](std::span<const float> values) {
+        return GpuTable(storeTable(values, spec.bits), baked);
+      };
+      return std::make_shared<const TablePair>(store(baked.horizon), store(baked.distance));
+    });
+  };
+  const ContentKey key =
+      KeyBuilder("tables").add("bake", bakeKey(field_, spec)).add("settings", settings).key();
+  held = store_.get<TablePair>(key, make, [](const TablePair& pair) {
+    return pair.horizon.byteCount() + pair.distance.byteCount();
   });
+  return *held;
 }
 
 const GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
@@ -69,11 +82,17 @@ const GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
 
 const GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,
                                          const HorizonShooter& shoot) {
-  const std::pair key(mesh, settingsKey(spec, Enters::shotAngles | Enters::codes));
-  const auto found = surfaceAngles_.find(key);
-  if (found != surfaceAngles_.end()) return found->second;
-  const AngleTable table = cache_.remember(keys_.surfaceAngles(mesh, spec), shoot);
-  return surfaceAngles_.try_emplace(key, table, spec.bits).first->second;
+  const ContentKey settings = settingsKey(spec, Enters::shotAngles | Enters::codes);
+  std::shared_ptr<const GpuAngles>& held = surfaceAngles_[{mesh, settings}];
+  if (held) return *held;
+  const ContentKey shot = keys_.surfaceAngles(mesh, spec);
+  const ContentKey key =
+      KeyBuilder("surface angles").add("shot", shot).add("settings", settings).key();
+  held = store_.get<GpuAngles>(
+      key,
+      [&] { return std::make_shared<const GpuAngles>(cache_.remember(shot, shoot), spec.bits); },
+      [](const GpuAngles& angles) { return angles.byteCount(); });
+  return *held;
 }
 
 const GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "horizon/horizon_bake.h"
 #include "render/gpu_scene.h"
 #include "study/run/scene/run_keys.h"
+#include "study/run/scene/scene_store.h"
 #include "study/run/scene/stage_clock.h"
 #include "study/spec/study_file.h"
 #include "surface/sample_grid.h"
@@ -30,8 +32,13 @@ class TableSet {
  public:
   /// All must outlive it.
   /// @param texelsPerHeight  of the frame of angles (texel_scale.h)
-  TableSet(const HeightField& field, double texelsPerHeight, Cache& cache, const RunKeys& keys)
-      : field_(field), texelsPerHeight_(texelsPerHeight), cache_(cache), keys_(keys) {}
+  TableSet(const HeightField& field, double texelsPerHeight, Cache& cache, SceneStore& store,
+           const RunKeys& keys)
+      : field_(field),
+        texelsPerHeight_(texelsPerHeight),
+        cache_(cache),
+        store_(store),
+        keys_(keys) {}
 
   /// @param clock  of the stages "bake" and "tables"
   const TablePair& tables(const BakeSpec& spec, StageClock& clock);
@@ -50,13 +57,14 @@ class TableSet {
   const HeightField& field_;
   double texelsPerHeight_;
   Cache& cache_;
+  SceneStore& store_;
   const RunKeys& keys_;
   // By the settings that enter each, see settingsKey.
-  std::map<ContentKey, HorizonTables> bakes_;
-  std::map<ContentKey, TablePair> stored_;
+  std::map<ContentKey, std::shared_ptr<const HorizonTables>> bakes_;
+  std::map<ContentKey, std::shared_ptr<const TablePair>> stored_;
   std::map<ContentKey, GpuTable> ellipses_;
   std::map<ContentKey, GpuAngles> angles_;
-  std::map<std::pair<MeshChoice, ContentKey>, GpuAngles> surfaceAngles_;
+  std::map<std::pair<MeshChoice, ContentKey>, std::shared_ptr<const GpuAngles>> surfaceAngles_;
 };
 
 /// Whether a bake is small enough to be kept.

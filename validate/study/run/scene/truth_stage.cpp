@@ -29,12 +29,32 @@ std::vector<TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
   return settings;
 }
 
-/// All lights, one truth each.
-std::vector<Truth> trace(const RunScene& scene, const TracedSurface& surface,
-                         const SampleGrid& samples, std::span<const TraceSettings> lights,
-                         const Progress& progress) {
-  return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene, samples,
-                      lights, progress);
+/// All lights, one truth each. Where more cases may follow, the samples' places are kept.
+/// @param key  of the surface
+std::vector<Truth> trace(RunScene& scene, const TracedSurface& surface, const ContentKey& key,
+                         const BaseCase& base, std::size_t view,
+                         std::span<const TraceSettings> lights, const Progress& progress) {
+  const SampleGrid& samples = base.views[view].samples;
+  const std::uint64_t bytes = (sizeof(RayStart) + sizeof(TexelAxes)) * samples.samples.size();
+  if (!scene.store.expectsCases() || !scene.store.canHold(bytes)) {
+    return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene, samples,
+                        lights, progress);
+  }
+  const auto placed = scene.store.get<PlacedSamples>(
+      KeyBuilder("places")
+          .add("surface", key)
+          .add("samples", scene.keys.samples(base.choice, view))
+          .key(),
+      [&] {
+        return std::make_shared<const PlacedSamples>(placeSamples(
+            scene.surface, scene.study.relief.texelsPerUv(), surface.mesh, samples, progress));
+      },
+      [&](const PlacedSamples&) { return bytes; });
+  std::vector<Truth> truths;
+  for (const TraceSettings& light : lights) {
+    truths.push_back(traceShadows(surface.scene, *placed, light, progress));
+  }
+  return truths;
 }
 
 void requireFrames(const SampleGrid& samples, const Truth& truth) {
@@ -92,10 +112,12 @@ std::vector<TraceSettings> some(const std::vector<TraceSettings>& lights,
 
 /// Under some of the lights, together: they share the samples' places.
 std::vector<Truth> traceWithSeams(RunScene& scene, const TracedSurface& surface,
-                                  const SampleGrid& samples,
+                                  const BaseCase& base, std::size_t view,
                                   const std::vector<TraceSettings>& lights) {
+  const SampleGrid& samples = base.views[view].samples;
   return scene.clock.measure("truth", [&](const Progress& progress) {
-    std::vector<Truth> truths = trace(scene, surface, samples, lights, progress);
+    std::vector<Truth> truths =
+        trace(scene, surface, scene.keys.surface(), base, view, lights, progress);
     const TextureCharts charts(scene.surface, scene.study.relief);
     auto crossings = seamCrossings(scene.surface, scene.study.relief, surface.mesh, surface.scene,
                                    charts, samples, truths, lights);
@@ -111,7 +133,7 @@ std::vector<Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, const Bas
                             std::size_t view) {
   const auto keyOf = [&](std::size_t light) { return scene.keys.truth(base.choice, view, light); };
   return rememberLights<Truth>(scene, keyOf, [&](const std::vector<std::size_t>& missing) {
-    return traceWithSeams(scene, surface.get(), base.views[view].samples,
+    return traceWithSeams(scene, surface.get(), base, view,
                           some(settingsOf(scene, standardRayOffset), missing));
   });
 }
@@ -120,16 +142,17 @@ std::vector<Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, const Bas
 UncertaintyRecord measured(RunScene& scene, const Truth& coarse, const BaseCase& base,
                            std::size_t view, std::size_t light) {
   const Truth& truth = base.views[view].truths[light];
-  const LightField field = scene.lightField(base, view, light);
+  const LightField field = scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
   return {"", "", flipRate(truth.mask, coarse.mask),
           differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
           compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
 }
 
 /// The truth's uncertainty in one view, one a light.
+/// @param half, halfKey  the surface at half the resolution
 std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand& half,
-                                               const TruthRecord& truth, const BaseCase& base,
-                                               std::size_t view) {
+                                               const ContentKey& halfKey, const TruthRecord& truth,
+                                               const BaseCase& base, std::size_t view) {
   const auto keyOf = [&](std::size_t light) {
     return KeyBuilder("uncertainty").add("truth", scene.keys.truth(base.choice, view, light)).key();
   };
@@ -137,7 +160,7 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
     requireCoarser(half.get(), truth);
     return scene.clock.measure("uncertainty", [&](const Progress& progress) {
       const std::vector<Truth> coarse =
-          trace(scene, half.get(), base.views[view].samples,
+          trace(scene, half.get(), halfKey, base, view,
                 some(settingsOf(scene, standardRayOffset / 2), missing), progress);
       std::vector<UncertaintyRecord> flips;
       for (std::size_t i = 0; i < coarse.size(); ++i) {
@@ -171,6 +194,16 @@ const TracedSurface& SurfaceOnDemand::get() {
   return *surface_;
 }
 
+std::shared_ptr<const TracedSurface> heldSurface(
+    RunScene& scene, const ContentKey& key,
+    const std::function<std::shared_ptr<const TracedSurface>()>& make) {
+  // A study alone asks for each once, and has room for one at a time.
+  if (!scene.store.expectsCases()) return make();
+  return scene.store.get<TracedSurface>(key, make, [](const TracedSurface& surface) {
+    return surface.scene.byteCount() + surface.mesh.coordinates().size_bytes();
+  });
+}
+
 TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface) {
   const ContentKey key = KeyBuilder("sizes").add("surface", scene.keys.surface()).key();
   return scene.cache.remember(key, [&] {
@@ -185,12 +218,27 @@ TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface) {
   });
 }
 
+const BaseCase* baseWithSamples(const RunScene& scene, const BaseCase& base, std::size_t view) {
+  const auto& asked = base.views[view].samples.samples;
+  for (const auto& [choice, other] : scene.bases) {
+    if (&other == &base) return nullptr;
+    const auto& samples = other.views[view].samples.samples;
+    const bool isSame = std::equal(samples.begin(), samples.end(), asked.begin(), asked.end(),
+                                   [](const SurfaceSample& a, const SurfaceSample& b) {
+                                     return a.face == b.face && a.s == b.s && a.t == b.t;
+                                   });
+    if (isSame) return &other;
+  }
+  return nullptr;
+}
+
 std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface) {
   std::uint64_t undefined = 0;
   for (auto& [choice, base] : scene.bases) {
     for (std::size_t v = 0; v < base.views.size(); ++v) {
       ViewCase& view = base.views[v];
-      view.truths = truthsOf(scene, surface, base, v);
+      const BaseCase* same = baseWithSamples(scene, base, v);
+      view.truths = same != nullptr ? same->views[v].truths : truthsOf(scene, surface, base, v);
       requireFrames(view.samples, view.truths.front());
       undefined += view.truths.front().undefinedSamples;
     }
@@ -204,7 +252,8 @@ ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, doub
   ViewTruths truths;
   for (const ViewCase& view : scene.standardBase().views) {
     truths.push_back(scene.clock.measure(stage, [&](const Progress& progress) {
-      return trace(scene, surface, view.samples, lights, progress);
+      return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
+                          view.samples, lights, progress);
     }));
   }
   return truths;
@@ -213,13 +262,19 @@ ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, doub
 void traceUncertainty(RunScene& scene, TruthRecord& truth) {
   MicroMeshSettings twice = scene.study.truth;
   twice.stepTexels = 2 * truth.askedStepTexels;
+  const ContentKey key = KeyBuilder("half the resolution")
+                             .add("surface", scene.keys.surface())
+                             .add("step", truth.askedStepTexels)
+                             .key();
   SurfaceOnDemand half([&] {
-    return std::make_unique<const TracedSurface>(scene, twice, "uncertainty", "uncertainty");
+    return heldSurface(scene, key, [&] {
+      return std::make_shared<const TracedSurface>(scene, twice, "uncertainty", "uncertainty");
+    });
   });
   const StudySpec& study = scene.study;
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     std::vector<UncertaintyRecord> flips =
-        uncertaintiesOf(scene, half, truth, scene.standardBase(), v);
+        uncertaintiesOf(scene, half, key, truth, scene.standardBase(), v);
     for (std::size_t l = 0; l < study.lights.size(); ++l) {
       flips[l].view = study.views[v].name;  // names are not cached
       flips[l].light = study.lights[l].name;

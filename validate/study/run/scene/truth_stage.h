@@ -37,24 +37,34 @@ ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, doub
 /// never does.
 class SurfaceOnDemand {
  public:
-  using Maker = std::function<std::unique_ptr<const TracedSurface>()>;
+  using Maker = std::function<std::shared_ptr<const TracedSurface>()>;
 
   explicit SurfaceOnDemand(Maker make);
 
   const TracedSurface& get();
-  /// Frees its memory; `get` builds it again.
+  /// Frees its memory, unless the store keeps it; `get` builds it again.
   void release() { surface_.reset(); }
 
  private:
   Maker make_;
-  std::unique_ptr<const TracedSurface> surface_;
+  std::shared_ptr<const TracedSurface> surface_;
 };
+
+/// The surface of a key: what the store holds of it, or what `make()` returns, which it keeps where
+/// more cases may follow.
+std::shared_ptr<const TracedSurface> heldSurface(
+    RunScene& scene, const ContentKey& key,
+    const std::function<std::shared_ptr<const TracedSurface>()>& make);
 
 /// The sizes that a run reports of the surface that its truth is traced on.
 TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface);
 
+/// The first mesh of the scene whose samples in a view are a mesh's own, to the bit, if that is
+/// another: in an atlas all meshes mostly show the same.
+const BaseCase* baseWithSamples(const RunScene& scene, const BaseCase& base, std::size_t view);
+
 /// Traces every view of every mesh of the scene under every light, where the cache does not have
-/// it. The lights of a view are traced together.
+/// it. The lights of a view are traced together; meshes that show the same samples share truths.
 /// @returns the number of samples for which no frame exists
 /// @throws InputError for a view in which no sample has a frame
 std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);

@@ -63,7 +63,7 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
   const bool isKept = cost.has_value();
   if (!cost) {
     cost.emplace();
-    cost->polygons = method.base->drawn.get().gpu.triangleCount();
+    cost->polygons = method.base->drawn.get()->gpu.triangleCount();
     cost->tableBytes = tableBytes(scene, method);
     if (method.method.tables.height) cost->heightBytes = scene.heights.byteCount();
     cost->day = today();
@@ -71,9 +71,9 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
       const CompiledMethod& ready = compiled(scene, method);
       const FirstFrame first = ready.hasDrawn ? FirstFrame::isWarm : FirstFrame::warmsUp;
       cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
-        return ready.pass.frameMilliseconds(method.base->views[*view].view,
-                                            scene.drawing(*method.base, 0), ready.tables, frames,
-                                            first, clock_);
+        return ready.pass->frameMilliseconds(method.base->views[*view].view,
+                                             scene.drawing(*method.base, 0), ready.tables, frames,
+                                             first, clock_);
       });
     }
     scene.cache.keep(key, *cost);

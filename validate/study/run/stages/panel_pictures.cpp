@@ -60,6 +60,7 @@ std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_
 /// An answer of a panel with the keys of its pictures. Its mask is asked for only where one of them
 /// has to be made.
 struct PanelPictures::Answer {
+  std::string name;  ///< of its files
   ContentKey key;
   const Mesh& mesh;
   const Mask* truth;  ///< what the mask is held against; null for the truth itself
@@ -110,10 +111,7 @@ void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
     for (std::size_t l = 0; l < scene_.study.lights.size(); ++l) {
       PictureBytes bytes = scene_.cache.remember(scene_.keys.displacedPicture(v, l), [&] {
         const TracedSurface& traced = surface.get();
-        const auto light = scene_.clock.measure("displaced picture", [&](const Progress& progress) {
-          return displacedPicture(traced.mesh, traced.scene, *camera,
-                                  scene_.study.lights[l].direction(), progress);
-        });
+        const auto light = lightDisplaced(v, l, *camera, traced);
         return scene_.clock.measure("writing", [&](const Progress&) {
           const auto rgb = writer_.displaced(camera->width, camera->height, light);
           PictureBytes made;
@@ -136,18 +134,41 @@ void PanelPictures::drawDisplaced(SurfaceOnDemand& surface) {
   }
 }
 
+std::vector<float> PanelPictures::lightDisplaced(std::size_t view, std::size_t light,
+                                                 const Camera& camera,
+                                                 const TracedSurface& traced) {
+  return scene_.clock.measure("displaced picture", [&](const Progress& progress) {
+    const auto bytes = [](const SeenSurface& seen) {
+      return sizeof(SeenSurface::Point) * seen.points.size();
+    };
+    const auto seen = scene_.store.get<SeenSurface>(
+        scene_.keys.seenSurface(view),
+        [&] {
+          return std::make_shared<const SeenSurface>(
+              seenSurface(traced.mesh, traced.scene, camera, progress));
+        },
+        bytes);
+    return displacedPicture(*seen, traced.scene, scene_.study.lights[light].direction(), progress);
+  });
+}
+
 std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t light,
                                                const BaseCase& base, Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
     const DrawnMesh kind = base.choice.kind;
-    const ShadePass& pass =
-        shades_.try_emplace(kind, scene_.shaders, scene_.study.relief.field.wrap(), kind)
-            .first->second;
+    constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
+    const auto pass = scene_.store.get<ShadePass>(
+        scene_.keys.shading(kind),
+        [&] {
+          return std::make_shared<const ShadePass>(scene_.shaders, scene_.study.relief.field.wrap(),
+                                                   kind);
+        },
+        [](const ShadePass&) { return bytes; });
     const RenderView& seen = base.views[view].view;
     const auto pixels =
         static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
-    return pass.render(seen, scene_.drawing(base, light),
-                       {seen.width, seen.height, std::vector<Shade>(pixels, everywhere)});
+    return pass->render(seen, scene_.drawing(base, light),
+                        {seen.width, seen.height, std::vector<Shade>(pixels, everywhere)});
   });
 }
 
@@ -179,50 +200,76 @@ PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light
   return mesh;
 }
 
-std::string PanelPictures::writeAnswer(std::size_t view, std::size_t light, const std::string& name,
-                                       const Answer& answer) {
-  struct Picture {
-    const char* kind;
-    std::string path;  ///< empty: none of a file
-    std::function<std::string()> make;
-    ContentKey key = {};
-    std::optional<std::string> bytes = {};
-  };
-  const Mask* mask = nullptr;
-  std::vector<std::uint8_t> rgb;
+/// One picture of an answer.
+struct PanelPictures::Picture {
+  const char* kind;
+  std::string path;  ///< empty: none of a file
+  std::function<std::string()> make;
+  ContentKey key = {};
+  std::optional<std::string> bytes = {};
+};
+
+std::vector<PanelPictures::Picture> PanelPictures::picturesOf(std::size_t view, std::size_t light,
+                                                              const std::string& name,
+                                                              const Answer& answer) const {
+  const auto shaded = [&answer] { return answer.mesh.shading(answer.mask()); };
   // The longest first.
-  std::vector<Picture> pictures = {
-      {"embedded", "",
-       [&] { return writer_.embedded(mask->width, mask->height, rgb, EmbeddedSize::small); }},
-      {"shaded", path("images", view, light, name),
-       [&] { return writer_.picture(mask->width, mask->height, rgb); }},
-      {"mask", path("masks", view, light, name), [&] { return writer_.mask(*mask); }}};
+  std::vector<Picture> pictures = {{"embedded", "",
+                                    [&answer, this, shaded] {
+                                      const Mask& mask = answer.mask();
+                                      return writer_.embedded(mask.width, mask.height, shaded(),
+                                                              EmbeddedSize::small);
+                                    }},
+                                   {"shaded", path("images", view, light, name),
+                                    [&answer, this, shaded] {
+                                      const Mask& mask = answer.mask();
+                                      return writer_.picture(mask.width, mask.height, shaded());
+                                    }},
+                                   {"mask", path("masks", view, light, name),
+                                    [&answer, this] { return writer_.mask(answer.mask()); }}};
   if (answer.truth != nullptr) {
-    pictures.push_back({"difference", path("images", view, light, name + "_difference"),
-                        [&] { return writer_.difference(*mask, *answer.truth); }});
+    pictures.push_back(
+        {"difference", path("images", view, light, name + "_difference"),
+         [&answer, this] { return writer_.difference(answer.mask(), *answer.truth); }});
     pictures.push_back({"test mask", path("masks/test", view, light, name),
-                        [&] { return writer_.mask(answer.test()); }});
+                        [&answer, this] { return writer_.mask(answer.test()); }});
   }
+  return pictures;
+}
+
+std::vector<std::string> PanelPictures::writeAnswers(std::size_t view, std::size_t light,
+                                                     const std::vector<Answer>& answers) {
+  std::vector<std::vector<Picture>> pictures;
   std::vector<Picture*> missing;
-  for (Picture& picture : pictures) {
-    picture.key = KeyBuilder(picture.kind).add("answer", answer.key).key();
-    picture.bytes = scene_.cache.find<std::string>(picture.key);
-    if (!picture.bytes) missing.push_back(&picture);
+  for (const Answer& answer : answers) {
+    std::vector<Picture>& own = pictures.emplace_back(picturesOf(view, light, answer.name, answer));
+    bool isAnyMissing = false;
+    for (Picture& picture : own) {
+      picture.key = KeyBuilder(picture.kind).add("answer", answer.key).key();
+      picture.bytes = scene_.cache.find<std::string>(picture.key);
+      if (picture.bytes) continue;
+      missing.push_back(&picture);
+      isAnyMissing = true;
+    }
+    if (isAnyMissing) {  // drawn here, where OpenGL is
+      (void)answer.mask();
+      (void)answer.mesh.colours.get();
+    }
   }
-  if (!missing.empty()) {
-    mask = &answer.mask();
-    rgb = answer.mesh.shading(*mask);
-  }
+  std::vector<std::string> embedded;
   scene_.clock.measure("writing", [&](const Progress&) {
     parallelFor(0, missing.size(), [&](std::size_t i) {
       missing[i]->bytes = missing[i]->make();
       scene_.cache.keep(missing[i]->key, *missing[i]->bytes);
     });
-    for (const Picture& picture : pictures) {
-      if (!picture.path.empty()) writer_.write(picture.path, *picture.bytes);
+    for (std::vector<Picture>& own : pictures) {
+      for (const Picture& picture : own) {
+        if (!picture.path.empty()) writer_.write(picture.path, *picture.bytes);
+      }
+      embedded.push_back(std::move(*own.front().bytes));
     }
   });
-  return std::move(*pictures.front().bytes);
+  return embedded;
 }
 
 TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
@@ -295,32 +342,32 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
     if (found != truths.end()) return found->second;
     return truths.emplace(&base, writeTruth(view, light, base)).first->second;
   };
+  std::vector<Answer> shown;
   for (const PanelAnswer& answer : answers) {
-    const std::string& label = study.methods[answer.place].label;
-    const std::string& name = names_.methods[answer.place];
     const BaseCase& base = *answer.method->base;
-    const Mesh& mesh = meshFor(base);
-    std::string embedded = writeAnswer(
-        view, light, name,
-        {answerKey(scene_, *answer.method, view, light), mesh, &base.views[view].truths[light].mask,
-         [&]() -> const Mask& { return answer.answers().drawn; },
-         [&]() -> const Mask& { return answer.answers().test; }});
-    panel.pictures.push_back({Kind::shaded, label, label, path("images", view, light, name),
-                              path("masks", view, light, name), std::move(embedded), mesh.layers,
-                              truthAt(base), path("masks/test", view, light, name)});
+    shown.push_back({names_.methods[answer.place], answerKey(scene_, *answer.method, view, light),
+                     meshFor(base), &base.views[view].truths[light].mask,
+                     [&asked = answer.answers]() -> const Mask& { return asked().drawn; },
+                     [&asked = answer.answers]() -> const Mask& { return asked().test; }});
+  }
+  shown.push_back({"truth", scene_.keys.truth(standard.choice, view, light), meshFor(standard),
+                   nullptr,
+                   [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
+  std::vector<std::string> embedded = writeAnswers(view, light, shown);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const std::string& label = study.methods[answers[i].place].label;
+    panel.pictures.push_back(
+        {Kind::shaded, label, label, path("images", view, light, shown[i].name),
+         path("masks", view, light, shown[i].name), std::move(embedded[i]), shown[i].mesh.layers,
+         truthAt(*answers[i].method->base), path("masks/test", view, light, shown[i].name)});
   }
   if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
     panel.pictures.push_back({Kind::displaced, "truth", "displaced mesh, ray-traced",
                               path("images", view, light, "displaced"), "", displaced->second});
   }
-  const Mesh& mesh = meshFor(standard);
-  std::string embedded =
-      writeAnswer(view, light, "truth",
-                  {scene_.keys.truth(standard.choice, view, light), mesh, nullptr,
-                   [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
   panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
-                            path("masks", view, light, "truth"), std::move(embedded), mesh.layers,
-                            truthAt(standard)});
+                            path("masks", view, light, "truth"), std::move(embedded.back()),
+                            shown.back().mesh.layers, truthAt(standard)});
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     panel.pictures.push_back(

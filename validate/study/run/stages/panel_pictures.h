@@ -50,14 +50,20 @@ class PanelPictures {
  private:
   struct Answer;
   struct Mesh;
+  struct Picture;
 
   /// `images/VIEW_LIGHT_NAME.png`, or in another folder.
   [[nodiscard]] std::string path(const char* folder, std::size_t view, std::size_t light,
                                  const std::string& name) const;
-  /// Writes an answer's shading and mask, and but for the truth its difference.
-  /// @return the shading as a page embeds it
-  std::string writeAnswer(std::size_t view, std::size_t light, const std::string& name,
-                          const Answer& answer);
+  /// An answer's shading and mask, and but for the truth its difference and its test's mask: first
+  /// what a page embeds.
+  [[nodiscard]] std::vector<Picture> picturesOf(std::size_t view, std::size_t light,
+                                                const std::string& name,
+                                                const Answer& answer) const;
+  /// Writes those of all answers, encoded at the same time where the cache does not have them.
+  /// @return each answer's shading as a page embeds it
+  std::vector<std::string> writeAnswers(std::size_t view, std::size_t light,
+                                        const std::vector<Answer>& answers);
   /// Writes the truth at a mesh's samples. The mask of the standard base's truth is not among it:
   /// that is written with its shading.
   TruthFilesRecord writeTruth(std::size_t view, std::size_t light, const BaseCase& base);
@@ -65,6 +71,9 @@ class PanelPictures {
   /// meshes.
   /// @return the file; empty for a camera
   std::string writeWeights(std::size_t view);
+  /// The displaced surface in a camera view by its own rays: diffuse light per pixel.
+  std::vector<float> lightDisplaced(std::size_t view, std::size_t light, const Camera& camera,
+                                    const TracedSurface& traced);
   /// Draws one view of a mesh under one light.
   std::vector<std::uint8_t> shade(std::size_t view, std::size_t light, const BaseCase& base,
                                   Shade everywhere);
@@ -73,7 +82,6 @@ class PanelPictures {
 
   RunScene& scene_;
   RunWriter& writer_;
-  std::map<DrawnMesh, ShadePass> shades_;
   std::set<std::size_t> viewsWithWeights_;  ///< whose file is written
   CaseNames names_;
   /// As a page embeds the displaced surface, by view and light.

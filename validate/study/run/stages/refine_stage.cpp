@@ -95,7 +95,12 @@ ContentKey pathKey(const RunScene& scene) {
 
 }  // namespace
 
-TruthSurface::TruthSurface(RunScene& scene) : scene_(scene), surface_([this] { return make(); }) {}
+TruthSurface::TruthSurface(RunScene& scene)
+    : scene_(scene), surface_([this] {
+        // A search leaves its path too, which the store does not have.
+        if (scene_.study.truth.uncertainty) return make();
+        return heldSurface(scene_, scene_.keys.surface(), [this] { return make(); });
+      }) {}
 
 /// Whether it is known how the step was found.
 bool TruthSurface::findPath() {
@@ -105,18 +110,18 @@ bool TruthSurface::findPath() {
   return !path_.empty();
 }
 
-std::unique_ptr<const TracedSurface> TruthSurface::make() {
+std::shared_ptr<const TracedSurface> TruthSurface::make() {
   MicroMeshSettings settings = scene_.study.truth;
   if (scene_.study.truth.uncertainty) {
     if (!findPath()) {
       RefinedSurface refined = Refinement(scene_).run();
       path_ = std::move(refined.path);
       scene_.cache.keep(pathKey(scene_), path_);
-      return std::move(refined.surface);
+      return std::shared_ptr<const TracedSurface>(std::move(refined.surface));
     }
     settings.stepTexels = path_.back().stepTexels;
   }
-  return std::make_unique<const TracedSurface>(scene_, settings, "micro-mesh", "hierarchy");
+  return std::make_shared<const TracedSurface>(scene_, settings, "micro-mesh", "hierarchy");
 }
 
 TruthRecord TruthSurface::record() {

@@ -32,7 +32,7 @@ class TruthSurface {
   TruthRecord record();
 
  private:
-  std::unique_ptr<const TracedSurface> make();
+  std::shared_ptr<const TracedSurface> make();
   bool findPath();
 
   RunScene& scene_;
