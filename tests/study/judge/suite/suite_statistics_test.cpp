@@ -206,14 +206,21 @@ TEST(SuiteControl, WithoutCorrectionEqualMethodsWouldOftenBe) {
   EXPECT_GE(suites, 0.12 * 40);
 }
 
-TEST(SuiteControl, AMethodOfAQuarterOfTheErrorIsFound) {
+/// A method of half the error comes first. That it is distinguishable takes more: a single scene
+/// that is ten times as hard as the others widens the interval of every difference.
+TEST(SuiteControl, AMethodOfHalfTheErrorIsFound) {
+  int first = 0;
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const SuiteStatistics statistics = statisticsOf(randomStudies(100, {1, 1, 0.25}, seed));
-    found += statistics.methods.front().label == "m2" &&
-             findPair(statistics, "m2", "m0")->verdict == DifferenceVerdict::better;
+    const SuiteStatistics statistics = statisticsOf(randomStudies(100, {1, 1, 0.5}, seed));
+    first += statistics.methods.front().label == "m2" ? 1 : 0;
+    const auto pair = findPair(statistics, "m2", "m0");
+    found += pair->verdict == DifferenceVerdict::better ? 1 : 0;
+    EXPECT_NE(pair->verdict, DifferenceVerdict::worse);
+    EXPECT_GT(pair->wins.interval.low, 0.5);
   }
-  EXPECT_GE(found, 18);
+  EXPECT_EQ(first, 20);
+  EXPECT_GE(found, 14);
 }
 
 // ---- scenes and bins
