@@ -2,5 +2,5 @@
 #include "viewer/window/open_viewer.h"
 
 int main(int argc, char** argv) {
-  return gnomon::runCommandLine(argc, argv, gnomon::openViewer);
+  return gnomon::cli::runCommandLine(argc, argv, gnomon::app::openViewer);
 }

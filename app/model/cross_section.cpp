@@ -6,7 +6,7 @@
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// sin γ / γ, 1 at 0.
@@ -14,15 +14,15 @@ double sinc(double angle) {
   return std::abs(angle) < 1e-8 ? 1 : std::sin(angle) / angle;
 }
 
-SectionHorizons formulasOn(const HorizonLookups& at, double lightSlope) {
+SectionHorizons formulasOn(const horizon::HorizonLookups& at, double lightSlope) {
   const auto horizon = [&](double slope) { return SectionHorizon{slope, !(lightSlope > slope)}; };
   SectionHorizons all;
   all.lookups = at;
   all.flat = horizon(at.slope);
-  all.smallAngle = horizon(smallAngleHorizon(at));
-  all.unreduced = horizon(unreducedHorizon(at));
-  all.exact = horizon(osculatingHorizon(at));
-  all.bare = horizon(bareHorizon(at.curvature, at.height));
+  all.smallAngle = horizon(horizon::smallAngleHorizon(at));
+  all.unreduced = horizon(horizon::unreducedHorizon(at));
+  all.exact = horizon(horizon::osculatingHorizon(at));
+  all.bare = horizon(horizon::bareHorizon(at.curvature, at.height));
   all.onoue2004 = all.smallAngle.shadowed || all.bare.shadowed;
   all.onoueExact = all.exact.shadowed || all.bare.shadowed;
   all.onoue2003 = at.curvature > 0 ? all.onoue2004 : all.flat.shadowed;
@@ -30,7 +30,7 @@ SectionHorizons formulasOn(const HorizonLookups& at, double lightSlope) {
 }
 
 /// A flat horizon in the world.
-HorizonLookups inWorld(const CrossSection& section, const FlatHorizon& horizon) {
+horizon::HorizonLookups inWorld(const CrossSection& section, const horizon::FlatHorizon& horizon) {
   return {section.curvature, section.eye.y,
           section.worldPerHeight * horizon.slope / section.worldPerTexel,
           section.worldPerTexel * horizon.distance};
@@ -38,7 +38,7 @@ HorizonLookups inWorld(const CrossSection& section, const FlatHorizon& horizon) 
 
 /// The relief and the ground below it on the circle, up to a quarter turn.
 void bend(CrossSection& section) {
-  for (const ProfilePoint& point : section.profile.points) {
+  for (const horizon::ProfilePoint& point : section.profile.points) {
     const double arc = section.worldPerTexel * point.distance;
     if (std::abs(section.curvature * arc) > pi / 2) continue;
     const double height = section.worldPerHeight * point.height;
@@ -65,38 +65,40 @@ Vec2 onOsculatingCircle(double curvature, double arcLength, double height) {
   return {run + height * std::sin(angle), height * std::cos(angle) - drop};
 }
 
-std::optional<CrossSection> crossSection(const LimitSurface& surface, const Relief& relief,
-                                         const SurfaceSample& sample, const Vec3& light,
+std::optional<CrossSection> crossSection(const surface::LimitSurface& surface,
+                                         const relief::Relief& relief,
+                                         const surface::SurfaceSample& sample, const Vec3& light,
                                          const SectionSettings& settings,
                                          const SectionTables* tables) {
   if (!sample.isOnSurface()) return std::nullopt;
-  const LimitPoint point = surface.evaluate(sample);
-  const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+  const surface::LimitPoint point = surface.evaluate(sample);
+  const surface::TexelFrame frame = surface::texelFrame(point, relief.texelsPerUv());
   if (!frame.defined) return std::nullopt;
-  const LocalLight local = localLight(frame, light);
+  const surface::LocalLight local = surface::localLight(frame, light);
 
   CrossSection section;
   section.origin = frame.position;
   section.up = frame.normal;
   section.along =
       (local.direction.x * frame.px + local.direction.y * frame.py) / local.worldPerTexel;
-  section.curvature = normalCurvature(point, section.along);
+  section.curvature = surface::normalCurvature(point, section.along);
   section.worldPerTexel = local.worldPerTexel;
-  section.worldPerHeight = worldPerHeight(relief.space, frame);
+  section.worldPerHeight = relief::worldPerHeight(relief.space, frame);
   section.lightSlope = local.slope;
   section.lightDirection = {glm::dot(light, section.along), glm::dot(light, section.up)};
 
-  section.profile = heightProfile(relief.field, frame.texel, local.direction, settings.radiusTexels,
-                                  settings.behindTexels);
-  section.horizon = flatHorizon(relief.field, frame.texel, local.direction, settings.radiusTexels);
+  section.profile = horizon::heightProfile(relief.field, frame.texel, local.direction,
+                                           settings.radiusTexels, settings.behindTexels);
+  section.horizon =
+      horizon::flatHorizon(relief.field, frame.texel, local.direction, settings.radiusTexels);
   section.eye = {0, section.worldPerHeight * relief.field.at(frame.texel)};
-  const HorizonLookups here = inWorld(section, section.horizon);
+  const horizon::HorizonLookups here = inWorld(section, section.horizon);
   section.here = formulasOn(here, section.lightSlope);
   if (tables != nullptr) {
-    const auto entry = [&](const StoredTable& table) {
-      return filteredValue(table, tables->shape, frame.texel, local.azimuth());
+    const auto entry = [&](const horizon::StoredTable& table) {
+      return horizon::filteredValue(table, tables->shape, frame.texel, local.azimuth());
     };
-    const FlatHorizon filtered{entry(tables->horizon), entry(tables->distance)};
+    const horizon::FlatHorizon filtered{entry(tables->horizon), entry(tables->distance)};
     section.fromTables = formulasOn(inWorld(section, filtered), section.lightSlope);
   }
   bend(section);
@@ -105,4 +107,4 @@ std::optional<CrossSection> crossSection(const LimitSurface& surface, const Reli
   return section;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

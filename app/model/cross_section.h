@@ -11,7 +11,7 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// The section of a displaced surface with the plane through one sample's normal and the light:
 /// Figures 1 and 2 of Onoue, Max & Nishita 2004 as data.
@@ -27,22 +27,22 @@ struct SectionHorizon {
 
 /// All formulas on one pair of δ and d.
 struct SectionHorizons {
-  HorizonLookups lookups;     ///< κ, h₀, tan β and d, in the world
-  SectionHorizon flat;        ///< tan β: what `max-forsyth` compares with
-  SectionHorizon smallAngle;  ///< (2)
-  SectionHorizon unreduced;   ///< the formula without a number
-  SectionHorizon exact;       ///< on the osculating circle
-  SectionHorizon bare;        ///< (3): minus infinity where κ ≤ 0
-  bool onoue2003 = false;     ///< shadowed by (2) or (3), with κ counted as 0 where it is below
-  bool onoue2004 = false;     ///< shadowed by (2) or (3)
-  bool onoueExact = false;    ///< shadowed by `exact` or (3)
+  horizon::HorizonLookups lookups;  ///< κ, h₀, tan β and d, in the world
+  SectionHorizon flat;              ///< tan β: what `max-forsyth` compares with
+  SectionHorizon smallAngle;        ///< (2)
+  SectionHorizon unreduced;         ///< the formula without a number
+  SectionHorizon exact;             ///< on the osculating circle
+  SectionHorizon bare;              ///< (3): minus infinity where κ ≤ 0
+  bool onoue2003 = false;   ///< shadowed by (2) or (3), with κ counted as 0 where it is below
+  bool onoue2004 = false;   ///< shadowed by (2) or (3)
+  bool onoueExact = false;  ///< shadowed by `exact` or (3)
 };
 
 /// The tables that a method reads.
 struct SectionTables {
-  const StoredTable& horizon;   ///< δ
-  const StoredTable& distance;  ///< d
-  TableShape shape;             ///< of both
+  const horizon::StoredTable& horizon;   ///< δ
+  const horizon::StoredTable& distance;  ///< d
+  horizon::TableShape shape;             ///< of both
 };
 
 struct CrossSection {
@@ -53,9 +53,9 @@ struct CrossSection {
   Vec2 lightDirection;    ///< the unit ray toward the light, in the plane
 
   /// Figure 1: the flat relief along the light's azimuth, height units over texels.
-  HeightProfile profile;
+  horizon::HeightProfile profile;
   /// Its horizon from the sample itself, no table between.
-  FlatHorizon horizon;
+  horizon::FlatHorizon horizon;
   /// The formulas on that horizon.
   SectionHorizons here;
   /// The formulas on what the shader reads: δ and d filtered between texels and azimuths. Absent
@@ -90,9 +90,10 @@ Vec2 onOsculatingCircle(double curvature, double arcLength, double height);
 /// @param tables  those of a method, for `fromTables`; null for none
 /// @param light   unit vector toward the light
 /// @return nothing where there is no sample or no frame
-std::optional<CrossSection> crossSection(const LimitSurface& surface, const Relief& relief,
-                                         const SurfaceSample& sample, const Vec3& light,
+std::optional<CrossSection> crossSection(const surface::LimitSurface& surface,
+                                         const relief::Relief& relief,
+                                         const surface::SurfaceSample& sample, const Vec3& light,
                                          const SectionSettings& settings = {},
                                          const SectionTables* tables = nullptr);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

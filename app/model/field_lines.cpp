@@ -9,20 +9,21 @@
 #include "common/parallel.h"
 #include "surface/curvature.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// Whether the directions have a meaning, on a face of this size.
-bool hasDirections(const PrincipalCurvatures& curvatures, double faceSize) {
+bool hasDirections(const surface::PrincipalCurvatures& curvatures, double faceSize) {
   const double difference = curvatures.k1 - curvatures.k2;
   const double larger = std::max(std::abs(curvatures.k1), std::abs(curvatures.k2));
   return std::isfinite(difference) && difference > 5e-3 * larger && difference * faceSize > 1e-6;
 }
 
-void addLines(const LimitPoint& point, const LineSettings& settings, PrincipalLines& lines) {
-  const Vec3 normal = outwardNormal(point);
+void addLines(const surface::LimitPoint& point, const LineSettings& settings,
+              PrincipalLines& lines) {
+  const Vec3 normal = surface::outwardNormal(point);
   if (normal == Vec3(0)) return;
-  const PrincipalCurvatures curvatures = principalCurvatures(point);
+  const surface::PrincipalCurvatures curvatures = surface::principalCurvatures(point);
   const double longer = std::max(glm::length(point.ds), glm::length(point.dt));
   if (!hasDirections(curvatures, longer)) return;
   // Of two neighbours along the shorter side, so that lines do not meet.
@@ -43,7 +44,7 @@ std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share) {
 
 }  // namespace
 
-PrincipalLines principalLines(const LimitSurface& surface, const LineSettings& settings) {
+PrincipalLines principalLines(const surface::LimitSurface& surface, const LineSettings& settings) {
   constexpr double most = 1 << 24;
   const int side = settings.perFaceSide;
   if (side < 1 || static_cast<double>(side) * side * surface.faceCount() > most) {
@@ -63,8 +64,8 @@ PrincipalLines principalLines(const LimitSurface& surface, const LineSettings& s
   return lines;
 }
 
-CurvatureField curvatureAlong(const LimitSurface& surface, const SampleGrid& samples,
-                              const Vec3& light) {
+CurvatureField curvatureAlong(const surface::LimitSurface& surface,
+                              const surface::SampleGrid& samples, const Vec3& light) {
   CurvatureField field;
   field.values.assign(samples.samples.size(), 0);
   field.defined.assign(samples.samples.size(), 0);
@@ -72,13 +73,13 @@ CurvatureField curvatureAlong(const LimitSurface& surface, const SampleGrid& sam
   parallelFor(
       0, samples.samples.size(),
       [&](std::size_t i) {
-        const SurfaceSample& sample = samples.samples[i];
+        const surface::SurfaceSample& sample = samples.samples[i];
         if (!sample.isOnSurface()) return;
-        const LimitPoint point = surface.evaluate(sample);
-        const Vec3 normal = outwardNormal(point);
+        const surface::LimitPoint point = surface.evaluate(sample);
+        const Vec3 normal = surface::outwardNormal(point);
         const Vec3 along = light - glm::dot(light, normal) * normal;
         if (normal == Vec3(0) || !(glm::length(along) > 1e-12)) return;
-        const double value = normalCurvature(point, light);
+        const double value = surface::normalCurvature(point, light);
         if (!std::isfinite(value)) return;
         field.values[i] = value;
         field.defined[i] = 1;
@@ -88,13 +89,13 @@ CurvatureField curvatureAlong(const LimitSurface& surface, const SampleGrid& sam
   return field;
 }
 
-Rgb curvatureColour(double value, double largest) {
-  const Rgb flat = CurvatureColours::flat;
+image::Rgb curvatureColour(double value, double largest) {
+  const image::Rgb flat = CurvatureColours::flat;
   if (!(largest > 0) || !std::isfinite(value)) return flat;
-  const Rgb end = value < 0 ? CurvatureColours::concave : CurvatureColours::convex;
+  const image::Rgb end = value < 0 ? CurvatureColours::concave : CurvatureColours::convex;
   const double share = std::min(std::abs(value) / largest, 1.0);
   return {mixed(flat[0], end[0], share), mixed(flat[1], end[1], share),
           mixed(flat[2], end[2], share)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -8,7 +8,7 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A straight piece in the world.
 struct LineSegment {
@@ -33,7 +33,8 @@ struct LineSettings {
 /// degenerate.
 /// @param settings  perFaceSide² × faces lines at most 2²⁴
 /// @throws InputError if there were more
-PrincipalLines principalLines(const LimitSurface& surface, const LineSettings& settings = {});
+PrincipalLines principalLines(const surface::LimitSurface& surface,
+                              const LineSettings& settings = {});
 
 /// κ of the limit surface in the light's direction at every sample of a view, 1 / world, convex
 /// positive; NaN-free: `defined` says where it has a meaning (a sample with a normal, and a light
@@ -45,20 +46,20 @@ struct CurvatureField {
 };
 
 /// On all threads; the same bits whatever their number.
-CurvatureField curvatureAlong(const LimitSurface& surface, const SampleGrid& samples,
-                              const Vec3& light);
+CurvatureField curvatureAlong(const surface::LimitSurface& surface,
+                              const surface::SampleGrid& samples, const Vec3& light);
 
 /// The colours of curvature: purple where the surface bends toward the light's side (concave), near
 /// white where it is flat, green where it bends away (convex). The pair stays apart for the common
 /// colour vision deficiencies, is even in lightness, and is neither of the colours of errors.
 struct CurvatureColours {
-  static constexpr Rgb concave{118, 42, 131};
-  static constexpr Rgb flat{247, 247, 247};
-  static constexpr Rgb convex{27, 120, 55};
+  static constexpr image::Rgb concave{118, 42, 131};
+  static constexpr image::Rgb flat{247, 247, 247};
+  static constexpr image::Rgb convex{27, 120, 55};
 };
 
 /// Linear from `flat` to the end of the value's sign, which ±largest reaches; `flat` where largest
 /// is 0.
-Rgb curvatureColour(double value, double largest);
+image::Rgb curvatureColour(double value, double largest);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -6,7 +6,7 @@
 #include "common/degrees.h"
 #include "study/spec/sections/light_name.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// To a thousandth of a degree.
@@ -16,12 +16,12 @@ double rounded(double degrees) {
 
 }  // namespace
 
-LightAngles lightAngles(const LightSpec& light) {
+LightAngles lightAngles(const study::LightSpec& light) {
   return {degreesOf(light.azimuth), degreesOf(light.elevation)};
 }
 
-LightSpec lightSpec(const LightAngles& angles) {
-  return {lightName(angles.azimuth, angles.elevation), radians(angles.azimuth),
+study::LightSpec lightSpec(const LightAngles& angles) {
+  return {study::lightName(angles.azimuth, angles.elevation), radians(angles.azimuth),
           radians(angles.elevation)};
 }
 
@@ -32,4 +32,4 @@ LightAngles dragged(const LightAngles& angles, double azimuthChange, double elev
           std::clamp(rounded(angles.elevation + elevationChange), -90.0, 90.0)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -2,7 +2,7 @@
 
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A light as it is dragged and saved, in degrees, so that a study file holds it to the bit.
 struct LightAngles {
@@ -11,13 +11,13 @@ struct LightAngles {
   friend bool operator==(const LightAngles&, const LightAngles&) = default;
 };
 
-LightAngles lightAngles(const LightSpec& light);
+LightAngles lightAngles(const study::LightSpec& light);
 
 /// The light that a study file with these angles has, named as it names it.
-LightSpec lightSpec(const LightAngles& angles);
+study::LightSpec lightSpec(const LightAngles& angles);
 
 /// A light dragged by some degrees: the azimuth wraps, the elevation ends at the poles. Rounded to
 /// a thousandth of a degree, so that dragging back returns.
 LightAngles dragged(const LightAngles& angles, double azimuthChange, double elevationChange);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gnomon {
+namespace gnomon::app {
 
 Camera orbited(const Camera& camera, double azimuth, double elevation) {
   const Vec3 offset = camera.eye - camera.target;
@@ -32,4 +32,4 @@ Camera zoomed(const Camera& camera, double factor, const ZoomRange& range) {
   return moved;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -2,7 +2,7 @@
 
 #include "common/camera.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A camera as a person moves it: pure functions, camera in, camera out. All keep target, up, field
 /// of view and size.
@@ -22,4 +22,4 @@ struct ZoomRange {
 /// The eye's distance multiplied by a factor > 0 (below 1 comes nearer), within the range.
 Camera zoomed(const Camera& camera, double factor, const ZoomRange& range);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// The samples that the truth has an answer for.
@@ -37,9 +37,11 @@ PaneFigures paneFigures(const Mask& candidate, const Mask& truth,
     throw InputError(fmt::format("pane: {} samples, but {} marked as traced or not", truth.size(),
                                  traced.size()));
   }
-  const Counts counts = countSamples(candidate, truth, weights, answered(truth, traced));
-  return {rate(counts, "error_rate"), rate(counts, "false_shadow"), rate(counts, "false_light"),
-          rate(counts, "iou"), shareTraced(candidate, traced)};
+  const compare::Counts counts =
+      compare::countSamples(candidate, truth, weights, answered(truth, traced));
+  return {compare::rate(counts, "error_rate"), compare::rate(counts, "false_shadow"),
+          compare::rate(counts, "false_light"), compare::rate(counts, "iou"),
+          shareTraced(candidate, traced)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

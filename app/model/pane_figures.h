@@ -7,12 +7,12 @@
 #include "common/mask.h"
 #include "compare/rates.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What a pane says of its method, against as much of the truth as has been traced.
 struct PaneFigures {
-  Metric errorRate, falseShadow, falseLight, iou;  ///< over the traced samples
-  double tracedShare = 0;                          ///< of the view's samples, 0 to 1
+  compare::Metric errorRate, falseShadow, falseLight, iou;  ///< over the traced samples
+  double tracedShare = 0;                                   ///< of the view's samples, 0 to 1
 };
 
 /// The figures of `compare` over the traced samples; with all of them traced those that a run
@@ -26,4 +26,4 @@ struct PaneFigures {
 PaneFigures paneFigures(const Mask& candidate, const Mask& truth,
                         std::span<const std::uint8_t> traced, std::span<const double> weights = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::app {
 
 std::optional<ViewPixel> pixelUnder(Vec2 cursor, const PaneRectangle& rectangle, int width,
                                     int height) {
@@ -14,15 +14,16 @@ std::optional<ViewPixel> pixelUnder(Vec2 cursor, const PaneRectangle& rectangle,
                    std::min(static_cast<int>(place.y * height), height - 1)};
 }
 
-std::optional<SurfaceSample> sampleUnder(const SampleGrid& samples, ViewPixel pixel) {
+std::optional<surface::SurfaceSample> sampleUnder(const surface::SampleGrid& samples,
+                                                  ViewPixel pixel) {
   const bool inside = pixel.column >= 0 && pixel.column < samples.width && pixel.row >= 0 &&
                       pixel.row < samples.height;
   if (!inside) return std::nullopt;
-  const SurfaceSample& sample =
+  const surface::SurfaceSample& sample =
       samples
           .samples[static_cast<std::size_t>(pixel.row) * static_cast<std::size_t>(samples.width) +
                    static_cast<std::size_t>(pixel.column)];
   return !sample.isOnSurface() ? std::nullopt : std::optional(sample);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -5,7 +5,7 @@
 #include "common/vec.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A pixel of a view; row 0 at the top.
 struct ViewPixel {
@@ -27,6 +27,7 @@ std::optional<ViewPixel> pixelUnder(Vec2 cursor, const PaneRectangle& rectangle,
                                     int height);
 
 /// The sample that a pixel shows; none on the background or outside the grid.
-std::optional<SurfaceSample> sampleUnder(const SampleGrid& samples, ViewPixel pixel);
+std::optional<surface::SurfaceSample> sampleUnder(const surface::SampleGrid& samples,
+                                                  ViewPixel pixel);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

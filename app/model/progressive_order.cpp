@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/parallel.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 constexpr int tileSide = 4;
@@ -25,7 +25,7 @@ std::size_t indexOf(int width, int column, int row) {
 }
 
 /// Appends the nodes of one stride that no coarser one has, in one tile of them.
-void appendTile(const SampleGrid& grid, int stride, bool isCoarsest, int left, int top,
+void appendTile(const surface::SampleGrid& grid, int stride, bool isCoarsest, int left, int top,
                 std::vector<std::uint32_t>& order) {
   for (int k = 0; k < tileSide * tileSide; ++k) {
     const int column = left + k % tileSide * stride;
@@ -84,7 +84,7 @@ class Preview {
 
 }  // namespace
 
-ProgressiveOrder progressiveOrder(const SampleGrid& samples, int coarsest) {
+ProgressiveOrder progressiveOrder(const surface::SampleGrid& samples, int coarsest) {
   requireStride(coarsest);
   if (samples.samples.size() > std::numeric_limits<std::uint32_t>::max()) {
     throw InternalError("progressive order: more than 2³² samples");
@@ -101,8 +101,8 @@ ProgressiveOrder progressiveOrder(const SampleGrid& samples, int coarsest) {
   return order;
 }
 
-Mask previewMask(const SampleGrid& samples, const Mask& truth, std::span<const std::uint8_t> traced,
-                 int coarsest) {
+Mask previewMask(const surface::SampleGrid& samples, const Mask& truth,
+                 std::span<const std::uint8_t> traced, int coarsest) {
   requireStride(coarsest);
   if (truth.width != samples.width || truth.height != samples.height ||
       traced.size() != samples.samples.size() || truth.size() != traced.size()) {
@@ -120,4 +120,4 @@ Mask previewMask(const SampleGrid& samples, const Mask& truth, std::span<const s
   return mask;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -8,7 +8,7 @@
 #include "common/mask.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// The order in which a view's samples are traced at rising resolution.
 struct ProgressiveOrder {
@@ -25,14 +25,14 @@ struct ProgressiveOrder {
 /// its own nodes, which the tracer takes as one packet of rays.
 /// @param coarsest  a power of two
 /// @throws InternalError for another one, or for 2³² samples or more
-ProgressiveOrder progressiveOrder(const SampleGrid& samples, int coarsest = 16);
+ProgressiveOrder progressiveOrder(const surface::SampleGrid& samples, int coarsest = 16);
 
 /// A mask to look at from what has been traced so far: traced samples have their answer; others
 /// that of the nearest traced one among the four nodes about them of the finest stride that has any
 /// there; Shade::none where no stride has, and on the background.
 /// @param truth   answers where `traced` holds
 /// @param traced  one a sample, non-zero where traced
-Mask previewMask(const SampleGrid& samples, const Mask& truth, std::span<const std::uint8_t> traced,
-                 int coarsest = 16);
+Mask previewMask(const surface::SampleGrid& samples, const Mask& truth,
+                 std::span<const std::uint8_t> traced, int coarsest = 16);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

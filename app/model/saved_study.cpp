@@ -14,7 +14,7 @@
 #include "study/spec/study_table.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace fs = std::filesystem;
 namespace {
 
@@ -22,7 +22,7 @@ std::vector<std::string> methodLabels(const toml::table& study) {
   std::vector<std::string> labels;
   if (const toml::array* methods = study["method"].as_array()) {
     for (const toml::node& method : *methods) {
-      labels.push_back(method.is_table() ? methodLabel(*method.as_table()) : "");
+      labels.push_back(method.is_table() ? study::methodLabel(*method.as_table()) : "");
     }
   }
   return labels;
@@ -58,8 +58,8 @@ std::string plainName(std::string name) {
 
 bool isNamed(const toml::table& method, const std::string& name) {
   const std::string file = method["file"].value_or(std::string());
-  return methodLabel(method) == name || method["name"].value_or(std::string()) == name ||
-         (!file.empty() && pathOf(file).stem() == name);
+  return study::methodLabel(method) == name || method["name"].value_or(std::string()) == name ||
+         (!file.empty() && study::pathOf(file).stem() == name);
 }
 
 /// Keeps the methods that the study was opened with and, of them, those that the state has.
@@ -74,7 +74,7 @@ void keepMethods(toml::table& study, const StudyState& state) {
       return isNamed(method, name);
     });
     const bool isShown = std::find(state.methods.begin(), state.methods.end(),
-                                   methodLabel(method)) != state.methods.end();
+                                   study::methodLabel(method)) != state.methods.end();
     return (opened.empty() || isOpened) && (state.methods.empty() || isShown);
   };
   for (auto entry = methods->begin(); entry != methods->end();) {
@@ -86,7 +86,7 @@ void keepMethods(toml::table& study, const StudyState& state) {
 /// The radius that the opened study has by its own lights, which the state may leave out.
 void stateRadius(toml::table& study, const StudyState& state) {
   if (!state.light || study.at_path("bake.radius")) return;
-  const double radius = readStudy(state.file, state.options).bake.settings.radiusTexels;
+  const double radius = study::readStudy(state.file, state.options).bake.settings.radiusTexels;
   if (!study["bake"].is_table()) study.insert_or_assign("bake", toml::table{});
   study["bake"].as_table()->insert_or_assign("radius", radius);
 }
@@ -108,14 +108,14 @@ toml::table viewOf(const Camera& camera) {
 }  // namespace
 
 std::vector<std::string> overridesOf(const StudyChanges& changes, const fs::path& file,
-                                     const StudyOptions& options) {
+                                     const study::StudyOptions& options) {
   std::vector<std::string> overrides;
   append(overrides, "relief.height", changes.height);
   append(overrides, "surface.curvature", changes.curvature);
   append(overrides, "", changes.bake);
   append(overrides, "base.subdivisions", changes.subdivisions);
   if (changes.methods.empty()) return overrides;
-  const std::vector<std::string> labels = methodLabels(studyTable(file, options));
+  const std::vector<std::string> labels = methodLabels(study::studyTable(file, options));
   for (const auto& [label, change] : changes.methods) {
     const std::string path = fmt::format("method.{}.", placeOf(label, labels, file));
     append(overrides, path, change.bake);
@@ -128,10 +128,10 @@ std::vector<std::string> overridesOf(const StudyChanges& changes, const fs::path
 }
 
 std::string savedStudy(const StudyState& state, const fs::path& target) {
-  toml::table study = studyTable(state.file, state.options);
+  toml::table study = study::studyTable(state.file, state.options);
   keepMethods(study, state);
   for (const char* key : {"sweep", "threshold", "claim", "ladder"}) study.erase(key);
-  movePaths(study, studyFolder(state.file), fs::absolute(target).parent_path());
+  study::movePaths(study, study::studyFolder(state.file), fs::absolute(target).parent_path());
   if (toml::table* header = study["study"].as_table()) {
     header->insert_or_assign("name", plainName(target.stem().string()));
     header->insert_or_assign("ranked", false);
@@ -144,7 +144,7 @@ std::string savedStudy(const StudyState& state, const fs::path& target) {
     study.insert_or_assign("light", toml::array{light});
   }
   try {
-    return tomlText(
+    return study::tomlText(
         study, {"study", "surface", "relief", "bake", "base", "truth", "view", "light", "method"});
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: cannot be saved: {}", target.string(), error.what()));
@@ -155,4 +155,4 @@ void saveStudy(const StudyState& state, const fs::path& target) {
   writeTextAtomically(target, savedStudy(state, target));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

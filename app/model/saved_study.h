@@ -10,7 +10,7 @@
 #include "model/light_angles.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What sliders change of one bake; unset is as the file has it.
 struct BakeChange {
@@ -40,14 +40,14 @@ struct StudyChanges {
 /// @param file  the study, for the places of its methods
 /// @throws InputError as parseToml, or for a label that no method of the file bears
 std::vector<std::string> overridesOf(const StudyChanges& changes, const std::filesystem::path& file,
-                                     const StudyOptions& options = {});
+                                     const study::StudyOptions& options = {});
 
 /// A state of the viewer.
 struct StudyState {
   std::filesystem::path file;  ///< the study that was opened
   /// What it was opened with, the step of a sweep as its override, and all changes after them.
   /// `quick` and `gatedOnly` do not enter a file: `gnomon run --quick` asks for them.
-  StudyOptions options;
+  study::StudyOptions options;
   std::vector<std::string> methods;  ///< labels of those to keep; all, if empty
   std::optional<Camera> camera;      ///< in place of the file's views; they stay, if unset
   std::optional<LightAngles> light;  ///< in place of the file's lights; they stay, if unset
@@ -76,4 +76,4 @@ std::string savedStudy(const StudyState& state, const std::filesystem::path& tar
 /// @throws InputError also where the file cannot be written
 void saveStudy(const StudyState& state, const std::filesystem::path& target);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -95,7 +95,7 @@ TEST_F(ApiStudy, TellsHowFarItIsAndCanBeCancelled) {
 }
 
 TEST_F(ApiStudy, LeavesTheCallersOpenGlContextCurrent) {
-  const GlContext gl;
+  const render::GlContext gl;
   const EGLContext before = eglGetCurrentContext();
   (void)runStudy(study(), options("out"));
   EXPECT_EQ(eglGetCurrentContext(), before);

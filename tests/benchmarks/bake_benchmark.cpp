@@ -36,10 +36,10 @@
 #include "relief/height_field.h"
 
 namespace {
-using gnomon::HeightField;
 using gnomon::Vec2;
-using gnomon::Wrap;
 using gnomon::benchmarks::HullHorizons;
+using gnomon::relief::HeightField;
+using gnomon::relief::Wrap;
 
 constexpr float amplitude = 60;  // texels
 constexpr int azimuths = 32;
@@ -192,7 +192,7 @@ double sweepSeconds(const HeightField& field, Vec2 direction, HullHorizons& swep
 }
 
 /// One thread, the azimuths of the first octant.
-HullResult hullResult(const HeightField& field, const gnomon::HorizonTables& exact) {
+HullResult hullResult(const HeightField& field, const gnomon::horizon::HorizonTables& exact) {
   constexpr int count = azimuths / 8 + 1;
   const std::size_t texels = field.texels().size();
   const double horizons = static_cast<double>(texels) * count;
@@ -200,7 +200,7 @@ HullResult hullResult(const HeightField& field, const gnomon::HorizonTables& exa
   double seconds = 0;
   for (int m = 0; m < count; ++m) {
     HullHorizons swept;
-    seconds += sweepSeconds(field, gnomon::azimuthDirection(m, azimuths), swept);
+    seconds += sweepSeconds(field, gnomon::horizon::azimuthDirection(m, azimuths), swept);
     for (std::size_t i = 0; i < texels; ++i) {
       const float truth = exact.horizon[static_cast<std::size_t>(m) * texels + i];
       const double off = std::abs(std::atan(swept.slope[i]) - std::atan(truth)) * 180 / gnomon::pi;
@@ -233,15 +233,15 @@ void measure(benchmark::State& state, const BakeCase& c, const std::function<voi
 
 void bake(benchmark::State& state, const BakeCase& c) {
   hwy::SetSupportedTargetsForTest(c.target);
-  state.SetLabel(gnomon::bakeInstructionSet());
+  state.SetLabel(gnomon::horizon::bakeInstructionSet());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, c.threads);
   const HeightField field = makeMap(c.map, c.size);
   double best = 1e30;
-  gnomon::HorizonTables tables;
+  gnomon::horizon::HorizonTables tables;
   measure(state, c, [&] {
     tables = {};
     const double start = processorSeconds();
-    tables = gnomon::bakeHorizons(field, {azimuths, static_cast<double>(c.radius)});
+    tables = gnomon::horizon::bakeHorizons(field, {azimuths, static_cast<double>(c.radius)});
     best = std::min(best, processorSeconds() - start);
   });
   hwy::SetSupportedTargetsForTest(0);
@@ -266,8 +266,8 @@ void bakeStored(benchmark::State& state, const BakeCase& c) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, c.threads);
   const HeightField field = makeMap(c.map, c.size);
   measure(state, c, [&] {
-    const auto tables = gnomon::bakeStoredHorizons(field, {azimuths, static_cast<double>(c.radius)},
-                                                   gnomon::TableBits::eight);
+    const auto tables = gnomon::horizon::bakeStoredHorizons(
+        field, {azimuths, static_cast<double>(c.radius)}, gnomon::horizon::TableBits::eight);
     benchmark::DoNotOptimize(tables.horizon.bytes.data());
   });
 }

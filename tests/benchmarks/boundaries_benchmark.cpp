@@ -17,9 +17,9 @@
 #include "compare/contour.h"
 
 namespace {
-using gnomon::Contour;
 using gnomon::Mask;
 using gnomon::Shade;
+using gnomon::compare::Contour;
 
 /// Round shadows in rows, `period` samples apart, from `shift` samples further on.
 Mask discs(int size, int period, double shift) {
@@ -73,13 +73,13 @@ void boundaries(benchmark::State& state) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   const Mask candidate = discs(size, period, 1.5);
   const Mask truth = discs(size, period, 0);
-  const auto ours = placesOf(gnomon::contourOf(candidate, truth, {}));
-  const auto theirs = placesOf(gnomon::contourOf(truth, candidate, {}));
+  const auto ours = placesOf(gnomon::compare::contourOf(candidate, truth, {}));
+  const auto theirs = placesOf(gnomon::compare::contourOf(truth, candidate, {}));
   const double search = searchRate(ours, theirs);
   std::chrono::duration<double> seconds{0};
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    benchmark::DoNotOptimize(gnomon::compareBoundaries(candidate, truth).data());
+    benchmark::DoNotOptimize(gnomon::compare::compareBoundaries(candidate, truth).data());
     seconds += std::chrono::steady_clock::now() - start;
   }
   const auto sides = static_cast<double>(ours.size() + theirs.size());

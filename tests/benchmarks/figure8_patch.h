@@ -12,15 +12,16 @@ namespace gnomon::benchmarks {
 
 /// The surface and the relief of scenes/figure8.toml.
 struct Figure8Patch {
-  LimitSurface surface{makeBezier(points(), columns, rows)};
-  Relief relief{makeColumns(192, 160, {32, 7, 3}, 8, Wrap::clamp), HeightSpace::texture, Vec2(1)};
+  surface::LimitSurface surface{surface::makeBezier(points(), columns, rows)};
+  relief::Relief relief{relief::makeColumns(192, 160, {32, 7, 3}, 8, relief::Wrap::clamp),
+                        relief::HeightSpace::texture, Vec2(1)};
   static constexpr int columns = 24;
   static constexpr int rows = 20;
 
   /// A picture of the whole patch, `side` × `side` samples a face: neighbours on the surface are
   /// neighbours in it, as in a camera's view.
-  [[nodiscard]] static SampleGrid samples(int side) {
-    SampleGrid grid{columns * side, rows * side, {}};
+  [[nodiscard]] static surface::SampleGrid samples(int side) {
+    surface::SampleGrid grid{columns * side, rows * side, {}};
     for (int y = 0; y < grid.height; ++y) {
       for (int x = 0; x < grid.width; ++x) {
         const auto place = [side](int k) {

@@ -13,10 +13,10 @@ struct Crossed {
 };
 
 /// Two periods of the map: a texel of the first sees a whole one behind itself.
-std::vector<Crossed> crossColumns(const HeightField& field, double rise) {
+std::vector<Crossed> crossColumns(const relief::HeightField& field, double rise) {
   const auto row = [&](double y) {
     return static_cast<std::size_t>(
-        wrappedIndex(static_cast<int>(y), field.height(), Wrap::repeat));
+        relief::wrappedIndex(static_cast<int>(y), field.height(), relief::Wrap::repeat));
   };
   std::vector<Crossed> columns;
   for (int x = 0; x < 2 * field.width(); ++x) {
@@ -57,7 +57,7 @@ class Hull {
 
 }  // namespace
 
-HullHorizons sweepHulls(const HeightField& field, Vec2 direction) {
+HullHorizons sweepHulls(const relief::HeightField& field, Vec2 direction) {
   const std::vector<Crossed> columns = crossColumns(field, direction.y / direction.x);
   const auto columnLength = static_cast<float>(1 / direction.x);
   const auto width = static_cast<std::size_t>(field.width());

@@ -21,6 +21,6 @@ struct HullHorizons {
 /// Sees as far as the map is wide, or farther.
 /// @param field      repeats
 /// @param direction  unit, in the first octant: x ≥ y ≥ 0
-HullHorizons sweepHulls(const HeightField& field, Vec2 direction);
+HullHorizons sweepHulls(const relief::HeightField& field, Vec2 direction);
 
 }  // namespace gnomon::benchmarks

@@ -31,16 +31,16 @@ std::vector<std::size_t> tileOrder(int width, int height) {
 
 }  // namespace
 
-RawRays::RawRays(const MicroMesh& mesh, const PlacedSamples& placed, const TraceSettings& light,
-                 const Truth& truth)
+RawRays::RawRays(const truth::MicroMesh& mesh, const truth::PlacedSamples& placed,
+                 const truth::TraceSettings& light, const truth::Truth& truth)
     : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
-  const embree::Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_GRID));
+  const truth::embree::Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_GRID));
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                              mesh.coordinates().data(), 0, 3 * sizeof(float), mesh.vertexCount());
   auto* grids = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_GRID,
                                                               0, RTC_FORMAT_GRID, sizeof(RTCGrid),
                                                               mesh.grids().faces().size()));
-  for (const FaceGrid& grid : mesh.grids().faces()) {
+  for (const surface::FaceGrid& grid : mesh.grids().faces()) {
     const auto columns = static_cast<unsigned short>(grid.columns);
     *grids++ = {grid.firstVertex, columns, columns, static_cast<unsigned short>(grid.rows)};
   }
@@ -60,12 +60,13 @@ RawRays::RawRays(const MicroMesh& mesh, const PlacedSamples& placed, const Trace
     add(packets_, first++ % lanes, origin, light.light, std::numeric_limits<double>::infinity());
     if (truth.mask.samples[i] != Shade::shadowed) continue;
     ++blocked_;
-    if (truth.regions[i] == Region::beyondTerminator) continue;
+    if (truth.regions[i] == truth::Region::beyondTerminator) continue;
     const auto& [px, py] = placed.axes[i];
-    const LocalLight local = localLight({Vec3(0), normal, px, py, Vec2(0), true}, light.light);
+    const surface::LocalLight local =
+        surface::localLight({Vec3(0), normal, px, py, Vec2(0), true}, light.light);
     add(near, second++ % lanes, origin, light.light,
         light.radiusTexels * local.worldPerTexel * std::hypot(1.0, local.slope));
-    blocked_ += truth.regions[i] == Region::cast ? 1 : 0;
+    blocked_ += truth.regions[i] == truth::Region::cast ? 1 : 0;
   }
   packets_.insert(packets_.end(), near.begin(), near.end());
   count_ = first + second;
@@ -91,11 +92,12 @@ std::size_t RawRays::trace() const {
   constexpr std::size_t grain = 64;
   const std::size_t pieces = (packets_.size() + grain - 1) / grain;
   parallelFor(0, pieces, [&](std::size_t piece) {
-    const FlushDenormals flush;
+    const truth::FlushDenormals flush;
     std::size_t own = 0;
     for (std::size_t k = piece * grain; k < std::min(packets_.size(), (piece + 1) * grain); ++k) {
       RTCRay16 rays = packets_[k].rays;  // the answer overwrites them
-      embree::occluded16(packets_[k].valid.data(), scene_.get(), rays, embree::Rays::coherent);
+      truth::embree::occluded16(packets_[k].valid.data(), scene_.get(), rays,
+                                truth::embree::Rays::coherent);
       for (std::size_t lane = 0; lane < 16; ++lane) own += rays.tfar[lane] < 0 ? 1 : 0;
     }
     blocked += own;

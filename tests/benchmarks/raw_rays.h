@@ -15,8 +15,8 @@ namespace gnomon::benchmarks {
 class RawRays {
  public:
   /// @param truth  of the placed samples under the light
-  RawRays(const MicroMesh& mesh, const PlacedSamples& placed, const TraceSettings& light,
-          const Truth& truth);
+  RawRays(const truth::MicroMesh& mesh, const truth::PlacedSamples& placed,
+          const truth::TraceSettings& light, const truth::Truth& truth);
 
   /// Traces all of them.
   /// @returns how many were blocked
@@ -36,8 +36,8 @@ class RawRays {
   static void add(std::vector<Packet>& packets, std::size_t lane, const Vec3& origin,
                   const Vec3& direction, double length);
 
-  embree::Device device_;
-  embree::Scene scene_;
+  truth::embree::Device device_;
+  truth::embree::Scene scene_;
   std::vector<Packet> packets_;
   std::size_t count_ = 0;
   std::size_t blocked_ = 0;

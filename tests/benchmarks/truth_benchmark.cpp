@@ -23,14 +23,14 @@
 #include "truth/shadow_tracer.h"
 
 namespace {
-using gnomon::LimitSurface;
-using gnomon::MicroMesh;
-using gnomon::MicroScene;
-using gnomon::Relief;
-using gnomon::TraceSettings;
 using gnomon::Vec3;
 using gnomon::benchmarks::Figure8Patch;
 using gnomon::benchmarks::RawRays;
+using gnomon::relief::Relief;
+using gnomon::surface::LimitSurface;
+using gnomon::truth::MicroMesh;
+using gnomon::truth::MicroScene;
+using gnomon::truth::TraceSettings;
 
 template <typename Work>
 double secondsOf(const Work& work) {
@@ -52,7 +52,7 @@ class Least {
   double seconds_ = std::numeric_limits<double>::infinity();
 };
 
-gnomon::MicroMeshSettings perTexel(double steps) {
+gnomon::truth::MicroMeshSettings perTexel(double steps) {
   return {1 / steps, 0};
 }
 
@@ -60,7 +60,7 @@ TraceSettings lightAt(double azimuth, double elevation) {
   const double a = gnomon::radians(azimuth);
   const double e = gnomon::radians(elevation);
   return {Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)), 192,
-          gnomon::standardRayOffset};
+          gnomon::truth::standardRayOffset};
 }
 
 /// Vertices a second where each is evaluated on its own, from some of them, one thread.
@@ -70,8 +70,8 @@ double vertexByVertex(const Figure8Patch& patch) {
     for (int i = 0; i < side * side; ++i) {
       const auto point =
           patch.surface.evaluate(200, i % side / double(side), i / side / double(side));
-      benchmark::DoNotOptimize(
-          displaced(patch.relief, texelFrame(point, patch.relief.texelsPerUv())));
+      benchmark::DoNotOptimize(gnomon::relief::displaced(
+          patch.relief, gnomon::surface::texelFrame(point, patch.relief.texelsPerUv())));
     }
   });
   return side * side / seconds;
@@ -146,16 +146,17 @@ void rays(benchmark::State& state) {
   const Figure8Patch patch;
   const MicroMesh mesh(patch.surface, patch.relief, perTexel(static_cast<double>(state.range(0))));
   const MicroScene scene(mesh);
-  const auto placed =
-      placeSamples(patch.surface, patch.relief.texelsPerUv(), mesh, Figure8Patch::samples(46));
+  const auto placed = gnomon::truth::placeSamples(patch.surface, patch.relief.texelsPerUv(), mesh,
+                                                  Figure8Patch::samples(46));
   const TraceSettings light = lightAt(165, 24);
-  const auto truth = traceShadows(scene, placed, light);
+  const auto truth = gnomon::truth::traceShadows(scene, placed, light);
   const RawRays raw(mesh, placed, light, truth);
   Least ours, theirs;
   std::size_t blocked = 0;
   for (auto _ : state) {
     theirs.measure([&] { blocked = raw.trace(); });
-    ours.measure([&] { benchmark::DoNotOptimize(traceShadows(scene, placed, light)); });
+    ours.measure(
+        [&] { benchmark::DoNotOptimize(gnomon::truth::traceShadows(scene, placed, light)); });
   }
   if (blocked != raw.blocked()) state.SkipWithError("both do not trace the same rays");
   const auto count = static_cast<double>(raw.count());
@@ -177,12 +178,12 @@ void lights(benchmark::State& state) {
   for (auto _ : state) {
     together.measure([&] {
       benchmark::DoNotOptimize(
-          traceShadows(patch.surface, patch.relief, mesh, scene, samples, all));
+          gnomon::truth::traceShadows(patch.surface, patch.relief, mesh, scene, samples, all));
     });
     apart.measure([&] {
       for (const TraceSettings& light : all) {
         benchmark::DoNotOptimize(
-            traceShadows(patch.surface, patch.relief, mesh, scene, samples, light));
+            gnomon::truth::traceShadows(patch.surface, patch.relief, mesh, scene, samples, light));
       }
     });
   }

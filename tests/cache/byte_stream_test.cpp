@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace {
 
 struct Part {
@@ -69,4 +69,4 @@ TEST(ByteStream, LyingSizesAllocateNothing) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cache

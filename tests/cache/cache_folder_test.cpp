@@ -12,7 +12,7 @@
 #include "common/files/part_file.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ TEST_F(CacheFolder, ReadsNumbersOfBytes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cache

@@ -11,7 +11,7 @@
 #include "cache/cache_folder.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace {
 
 namespace fs = std::filesystem;
@@ -188,4 +188,4 @@ TEST_F(CacheTest, ManyThreadsMayUseIt) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cache

@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace {
 
 ContentKey keyOf(std::string_view name, double value) {
@@ -53,4 +53,4 @@ TEST(ContentKeys, LongInputsCountToTheirLastByte) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cache

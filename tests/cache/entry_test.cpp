@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace {
 
 const ContentKey entryKey = keyOfBytes("an input");
@@ -38,4 +38,4 @@ TEST(Entry, AnotherKeysIsNone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cache

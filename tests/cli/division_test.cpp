@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 using ::testing::ElementsAre;
@@ -86,4 +86,4 @@ TEST(Division, NeedsAPart) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -8,7 +8,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 using ::testing::ElementsAre;
@@ -74,4 +74,4 @@ TEST(ShardManifest, GivesTheCommandOfAnyShard) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cli

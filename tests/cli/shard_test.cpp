@@ -5,7 +5,7 @@
 #include "support/scoped_variable.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 using test::ScopedVariable;
@@ -89,4 +89,4 @@ TEST_F(ShardOfEnvironment, SlurmComesFirst) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::cli

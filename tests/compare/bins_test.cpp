@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "compare/masks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::row;
@@ -90,4 +90,4 @@ TEST(CountBins, RefusesWhatCannotBeCounted) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -9,7 +9,7 @@
 #include "compare/counts.h"
 #include "compare/masks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::row;
@@ -65,4 +65,4 @@ TEST(BlockErrors, AddUpToTheCounts) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

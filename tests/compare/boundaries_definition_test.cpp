@@ -22,7 +22,7 @@
 #include "compare/contour.h"
 #include "compare/masks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::complement;
@@ -392,4 +392,4 @@ TEST(ContourDistances, AreToTheNearestSide) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -15,7 +15,7 @@
 #include "compare/mask_checks.h"
 #include "compare/masks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::complement;
@@ -258,4 +258,4 @@ TEST(Boundaries, EverySideOfAWideMaskIsOfItsContour) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

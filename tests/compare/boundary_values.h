@@ -15,16 +15,17 @@ namespace gnomon::test {
 
 /// The place of a metric among the boundary metrics.
 inline std::size_t placeOf(std::string_view name) {
-  const auto& names = boundaryMetricNames();
+  const auto& names = compare::boundaryMetricNames();
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 /// The values in the order of their names.
 using Values = std::vector<std::optional<double>>;
 
-inline Values valuesOf(const Mask& candidate, const Mask& truth, const SampleLayout& layout = {}) {
+inline Values valuesOf(const Mask& candidate, const Mask& truth,
+                       const compare::SampleLayout& layout = {}) {
   Values values;
-  for (const Metric& metric : compareBoundaries(candidate, truth, layout)) {
+  for (const compare::Metric& metric : compare::compareBoundaries(candidate, truth, layout)) {
     values.push_back(metric.value);
   }
   return values;
@@ -33,9 +34,9 @@ inline Values valuesOf(const Mask& candidate, const Mask& truth, const SampleLay
 inline void expectAlike(const Values& found, const Values& expected) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    ASSERT_EQ(found[i].has_value(), expected[i].has_value()) << boundaryMetricNames()[i];
+    ASSERT_EQ(found[i].has_value(), expected[i].has_value()) << compare::boundaryMetricNames()[i];
     if (!found[i]) continue;
-    EXPECT_NEAR(*found[i], *expected[i], 1e-12) << boundaryMetricNames()[i];
+    EXPECT_NEAR(*found[i], *expected[i], 1e-12) << compare::boundaryMetricNames()[i];
   }
 }
 

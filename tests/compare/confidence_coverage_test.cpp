@@ -13,7 +13,7 @@
 /// How often the 95 % interval holds the rate that the masks were made with, and how its width
 /// compares with how much the rates of such masks vary.
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::errorMask;
@@ -232,4 +232,4 @@ TEST_P(CoverageUnderDrift, IsThatOfTheMasks) {
 INSTANTIATE_TEST_SUITE_P(OfTheErrors, CoverageUnderDrift, testing::ValuesIn(drifts));
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -9,7 +9,7 @@
 #include "compare/masks.h"
 #include "compare/random_errors.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::errorMask;
@@ -286,4 +286,4 @@ TEST(DifferenceConfidence, RefusesWhatIsNotOneView) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

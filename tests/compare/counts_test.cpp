@@ -12,7 +12,7 @@
 #include "compare/masks.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::arbitraryComparison;
@@ -214,4 +214,4 @@ TEST(CountClasses, AreTheCountsOfEachClassAlone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

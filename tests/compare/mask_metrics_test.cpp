@@ -8,7 +8,7 @@
 #include "compare/masks.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using ::testing::AllOf;
@@ -77,4 +77,4 @@ TEST(MaskMetrics, AreTheRatesAndTheBoundariesByTheirNames) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -11,7 +11,7 @@
 #include "masks.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 constexpr MetricRange share{};
@@ -143,4 +143,4 @@ TEST(IsSettled, HoldsWhereTheTruthIsAllLitOrAllShadowed) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

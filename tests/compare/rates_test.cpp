@@ -11,7 +11,7 @@
 #include "common/error.h"
 #include "compare/masks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::arbitraryComparison;
@@ -222,4 +222,4 @@ TEST(Rates, NamesAreUniqueAndAllAnswer) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -15,7 +15,7 @@
 #include "compare/drawn_mask.h"
 #include "compare/masks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using test::drawn;
@@ -512,4 +512,4 @@ TEST(ShadowLength, OfManyCandidatesAtOnceIsThatOfEach) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -12,7 +12,7 @@
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::displaced {
 namespace {
 
 using test::cubeCage;
@@ -70,19 +70,20 @@ std::size_t expectAdjacency(const DisplacedMesh& mesh) {
 }
 
 TEST(DisplacedMesh, VerticesAreTheDisplacedPointsOfTheLimitSurface) {
-  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
-    Relief relief = randomRelief(96, 66, 2, 3);
+  for (const relief::HeightSpace space :
+       {relief::HeightSpace::world, relief::HeightSpace::texture}) {
+    relief::Relief relief = randomRelief(96, 66, 2, 3);
     relief.space = space;
     relief.repeats = Vec2(2, 1);
-    const LimitSurface surface(makeTorus(30, 10, 64, 60));
+    const surface::LimitSurface surface(surface::makeTorus(30, 10, 64, 60));
     const DisplacedMesh mesh = makeDisplacedMesh(surface, relief, 4);
     double highest = 0;
-    for (const BaseVertex& v : mesh.mesh.vertices) {
-      const LimitPoint point = surface.evaluate(v.face, v.st.x, v.st.y);
-      const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+    for (const surface::BaseVertex& v : mesh.mesh.vertices) {
+      const surface::LimitPoint point = surface.evaluate(v.face, v.st.x, v.st.y);
+      const surface::TexelFrame frame = surface::texelFrame(point, relief.texelsPerUv());
       // Where the texture's two ends meet the first face's height rules: 0 and 192 are alike, since
       // the map repeats.
-      const Vec3 expected = point.position + worldPerHeight(space, frame) *
+      const Vec3 expected = point.position + relief::worldPerHeight(space, frame) *
                                                  relief.field.at(frame.texel) * frame.normal;
       ASSERT_LT(glm::length(v.frame.position - expected), 1e-6);
       highest = std::max(highest, glm::length(v.frame.position - point.position));
@@ -92,15 +93,15 @@ TEST(DisplacedMesh, VerticesAreTheDisplacedPointsOfTheLimitSurface) {
 }
 
 TEST(DisplacedMesh, AllButPositionsIsTheUndisplacedMeshs) {
-  const Relief relief = randomRelief(32, 32, 2, 3);
-  const LimitSurface surface(makeSphere(40, 1, 1, 16, 16));
+  const relief::Relief relief = randomRelief(32, 32, 2, 3);
+  const surface::LimitSurface surface(surface::makeSphere(40, 1, 1, 16, 16));
   const DisplacedMesh mesh = makeDisplacedMesh(surface, relief, 3);
-  const BaseMesh base = makeBaseMesh(surface, relief.texelsPerUv(), 3);
+  const surface::BaseMesh base = surface::makeBaseMesh(surface, relief.texelsPerUv(), 3);
   ASSERT_EQ(mesh.mesh.vertices.size(), base.vertices.size());
   EXPECT_EQ(mesh.mesh.triangles, base.triangles);
   for (std::size_t i = 0; i < base.vertices.size(); ++i) {
-    const BaseVertex& a = mesh.mesh.vertices[i];
-    const BaseVertex& b = base.vertices[i];
+    const surface::BaseVertex& a = mesh.mesh.vertices[i];
+    const surface::BaseVertex& b = base.vertices[i];
     ASSERT_EQ(std::tie(a.frame.normal, a.frame.px, a.frame.py, a.frame.texel, a.face, a.st,
                        a.curvatures.k1, a.curvatures.k2),
               std::tie(b.frame.normal, b.frame.px, b.frame.py, b.frame.texel, b.face, b.st,
@@ -109,13 +110,13 @@ TEST(DisplacedMesh, AllButPositionsIsTheUndisplacedMeshs) {
 }
 
 TEST(DisplacedMesh, HasThePapersNumberOfPolygons) {
-  const LimitSurface surface(makePlane(24, 20, 24, 20));
+  const surface::LimitSurface surface(surface::makePlane(24, 20, 24, 20));
   EXPECT_EQ(makeDisplacedMesh(surface, flatRelief(24, 20), 1).mesh.triangleCount(), 960U);
   EXPECT_EQ(makeDisplacedMesh(surface, flatRelief(24, 20), 9).mesh.triangleCount(), 77760U);
 }
 
 TEST(DisplacedMesh, OfAClosedCageIsWatertightAcrossTextureSeams) {
-  const LimitSurface surface(cubeCage());
+  const surface::LimitSurface surface(cubeCage());
   for (const int subdivisions : {1, 2, 7}) {
     const DisplacedMesh mesh = makeDisplacedMesh(surface, randomRelief(16, 16, 1, 5), subdivisions);
     EXPECT_EQ(expectAdjacency(mesh), 0U);
@@ -127,18 +128,18 @@ TEST(DisplacedMesh, OfAClosedCageIsWatertightAcrossTextureSeams) {
 }
 
 TEST(DisplacedMesh, NeighboursOfATorusMeetAcrossItsSeams) {
-  const LimitSurface surface(makeTorus(30, 10, 58, 58));
+  const surface::LimitSurface surface(surface::makeTorus(30, 10, 58, 58));
   EXPECT_EQ(expectAdjacency(makeDisplacedMesh(surface, randomRelief(96, 66, 2, 3), 2)), 0U);
 }
 
 TEST(DisplacedMesh, RimOfAnOpenPatchSeesItsOwnTriangle) {
-  const LimitSurface surface(makePlane(12, 8, 3, 2));
+  const surface::LimitSurface surface(surface::makePlane(12, 8, 3, 2));
   const DisplacedMesh mesh = makeDisplacedMesh(surface, randomRelief(12, 8, 1, 9), 4);
   EXPECT_EQ(expectAdjacency(mesh), 2U * (3 + 2) * 4);
 }
 
 TEST(DisplacedMesh, NeighboursSeeEachOther) {
-  const LimitSurface surface(cubeCage());
+  const surface::LimitSurface surface(cubeCage());
   const DisplacedMesh mesh = makeDisplacedMesh(surface, randomRelief(16, 16, 1, 5), 3);
   // The pairs (own third corner, opposite vertex) come once in each of both orders.
   std::map<std::tuple<Place, Place>, int> seen;
@@ -156,16 +157,16 @@ TEST(DisplacedMesh, NeighboursSeeEachOther) {
 }
 
 TEST(DisplacedMesh, FirstFacesHeightRulesASeam) {
-  const LimitSurface surface(cubeCage());
-  const Relief relief = randomRelief(16, 16, 1, 5);
+  const surface::LimitSurface surface(cubeCage());
+  const relief::Relief relief = randomRelief(16, 16, 1, 5);
   const DisplacedMesh mesh = makeDisplacedMesh(surface, relief, 4);
   const auto faceVertices = 5U * 5U;
   std::size_t moved = 0;
   for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
-    const BaseVertex& v = mesh.mesh.vertices[i];
-    const TexelFrame frame =
-        texelFrame(surface.evaluate(v.face, v.st.x, v.st.y), relief.texelsPerUv());
-    const bool own = glm::length(v.frame.position - displaced(relief, frame)) < 1e-9;
+    const surface::BaseVertex& v = mesh.mesh.vertices[i];
+    const surface::TexelFrame frame =
+        surface::texelFrame(surface.evaluate(v.face, v.st.x, v.st.y), relief.texelsPerUv());
+    const bool own = glm::length(v.frame.position - relief::displaced(relief, frame)) < 1e-9;
     if (i < faceVertices) {
       EXPECT_TRUE(own);
     }
@@ -178,4 +179,4 @@ TEST(DisplacedMesh, FirstFacesHeightRulesASeam) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::displaced

@@ -10,7 +10,7 @@
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::displaced {
 namespace {
 
 using test::cubeCage;
@@ -37,7 +37,7 @@ std::ptrdiff_t openSides(const WeldedMesh& mesh) {
 }
 
 TEST(WeldedMesh, OfAPlaneIsItsGrid) {
-  const LimitSurface surface(makePlane(12, 8, 4, 2));
+  const surface::LimitSurface surface(surface::makePlane(12, 8, 4, 2));
   const WeldedMesh mesh = makeWeldedMesh(surface, flatRelief(4, 2), 3);
   EXPECT_EQ(mesh.vertices.size(), (4 * 3 + 1) * (2 * 3 + 1));
   EXPECT_EQ(mesh.triangleCount(), 4 * 2 * 3 * 3 * 2);
@@ -58,8 +58,8 @@ TEST(WeldedMesh, OfAPlaneIsItsGrid) {
 }
 
 TEST(WeldedMesh, OfAClosedSurfaceIsClosedAcrossSeams) {
-  const LimitSurface surface(cubeCage());
-  const Relief relief = randomRelief(5, 5, 2, 7);
+  const surface::LimitSurface surface(cubeCage());
+  const relief::Relief relief = randomRelief(5, 5, 2, 7);
   for (const int pieces : {1, 2, 7}) {
     const WeldedMesh mesh = makeWeldedMesh(surface, relief, pieces);
     EXPECT_TRUE(mesh.closed);
@@ -73,17 +73,18 @@ TEST(WeldedMesh, OfAClosedSurfaceIsClosedAcrossSeams) {
 }
 
 TEST(WeldedMesh, EveryVertexIsTheDisplacedPoint) {
-  const LimitSurface surface(makeCylinder(10, 1.5, 12, 15, 3));
-  Relief relief = randomRelief(30, 12, 2, 3);
-  relief.space = HeightSpace::texture;
+  const surface::LimitSurface surface(surface::makeCylinder(10, 1.5, 12, 15, 3));
+  relief::Relief relief = randomRelief(30, 12, 2, 3);
+  relief.space = relief::HeightSpace::texture;
   constexpr int pieces = 4;
   const WeldedMesh mesh = makeWeldedMesh(surface, relief, pieces);
   for (const int face : {0, 22, 44}) {
     for (int cell = 0; cell < pieces * pieces; ++cell) {
       const std::size_t triangle = 2U * static_cast<std::size_t>(face * pieces * pieces + cell);
-      const LimitPoint corner =
+      const surface::LimitPoint corner =
           surface.evaluate(face, double(cell % pieces) / pieces, double(cell / pieces) / pieces);
-      const Vec3 expected = displaced(relief, texelFrame(corner, relief.texelsPerUv()));
+      const Vec3 expected =
+          relief::displaced(relief, surface::texelFrame(corner, relief.texelsPerUv()));
       const glm::vec3 found = mesh.vertices[mesh.triangles[3 * triangle]];
       EXPECT_LT(glm::length(Vec3(found) - expected), 2e-6 * glm::length(expected));
     }
@@ -92,7 +93,7 @@ TEST(WeldedMesh, EveryVertexIsTheDisplacedPoint) {
 
 TEST(WeldedMesh, SubdivisionsGiveFourATexelOrWhatIsAllowed) {
   // Faces of 8 × 3 texels.
-  const LimitSurface surface(makePlane(32, 32, 4, 4));
+  const surface::LimitSurface surface(surface::makePlane(32, 32, 4, 4));
   const Vec2 texels(32, 12);
   EXPECT_EQ(subdivisionsForTexels(surface, texels), 32);
   EXPECT_EQ(subdivisionsForTexels(surface, texels, 2 * 16 * 32 * 32), 32);
@@ -104,7 +105,7 @@ TEST(WeldedMesh, SubdivisionsGiveFourATexelOrWhatIsAllowed) {
 }
 
 TEST(WeldedMesh, RefusesWhatCannotBe) {
-  const LimitSurface surface(makePlane(32, 32, 64, 64));
+  const surface::LimitSurface surface(surface::makePlane(32, 32, 64, 64));
   for (const int pieces : {0, -1, 8193}) {
     EXPECT_THAT(messageOf<InputError>([&] { makeWeldedMesh(surface, flatRelief(4, 4), pieces); }),
                 HasSubstr("1 to 8192 expected"));
@@ -114,4 +115,4 @@ TEST(WeldedMesh, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::displaced

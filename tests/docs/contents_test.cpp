@@ -56,10 +56,10 @@ std::map<std::string, std::set<std::string>> referenceByDeclaration() {
 
 TEST(MethodReference, HoldsEveryNameUnderItsDeclarationAndNoOther) {
   std::map<std::string, std::set<std::string>> shared;
-  for (const SharedName& name : sharedNames(shaderFolder())) {
+  for (const render::SharedName& name : render::sharedNames(render::shaderFolder())) {
     std::string declaration;
     for (const std::string& define : name.defines) {
-      declaration += (declaration.empty() ? "" : " or ") + declarationFor(define);
+      declaration += (declaration.empty() ? "" : " or ") + render::declarationFor(define);
     }
     shared[declaration].insert(name.name);
   }
@@ -70,7 +70,7 @@ TEST(MethodReference, HoldsEveryNameUnderItsDeclarationAndNoOther) {
 
 TEST(Manual, ListsEveryMethod) {
   const std::set<std::string> listed = rowNamesOf(manualPage("methods.md"));
-  for (const std::string& name : methodNames(shaderFolder()))
+  for (const std::string& name : render::methodNames(render::shaderFolder()))
     EXPECT_TRUE(listed.contains(name)) << name;
 }
 
@@ -85,15 +85,16 @@ TEST(Manual, ListsEveryMetric) {
       listed.insert(isEnding ? last.substr(0, last.rfind('_')) + name : name);
     }
   }
-  for (const std::string_view name : metricNames()) {
+  for (const std::string_view name : study::metricNames()) {
     EXPECT_TRUE(listed.contains(std::string(name))) << name;
   }
 }
 
 TEST(Manual, ListsEveryRegion) {
   const std::set<std::string> listed = rowNamesOf(manualPage("metrics.md"));
-  for (const Region region : reportedRegions) {
-    EXPECT_TRUE(listed.contains(std::string(regionName(region)))) << regionName(region);
+  for (const truth::Region region : truth::reportedRegions) {
+    EXPECT_TRUE(listed.contains(std::string(truth::regionName(region))))
+        << truth::regionName(region);
   }
 }
 
@@ -134,14 +135,16 @@ class Example : public TemporaryFolder {
 };
 
 TEST_F(Example, StudyIsOne) {
-  const StudySpec study = readStudy(written("writing-a-study.md", "toml", "study.toml"));
+  const study::StudySpec study =
+      study::readStudy(written("writing-a-study.md", "toml", "study.toml"));
   EXPECT_EQ(study.name, "my-study");
   EXPECT_EQ(study.lights.size(), 2U);
   EXPECT_EQ(study.thresholds.size(), 1U);
 }
 
 TEST_F(Example, MethodIsOne) {
-  const Method method = readMethod(written("adding-a-method.md", "glsl", "biased.glsl"));
+  const render::Method method =
+      render::readMethod(written("adding-a-method.md", "glsl", "biased.glsl"));
   EXPECT_TRUE(method.tables.horizon);
   EXPECT_EQ(method.parameters.count("bias"), 1U);
 }

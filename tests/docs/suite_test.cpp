@@ -20,15 +20,18 @@ std::vector<std::string> cellsOf(const std::string& line) {
 }
 
 TEST(Suite, OfThePublicSeedsNeverChanges) {
-  const SuiteSpec suite = readSuite(projectFolder() / "scenes/suite/suite-1.toml");
-  const SuiteMethods methods = readSuiteMethods(projectFolder() / "scenes/suite/methods.toml", {});
+  const study::SuiteSpec suite = study::readSuite(projectFolder() / "scenes/suite/suite-1.toml");
+  const study::SuiteMethods methods =
+      study::readSuiteMethods(projectFolder() / "scenes/suite/methods.toml", {});
   std::size_t suites = 0;
   for (const std::string& line : manualPage("suite.md").lines) {
     const std::vector<std::string> cells =
         line.starts_with("| ") ? cellsOf(line) : std::vector<std::string>();
     if (cells.size() != 4 || (cells[1] != "train" && cells[1] != "test")) continue;
-    const SuiteSplit split = cells[1] == "train" ? SuiteSplit::train : SuiteSplit::test;
-    const DrawnSuite drawn = drawSuite(suite, methods, split, cells[0], std::stoi(cells[2]));
+    const study::SuiteSplit split =
+        cells[1] == "train" ? study::SuiteSplit::train : study::SuiteSplit::test;
+    const study::DrawnSuite drawn =
+        study::drawSuite(suite, methods, split, cells[0], std::stoi(cells[2]));
     EXPECT_EQ("`" + drawn.sha256 + "`", cells[3]) << "seed " << cells[0] << ", " << cells[1];
     ++suites;
   }
@@ -37,12 +40,12 @@ TEST(Suite, OfThePublicSeedsNeverChanges) {
 
 /// A control: one scene more, or one number of the file, is another suite.
 TEST(Suite, ChangesWithItsFile) {
-  SuiteSpec suite = readSuite(projectFolder() / "scenes/suite/suite-1.toml");
-  const std::string before = drawSuite(suite, {}, SuiteSplit::test, "1", 3).sha256;
-  EXPECT_EQ(drawSuite(suite, {}, SuiteSplit::test, "1", 3).sha256, before);
-  EXPECT_NE(drawSuite(suite, {}, SuiteSplit::test, "1", 4).sha256, before);
+  study::SuiteSpec suite = study::readSuite(projectFolder() / "scenes/suite/suite-1.toml");
+  const std::string before = study::drawSuite(suite, {}, study::SuiteSplit::test, "1", 3).sha256;
+  EXPECT_EQ(study::drawSuite(suite, {}, study::SuiteSplit::test, "1", 3).sha256, before);
+  EXPECT_NE(study::drawSuite(suite, {}, study::SuiteSplit::test, "1", 4).sha256, before);
   suite.triangles += 1;
-  EXPECT_NE(drawSuite(suite, {}, SuiteSplit::test, "1", 3).sha256, before);
+  EXPECT_NE(study::drawSuite(suite, {}, study::SuiteSplit::test, "1", 3).sha256, before);
 }
 
 }  // namespace

@@ -20,7 +20,9 @@ TEST_F(BadInput, CommandLine) {
            {"no arguments",
             {},
             2,
-            {"run, check, compare, bake, truth, export, view, cache, gather or list", "--help"}},
+            {"run, plan, merge, gather, check, compare, bake, truth, export, view, cache, suite or "
+             "list",
+             "--help"}},
            {"unknown command", {"rnu", "small.toml"}, 2, {"rnu", "not expected"}},
            {"unknown option", {"run", "small.toml", "--fast"}, 2, {"--fast"}},
            {"unknown option before", {"--fast", "run", "small.toml"}, 2, {"--fast"}},

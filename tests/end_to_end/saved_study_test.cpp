@@ -17,12 +17,12 @@ class SavedRun : public EndToEnd {};
 TEST_F(SavedRun, HasTheFiguresAndMasksOfTheStateItHolds) {
   // The quick form has four times the step.
   write("small.toml", replaced(smallStudy(), "step = 0.25", "step = 0.0625"));
-  StudyChanges changes;
+  app::StudyChanges changes;
   changes.height = 6.5;
   changes.bake.azimuths = 12;
-  StudyState state;
+  app::StudyState state;
   state.file = file("small.toml");
-  state.options.overrides = overridesOf(changes, state.file);
+  state.options.overrides = app::overridesOf(changes, state.file);
   Camera camera;
   camera.eye = {20, -60.5, 55};
   camera.up = {0, 0, 1};
@@ -30,14 +30,14 @@ TEST_F(SavedRun, HasTheFiguresAndMasksOfTheStateItHolds) {
   camera.width = 128;
   camera.height = 96;
   state.camera = camera;
-  state.light = LightAngles{47.125, 22.5};
+  state.light = app::LightAngles{47.125, 22.5};
   std::filesystem::create_directories(file("saved"));
-  saveStudy(state, file("saved/state.toml"));
+  app::saveStudy(state, file("saved/state.toml"));
 
   // The state keeps the radius of the tables that it shows, which the rule chose by the file's
   // light.
   const std::string radius = fmt::format(
-      "bake.radius={}", readStudy(state.file, state.options).bake.settings.radiusTexels);
+      "bake.radius={}", study::readStudy(state.file, state.options).bake.settings.radiusTexels);
   const Outcome saved = gnomon({"run", "saved/state.toml", "--quick"});
   ASSERT_EQ(saved.status, 0) << saved.err;
   const Outcome original = gnomon({"run",

@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 using Schema = std::map<std::string, std::set<std::string>>;
 
 bool isMetric(const std::string& name) {
-  const auto& names = metricNames();
+  const auto& names = study::metricNames();
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -219,7 +219,7 @@ TEST_F(SummarySchema, NamesEveryAxis) {
   std::ifstream file(std::string(GNOMON_DOCS) + "/summary.md");
   std::ostringstream page;
   page << file.rdbuf();
-  for (const SampleAxis& axis : sampleAxes()) {
+  for (const study::SampleAxis& axis : study::sampleAxes()) {
     EXPECT_THAT(page.str(), HasSubstr("\n| " + std::string(axis.name) + " | "));
   }
 }

@@ -14,7 +14,7 @@
 #include "report/pictures/region_image.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 namespace {
 
 using ::testing::ElementsAre;
@@ -25,24 +25,29 @@ class ExportFiles : public TemporaryFolder {};
 
 TEST_F(ExportFiles, ChannelsComeBackByTheirNames) {
   const std::vector<float> values = {1, -2.5F, 1e-30F, 3e30F, 0.1F, 7};
-  writeExr(file("c.exr"), ChannelImage{3, 1, {"point.X", "face"}, values}, {{"about", "a test"}});
-  EXPECT_THAT(readGreyPicture(file("c.exr"), "point.X").values, ElementsAre(1, 1e-30F, 0.1F));
-  EXPECT_THAT(readGreyPicture(file("c.exr"), "face").values, ElementsAre(-2.5F, 3e30F, 7));
+  image::writeExr(file("c.exr"), image::ChannelImage{3, 1, {"point.X", "face"}, values},
+                  {{"about", "a test"}});
+  EXPECT_THAT(image::readGreyPicture(file("c.exr"), "point.X").values,
+              ElementsAre(1, 1e-30F, 0.1F));
+  EXPECT_THAT(image::readGreyPicture(file("c.exr"), "face").values, ElementsAre(-2.5F, 3e30F, 7));
   const auto image = OIIO::ImageInput::open(file("c.exr").string());
   EXPECT_EQ(image->spec().get_string_attribute("about"), "a test");
-  EXPECT_THROW(writeExr(file("d.exr"), ChannelImage{4, 2, {"Y"}, values}), InternalError);
-  EXPECT_THROW(writeExr(file("d.exr"), ChannelImage{3, 3, {"Y"}, values}), InternalError);
+  EXPECT_THROW(image::writeExr(file("d.exr"), image::ChannelImage{4, 2, {"Y"}, values}),
+               InternalError);
+  EXPECT_THROW(image::writeExr(file("d.exr"), image::ChannelImage{3, 3, {"Y"}, values}),
+               InternalError);
   EXPECT_FALSE(std::filesystem::exists(file("d.exr")));
 }
 
 TEST_F(ExportFiles, TheFirstRowOfTheHeightsIsTheLargestV) {
-  RunFolder run(folder(), {"export.json"});
-  writeHeights(run, HeightField(2, 3, {0, 1, 2, 3, 4, 5}, Wrap::repeat));
-  EXPECT_THAT(readGreyPicture(file("heights.exr"), "height").values, ElementsAre(4, 5, 2, 3, 0, 1));
+  report::RunFolder run(folder(), {"export.json"});
+  writeHeights(run, relief::HeightField(2, 3, {0, 1, 2, 3, 4, 5}, relief::Wrap::repeat));
+  EXPECT_THAT(image::readGreyPicture(file("heights.exr"), "height").values,
+              ElementsAre(4, 5, 2, 3, 0, 1));
 }
 
 TEST_F(ExportFiles, PlyHasAHeaderAndThirteenBytesATriangle) {
-  WeldedMesh mesh;
+  displaced::WeldedMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5F}};
   mesh.triangles = {0, 1, 2, 3, 2, 1};
   writePly(file("m.ply"), mesh, "two triangles");
@@ -58,9 +63,9 @@ TEST_F(ExportFiles, PlyHasAHeaderAndThirteenBytesATriangle) {
 }
 
 TEST_F(ExportFiles, ObjHasUvAndNormalsAndCountsFromOne) {
-  BaseMesh mesh;
+  surface::BaseMesh mesh;
   for (const Vec2& at : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}) {
-    BaseVertex vertex{};
+    surface::BaseVertex vertex{};
     vertex.frame.position = Vec3(at, 0.1);
     vertex.frame.normal = Vec3(0, 0, 1);
     vertex.frame.texel = 8.0 * at;
@@ -77,23 +82,25 @@ TEST_F(ExportFiles, WhatCannotBeWrittenIsAnError) {
   writeTextAtomically(file("taken"), "a file");
   EXPECT_THROW(writePly(file("taken") / "m.ply", {}, ""), InputError);
   EXPECT_THROW(writeObj(file("taken") / "m.obj", {}, Vec2(1), ""), InputError);
-  EXPECT_THROW(writeExr(file("taken") / "m.exr", ChannelImage{1, 1, {"Y"}, {0}}), InputError);
+  EXPECT_THROW(image::writeExr(file("taken") / "m.exr", image::ChannelImage{1, 1, {"Y"}, {0}}),
+               InputError);
   EXPECT_THAT(readFile(file("taken")), EndsWith("a file"));
 }
 
 TEST(RegionImage, EveryRegionHasAColourOfItsOwn) {
-  std::set<Rgb> colours = {regionColour(Region::none)};
-  for (const Region region : reportedRegions) colours.insert(regionColour(region));
-  EXPECT_EQ(colours.size(), reportedRegions.size() + 1);
-  Truth truth;
+  std::set<image::Rgb> colours = {report::regionColour(truth::Region::none)};
+  for (const truth::Region region : truth::reportedRegions)
+    colours.insert(report::regionColour(region));
+  EXPECT_EQ(colours.size(), truth::reportedRegions.size() + 1);
+  truth::Truth truth;
   truth.mask = {2, 1, {Shade::shadowed, Shade::none}};
-  truth.regions = {Region::cast, Region::none};
-  const Image image = regionImage(truth);
+  truth.regions = {truth::Region::cast, truth::Region::none};
+  const image::Image image = report::regionImage(truth);
   EXPECT_EQ(image.width, 2);
-  const Rgb cast = regionColour(Region::cast);
+  const image::Rgb cast = report::regionColour(truth::Region::cast);
   EXPECT_EQ(std::vector(image.rgb.begin(), image.rgb.begin() + 3),
             std::vector(cast.begin(), cast.end()));
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::exporting

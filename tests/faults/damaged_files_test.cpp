@@ -59,16 +59,16 @@ std::string binarySquare() {
 }
 
 std::string referencesBytes() {
-  Baseline baseline;
+  study::Baseline baseline;
   baseline.study = "figure8";
   baseline.environment.glRenderer = "a renderer";
   baseline.history = {{"the first", "0.1", "abc"}};
   for (const char* metric : {"error_rate", "false_light"}) {
-    Gate row{"onoue-2004", "evening", "camera", "", metric, {}, {}};
+    study::Gate row{"onoue-2004", "evening", "camera", "", metric, {}, {}};
     row.step = "figure8";
-    baseline.gates.push_back(referenceGate(row, {0.05, 0.001, 0.002}));
+    baseline.gates.push_back(study::referenceGate(row, {0.05, 0.001, 0.002}));
   }
-  return baselineJson(baseline);
+  return report::baselineJson(baseline);
 }
 
 /// @param folder  for a file that it comes from
@@ -77,13 +77,13 @@ std::string maskBytes(const fs::path& folder) {
   for (int i = 0; i < 24 * 16; ++i) {
     mask.samples.push_back(i % 7 == 0 ? Shade::none : i % 3 == 0 ? Shade::shadowed : Shade::lit);
   }
-  writePng(folder / "whole.png", maskImage(mask));
+  image::writePng(folder / "whole.png", image::maskImage(mask));
   return readFile(folder / "whole.png");
 }
 
 /// @param folder  as maskBytes
 std::vector<ReadKind> readKinds(const fs::path& folder) {
-  const auto mesh = [](const fs::path& path) { (void)readMeshFile(path); };
+  const auto mesh = [](const fs::path& path) { (void)surface::readMeshFile(path); };
   const std::string asciiPly =
       "ply\nformat ascii 1.0\ncomment one\nelement vertex 4\nproperty float x\nproperty float y\n"
       "property float z\nproperty float u\nproperty float v\nelement face 1\n"
@@ -93,15 +93,16 @@ std::vector<ReadKind> readKinds(const fs::path& folder) {
       "o square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
       "vn 0 0 1\ns 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\nt crease 2/1/0 0 1 2.5\n";
   return {
-      {"study.toml", studyBytes(), [](const fs::path& path) { (void)readStudy(path); }},
+      {"study.toml", studyBytes(), [](const fs::path& path) { (void)study::readStudy(path); }},
       {"method.glsl", readFile(fs::path(GNOMON_SCENES) / "../shaders/methods/relief-march.glsl"),
-       [](const fs::path& path) { (void)readMethod(path); }},
+       [](const fs::path& path) { (void)render::readMethod(path); }},
       {"mesh.obj", obj, mesh},
       {"ascii.ply", asciiPly, mesh},
       {"binary.ply", binarySquare(), mesh},
       {"references.json", referencesBytes(),
-       [](const fs::path& path) { (void)readBaseline(path); }},
-      {"mask.png", maskBytes(folder), [](const fs::path& path) { (void)readMaskPicture(path); }},
+       [](const fs::path& path) { (void)report::readBaseline(path); }},
+      {"mask.png", maskBytes(folder),
+       [](const fs::path& path) { (void)image::readMaskPicture(path); }},
   };
 }
 
@@ -122,7 +123,7 @@ class DamagedFiles : public TemporaryFolder {
       ++counts.read;
     } catch (const std::exception& error) {
       ++counts.refused;
-      const Failure failure = currentFailure();
+      const cli::Failure failure = cli::currentFailure();
       const bool isMemory = dynamic_cast<const MemoryError*>(&error) != nullptr;
       EXPECT_TRUE(isMemory || failure.status == ExitStatus::badInput)
           << damage << ": " << failure.message;

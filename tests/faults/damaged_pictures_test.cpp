@@ -189,8 +189,8 @@ class DamagedPictures : public EndToEnd {
   /// line that begins with its name.
   std::array<std::string, 2> refusals(const std::filesystem::path& path) {
     std::array<std::string, 2> all = {
-        refusal([&] { readHeightImage(path, 0, 1, Wrap::repeat); }),
-        refusal([&] { readMaskPicture(path, {.channel = {}, .threshold = 0.5}); })};
+        refusal([&] { relief::readHeightImage(path, 0, 1, relief::Wrap::repeat); }),
+        refusal([&] { image::readMaskPicture(path, {.channel = {}, .threshold = 0.5}); })};
     for (const std::string& said : all) {
       EXPECT_EQ(said.find('\n'), std::string::npos) << said;
       EXPECT_TRUE(said.empty() || said.starts_with(path.string() + ": ")) << said;
@@ -319,7 +319,7 @@ TEST_F(DamagedPictures, WholeOnesAreReadUnderAnyName) {
     for (const std::string& ending : {seed.ending, "png"s, "exr"s, "gif"s, "tga"s, "nothing"s}) {
       const auto path = file("whole." + ending);
       writeTextAtomically(path, seed.bytes);
-      const HeightField field = readHeightImage(path, 0, 1, Wrap::repeat);
+      const relief::HeightField field = relief::readHeightImage(path, 0, 1, relief::Wrap::repeat);
       EXPECT_EQ(field.width(), width);
       EXPECT_EQ(field.height(), height);
       if (heights.empty()) heights = field.texels();
@@ -444,8 +444,8 @@ TEST_F(DamagedPictures, ALargePictureIsInMemoryOnce) {
     }
     ASSERT_TRUE(out->close());
     const double heights = static_cast<double>(side) * side * sizeof(float);
-    const double peak =
-        peakBytesWhile([&, last = channels - 1] { readHeightImage(path, last, 1, Wrap::repeat); });
+    const double peak = peakBytesWhile(
+        [&, last = channels - 1] { relief::readHeightImage(path, last, 1, relief::Wrap::repeat); });
     EXPECT_LT(peak, 1.3 * heights + 5e7);
     EXPECT_GT(peak, 0.5 * heights) << "the peak cannot be told here";
   }

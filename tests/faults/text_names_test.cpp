@@ -60,13 +60,13 @@ TEST_F(NamesThatAreNoText, AreRunKeptAndRunAgain) {
 
 TEST_F(NamesThatAreNoText, AreSavedFromTheViewer) {
   const fs::path study = file(cafe) / (cafe + ".toml");
-  StudyState state;
+  app::StudyState state;
   state.file = study;
-  const StudySpec opened = readStudy(study);
+  const study::StudySpec opened = study::readStudy(study);
   for (const fs::path& target :
        {file("saved.toml"), file(cafe) / "saved.toml", file("b\xFF/" + cafe + ".toml")}) {
-    saveStudy(state, target);
-    const StudySpec saved = readStudy(target);
+    app::saveStudy(state, target);
+    const study::StudySpec saved = study::readStudy(target);
     ASSERT_EQ(saved.methods.size(), opened.methods.size());
     EXPECT_TRUE(fs::equivalent(saved.methods[0].file, opened.methods[0].file));
     EXPECT_EQ(saved.methods[0].label, "own");
@@ -74,10 +74,10 @@ TEST_F(NamesThatAreNoText, AreSavedFromTheViewer) {
 }
 
 TEST_F(NamesThatAreNoText, AMethodIsLabelledByWhatCanBeWritten) {
-  StudyOptions options;
+  study::StudyOptions options;
   write("own.toml",
         replaced(smallStudy(), "name = \"unshadowed\"", "file = \"file:caf%E9/caf%E9.glsl\""));
-  const StudySpec study = readStudy(file("own.toml"));
+  const study::StudySpec study = study::readStudy(file("own.toml"));
   EXPECT_EQ(study.methods.at(0).label, "caf%E9");
   EXPECT_TRUE(fs::equivalent(study.methods.at(0).file, file(cafe) / (cafe + ".glsl")));
 }

@@ -8,9 +8,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;
   test::fuzzReader(data, size, ".json", [](const std::filesystem::path& path) {
-    const std::string text = baselineJson(readBaseline(path));
+    const std::string text = report::baselineJson(report::readBaseline(path));
     writeTextAtomically(path, text);
-    if (baselineJson(readBaseline(path)) != text) std::abort();
+    if (report::baselineJson(report::readBaseline(path)) != text) std::abort();
   });
   return 0;
 }

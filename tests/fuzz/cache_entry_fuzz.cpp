@@ -16,26 +16,26 @@ using namespace gnomon;
 template <typename Value>
 void take(std::string_view bytes) {
   try {
-    if (bytesOf(valueOf<Value>(bytes)) != bytes) std::abort();
-  } catch (const DamagedBytes&) {
+    if (cache::bytesOf(cache::valueOf<Value>(bytes)) != bytes) std::abort();
+  } catch (const cache::DamagedBytes&) {
   }
 }
 
 constexpr std::array takers = {take<Mask>,
-                               take<MethodAnswers>,
-                               take<Truth>,
-                               take<SampleGrid>,
-                               take<SampleLayout>,
-                               take<RenderView>,
-                               take<HorizonTables>,
-                               take<EllipseTable>,
-                               take<AngleTable>,
-                               take<BlockErrors>,
-                               take<BoundaryMetrics>,
-                               take<ShadowLengths>,
-                               take<LayersRecord>,
-                               take<std::optional<RefinementRecord>>,
-                               take<MethodOutcome>,
+                               take<render::MethodAnswers>,
+                               take<truth::Truth>,
+                               take<surface::SampleGrid>,
+                               take<compare::SampleLayout>,
+                               take<render::RenderView>,
+                               take<horizon::HorizonTables>,
+                               take<horizon::EllipseTable>,
+                               take<horizon::AngleTable>,
+                               take<compare::BlockErrors>,
+                               take<cache::BoundaryMetrics>,
+                               take<compare::ShadowLengths>,
+                               take<study::LayersRecord>,
+                               take<std::optional<study::RefinementRecord>>,
+                               take<study::MethodOutcome>,
                                take<std::string>,
                                take<std::optional<bool>>};
 
@@ -45,10 +45,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   takers.at(data[0] % takers.size())(bytes);
-  const ContentKey key = KeyBuilder("fuzz").key();
-  const auto content = openedEntry(key, bytes);
-  if (content && sealedEntry(key, *content) != bytes) std::abort();
-  const std::string sealed = sealedEntry(key, bytes);
-  if (openedEntry(key, sealed) != bytes) std::abort();
+  const cache::ContentKey key = cache::KeyBuilder("fuzz").key();
+  const auto content = cache::openedEntry(key, bytes);
+  if (content && cache::sealedEntry(key, *content) != bytes) std::abort();
+  const std::string sealed = cache::sealedEntry(key, bytes);
+  if (cache::openedEntry(key, sealed) != bytes) std::abort();
   return 0;
 }

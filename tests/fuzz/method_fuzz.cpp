@@ -4,7 +4,8 @@
 #include "render/method.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gnomon::test::fuzzReader(data, size, ".glsl",
-                           [](const std::filesystem::path& path) { gnomon::readMethod(path); });
+  gnomon::test::fuzzReader(data, size, ".glsl", [](const std::filesystem::path& path) {
+    gnomon::render::readMethod(path);
+  });
   return 0;
 }

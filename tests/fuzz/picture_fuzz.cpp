@@ -10,9 +10,11 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  if (imageFormatOf(bytes.substr(0, imageStartBytes)) != ImageFormat::GNOMON_FUZZ_FORMAT) return 0;
+  if (image::imageFormatOf(bytes.substr(0, image::imageStartBytes)) !=
+      image::ImageFormat::GNOMON_FUZZ_FORMAT)
+    return 0;
   test::fuzzReader(data, size, ".picture", [](const std::filesystem::path& path) {
-    const HeightField field = readHeightImage(path, 0, 1, Wrap::repeat);
+    const relief::HeightField field = relief::readHeightImage(path, 0, 1, relief::Wrap::repeat);
     if (!std::isfinite(field.at({0.3, 0.7}))) std::abort();
   });
   return 0;

@@ -9,9 +9,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gnomon;
   test::fuzzReader(data, size, ".ply", [](const std::filesystem::path& path) {
-    const LimitSurface surface(readPly(path));
+    const surface::LimitSurface surface(surface::readPly(path));
     for (int face = 0; face < surface.faceCount(); ++face) {
-      const LimitPoint point = surface.evaluate(face, 0.3, 0.6);
+      const surface::LimitPoint point = surface.evaluate(face, 0.3, 0.6);
       if (!std::isfinite(glm::dot(point.position, point.position))) std::abort();
     }
   });

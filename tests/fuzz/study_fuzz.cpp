@@ -5,9 +5,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   gnomon::test::fuzzReader(data, size, ".toml", [](const std::filesystem::path& path) {
-    gnomon::StudyOptions options;
+    gnomon::study::StudyOptions options;
     options.mostCases = 20;  // each of which is read
-    gnomon::readStudyPlan(path, options);
+    gnomon::study::readStudyPlan(path, options);
   });
   return 0;
 }

@@ -6,7 +6,7 @@
 
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 using test::stepRelief;
@@ -47,13 +47,13 @@ TEST(AngleTable, AreOfTheSlopesInTheirFrame) {
 }
 
 TEST(AngleTable, OfAWallIsItsElevation) {
-  const Relief wall = stepRelief(32, 4, 6, [](int i, int) { return i < 8; });
+  const relief::Relief wall = stepRelief(32, 4, 6, [](int i, int) { return i < 8; });
   const HorizonTables tables = bakeHorizons(wall.field, {4, 64});
   const AngleTable table = horizonAngles(tables, pi / 2, 1);
   EXPECT_EQ(table.width, 32);
   EXPECT_EQ(table.height, 4);
   EXPECT_EQ(table.layers, 4);
-  EXPECT_EQ(table.wrap, Wrap::clamp);
+  EXPECT_EQ(table.wrap, relief::Wrap::clamp);
   EXPECT_EQ(table.originX, 0);
   EXPECT_EQ(table.originY, 0);
   for (int x = 8; x < 32; ++x) {
@@ -67,4 +67,4 @@ TEST(AngleTable, OfAWallIsItsElevation) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

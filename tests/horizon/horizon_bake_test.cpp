@@ -19,7 +19,7 @@
 #include "horizon/kernel/tile_scratch.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -28,8 +28,8 @@ using ::testing::StartsWith;
 // --- against brute force ------------------------------------------------------------------------
 
 TEST(HorizonBake, IsTheSupremumOnNoise) {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
-    const HeightField field = noise(19, 14, wrap);
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+    const relief::HeightField field = noise(19, 14, wrap);
     expectExact(field, {7, 12.34});
     expectExact(field, {8, 6});
     expectExact(field, {12, 3.7});
@@ -37,65 +37,67 @@ TEST(HorizonBake, IsTheSupremumOnNoise) {
 }
 
 TEST(HorizonBake, IsTheSupremumWhereSlopesTie) {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
     expectExact(coarseNoise(13, 17, wrap, 4), {16, 9.5});
   }
 }
 
 TEST(HorizonBake, IsTheSupremumOnSmoothHills) {
-  const HeightField hills = sampled(24, 24, Wrap::repeat, [](int x, int y) {
+  const relief::HeightField hills = sampled(24, 24, relief::Wrap::repeat, [](int x, int y) {
     return 6 * std::sin(2 * pi * x / 24) * std::cos(4 * pi * y / 24) + 100;
   });
   expectExact(hills, {10, 20});
 }
 
 TEST(HorizonBake, IsTheSupremumWithinAnyRadius) {
-  const HeightField field = noise(9, 7, Wrap::repeat, 3);
+  const relief::HeightField field = noise(9, 7, relief::Wrap::repeat, 3);
   for (const double radius : {0.01, 0.4, 1.0, 1.2, std::sqrt(2.0), 2.0, 5.01, 40.0}) {
     expectExact(field, {8, radius});
   }
-  expectExact(noise(9, 7, Wrap::clamp, 3), {5, 33.3});
+  expectExact(noise(9, 7, relief::Wrap::clamp, 3), {5, 33.3});
 }
 
 TEST(HorizonBake, IsTheSupremumOnMapsOfAnyShape) {
-  expectExact(noise(1, 1, Wrap::repeat), {8, 5});
-  expectExact(noise(1, 9, Wrap::clamp), {8, 5});
-  expectExact(noise(67, 2, Wrap::repeat), {8, 5});
-  expectExact(noise(130, 1, Wrap::clamp), {4, 5});
-  expectExact(noise(6, 6, Wrap::repeat), {1, 5});
+  expectExact(noise(1, 1, relief::Wrap::repeat), {8, 5});
+  expectExact(noise(1, 9, relief::Wrap::clamp), {8, 5});
+  expectExact(noise(67, 2, relief::Wrap::repeat), {8, 5});
+  expectExact(noise(130, 1, relief::Wrap::clamp), {4, 5});
+  expectExact(noise(6, 6, relief::Wrap::repeat), {1, 5});
 }
 
 TEST(HorizonBake, IsTheSupremumOnMapsOfSeveralTiles) {
-  expectExact(noise(TexelTile::width + 3, TexelTile::height + 1, Wrap::repeat), {5, 9});
-  expectExact(noise(2, 2 * TexelTile::height + 7, Wrap::clamp), {6, 70.5});
+  expectExact(noise(TexelTile::width + 3, TexelTile::height + 1, relief::Wrap::repeat), {5, 9});
+  expectExact(noise(2, 2 * TexelTile::height + 7, relief::Wrap::clamp), {6, 70.5});
 }
 
 TEST(HorizonBake, AHighOffsetCostsNoPrecision) {
   // Heights around 1000 that floats hold to 6e-5: the map is what the floats say, and exact.
-  expectExact(noise(12, 12, Wrap::repeat, 8, 1000), {9, 10});
+  expectExact(noise(12, 12, relief::Wrap::repeat, 8, 1000), {9, 10});
 }
 
 // --- borders ------------------------------------------------------------------------------------
 
 TEST(HorizonBake, IsTheSupremumUpToABorder) {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
-    for (const Border border : {Border{true, true}, Border{true, false}, Border{false, true}}) {
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+    for (const relief::Border border :
+         {relief::Border{true, true}, relief::Border{true, false}, relief::Border{false, true}}) {
       expectExact(noise(19, 14, wrap).withBorder(border), {7, 12.34});
       expectExact(noise(9, 7, wrap, 3).withBorder(border), {12, 33.3});
       expectExact(coarseNoise(13, 17, wrap, 4).withBorder(border), {16, 9.5});
       expectExact(noise(1, 9, wrap).withBorder(border), {8, 5});
     }
   }
-  expectExact(noise(TexelTile::width + 3, 5, Wrap::repeat, 5).withBorder({true, true}), {6, 20});
+  expectExact(noise(TexelTile::width + 3, 5, relief::Wrap::repeat, 5).withBorder({true, true}),
+              {6, 20});
   // As many azimuths as a study may have come nearest to a border without being parallel to it.
-  expectExact(noise(3, 2, Wrap::clamp, 6).withBorder({true, true}), {1023, 12});
+  expectExact(noise(3, 2, relief::Wrap::clamp, 6).withBorder({true, true}), {1023, 12});
 }
 
 TEST(HorizonBake, ARidgeEndsAtABorder) {
   // A ridge 4 high along column 12. Clamping draws it out past the upper border, where rays that
   // leave over that border would meet it.
-  const HeightField ridge =
-      sampled(16, 16, Wrap::clamp, [](int x, int) { return x == 12 ? 4.0 : 0.0; });
+  const relief::HeightField ridge =
+      sampled(16, 16, relief::Wrap::clamp, [](int x, int) { return x == 12 ? 4.0 : 0.0; });
   const HorizonTables drawnOut = bakeHorizons(ridge, {8, 40});
   const HorizonTables ended = bakeHorizons(ridge.withBorder({true, true}), {8, 40});
   for (int y = 0; y < 16; ++y) {
@@ -113,7 +115,8 @@ TEST(HorizonBake, ARidgeEndsAtABorder) {
 
 TEST(HorizonBake, ARampEndsAtABorder) {
   // It goes on for the one texel that clamping keeps flat.
-  const HeightField ramp = sampled(16, 16, Wrap::clamp, [](int x, int) { return 0.5 * x; });
+  const relief::HeightField ramp =
+      sampled(16, 16, relief::Wrap::clamp, [](int x, int) { return 0.5 * x; });
   const HorizonTables up = bakeHorizons(ramp.withBorder({true, true}), {4, 40});
   for (int x = 0; x < 15; ++x) EXPECT_FLOAT_EQ(horizonAt(up, 0, x, 3), 0.5F);
   EXPECT_EQ(horizonAt(up, 0, 15, 3), 0) << "the half texel before the border is flat";
@@ -126,8 +129,8 @@ TEST(HorizonBake, ARampEndsAtABorder) {
 
 TEST(HorizonBake, ARepeatedMapWithABorderDoesNotSeeItsNextTile) {
   // One peak 6 high at column 2 of 16: toward +x from column 10 it comes again after 8 texels.
-  const HeightField peak =
-      sampled(16, 4, Wrap::repeat, [](int x, int) { return x == 2 ? 6.0 : 0.0; });
+  const relief::HeightField peak =
+      sampled(16, 4, relief::Wrap::repeat, [](int x, int) { return x == 2 ? 6.0 : 0.0; });
   const HorizonTables tiled = bakeHorizons(peak, {4, 40});
   const HorizonTables ended = bakeHorizons(peak.withBorder({true, true}), {4, 40});
   EXPECT_FLOAT_EQ(horizonAt(tiled, 0, 10, 1), 6.F / 8);
@@ -143,7 +146,7 @@ TEST(HorizonBake, ARepeatedMapWithABorderDoesNotSeeItsNextTile) {
 
 TEST(HorizonBake, FlatGroundHasNoHorizonAndNoDistance) {
   for (const float height : {0.F, 1000.3F, -1e-20F}) {
-    const HeightField flat(20, 10, std::vector<float>(200, height), Wrap::repeat);
+    const relief::HeightField flat(20, 10, std::vector<float>(200, height), relief::Wrap::repeat);
     const HorizonTables tables = bakeHorizons(flat, {16, 31.4});
     for (const float slope : tables.horizon) EXPECT_EQ(slope, 0);
     for (const float distance : tables.distance) EXPECT_EQ(distance, 0);
@@ -153,7 +156,7 @@ TEST(HorizonBake, FlatGroundHasNoHorizonAndNoDistance) {
 TEST(HorizonBake, APlaneIsInTheShadowOfItsOwnSlope) {
   for (const Vec2 gradient : {Vec2(0.25, 0.125), Vec2(0.1, -0.7), Vec2(-1e-3, 3)}) {
     for (const double offset : {0.0, 12.3}) {
-      const HeightField plane = sampled(64, 64, Wrap::clamp, [&](int x, int y) {
+      const relief::HeightField plane = sampled(64, 64, relief::Wrap::clamp, [&](int x, int y) {
         return offset + gradient.x * x + gradient.y * y;
       });
       const HorizonTables tables = bakeHorizons(plane, {24, 20});
@@ -171,8 +174,8 @@ TEST(HorizonBake, APlaneIsInTheShadowOfItsOwnSlope) {
 
 TEST(HorizonBake, AStepIsSeenFromItsEdge) {
   // Ground 0, from column 40 on 3: the top of the wall stands on the line x = 40 of centres.
-  const HeightField step =
-      sampled(64, 8, Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
+  const relief::HeightField step =
+      sampled(64, 8, relief::Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
   constexpr int azimuths = 16;
   const HorizonTables tables = bakeHorizons(step, {azimuths, 60});
   for (const int m : {0, 1, 2, 3, azimuths - 1, azimuths - 3}) {
@@ -192,8 +195,8 @@ TEST(HorizonBake, AStepIsSeenFromItsEdge) {
 }
 
 TEST(HorizonBake, AStepBeyondTheRadiusIsNotSeen) {
-  const HeightField step =
-      sampled(64, 1, Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
+  const relief::HeightField step =
+      sampled(64, 1, relief::Wrap::clamp, [](int x, int) { return x < 40 ? 0.0 : 3.0; });
   const HorizonTables tables = bakeHorizons(step, {1, 10});
   EXPECT_EQ(horizonAt(tables, 0, 28, 0), 0);
   EXPECT_FLOAT_EQ(horizonAt(tables, 0, 30, 0), 0.3F) << "at the radius itself";
@@ -205,8 +208,9 @@ TEST(HorizonBake, AStepBeyondTheRadiusIsNotSeen) {
 
 TEST(HorizonBake, AWedgeIsSeenUpToTheRadiusThenFromItsRidge) {
   // Ground 0 up to x = 10, then a ramp of slope 1/2 to a ridge of height 8 at x = 26, then down.
-  const HeightField roof = sampled(
-      96, 4, Wrap::clamp, [](int x, int) { return std::max(0.0, std::min(x - 10, 42 - x) * 0.5); });
+  const relief::HeightField roof = sampled(96, 4, relief::Wrap::clamp, [](int x, int) {
+    return std::max(0.0, std::min(x - 10, 42 - x) * 0.5);
+  });
   const HorizonTables ridge = bakeHorizons(roof, {8, 64});
   const HorizonTables ramp = bakeHorizons(roof, {8, 16});
   for (const int m : {0, 1, 7}) {
@@ -230,7 +234,7 @@ TEST(HorizonBake, AWedgeIsSeenUpToTheRadiusThenFromItsRidge) {
 
 TEST(HorizonBake, AConeIsSeenFromItsApex) {
   // Apex 6 high at texel (32, 32), slope 1: foot at 6 texels.
-  const HeightField cone = sampled(64, 64, Wrap::clamp, [](int x, int y) {
+  const relief::HeightField cone = sampled(64, 64, relief::Wrap::clamp, [](int x, int y) {
     return std::max(0.0, 6 - std::hypot(x - 32, y - 32));
   });
   const HorizonTables tables = bakeHorizons(cone, {8, 40});
@@ -253,7 +257,7 @@ TEST(HorizonBake, AConeIsSeenFromItsApex) {
 TEST(HorizonBake, ASaddleIsSeenFromInsideItsCell) {
   // Texels (3, 2) and (2, 3) are 1, all others 0. Along the diagonal from texel (0, 0) the cell
   // between them has height 2 t (1 - t) at distance √2 (2 + t): most at t = √6 - 2.
-  const HeightField saddle = sampled(12, 12, Wrap::clamp, [](int x, int y) {
+  const relief::HeightField saddle = sampled(12, 12, relief::Wrap::clamp, [](int x, int y) {
     return (x == 3 && y == 2) || (x == 2 && y == 3) ? 1.0 : 0.0;
   });
   const HorizonTables tables = bakeHorizons(saddle, {8, 8});
@@ -269,9 +273,9 @@ TEST(HorizonBake, ASaddleIsSeenFromInsideItsCell) {
 
 TEST(HorizonBake, AShiftedMapHasShiftedTablesToTheBit) {
   // Which texels share a vector, and what is skipped with it, must not show.
-  const HeightField field = noise(150, 90, Wrap::repeat, 6);
-  const HeightField shifted =
-      sampled(150, 90, Wrap::repeat, [&](int x, int y) { return field.texel(x + 37, y + 11); });
+  const relief::HeightField field = noise(150, 90, relief::Wrap::repeat, 6);
+  const relief::HeightField shifted = sampled(
+      150, 90, relief::Wrap::repeat, [&](int x, int y) { return field.texel(x + 37, y + 11); });
   const HorizonTables a = bakeHorizons(field, {12, 100});
   const HorizonTables b = bakeHorizons(shifted, {12, 100});
   for (int m = 0; m < 12; ++m) {
@@ -285,10 +289,10 @@ TEST(HorizonBake, AShiftedMapHasShiftedTablesToTheBit) {
 }
 
 TEST(HorizonBake, ATurnedMapHasTurnedTables) {
-  const HeightField field = noise(40, 40, Wrap::repeat, 7);
+  const relief::HeightField field = noise(40, 40, relief::Wrap::repeat, 7);
   // A quarter turn counter-clockwise: (x, y) goes to (39 - y, x).
-  const HeightField turned =
-      sampled(40, 40, Wrap::repeat, [&](int x, int y) { return field.texel(y, 39 - x); });
+  const relief::HeightField turned =
+      sampled(40, 40, relief::Wrap::repeat, [&](int x, int y) { return field.texel(y, 39 - x); });
   const HorizonTables a = bakeHorizons(field, {12, 30});
   const HorizonTables b = bakeHorizons(turned, {12, 30});
   for (int m = 0; m < 12; ++m) {
@@ -301,9 +305,9 @@ TEST(HorizonBake, ATurnedMapHasTurnedTables) {
 }
 
 TEST(HorizonBake, HeightsScaleSlopesAndLeaveDistances) {
-  const HeightField field = noise(40, 30, Wrap::repeat, 2);
-  const HeightField higher =
-      sampled(40, 30, Wrap::repeat, [&](int x, int y) { return 8.0 * field.texel(x, y); });
+  const relief::HeightField field = noise(40, 30, relief::Wrap::repeat, 2);
+  const relief::HeightField higher =
+      sampled(40, 30, relief::Wrap::repeat, [&](int x, int y) { return 8.0 * field.texel(x, y); });
   const HorizonTables a = bakeHorizons(field, {10, 25});
   const HorizonTables b = bakeHorizons(higher, {10, 25});
   for (std::size_t i = 0; i < a.horizon.size(); ++i) {
@@ -313,7 +317,7 @@ TEST(HorizonBake, HeightsScaleSlopesAndLeaveDistances) {
 }
 
 TEST(HorizonBake, ALongerRadiusNeverLowersAHorizon) {
-  const HeightField field = noise(50, 50, Wrap::clamp, 2);
+  const relief::HeightField field = noise(50, 50, relief::Wrap::clamp, 2);
   const HorizonTables near = bakeHorizons(field, {6, 10});
   const HorizonTables far = bakeHorizons(field, {6, 30});
   for (std::size_t i = 0; i < near.horizon.size(); ++i) {
@@ -322,7 +326,7 @@ TEST(HorizonBake, ALongerRadiusNeverLowersAHorizon) {
 }
 
 TEST(HorizonBake, DoesNotDependOnTheNumberOfThreads) {
-  const HeightField field = noise(200, 120, Wrap::repeat, 12);
+  const relief::HeightField field = noise(200, 120, relief::Wrap::repeat, 12);
   const auto bakeOn = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return bakeHorizons(field, {9, 60.5});
@@ -336,12 +340,12 @@ TEST(HorizonBake, DoesNotDependOnTheNumberOfThreads) {
 // --- the function as such -----------------------------------------------------------------------
 
 TEST(HorizonBake, DescribesItsTables) {
-  const HorizonTables tables = bakeHorizons(noise(5, 3, Wrap::clamp), {6, 2.5});
+  const HorizonTables tables = bakeHorizons(noise(5, 3, relief::Wrap::clamp), {6, 2.5});
   EXPECT_EQ(tables.width, 5);
   EXPECT_EQ(tables.height, 3);
   EXPECT_EQ(tables.layers, 6);
   EXPECT_EQ(tables.radiusTexels, 2.5);
-  EXPECT_EQ(tables.wrap, Wrap::clamp);
+  EXPECT_EQ(tables.wrap, relief::Wrap::clamp);
   EXPECT_EQ(tables.horizon.size(), 90U);
   EXPECT_EQ(tables.distance.size(), 90U);
 }
@@ -350,7 +354,7 @@ TEST(HorizonBake, ReportsProgressOneCallAtATime) {
   std::atomic<int> inside = 0;
   double last = 0;
   int calls = 0;
-  bakeHorizons(noise(128, 64, Wrap::repeat), {16, 20}, [&](double share) {
+  bakeHorizons(noise(128, 64, relief::Wrap::repeat), {16, 20}, [&](double share) {
     EXPECT_EQ(++inside, 1);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that another would meet it
     EXPECT_GT(share, last);
@@ -363,7 +367,7 @@ TEST(HorizonBake, ReportsProgressOneCallAtATime) {
 }
 
 TEST(HorizonBake, RefusesSettingsOutOfRange) {
-  const HeightField field = noise(4, 4, Wrap::repeat);
+  const relief::HeightField field = noise(4, 4, relief::Wrap::repeat);
   for (const int azimuths : {0, -3}) {
     EXPECT_THAT(messageOf<InputError>([&] {
                   bakeHorizons(field, {azimuths, 5});
@@ -379,7 +383,7 @@ TEST(HorizonBake, RefusesSettingsOutOfRange) {
 }
 
 TEST(HorizonBake, RefusesWhatCannotFit) {
-  const HeightField field = noise(64, 64, Wrap::repeat);
+  const relief::HeightField field = noise(64, 64, relief::Wrap::repeat);
   EXPECT_THAT(messageOf<MemoryError>([&] {
                 bakeHorizons(field, {2000000000, 5});
               }),
@@ -391,7 +395,7 @@ TEST(HorizonBake, RefusesWhatCannotFit) {
 }
 
 TEST(HorizonBake, MemoryCountsTheThreadsThatAreAllowed) {
-  const HeightField field = noise(4, 4, Wrap::repeat);
+  const relief::HeightField field = noise(4, 4, relief::Wrap::repeat);
   const auto refusal = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     return messageOf<MemoryError>([&] { bakeHorizons(field, {1, 1e9}); });
@@ -404,12 +408,13 @@ TEST(HorizonBake, MemoryCountsTheThreadsThatAreAllowed) {
 
 TEST(HorizonBake, ExtremeHeightsStayFinite) {
   constexpr float most = std::numeric_limits<float>::max();
-  const HeightField field =
-      sampled(9, 9, Wrap::repeat, [](int x, int y) { return (x + y) % 2 == 0 ? most : -most; });
+  const relief::HeightField field = sampled(
+      9, 9, relief::Wrap::repeat, [](int x, int y) { return (x + y) % 2 == 0 ? most : -most; });
   EXPECT_THAT(messageOf<InputError>([&] { bakeHorizons(field, {8, 5}); }), HasSubstr("1e+34"));
-  const HeightField fair = sampled(9, 9, Wrap::repeat, [](int x, int) { return x * 1e30; });
+  const relief::HeightField fair =
+      sampled(9, 9, relief::Wrap::repeat, [](int x, int) { return x * 1e30; });
   for (const float slope : bakeHorizons(fair, {8, 5}).horizon) EXPECT_TRUE(std::isfinite(slope));
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -9,7 +9,7 @@
 
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 using Slope = std::function<double(double azimuth)>;
@@ -136,12 +136,12 @@ TEST(HorizonEllipses, TexelThatNoLightReachesHasNone) {
 }
 
 TEST(HorizonEllipses, EachTexelHasItsOwnInTheTablesOrder) {
-  const Relief relief = test::randomRelief(7, 5, 3, 2);
+  const relief::Relief relief = test::randomRelief(7, 5, 3, 2);
   const HorizonTables tables = bakeHorizons(relief.field, {16, 8});
   const EllipseTable all = fitEllipses(tables, 1);
   EXPECT_EQ(all.width, 7);
   EXPECT_EQ(all.height, 5);
-  EXPECT_EQ(all.wrap, Wrap::repeat);
+  EXPECT_EQ(all.wrap, relief::Wrap::repeat);
   for (std::size_t texel = 0; texel < 35; ++texel) {
     const Ellipse one = fitted(
         [&](double a) {
@@ -158,4 +158,4 @@ TEST(HorizonEllipses, EachTexelHasItsOwnInTheTablesOrder) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -10,7 +10,7 @@
 #include "horizon/horizon_truth.h"
 #include "horizon/kernel/tile_kernel.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 /// While it lives, what is dispatched runs on one instruction set.
@@ -47,17 +47,17 @@ TEST(HorizonTargets, AreEachExact) {
   for (const std::int64_t target : targets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     const OnTarget on(target);
-    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+    for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
       expectExact(noise(19, 14, wrap), {7, 12.34});
       expectExact(coarseNoise(13, 17, wrap, 4), {8, 9.5});
     }
-    expectExact(noise(5, 6, Wrap::repeat), {5, 80.2});
+    expectExact(noise(5, 6, relief::Wrap::repeat), {5, 80.2});
   }
 }
 
 TEST(HorizonTargets, AgreeToTheBit) {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
-    const HeightField field = noise(150, 90, wrap, 6);
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+    const relief::HeightField field = noise(150, 90, wrap, 6);
     const HorizonTables widest = bakeHorizons(field, {12, 200.5});
     for (const std::int64_t target : targets()) {
       const OnTarget on(target);
@@ -69,4 +69,4 @@ TEST(HorizonTargets, AgreeToTheBit) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

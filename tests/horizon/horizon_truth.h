@@ -10,12 +10,12 @@
 
 #include "horizon/horizon_bake.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 // What a bake must be, by brute force in double precision.
 
-inline HeightField sampled(int width, int height, Wrap wrap,
-                           const std::function<double(int, int)>& h) {
+inline relief::HeightField sampled(int width, int height, relief::Wrap wrap,
+                                   const std::function<double(int, int)>& h) {
   std::vector<float> texels;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) texels.push_back(static_cast<float>(h(x, y)));
@@ -23,14 +23,15 @@ inline HeightField sampled(int width, int height, Wrap wrap,
   return {width, height, texels, wrap};
 }
 
-inline HeightField noise(int width, int height, Wrap wrap, unsigned seed = 1, double offset = 0) {
+inline relief::HeightField noise(int width, int height, relief::Wrap wrap, unsigned seed = 1,
+                                 double offset = 0) {
   std::mt19937 random(seed);
   return sampled(width, height, wrap,
                  [&](int, int) { return offset + static_cast<double>(random()) * 0x1p-32; });
 }
 
 /// Noise with plateaus, steps and single peaks: many exact ties.
-inline HeightField coarseNoise(int width, int height, Wrap wrap, unsigned seed) {
+inline relief::HeightField coarseNoise(int width, int height, relief::Wrap wrap, unsigned seed) {
   std::mt19937 random(seed);
   return sampled(width, height, wrap,
                  [&](int, int) { return 0.5 * static_cast<int>(random() % 3); });
@@ -47,12 +48,12 @@ inline float distanceAt(const HorizonTables& t, int m, int x, int y) {
 /// (h(p + r e) - h(p)) / r, by the height field itself, in double precision.
 class SlopeAlongRay {
  public:
-  SlopeAlongRay(const HeightField& field, Vec2 p, Vec2 e)
+  SlopeAlongRay(const relief::HeightField& field, Vec2 p, Vec2 e)
       : field_(field), p_(p), e_(e), h0_(field.at(p)) {}
   double operator()(double r) const { return (field_.at(p_ + r * e_) - h0_) / r; }
 
  private:
-  const HeightField& field_;
+  const relief::HeightField& field_;
   Vec2 p_, e_;
   double h0_;
 };
@@ -89,7 +90,7 @@ inline Supremum maximumBetween(const SlopeAlongRay& slope, double near, double f
 
 /// The supremum by brute force: every stretch between lattice lines on its own.
 /// Up to the first line of texel centres past a border, or the radius.
-inline Supremum bruteForce(const HeightField& field, Vec2 p, Vec2 e, double radius) {
+inline Supremum bruteForce(const relief::HeightField& field, Vec2 p, Vec2 e, double radius) {
   const auto knownAlong = [&](double place, double way, int size, bool border) {
     if (!border || std::abs(way) < 1e-12) return radius;
     return (way > 0 ? size + 0.5 - place : place + 0.5) / std::abs(way);
@@ -115,7 +116,7 @@ inline Supremum bruteForce(const HeightField& field, Vec2 p, Vec2 e, double radi
   return best;
 }
 
-inline void expectExact(const HeightField& field, const BakeSettings& settings) {
+inline void expectExact(const relief::HeightField& field, const BakeSettings& settings) {
   const HorizonTables tables = bakeHorizons(field, settings);
   const double range = static_cast<double>(field.maximum()) - field.minimum();
   // Float heights and slopes, and the tolerance by which slopes count as equal: all shares of the
@@ -148,4 +149,4 @@ inline void expectExact(const HeightField& field, const BakeSettings& settings) 
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -9,7 +9,7 @@
 #include "relief/patch_border.h"
 #include "surface/cage/shapes.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
@@ -25,10 +25,11 @@ Vec3 lightAt(double azimuth, double elevation) {
 }
 
 /// Heights 0 and `height`, once each at least.
-Relief reliefOf(int side, float height, Wrap wrap = Wrap::repeat) {
+relief::Relief reliefOf(int side, float height, relief::Wrap wrap = relief::Wrap::repeat) {
   std::vector<float> texels(static_cast<std::size_t>(side * side));
   texels[3] = height;
-  return {HeightField(side, side, std::move(texels), wrap), HeightSpace::world, Vec2(1)};
+  return {relief::HeightField(side, side, std::move(texels), wrap), relief::HeightSpace::world,
+          Vec2(1)};
 }
 
 TEST(EndOfRay, OnAPlaneIsTheHeightOverTheSlope) {
@@ -106,8 +107,8 @@ TEST(EndOfRay, InABowlTheGroundComesUpAgain) {
 }
 
 TEST(SearchRadiusRule, OnAPlaneIsTheLongestShadow) {
-  const LimitSurface plane(makePlane(400, 400, 8, 8));
-  Relief relief = reliefOf(64, 6);
+  const surface::LimitSurface plane(surface::makePlane(400, 400, 8, 8));
+  relief::Relief relief = reliefOf(64, 6);
   relief.repeats = Vec2(4);  // 400 / 256 world units a texel
   const double texel = 400.0 / 256;
   for (const double elevation : {50.0, 20.0, 2.0}) {
@@ -118,7 +119,7 @@ TEST(SearchRadiusRule, OnAPlaneIsTheLongestShadow) {
     EXPECT_EQ(found.light, 1U);
   }
   // Heights in texels grow with them.
-  relief.space = HeightSpace::texture;
+  relief.space = relief::HeightSpace::texture;
   EXPECT_EQ(searchRadius(plane, relief, std::vector{lightAt(30, 20)}).texels,
             std::ceil(6 / std::tan(radians(20.0))));
   EXPECT_EQ(searchRadius(plane, relief, std::vector{lightAt(0, 90)}).texels, 1);
@@ -126,8 +127,8 @@ TEST(SearchRadiusRule, OnAPlaneIsTheLongestShadow) {
 }
 
 TEST(SearchRadiusRule, EndsAtTheBorderAndWithTheSurface) {
-  const LimitSurface plane(makePlane(64, 64, 8, 8));
-  Relief relief = reliefOf(64, 6, Wrap::clamp);
+  const surface::LimitSurface plane(surface::makePlane(64, 64, 8, 8));
+  relief::Relief relief = reliefOf(64, 6, relief::Wrap::clamp);
   relief.field = relief.field.withBorder({true, true});
   // At 1° a shadow is 344 long, and no ray along x is longer than 64.5 + half a step of the grid.
   const SearchRadius ended = searchRadius(plane, relief, std::vector{lightAt(0, 1)});
@@ -141,26 +142,27 @@ TEST(SearchRadiusRule, EndsAtTheBorderAndWithTheSurface) {
 }
 
 TEST(PatchBorder, IsWhereMapAndSurfaceEnd) {
-  const auto borderOn = [](const Cage& cage, Wrap wrap, Vec2 repeats) {
-    return borderOf(cage, LimitSurface(cage), wrap, repeats);
+  const auto borderOn = [](const surface::Cage& cage, relief::Wrap wrap, Vec2 repeats) {
+    return relief::borderOf(cage, surface::LimitSurface(cage), wrap, repeats);
   };
-  const Border both{true, true};
-  const Border none{};
-  const Cage plane = makePlane(10, 10, 4, 3);
-  const Cage torus = makeTorus(20, 5, 60, 60);
-  EXPECT_EQ(borderOn(plane, Wrap::clamp, Vec2(1)), both);
-  EXPECT_EQ(borderOn(plane, Wrap::repeat, Vec2(1)), both);
-  EXPECT_EQ(borderOn(plane, Wrap::repeat, Vec2(2, 1)), (Border{false, true}));
-  EXPECT_EQ(borderOn(plane, Wrap::clamp, Vec2(1, 3)), (Border{true, false}));
-  EXPECT_EQ(borderOn(torus, Wrap::repeat, Vec2(1)), none);
-  EXPECT_EQ(borderOn(torus, Wrap::clamp, Vec2(1)), both) << "its author says that it ends";
-  EXPECT_EQ(borderOn(makeCylinder(10, 2 * pi, 30, 60, 4), Wrap::repeat, Vec2(1)),
-            (Border{false, true}));
+  const relief::Border both{true, true};
+  const relief::Border none{};
+  const surface::Cage plane = surface::makePlane(10, 10, 4, 3);
+  const surface::Cage torus = surface::makeTorus(20, 5, 60, 60);
+  EXPECT_EQ(borderOn(plane, relief::Wrap::clamp, Vec2(1)), both);
+  EXPECT_EQ(borderOn(plane, relief::Wrap::repeat, Vec2(1)), both);
+  EXPECT_EQ(borderOn(plane, relief::Wrap::repeat, Vec2(2, 1)), (relief::Border{false, true}));
+  EXPECT_EQ(borderOn(plane, relief::Wrap::clamp, Vec2(1, 3)), (relief::Border{true, false}));
+  EXPECT_EQ(borderOn(torus, relief::Wrap::repeat, Vec2(1)), none);
+  EXPECT_EQ(borderOn(torus, relief::Wrap::clamp, Vec2(1)), both) << "its author says that it ends";
+  EXPECT_EQ(borderOn(surface::makeCylinder(10, 2 * pi, 30, 60, 4), relief::Wrap::repeat, Vec2(1)),
+            (relief::Border{false, true}));
   // A mesh of its own charts.
-  Cage mesh = plane;
+  surface::Cage mesh = plane;
   mesh.grid.reset();
-  EXPECT_EQ(borderOn(mesh, Wrap::repeat, Vec2(1)), none) << "how its charts go on is not known";
+  EXPECT_EQ(borderOn(mesh, relief::Wrap::repeat, Vec2(1)), none)
+      << "how its charts go on is not known";
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

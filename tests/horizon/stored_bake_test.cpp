@@ -15,14 +15,14 @@
 #include "horizon/horizon_truth.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 class StoredBakeOf : public ::testing::TestWithParam<TableBits> {};
 
 TEST_P(StoredBakeOf, IsTheFloatsStoredToTheByte) {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
-    const HeightField field = noise(150, 70, wrap, 5);
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+    const relief::HeightField field = noise(150, 70, wrap, 5);
     const HorizonTables floats = bakeHorizons(field, {9, 40});
     const StoredHorizons stored = bakeStoredHorizons(field, {9, 40}, GetParam());
     const auto expectSame = [](const StoredTable& a, const StoredTable& b) {
@@ -47,15 +47,16 @@ INSTANTIATE_TEST_SUITE_P(Bits, StoredBakeOf,
 
 TEST(StoredBake, ReportsProgressOnceFromZeroToOne) {
   double last = 0;
-  bakeStoredHorizons(noise(300, 200, Wrap::repeat), {8, 10}, TableBits::eight, [&](double share) {
-    EXPECT_GT(share, last);
-    last = share;
-  });
+  bakeStoredHorizons(noise(300, 200, relief::Wrap::repeat), {8, 10}, TableBits::eight,
+                     [&](double share) {
+                       EXPECT_GT(share, last);
+                       last = share;
+                     });
   EXPECT_EQ(last, 1);
 }
 
 TEST(StoredBake, RefusesWhatBakesRefuse) {
-  const HeightField field = noise(4, 4, Wrap::repeat);
+  const relief::HeightField field = noise(4, 4, relief::Wrap::repeat);
   EXPECT_THAT(messageOf<InputError>([&] {
                 bakeStoredHorizons(field, {0, 5}, TableBits::eight);
               }),
@@ -89,7 +90,7 @@ double peakBytes(const Call& call) {
 }
 
 TEST(StoredBake, TakesLessThanTwiceItsTables) {
-  const HeightField field = noise(512, 512, Wrap::repeat);
+  const relief::HeightField field = noise(512, 512, relief::Wrap::repeat);
   const BakeSettings settings{48, 6};
   double tables = 0;
   const double streamed = peakBytes([&] {
@@ -104,4 +105,4 @@ TEST(StoredBake, TakesLessThanTwiceItsTables) {
 #endif
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

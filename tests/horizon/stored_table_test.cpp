@@ -11,7 +11,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 using ::testing::HasSubstr;
 
@@ -102,4 +102,4 @@ TEST(StoredTable, ThePapersTablesTakeOneMegabyte) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

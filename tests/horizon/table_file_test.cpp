@@ -13,7 +13,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 using ::testing::HasSubstr;
 
@@ -30,7 +30,7 @@ StoredHorizons randomTables(int width, int height, int azimuths, TableBits bits)
   tables.height = height;
   tables.layers = azimuths;
   tables.radiusTexels = 100.0 / 3;
-  tables.wrap = Wrap::clamp;
+  tables.wrap = relief::Wrap::clamp;
   tables.horizon = storeTable(values(-0.7F, 3.1F), bits);
   tables.distance = storeTable(values(0, 33.3F), bits);
   return tables;
@@ -64,7 +64,8 @@ StoredHorizons readByAnother(const std::filesystem::path& path) {
   tables.height = spec.height;
   tables.layers = spec.get_int_attribute("gnomon:azimuths");
   tables.radiusTexels = std::stod(std::string(spec.get_string_attribute("gnomon:radiusTexels")));
-  tables.wrap = spec.get_string_attribute("gnomon:wrap") == "repeat" ? Wrap::repeat : Wrap::clamp;
+  tables.wrap = spec.get_string_attribute("gnomon:wrap") == "repeat" ? relief::Wrap::repeat
+                                                                     : relief::Wrap::clamp;
   const auto bits = static_cast<TableBits>(spec.get_int_attribute("gnomon:bits"));
   const auto entries =
       static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(tables.layers);
@@ -106,9 +107,9 @@ TEST_F(TableFile, HoldsTheSameBytes) {
     StoredHorizons tables = randomTables(37, 21, 5, bits);
     writeHorizons(file("t.exr"), tables);
     expectEqual(readByAnother(file("t.exr")), tables);
-    tables.wrap = Wrap::repeat;
+    tables.wrap = relief::Wrap::repeat;
     writeHorizons(file("t.exr"), tables);
-    EXPECT_EQ(readByAnother(file("t.exr")).wrap, Wrap::repeat);
+    EXPECT_EQ(readByAnother(file("t.exr")).wrap, relief::Wrap::repeat);
   }
 }
 
@@ -143,4 +144,4 @@ TEST_F(TableFile, WritesWholeFilesOrNone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -10,7 +10,7 @@
 #include "image/web_picture.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 class Encoders : public TemporaryFolder {
@@ -94,4 +94,4 @@ TEST_F(Encoders, RefuseWhatTheirFormatsCannotHold) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

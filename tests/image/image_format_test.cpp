@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 using namespace std::string_literals;
@@ -70,4 +70,4 @@ TEST(ImageFormats, AStartCutOffAnywhereIsNoOtherFormat) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

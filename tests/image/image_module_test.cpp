@@ -13,7 +13,7 @@
 #include "image/image_file.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 class ImageFiles : public TemporaryFolder {
@@ -113,4 +113,4 @@ TEST_F(ImageFiles, ThatIsMissingOrDamagedIsAnError) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

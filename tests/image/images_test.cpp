@@ -10,7 +10,7 @@
 #include "image/mask_picture.h"
 #include "support/read_image.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST_F(Images, AFileThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -14,7 +14,7 @@
 #include "support/image_files.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 using ::testing::AllOf;
@@ -234,4 +234,4 @@ TEST_F(MaskPictures, DamageIsRefusedOrHarmless) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -6,7 +6,7 @@
 #include "support/image_files.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 class Tiffs : public TemporaryFolder {
@@ -54,4 +54,4 @@ TEST_F(Tiffs, WhoseStripsHoldLessThanTheirRowsAreRefused) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -11,7 +11,7 @@
 #include "support/read_image.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 using ::testing::HasSubstr;
@@ -61,4 +61,4 @@ TEST_F(WebPicture, RefusesWhatWebPCannotHold) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

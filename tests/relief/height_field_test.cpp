@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 using ::testing::HasSubstr;
 
@@ -131,4 +131,4 @@ TEST(HeightField, RefusesWhatIsNoMap) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -12,7 +12,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST_F(HeightImage, RefusesATruncatedImage) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -229,4 +229,4 @@ TEST(Patterns, ExtremeParametersStayFinite) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
-TexelFrame frameWith(const Vec3& px, const Vec3& py) {
+surface::TexelFrame frameWith(const Vec3& px, const Vec3& py) {
   return {{1, 2, 3}, glm::normalize(glm::cross(px, py)), px, py, {1.5, 0.5}, true};
 }
 
@@ -16,7 +16,7 @@ HeightField twoTexels() {
 }
 
 TEST(Relief, AHeightInWorldUnitsIsALength) {
-  const TexelFrame frame = frameWith({0.1, 0, 0}, {0, 0.3, 0});
+  const surface::TexelFrame frame = frameWith({0.1, 0, 0}, {0, 0.3, 0});
   EXPECT_EQ(worldPerHeight(HeightSpace::world, frame), 1);
   const Relief relief{twoTexels(), HeightSpace::world, {1, 1}};
   EXPECT_EQ(displaced(relief, frame), Vec3(1, 2, 7));
@@ -25,7 +25,7 @@ TEST(Relief, AHeightInWorldUnitsIsALength) {
 TEST(Relief, AHeightInTexelsScalesWithTheRootOfATexelsArea) {
   // A texel of 4 by 9 world units has area 36, sheared or not: one height unit is 6.
   for (const double shear : {0.0, 5.0}) {
-    const TexelFrame frame = frameWith({4, 0, 0}, {shear, 9, 0});
+    const surface::TexelFrame frame = frameWith({4, 0, 0}, {shear, 9, 0});
     EXPECT_DOUBLE_EQ(worldPerHeight(HeightSpace::texture, frame), 6);
     const Relief relief{twoTexels(), HeightSpace::texture, {1, 1}};
     EXPECT_DOUBLE_EQ(displaced(relief, frame).z, 3 + 6 * 4);
@@ -33,14 +33,14 @@ TEST(Relief, AHeightInTexelsScalesWithTheRootOfATexelsArea) {
 }
 
 TEST(Relief, ScalingTheSurfaceScalesTextureHeights) {
-  const TexelFrame one = frameWith({1, 0.2, 0}, {0, 1, 0.5});
-  const TexelFrame ten = frameWith({10, 2, 0}, {0, 10, 5});
+  const surface::TexelFrame one = frameWith({1, 0.2, 0}, {0, 1, 0.5});
+  const surface::TexelFrame ten = frameWith({10, 2, 0}, {0, 10, 5});
   EXPECT_DOUBLE_EQ(worldPerHeight(HeightSpace::texture, ten),
                    10 * worldPerHeight(HeightSpace::texture, one));
 }
 
 TEST(Relief, AnUndefinedFrameIsNotDisplaced) {
-  TexelFrame frame{};
+  surface::TexelFrame frame{};
   frame.position = {1, 2, 3};
   frame.texel = {std::nan(""), 0};
   for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
@@ -54,4 +54,4 @@ TEST(Relief, RepeatsMultiplyTheTexels) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 /// Heights between -1 and 1 that have nothing to do with each other: a kink on every centre line.
@@ -79,4 +79,4 @@ TEST(ResampledHeightsErrors, WhatDoesNotFitIsRefusedBeforeItIsAllocated) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 using ::testing::StartsWith;
 
@@ -113,4 +113,4 @@ TEST(ScratchesPattern, RefuseParametersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -12,7 +12,7 @@
 #include "surface/shared_sides.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 /// The largest slope of a solid about the origin, by differences.
@@ -35,20 +35,20 @@ struct SeamJump {
 };
 
 /// At points of all edges whose two faces have other texture coordinates there.
-std::vector<SeamJump> seamJumps(const LimitSurface& surface, const HeightField& field) {
+std::vector<SeamJump> seamJumps(const surface::LimitSurface& surface, const HeightField& field) {
   const Vec2 texelsPerUv(field.width(), field.height());
-  const auto at = [&](const FaceSide& side, double share) {
+  const auto at = [&](const surface::FaceSide& side, double share) {
     constexpr std::array<Vec2, 5> corners = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1),
                                              Vec2(0, 0)};
     const auto k = static_cast<std::size_t>(side.side);
     const Vec2 place = glm::mix(corners.at(k), corners.at(k + 1), share);
-    return texelFrame(surface.tangentPoint(side.face, place.x, place.y), texelsPerUv);
+    return surface::texelFrame(surface.tangentPoint(side.face, place.x, place.y), texelsPerUv);
   };
   std::vector<SeamJump> jumps;
-  for (const auto& [first, second] : sharedSides(surface)) {
+  for (const auto& [first, second] : surface::sharedSides(surface)) {
     for (const double share : {0.1, 0.33, 0.5, 0.78, 0.9}) {
-      const TexelFrame a = at(first, share);
-      const TexelFrame b = at(second, 1 - share);
+      const surface::TexelFrame a = at(first, share);
+      const surface::TexelFrame b = at(second, 1 - share);
       if (glm::length(a.texel - b.texel) < 1e-6) continue;
       const double size =
           std::max(glm::length(a.px) + glm::length(a.py), glm::length(b.px) + glm::length(b.py));
@@ -64,13 +64,13 @@ double meanJump(const std::vector<SeamJump>& jumps) {
   return sum / static_cast<double>(jumps.size());
 }
 
-LimitSurface spot() {
-  return LimitSurface(
-      readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj", SubdivisionScheme::catmullClark));
+surface::LimitSurface spot() {
+  return surface::LimitSurface(surface::readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj",
+                                                     surface::SubdivisionScheme::catmullClark));
 }
 
 TEST(SolidMap, OnAPlaneIsTheFunctionAtTexelCentres) {
-  const LimitSurface plane(makePlane(6, 3, 4, 5));
+  const surface::LimitSurface plane(surface::makePlane(6, 3, 4, 5));
   for (const SolidPattern& solid :
        {SolidPattern(SolidNoise{}), SolidPattern(SolidCells{}), SolidPattern(SolidRipples{})}) {
     const SolidFunction f = solidFunction(solid);
@@ -85,7 +85,7 @@ TEST(SolidMap, OnAPlaneIsTheFunctionAtTexelCentres) {
 }
 
 TEST(SolidMap, AgreesOnBothSidesOfSeams) {
-  const LimitSurface surface = spot();
+  const surface::LimitSurface surface = spot();
   const SolidFunction f = solidFunction(SolidNoise{0.25, 2, 0.5, 1});
   const double slope = largestSlope(f);
   const HeightField field = makeSolidMap(surface, 512, 512, f, 1, Wrap::clamp);
@@ -100,7 +100,7 @@ TEST(SolidMap, AgreesOnBothSidesOfSeams) {
 
 /// The control: a pattern of the plane on the same mesh.
 TEST(SolidMap, OfThePlaneJumps) {
-  const LimitSurface surface = spot();
+  const surface::LimitSurface surface = spot();
   const SolidFunction f = solidFunction(SolidNoise{0.25, 2, 0.5, 1});
   const double solid =
       meanJump(seamJumps(surface, makeSolidMap(surface, 512, 512, f, 1, Wrap::clamp)));
@@ -110,7 +110,7 @@ TEST(SolidMap, OfThePlaneJumps) {
 
 /// On a closed torus the map meets itself: texels across its border are those of the other side.
 TEST(SolidMap, ContinuesWhereTheMapRepeats) {
-  const LimitSurface torus(makeTorus(2, 1, 60, 60));
+  const surface::LimitSurface torus(surface::makeTorus(2, 1, 60, 60));
   const SolidFunction f = solidFunction(SolidNoise{0.8, 1, 0.5, 1});
   const HeightField field = makeSolidMap(torus, 300, 150, f, 1, Wrap::repeat);
   double inside = 0;
@@ -127,10 +127,10 @@ TEST(SolidMap, ContinuesWhereTheMapRepeats) {
 
 /// Outside all charts, and beyond the margin, nothing is.
 TEST(SolidMap, EndsAtItsMargin) {
-  Cage cage = makePlane(2, 2, 4, 4);
+  surface::Cage cage = surface::makePlane(2, 2, 4, 4);
   for (Vec2& uv : cage.uvs) uv = 0.25 + 0.5 * uv;
   const HeightField field = makeSolidMap(
-      LimitSurface(cage), 64, 64, [](const Vec3& p) { return 5 + p.x; }, 1, Wrap::clamp);
+      surface::LimitSurface(cage), 64, 64, [](const Vec3& p) { return 5 + p.x; }, 1, Wrap::clamp);
   // The chart is texels 16 to 47; the plane goes on in its margin.
   for (int i = 0; i < 64; ++i) {
     const bool isNear = i >= 12 && i < 52;
@@ -139,4 +139,4 @@ TEST(SolidMap, EndsAtItsMargin) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -10,7 +10,7 @@
 #include "common/random_stream.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 using ::testing::StartsWith;
 
@@ -121,4 +121,4 @@ TEST(Solid, RefusesParametersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -11,7 +11,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -132,4 +132,4 @@ TEST(SpectrumPattern, RefusesParametersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -27,7 +27,7 @@ class Rays {
   /// lit, shadowed, or none where a pixel lies so near to an edge of anything that rounding
   /// decides.
   /// @param grazing  facets whose cosine to the light is smaller are left out
-  [[nodiscard]] Mask mask(const SampleGrid& samples, const Vec3& light,
+  [[nodiscard]] Mask mask(const surface::SampleGrid& samples, const Vec3& light,
                           double grazing = 1e-4) const {
     Mask result{samples.width, samples.height,
                 std::vector<Shade>(samples.samples.size(), Shade::none)};
@@ -68,7 +68,7 @@ class Rays {
         .frame.position;
   }
 
-  [[nodiscard]] Shade shadeOf(const SurfaceSample& sample, const Vec3& light,
+  [[nodiscard]] Shade shadeOf(const surface::SurfaceSample& sample, const Vec3& light,
                               const std::vector<Obstacle>& obstacles, double grazing) const {
     const Vec2 place = Vec2(sample.s, sample.t) * static_cast<double>(cuts_);
     const Vec2 cell = glm::clamp(glm::floor(place), Vec2(0), Vec2(cuts_ - 1));
@@ -116,7 +116,7 @@ class Rays {
     return false;
   }
 
-  const BaseMesh& mesh_;
+  const surface::BaseMesh& mesh_;
   int cuts_;
   double extent_ = 0;
   std::vector<Triangle> triangles_;
@@ -141,7 +141,7 @@ struct Verdict {
   std::size_t unsure = 0;
 };
 
-inline Verdict judge(const Mask& mask, const Mask& rays, const SampleGrid& samples) {
+inline Verdict judge(const Mask& mask, const Mask& rays, const surface::SampleGrid& samples) {
   Verdict verdict;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     EXPECT_EQ(mask.samples[i] == Shade::none, samples.samples[i].face < 0);
@@ -158,7 +158,7 @@ inline Verdict judge(const Mask& mask, const Mask& rays, const SampleGrid& sampl
 }
 
 /// An arched patch that ends at its rim.
-inline Cage arch(int columns, int rows) {
+inline surface::Cage arch(int columns, int rows) {
   std::array<Vec3, 16> points{};
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 4; ++i) {
@@ -166,7 +166,7 @@ inline Cage arch(int columns, int rows) {
       points[static_cast<std::size_t>(4 * j + i)] = Vec3(-24 + 16 * i, -24 + 16 * j, rise);
     }
   }
-  return makeBezier(points, columns, rows);
+  return surface::makeBezier(points, columns, rows);
 }
 
 /// Above the middle, looking down.

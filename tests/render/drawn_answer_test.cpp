@@ -10,7 +10,7 @@
 #include "render/shader_files.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::DisplacedScene;
@@ -20,16 +20,17 @@ using test::shareShadowed;
 
 constexpr int mapSide = 48;
 
-Relief bumps() {
-  return {makeColumns(mapSide, mapSide, {24, 7, 3}, 5, Wrap::clamp), HeightSpace::world, Vec2(1)};
+relief::Relief bumps() {
+  return {relief::makeColumns(mapSide, mapSide, {24, 7, 3}, 5, relief::Wrap::clamp),
+          relief::HeightSpace::world, Vec2(1)};
 }
 
-RenderView cameraOver(const BaseMesh& mesh) {
+RenderView cameraOver(const surface::BaseMesh& mesh) {
   return cameraView(Camera{{0, -70, 60}, {0, 0, 0}, {0, 0, 1}, 0.75, 96, 72}, mesh);
 }
 
 /// Of the bilinear relief, from its mapSide.
-Vec2 gradientOf(const HeightField& field, Vec2 at) {
+Vec2 gradientOf(const relief::HeightField& field, Vec2 at) {
   const Vec2 corner = glm::floor(at - 0.5);
   const Vec2 f = at - 0.5 - corner;
   const auto h = [&](int i, int j) {
@@ -43,9 +44,10 @@ Vec2 gradientOf(const HeightField& field, Vec2 at) {
 /// test says so or N' · L ≤ 0, and nowhere else.
 TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
   const GlContext gl;
-  const RenderScene scene(makePlane(mapSide, mapSide, 6, 6), bumps(), {16, 32}, TableBits::sixteen);
+  const RenderScene scene(surface::makePlane(mapSide, mapSide, 6, 6), bumps(), {16, 32},
+                          horizon::TableBits::sixteen);
   const RenderView view = atlasView(scene.surface, 31);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   const Vec3 light = lightToward(35, 30);
   for (const char* method : {"unshadowed", "max-forsyth", "sloan-cohen", "ellipse", "onoue-2003",
                              "onoue-2004", "relief-march", "geodesic-march"}) {
@@ -53,7 +55,7 @@ TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
     const MethodAnswers found = scene.answers(read, view, {light}).front();
     std::size_t added = 0;
     for (std::size_t i = 0; i < samples.samples.size(); ++i) {
-      const SurfaceSample& sample = samples.samples[i];
+      const surface::SurfaceSample& sample = samples.samples[i];
       const Vec3 place = scene.surface.evaluate(sample).position;
       const Vec2 slope = gradientOf(scene.relief.field, Vec2(place) + mapSide / 2.0);
       const double cosine = glm::dot(Vec3(-slope, 1), light);
@@ -71,8 +73,8 @@ TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
 
 /// The picture is as dark as one without any light exactly where the drawn mask is shadowed, and a
 /// point that only the shading darkens is turned from the light in the picture, too.
-void expectPictureOf(const RenderView& view, const Drawing& drawing, DrawnMesh mesh, Wrap wrap,
-                     const MethodAnswers& answers, const std::string& method) {
+void expectPictureOf(const RenderView& view, const Drawing& drawing, DrawnMesh mesh,
+                     relief::Wrap wrap, const MethodAnswers& answers, const std::string& method) {
   const ShadePass pass(shaderFolder(), wrap, mesh);
   const auto all = [&](Shade shade) {
     return Mask{view.width, view.height, std::vector<Shade>(answers.drawn.size(), shade)};
@@ -99,20 +101,20 @@ void expectPictureOf(const RenderView& view, const Drawing& drawing, DrawnMesh m
 
 TEST(DrawnAnswer, IsWhatThePictureShowsForEveryMethod) {
   const GlContext gl;
-  const Cage cage = makeSphere(40, 1.2, 1.2, 12, 12);
-  RenderScene scene(cage, bumps(), {8, 32}, TableBits::eight);
-  scene.surfaceAngles = horizonAngles(scene.tables, scene.angleLimit, scene.frame);
+  const surface::Cage cage = surface::makeSphere(40, 1.2, 1.2, 12, 12);
+  RenderScene scene(cage, bumps(), {8, 32}, horizon::TableBits::eight);
+  scene.surfaceAngles = horizon::horizonAngles(scene.tables, scene.angleLimit, scene.frame);
   const DisplacedScene displaced(cage, bumps(), 4);
   const Vec3 light = lightToward(160, 25);
   for (const std::string& name : methodNames(shaderFolder())) {
     const Method method = readMethod(methodFile(shaderFolder(), name));
     if (method.mesh == DrawnMesh::displaced) {
       const RenderView view = cameraOver(displaced.displaced.mesh);
-      expectPictureOf(view, displaced.drawing(light), method.mesh, Wrap::clamp,
+      expectPictureOf(view, displaced.drawing(light), method.mesh, relief::Wrap::clamp,
                       displaced.answers(name, view, light), name);
     } else {
       const RenderView view = cameraOver(scene.mesh);
-      expectPictureOf(view, scene.drawing(light), method.mesh, Wrap::clamp,
+      expectPictureOf(view, scene.drawing(light), method.mesh, relief::Wrap::clamp,
                       scene.answers(method, view, {light}).front(), name);
     }
   }
@@ -121,15 +123,16 @@ TEST(DrawnAnswer, IsWhatThePictureShowsForEveryMethod) {
 /// The truth lights points that their bumped normal turns from the light: they too are seen as lit.
 TEST(DrawnAnswer, APictureShowsEveryMask) {
   const GlContext gl;
-  const RenderScene scene(makePlane(mapSide, mapSide, 6, 6), bumps(), {4, 8}, TableBits::eight);
+  const RenderScene scene(surface::makePlane(mapSide, mapSide, 6, 6), bumps(), {4, 8},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   Mask mask{view.width, view.height, {}};
   for (int i = 0; i < view.width * view.height; ++i) {
     mask.samples.push_back(i % 3 == 0 ? Shade::shadowed : Shade::lit);
   }
-  expectPictureOf(view, scene.drawing(lightToward(35, 10)), DrawnMesh::base, Wrap::clamp,
+  expectPictureOf(view, scene.drawing(lightToward(35, 10)), DrawnMesh::base, relief::Wrap::clamp,
                   {mask, mask}, "any");
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -9,7 +9,7 @@
 
 #include "render/gl_context.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 TEST(FrameClock, OfSoftwareRenderersIsTheWallClock) {
@@ -115,4 +115,4 @@ TEST(FrameTimes, ByTimerQueriesAreNotNegative) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -14,7 +14,7 @@
 #include "surface/texel_frame.h"
 #include "truth/surface_horizons.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::difference;
@@ -27,8 +27,9 @@ using test::shareShadowed;
 using test::stepRelief;
 using test::TracedScene;
 
-Relief cosineRelief(int texels, double period, double height, HeightSpace space) {
-  return {makeCosine(texels, texels, {period}, height, Wrap::repeat), space, Vec2(1)};
+relief::Relief cosineRelief(int texels, double period, double height, relief::HeightSpace space) {
+  return {relief::makeCosine(texels, texels, {period}, height, relief::Wrap::repeat), space,
+          Vec2(1)};
 }
 
 // ---- Sloan & Cohen's arithmetic, §4 of the paper, in double
@@ -57,7 +58,7 @@ double basis(int k, Vec2 st) {
 /// On a plane of one world unit a texel the light's place (s, t) is the same at all vertices.
 class EightAzimuths {
  public:
-  EightAzimuths(const HorizonTables& tables, const Vec3& light) : tables_(tables) {
+  EightAzimuths(const horizon::HorizonTables& tables, const Vec3& light) : tables_(tables) {
     const Vec2 st(light.x, light.y);
     for (int k = 0; k < 8; ++k) weights_.at(static_cast<std::size_t>(k)) = basis(k, st);
     // The light's own angle off the normal by a map of 256 entries.
@@ -99,15 +100,15 @@ class EightAzimuths {
     return sum;
   }
 
-  const HorizonTables& tables_;
+  const horizon::HorizonTables& tables_;
   std::array<double, 8> weights_{};
   double lightAngle_ = 0;
 };
 
 TEST(SloanCohen, IsThePapersArithmeticOnAPlane) {
   const GlContext gl;
-  const RenderScene scene(makePlane(32, 32, 4, 4), randomRelief(32, 32, 4, 3), {8, 32},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(32, 32, 4, 4), randomRelief(32, 32, 4, 3), {8, 32},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 24);
   for (const auto& [azimuth, elevation] : {std::pair{0.0, 30.0},
                                            {20.0, 35.0},
@@ -138,9 +139,9 @@ TEST(SloanCohen, WithManyAzimuthsAndBitsIsTheFlatHorizonMapButForAnglesInsteadOf
   const GlContext gl;
   const Vec3 light = lightToward(20, 30);  // in an azimuth of 72, so that none is interpolated
   const auto differenceAt = [&](int texels) {
-    const RenderScene scene(makePlane(64, 64, 8, 8),
-                            cosineRelief(texels, texels / 4.0, 8, HeightSpace::world),
-                            {72, static_cast<double>(texels)}, TableBits::thirtyTwo);
+    const RenderScene scene(surface::makePlane(64, 64, 8, 8),
+                            cosineRelief(texels, texels / 4.0, 8, relief::HeightSpace::world),
+                            {72, static_cast<double>(texels)}, horizon::TableBits::thirtyTwo);
     const RenderView view = atlasView(scene.surface, 25);
     const Mask flat = scene.test("max-forsyth", view, light);
     EXPECT_GT(shareShadowed(flat), 0.1);
@@ -157,17 +158,17 @@ TEST(SloanCohen, WithManyAzimuthsAndBitsIsTheFlatHorizonMapButForAnglesInsteadOf
 
 TEST(SloanCohen, NeverSeesALightBelowTheTangentPlane) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(40, 2.4, 1.2, 64, 32),
-                          cosineRelief(96, 24, 3, HeightSpace::texture), {8, 96}, TableBits::eight,
-                          2);
+  const RenderScene scene(surface::makeSphere(40, 2.4, 1.2, 64, 32),
+                          cosineRelief(96, 24, 3, relief::HeightSpace::texture), {8, 96},
+                          horizon::TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 6);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   for (const Vec3& light : {lightToward(0, 20), lightToward(200, -10)}) {
     for (const char* method : {"sloan-cohen", "ellipse"}) {
       const Mask mask = scene.test(method, view, light);
       std::size_t lit = 0;
       for (std::size_t i = 0; i < mask.size(); ++i) {
-        const SurfaceSample& s = samples.samples[i];
+        const surface::SurfaceSample& s = samples.samples[i];
         const double cosine = glm::dot(scene.surface.evaluate(s).position / 40.0, light);
         if (cosine < -1e-3) {
           ASSERT_EQ(mask.samples[i], Shade::shadowed) << method;
@@ -194,16 +195,16 @@ TEST(SloanCohen, MirroredTextureGivesTheMirroredRelief) {
 
 TEST(SloanCohen, DoesNotDependOnWhereTheTextureBegins) {
   const GlContext gl;
-  const Cage cage = makePlane(64, 64, 8, 8);
+  const surface::Cage cage = surface::makePlane(64, 64, 8, 8);
   const Vec3 light = lightToward(20, 20);
   for (const int side : {32, 48}) {  // a power of two, and not
-    const Relief relief = randomRelief(side, side, 6, 5);
+    const relief::Relief relief = randomRelief(side, side, 6, 5);
     for (const char* method : {"sloan-cohen", "ellipse", "max-forsyth", "relief-march"}) {
       const auto maskWith = [&](Vec2 shift) {
-        Cage moved = cage;
+        surface::Cage moved = cage;
         for (Vec2& uv : moved.uvs) uv += shift;
         moved.grid.reset();
-        const RenderScene scene(moved, relief, {8, 32}, TableBits::eight);
+        const RenderScene scene(moved, relief, {8, 32}, horizon::TableBits::eight);
         EXPECT_EQ(scene.texture.texelWindow,
                   glm::ivec4(glm::ivec2(static_cast<double>(side) * shift), side, side));
         return scene.test(method, atlasView(scene.surface, 12), light);
@@ -219,10 +220,11 @@ TEST(SloanCohen, DoesNotDependOnWhereTheTextureBegins) {
 
 TEST(SloanCohen, DoesNotDependOnTheSizeOfATexelWhereHeightsAreInTexels) {
   const GlContext gl;
-  const Relief relief = cosineRelief(48, 12, 8, HeightSpace::texture);
+  const relief::Relief relief = cosineRelief(48, 12, 8, relief::HeightSpace::texture);
   for (const char* method : {"sloan-cohen", "ellipse", "max-forsyth"}) {
     const auto maskOn = [&](double size) {
-      const RenderScene scene(makePlane(size, size, 8, 8), relief, {8, 48}, TableBits::eight);
+      const RenderScene scene(surface::makePlane(size, size, 8, 8), relief, {8, 48},
+                              horizon::TableBits::eight);
       return scene.test(method, atlasView(scene.surface, 12), lightToward(20, 30));
     };
     const Mask mask = maskOn(48);
@@ -236,10 +238,11 @@ TEST(SloanCohen, DoesNotDependOnTheSizeOfATexelWhereHeightsAreInTexels) {
 
 // ---- horizons of the real geometry
 
-AngleTable shot(const RenderScene& scene, const TracedScene& traced, int azimuths, double limit) {
-  const SampleGrid texels = scene.samples(scene.texture);
-  AngleTable table = shootHorizons(scene.surface, scene.relief, traced.mesh, traced.scene, texels,
-                                   azimuths, limit);
+horizon::AngleTable shot(const RenderScene& scene, const TracedScene& traced, int azimuths,
+                         double limit) {
+  const surface::SampleGrid texels = scene.samples(scene.texture);
+  horizon::AngleTable table = truth::shootHorizons(scene.surface, scene.relief, traced.mesh,
+                                                   traced.scene, texels, azimuths, limit);
   table.originX = scene.texture.texelWindow.x;
   table.originY = scene.texture.texelWindow.y;
   return table;
@@ -247,13 +250,14 @@ AngleTable shot(const RenderScene& scene, const TracedScene& traced, int azimuth
 
 TEST(SloanCohenSurface, OnASphereIsBetterThanTheFlatHorizonMap) {
   const GlContext gl;
-  RenderScene scene(makeSphere(60, 1.2, 1.2, 24, 24), cosineRelief(72, 24, 8, HeightSpace::world),
-                    {32, 72}, TableBits::thirtyTwo, 2);
+  RenderScene scene(surface::makeSphere(60, 1.2, 1.2, 24, 24),
+                    cosineRelief(72, 24, 8, relief::HeightSpace::world), {32, 72},
+                    horizon::TableBits::thirtyTwo, 2);
   const TracedScene traced(scene.surface, scene.relief, 0.25);
   scene.angleLimit = pi;
   scene.surfaceAngles = shot(scene, traced, 32, pi);
   const RenderView view = atlasView(scene.surface, 8);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   for (const Vec3& light : {lightToward(20, 30), lightToward(160, 45), lightToward(265, 20)}) {
     const Mask truth = traced.mask(scene.surface, scene.relief, samples, light);
     const double surface = difference(scene.test("sloan-cohen-surface", view, light), truth);
@@ -266,8 +270,8 @@ TEST(SloanCohenSurface, OnASphereIsBetterThanTheFlatHorizonMap) {
   }
 }
 
-Cage shiftedPlane(Vec2 shift) {
-  Cage cage = makePlane(48, 48, 8, 8);
+surface::Cage shiftedPlane(Vec2 shift) {
+  surface::Cage cage = surface::makePlane(48, 48, 8, 8);
   for (Vec2& uv : cage.uvs) uv += shift;
   cage.grid.reset();
   return cage;
@@ -276,9 +280,9 @@ Cage shiftedPlane(Vec2 shift) {
 TEST(SloanCohenSurface, WithTheFlatReliefsAnglesIsTheFlatReliefsMethod) {
   const GlContext gl;
   for (const Vec2& shift : {Vec2(0), Vec2(2, -3)}) {
-    RenderScene scene(shiftedPlane(shift), cosineRelief(48, 12, 6, HeightSpace::world), {8, 100},
-                      TableBits::eight);
-    scene.surfaceAngles = horizonAngles(scene.tables, pi / 2, 1);
+    RenderScene scene(shiftedPlane(shift), cosineRelief(48, 12, 6, relief::HeightSpace::world),
+                      {8, 100}, horizon::TableBits::eight);
+    scene.surfaceAngles = horizon::horizonAngles(scene.tables, pi / 2, 1);
     scene.surfaceAngles->originX = scene.texture.texelWindow.x;
     scene.surfaceAngles->originY = scene.texture.texelWindow.y;
     const RenderView view = atlasView(scene.surface, 16);
@@ -294,8 +298,8 @@ TEST(SloanCohenSurface, WithTheFlatReliefsAnglesIsTheFlatReliefsMethod) {
 TEST(SloanCohenSurface, OnAPlaneIsTheFlatReliefsMethodUpToALittle) {
   const GlContext gl;
   for (const Vec2& shift : {Vec2(0), Vec2(2, -3)}) {
-    RenderScene scene(shiftedPlane(shift), cosineRelief(48, 12, 6, HeightSpace::world), {8, 100},
-                      TableBits::eight);
+    RenderScene scene(shiftedPlane(shift), cosineRelief(48, 12, 6, relief::HeightSpace::world),
+                      {8, 100}, horizon::TableBits::eight);
     const TracedScene traced(scene.surface, scene.relief, 0.25);
     scene.surfaceAngles = shot(scene, traced, 8, pi / 2);
     const RenderView view = atlasView(scene.surface, 16);
@@ -314,8 +318,9 @@ TEST(SloanCohenSurface, OnAPlaneIsTheFlatReliefsMethodUpToALittle) {
 
 TEST(EllipseMethod, FlatReliefIsLit) {
   const GlContext gl;
-  for (const TableBits bits : {TableBits::eight, TableBits::sixteen, TableBits::thirtyTwo}) {
-    const RenderScene scene(makePlane(32, 32, 4, 4), flatRelief(32, 32), {8, 16}, bits);
+  for (const horizon::TableBits bits :
+       {horizon::TableBits::eight, horizon::TableBits::sixteen, horizon::TableBits::thirtyTwo}) {
+    const RenderScene scene(surface::makePlane(32, 32, 4, 4), flatRelief(32, 32), {8, 16}, bits);
     const RenderView view = atlasView(scene.surface, 8);
     for (const double elevation : {90.0, 60.0, 30.0, 10.0, 5.0}) {
       EXPECT_EQ(shareShadowed(scene.test("ellipse", view, lightToward(20, elevation))), 0);
@@ -327,17 +332,17 @@ TEST(EllipseMethod, FlatReliefIsLit) {
 TEST(EllipseMethod, GrooveIsLitAlongAndDarkAcross) {
   const GlContext gl;
   // A groove along x, 8 wide and 8 deep, over the whole map.
-  const RenderScene scene(makePlane(48, 48, 6, 6),
+  const RenderScene scene(surface::makePlane(48, 48, 6, 6),
                           stepRelief(48, 48, 8, [](int, int j) { return j < 20 || j >= 28; }),
-                          {32, 100}, TableBits::eight);
+                          {32, 100}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   const auto bottomShadowed = [&](const Vec3& light) {
     const Mask mask = scene.test("ellipse", view, light);
     double dark = 0;
     double all = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
-      const SurfaceSample& s = samples.samples[i];
+      const surface::SurfaceSample& s = samples.samples[i];
       const double y = scene.surface.evaluate(s).position.y;
       if (std::abs(y) > 2) continue;
       ++all;
@@ -353,13 +358,15 @@ TEST(EllipseMethod, GrooveIsLitAlongAndDarkAcross) {
 
 TEST(EllipseMethod, IsItsFormulaAtTexelCentres) {
   const GlContext gl;
-  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
-    Relief relief = randomRelief(32, 32, 5, 5);
+  for (const relief::HeightSpace space :
+       {relief::HeightSpace::world, relief::HeightSpace::texture}) {
+    relief::Relief relief = randomRelief(32, 32, 5, 5);
     relief.space = space;
     // Texels 3 wide and 1.5 high.
-    const RenderScene scene(makePlane(96, 48, 8, 8), relief, {16, 32}, TableBits::thirtyTwo);
-    const EllipseTable table =
-        fitEllipses(scene.tables, space == HeightSpace::world ? 1 / std::sqrt(4.5) : 1);
+    const RenderScene scene(surface::makePlane(96, 48, 8, 8), relief, {16, 32},
+                            horizon::TableBits::thirtyTwo);
+    const horizon::EllipseTable table = horizon::fitEllipses(
+        scene.tables, space == relief::HeightSpace::world ? 1 / std::sqrt(4.5) : 1);
     const RenderView view = atlasView(scene.surface, 4);
     for (const Vec3& light : {lightToward(20, 25), lightToward(200, 40), lightToward(95, 15)}) {
       const Mask mask = scene.test("ellipse", view, light);
@@ -393,8 +400,10 @@ TEST(EllipseMethod, IsTheFlatHorizonMapWhereTheLitPartIsAnEllipse) {
   for (int j = 0; j < 65; ++j) {
     for (int i = 0; i < 65; ++i) texels.push_back(static_cast<float>(std::abs(j - 32)));
   }
-  const Relief relief{HeightField(65, 65, texels, Wrap::clamp), HeightSpace::world, Vec2(1)};
-  const RenderScene scene(makePlane(65, 65, 13, 13), relief, {72, 20}, TableBits::thirtyTwo);
+  const relief::Relief relief{relief::HeightField(65, 65, texels, relief::Wrap::clamp),
+                              relief::HeightSpace::world, Vec2(1)};
+  const RenderScene scene(surface::makePlane(65, 65, 13, 13), relief, {72, 20},
+                          horizon::TableBits::thirtyTwo);
   const RenderView view = atlasView(scene.surface, 5);  // one sample a texel, at its centre
   const auto middle = static_cast<std::size_t>(32 * 65 + 32);
   for (double azimuth = 0; azimuth < 360; azimuth += 15) {
@@ -413,15 +422,16 @@ TEST(EllipseMethod, IsTheFlatHorizonMapWhereTheLitPartIsAnEllipse) {
 /// the pixels between them and the others do.
 TEST(HorizonAngleMethods, AVertexWithoutAFrameSpreadsNothingOverItsTriangles) {
   const GlContext gl;
-  Cage cage = makePlane(24, 24, 3, 3);
+  surface::Cage cage = surface::makePlane(24, 24, 3, 3);
   cage.grid.reset();
   constexpr std::size_t middle = 12;  // of the cage's 5 × 5 faces, of which the outer ones support
   ASSERT_EQ(cage.faceCount(), 25);
   cage.faceUvs[4 * middle + 3] = cage.faceUvs[4 * middle + 2];
-  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
-    Relief relief = flatRelief(24, 24);
+  for (const relief::HeightSpace space :
+       {relief::HeightSpace::world, relief::HeightSpace::texture}) {
+    relief::Relief relief = flatRelief(24, 24);
     relief.space = space;
-    const RenderScene scene(cage, relief, {8, 16}, TableBits::eight);
+    const RenderScene scene(cage, relief, {8, 16}, horizon::TableBits::eight);
     const RenderView view = atlasView(scene.surface, 8);
     for (const char* method : {"sloan-cohen", "max-forsyth", "ellipse"}) {
       EXPECT_EQ(shareShadowed(scene.test(method, view, lightToward(20, 60))), 0) << method;
@@ -431,4 +441,4 @@ TEST(HorizonAngleMethods, AVertexWithoutAFrameSpreadsNothingOverItsTriangles) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

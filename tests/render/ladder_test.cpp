@@ -10,7 +10,7 @@
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::difference;
@@ -36,21 +36,21 @@ Switches without(Switches switches, const std::string& name) {
   return switches;
 }
 
-Relief columns(HeightSpace space) {
-  return {makeColumns(64, 64, {16, 4, 1}, 5, Wrap::repeat), space, Vec2(1)};
+relief::Relief columns(relief::HeightSpace space) {
+  return {relief::makeColumns(64, 64, {16, 4, 1}, 5, relief::Wrap::repeat), space, Vec2(1)};
 }
 
 /// A sphere, a bowl and a torus, whose curvature changes on the way; heights in the world's units
 /// and in texels.
 std::vector<RenderScene> scenes() {
   std::vector<RenderScene> list;
-  const BakeSettings bake{16, 32};
-  list.emplace_back(makeSphere(60, 1.1, 1.1, 16, 16), columns(HeightSpace::world), bake,
-                    TableBits::eight);
-  list.emplace_back(makeSphere(60, 1.1, 1.1, 16, 16), randomRelief(64, 64, 5, 3), bake,
-                    TableBits::sixteen);
-  list.emplace_back(makeTorus(30, 10, 72, 60), columns(HeightSpace::texture), bake,
-                    TableBits::eight);
+  const horizon::BakeSettings bake{16, 32};
+  list.emplace_back(surface::makeSphere(60, 1.1, 1.1, 16, 16), columns(relief::HeightSpace::world),
+                    bake, horizon::TableBits::eight);
+  list.emplace_back(surface::makeSphere(60, 1.1, 1.1, 16, 16), randomRelief(64, 64, 5, 3), bake,
+                    horizon::TableBits::sixteen);
+  list.emplace_back(surface::makeTorus(30, 10, 72, 60), columns(relief::HeightSpace::texture), bake,
+                    horizon::TableBits::eight);
   return list;
 }
 
@@ -96,8 +96,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, LadderIs,
 /// one's steps.
 TEST(Ladder, WithoutThePathIsTheMarchOnTheCircle) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1.1, 1.1, 16, 16), columns(HeightSpace::world), {16, 32},
-                          TableBits::eight);
+  const RenderScene scene(surface::makeSphere(60, 1.1, 1.1, 16, 16),
+                          columns(relief::HeightSpace::world), {16, 32}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 9);
   const Method march = readMethod(methodFile(shaderFolder(), "osculating-march"));
   for (const Vec3& light : {lightToward(20, 40), lightToward(200, 20)}) {
@@ -112,8 +112,8 @@ TEST(Ladder, WithoutThePathIsTheMarchOnTheCircle) {
 /// hardly matters: at a curvature near 0.
 TEST(Ladder, FindsTheRulingHorizon) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(4000, 0.016, 0.016, 8, 8), columns(HeightSpace::world),
-                          {16, 32}, TableBits::eight);
+  const RenderScene scene(surface::makeSphere(4000, 0.016, 0.016, 8, 8),
+                          columns(relief::HeightSpace::world), {16, 32}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 17);
   for (const Vec3& light : {lightToward(20, 40), lightToward(200, 20)}) {
     const Mask end = ladder(scene, view, light, farEnd);
@@ -127,11 +127,11 @@ TEST(Ladder, FindsTheRulingHorizon) {
 /// shader must be what the baker baked, code for code but for values near the middle of two codes.
 TEST(Ladder, BakesWhatTheBakerBakes) {
   const GlContext gl;
-  for (const TableBits bits : {TableBits::eight, TableBits::thirtyTwo}) {
-    const RenderScene scene(makeSphere(4000, 0.016, 0.016, 8, 8), columns(HeightSpace::world),
-                            {16, 32}, bits);
+  for (const horizon::TableBits bits : {horizon::TableBits::eight, horizon::TableBits::thirtyTwo}) {
+    const RenderScene scene(surface::makeSphere(4000, 0.016, 0.016, 8, 8),
+                            columns(relief::HeightSpace::world), {16, 32}, bits);
     const RenderView view = atlasView(scene.surface, 17);
-    const double levels = bits == TableBits::eight ? 255 : 0;
+    const double levels = bits == horizon::TableBits::eight ? 255 : 0;
     for (const Vec3& light : {lightToward(25, 40), lightToward(200, 20)}) {
       const Mask baked = ladder(scene, view, light, {{"curved", 0}});
       const Mask ruling =
@@ -145,8 +145,8 @@ TEST(Ladder, BakesWhatTheBakerBakes) {
 /// On a plane without curvature no formula and no path matters.
 TEST(Ladder, SwitchesOfCurvatureDoNothingOnAPlane) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), columns(HeightSpace::world), {16, 32},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), columns(relief::HeightSpace::world),
+                          {16, 32}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 17);
   const Vec3 light = lightToward(20, 30);
   const Mask published = ladder(scene, view, light, {});
@@ -160,8 +160,8 @@ TEST(Ladder, SwitchesOfCurvatureDoNothingOnAPlane) {
 /// Each switch does something by itself where there is curvature.
 TEST(Ladder, EverySwitchChangesTheMask) {
   const GlContext gl;
-  const RenderScene scene(makeTorus(30, 10, 72, 60), columns(HeightSpace::texture), {16, 32},
-                          TableBits::eight);
+  const RenderScene scene(surface::makeTorus(30, 10, 72, 60), columns(relief::HeightSpace::texture),
+                          {16, 32}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 3);
   const Vec3 light = lightToward(20, 30);
   const Mask published = ladder(scene, view, light, {});
@@ -174,4 +174,4 @@ TEST(Ladder, EverySwitchChangesTheMask) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -10,7 +10,7 @@
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::difference;
@@ -20,7 +20,7 @@ using test::RenderScene;
 using test::shareShadowed;
 
 /// A bowl that opens upward: curvature below 0 everywhere, about -1/100.
-Cage bowl() {
+surface::Cage bowl() {
   std::array<Vec3, 16> points{};
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 4; ++i) {
@@ -31,7 +31,7 @@ Cage bowl() {
       points[static_cast<std::size_t>(4 * j + i)] = Vec3(place, (square(i) + square(j)) / 200);
     }
   }
-  return makeBezier(points, 16, 16);
+  return surface::makeBezier(points, 16, 16);
 }
 
 Mask with(const RenderScene& scene, const std::string& method, const RenderView& view,
@@ -42,7 +42,8 @@ Mask with(const RenderScene& scene, const std::string& method, const RenderView&
 
 TEST(MethodLimits, TheEarlierPaperIsTheFlatMethodWhereTheSurfaceIsConcave) {
   const GlContext gl;
-  const RenderScene scene(bowl(), randomRelief(64, 64, 3, 3), {32, 64}, TableBits::eight, 2);
+  const RenderScene scene(bowl(), randomRelief(64, 64, 3, 3), {32, 64}, horizon::TableBits::eight,
+                          2);
   const RenderView view = atlasView(scene.surface, 16);
   const Vec3 light = lightToward(20, 35);
   const Mask mask = scene.test("onoue-2003", view, light);
@@ -52,8 +53,8 @@ TEST(MethodLimits, TheEarlierPaperIsTheFlatMethodWhereTheSurfaceIsConcave) {
 
 TEST(MethodLimits, TheEarlierPaperIsTheLaterOneWhereTheSurfaceIsConvex) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 3, 3), {32, 64},
-                          TableBits::eight);
+  const RenderScene scene(surface::makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 3, 3),
+                          {32, 64}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   const Vec3 light = lightToward(20, 35);
   const Mask mask = scene.test("onoue-2003", view, light);
@@ -65,8 +66,8 @@ TEST(MethodLimits, ExactFormulaTendsToThePublishedOneAsCurvatureVanishes) {
   const GlContext gl;
   const Vec3 light = lightToward(20, 35);
   const auto differenceAt = [&](double radius) {
-    const RenderScene scene(makeSphere(radius, 64 / radius, 64 / radius, 32, 32),
-                            randomRelief(64, 64, 3, 3), {32, 64}, TableBits::sixteen);
+    const RenderScene scene(surface::makeSphere(radius, 64 / radius, 64 / radius, 32, 32),
+                            randomRelief(64, 64, 3, 3), {32, 64}, horizon::TableBits::sixteen);
     const RenderView view = atlasView(scene.surface, 16);
     return difference(scene.test("onoue-exact", view, light),
                       scene.test("onoue-2004", view, light));
@@ -81,8 +82,8 @@ TEST(MethodLimits, ExactFormulaTendsToThePublishedOneAsCurvatureVanishes) {
 
 TEST(MethodLimits, OnAPlaneTheOsculatingMarchIsTheFlatOne) {
   const GlContext gl;
-  const RenderScene scene(makePlane(32, 32, 8, 8), randomRelief(32, 32, 4, 3), {4, 12},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(32, 32, 8, 8), randomRelief(32, 32, 4, 3), {4, 12},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 9);
   for (const double elevation : {60.0, 35.0, 20.0}) {
     const Vec3 light = lightToward(20, elevation);
@@ -101,10 +102,11 @@ TEST(MethodLimits, OnAPlaneHorizonMapsTendToTheMarchAsTexelsShrink) {
   // moves a shadow's edge by less than a texel.
   const Vec3 light = lightToward(20, 14);
   const auto differenceAt = [&](int texels, const std::string& method) {
-    const Relief relief{makeCosine(texels, texels, {texels / 4.0}, 4, Wrap::repeat),
-                        HeightSpace::world, Vec2(1)};
-    const RenderScene scene(makePlane(64, 64, 8, 8), relief, {72, static_cast<double>(texels)},
-                            TableBits::thirtyTwo);
+    const relief::Relief relief{
+        relief::makeCosine(texels, texels, {texels / 4.0}, 4, relief::Wrap::repeat),
+        relief::HeightSpace::world, Vec2(1)};
+    const RenderScene scene(surface::makePlane(64, 64, 8, 8), relief,
+                            {72, static_cast<double>(texels)}, horizon::TableBits::thirtyTwo);
     const RenderView view = atlasView(scene.surface, 33);
     const Mask march = with(scene, "relief-march", view, light, {{"steps", 512}});
     EXPECT_GT(shareShadowed(march), 0.1);
@@ -122,8 +124,8 @@ TEST(MethodLimits, OnAPlaneHorizonMapsTendToTheMarchAsTexelsShrink) {
 
 TEST(MethodLimits, FewStepsMissBumps) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {4, 8},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {4, 8},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   const Vec3 light = lightToward(20, 20);
   // A march finds no shadow that is not there: with more steps there is only more.
@@ -136,4 +138,4 @@ TEST(MethodLimits, FewStepsMissBumps) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

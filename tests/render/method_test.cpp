@@ -12,7 +12,7 @@
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,7 +160,7 @@ TEST(Method, EveryShippedMethodCompilesAndOneMayLeaveAnythingOut) {
   const fs::path shaders = shaderFolder();
   for (const std::string& name : methodNames(shaders)) {
     const Method method = readMethod(methodFile(shaders, name));
-    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+    for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
       EXPECT_NO_THROW(MethodPass(shaders, method, wrap, TableFilter::exact, {})) << name;
       EXPECT_NO_THROW(MethodPass(shaders, method, wrap, TableFilter::hardware, {})) << name;
     }
@@ -175,10 +175,10 @@ TEST(MethodPass, TexturePassLeavesOutTexelsThatTheSurfaceDoesNotHave) {
       "bool isShadowed(Pixel pixel, LocalLight light) { return resolvedAt(pixel.texel) != 1.0; "
       "}\n");
   // The chart ends at 11.4 of 16 texels: the centre of texel 11 lies beyond.
-  Cage cage = makePlane(16, 16, 4, 4);
+  surface::Cage cage = surface::makePlane(16, 16, 4, 4);
   for (Vec2& uv : cage.uvs) uv *= 11.4 / 16;
   cage.grid.reset();
-  const test::RenderScene scene(cage, test::flatRelief(16, 16), {4, 4}, TableBits::eight);
+  const test::RenderScene scene(cage, test::flatRelief(16, 16), {4, 4}, horizon::TableBits::eight);
   EXPECT_EQ(scene.texture.width, 12);
   const RenderView view = atlasView(scene.surface, 20);
   EXPECT_EQ(test::shareShadowed(scene.answer(readMethod(file.path()), view, {0, 0, 1})), 0);
@@ -195,12 +195,12 @@ TEST(MethodPass, TexturePassNeedsNoTables) {
       "  float expected = clamp((pixel.texel.x - 0.5) / 16.0, 0.0, 15.0 / 16.0);\n"
       "  return abs(resolvedAt(pixel.texel) - expected) > 1e-6;\n}\n");
   const Method method = readMethod(file.path());
-  const test::RenderScene scene(makePlane(16, 16, 4, 4), test::flatRelief(16, 16), {4, 4},
-                                TableBits::eight);
+  const test::RenderScene scene(surface::makePlane(16, 16, 4, 4), test::flatRelief(16, 16), {4, 4},
+                                horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 20);
   EXPECT_EQ(test::shareShadowed(scene.answer(method, view, {0, 0, 1})), 0);
   // 16² texels of a value and of a mark that the texel is there, each a float.
-  const MethodPass pass(shaderFolder(), method, Wrap::clamp, TableFilter::exact, {});
+  const MethodPass pass(shaderFolder(), method, relief::Wrap::clamp, TableFilter::exact, {});
   EXPECT_EQ(pass.passBytes(scene.drawing({0, 0, 1}), {}), 16U * 16 * 2 * 4);
 }
 
@@ -210,8 +210,8 @@ TEST(MethodPass, NamesFileAndLineThatDoNotCompile) {
       "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n*/\n\n"
       "bool isShadowed(Pixel pixel, LocalLight light) {\n  return missing;\n}\n");
   try {
-    const MethodPass pass(shaderFolder(), readMethod(file.path()), Wrap::clamp, TableFilter::exact,
-                          {});
+    const MethodPass pass(shaderFolder(), readMethod(file.path()), relief::Wrap::clamp,
+                          TableFilter::exact, {});
     FAIL() << "it compiled";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(file.path().string() + ":7: "), std::string::npos)
@@ -225,9 +225,9 @@ TEST(MethodPass, SeesOnlyTheTablesItDeclares) {
       "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\ntables = [\"height\"]\n*/\n"
       "bool isShadowed(Pixel pixel, LocalLight light) { return horizonAt(pixel.texel, 0.0) > 0.0; "
       "}\n");
-  EXPECT_THROW(
-      MethodPass(shaderFolder(), readMethod(file.path()), Wrap::clamp, TableFilter::exact, {}),
-      InputError);
+  EXPECT_THROW(MethodPass(shaderFolder(), readMethod(file.path()), relief::Wrap::clamp,
+                          TableFilter::exact, {}),
+               InputError);
 }
 
 TEST(MethodPass, TakesParameters) {
@@ -238,8 +238,8 @@ TEST(MethodPass, TakesParameters) {
       "maximum = 16\n*/\n"
       "bool isShadowed(Pixel pixel, LocalLight light) { return pixel.texel.x < edge; }\n");
   const Method method = readMethod(file.path());
-  const test::RenderScene scene(makePlane(16, 16, 4, 4), test::flatRelief(16, 16), {4, 4},
-                                TableBits::eight);
+  const test::RenderScene scene(surface::makePlane(16, 16, 4, 4), test::flatRelief(16, 16), {4, 4},
+                                horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 4);
   const auto share = [&](const std::map<std::string, double>& values) {
     return test::shareShadowed(scene.answer(method, view, {0, 0, 1}, TableFilter::exact, values));
@@ -251,4 +251,4 @@ TEST(MethodPass, TakesParameters) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

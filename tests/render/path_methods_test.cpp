@@ -13,7 +13,7 @@
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +47,7 @@ Mask marchAlone(const RenderScene& scene, const RenderView& view, const Vec3& li
 }
 
 /// z = (x² + y²) / 200 over |x|, |y| ≤ 32: a bowl that ends at its border.
-Cage openBowl() {
+surface::Cage openBowl() {
   std::array<Vec3, 16> points{};
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 4; ++i) {
@@ -57,11 +57,12 @@ Cage openBowl() {
           Vec3(32.0 * (Vec2(i, j) / 1.5 - 1.0), (square(i) + square(j)) / 200);
     }
   }
-  return makeBezier(points, 16, 16);
+  return surface::makeBezier(points, 16, 16);
 }
 
-Relief cosineRelief(int texels, double period, double height) {
-  return {makeCosine(texels, texels, {period}, height, Wrap::repeat), HeightSpace::world, Vec2(1)};
+relief::Relief cosineRelief(int texels, double period, double height) {
+  return {relief::makeCosine(texels, texels, {period}, height, relief::Wrap::repeat),
+          relief::HeightSpace::world, Vec2(1)};
 }
 
 struct SphericalPatch {
@@ -70,8 +71,8 @@ struct SphericalPatch {
 
 /// Whether the ray from a displaced point of a sphere meets the relief: the ray in space, taken in
 /// steps of a twentieth of a texel, against the height under each of its points.
-bool rayMeetsRelief(const SphericalPatch& patch, const HeightField& field, const Vec3& place,
-                    const Vec3& light) {
+bool rayMeetsRelief(const SphericalPatch& patch, const relief::HeightField& field,
+                    const Vec3& place, const Vec3& light) {
   const Vec2 texelsPerArc = Vec2(field.width(), field.height()) / Vec2(patch.width, patch.height);
   const auto heightUnder = [&](const Vec3& point) {
     const Vec2 arcs(std::atan2(point.x, point.z), std::asin(point.y / glm::length(point)));
@@ -94,14 +95,14 @@ bool rayMeetsRelief(const SphericalPatch& patch, const HeightField& field, const
 TEST(PathMethods, FollowTheRayWhereLinesOfTheMapDoNot) {
   const GlContext gl;
   const SphericalPatch patch{60, 1.6, 1.6};
-  const RenderScene scene(makeSphere(patch.radius, patch.width, patch.height, 32, 32),
-                          cosineRelief(96, 24, 8), {32, 96}, TableBits::eight, 2);
+  const RenderScene scene(surface::makeSphere(patch.radius, patch.width, patch.height, 32, 32),
+                          cosineRelief(96, 24, 8), {32, 96}, horizon::TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 5);
-  const SampleGrid grid = scene.samples(view);
+  const surface::SampleGrid grid = scene.samples(view);
   for (const Vec3& light : {lightToward(20, 25), lightToward(160, 30)}) {
     Mask exact{view.width, view.height, std::vector<Shade>(grid.samples.size(), Shade::none)};
     for (std::size_t i = 0; i < grid.samples.size(); ++i) {
-      const SurfaceSample& sample = grid.samples[i];
+      const surface::SurfaceSample& sample = grid.samples[i];
       const Vec3 place = scene.surface.evaluate(sample).position;
       const bool dark = rayMeetsRelief(patch, scene.relief.field, place, light);
       exact.samples[i] = dark ? Shade::shadowed : Shade::lit;
@@ -121,13 +122,13 @@ TEST(PathMethods, FollowTheRayWhereLinesOfTheMapDoNot) {
 /// Heights in texels grow with the texels: the same sphere, whose texels narrow toward its poles.
 TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
   const GlContext gl;
-  Relief relief = cosineRelief(96, 24, 8);
-  relief.space = HeightSpace::texture;
+  relief::Relief relief = cosineRelief(96, 24, 8);
+  relief.space = relief::HeightSpace::texture;
   const SphericalPatch patch{60, 1.6, 2.4};
-  const RenderScene scene(makeSphere(patch.radius, patch.width, patch.height, 32, 48), relief,
-                          {4, 128}, TableBits::eight, 2);
+  const RenderScene scene(surface::makeSphere(patch.radius, patch.width, patch.height, 32, 48),
+                          relief, {4, 128}, horizon::TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 5);
-  const SampleGrid grid = scene.samples(view);
+  const surface::SampleGrid grid = scene.samples(view);
   const Vec3 light = lightToward(265, 30);
   // The world's height under a point: texels are (R cos(lat) · 1.6 / 96) by (R · 2.4 / 96).
   std::size_t differ = 0;
@@ -143,7 +144,7 @@ TEST(PathMethods, FollowTheGrowthOfHeightsInTexels) {
   const double highest =
       patch.radius / 96 * std::sqrt(patch.width * patch.height) * relief.field.maximum();
   for (std::size_t i = 0; i < mask.size(); ++i) {
-    const SurfaceSample& sample = grid.samples[i];
+    const surface::SurfaceSample& sample = grid.samples[i];
     const Vec3 place = scene.surface.evaluate(sample).position;
     const Vec3 start = place * (1 + heightUnder(place) / patch.radius);
     bool dark = false;
@@ -172,11 +173,13 @@ TEST(PathMethods, FollowTheChangeOfCurvature) {
     }
   }
   // Clamped: past its border there is nothing.
-  const Relief relief{makeColumns(96, 96, {32, 6, 4}, 6, Wrap::clamp).withBorder({true, true}),
-                      HeightSpace::world, Vec2(1)};
-  const RenderScene scene(makeBezier(points, 32, 8), relief, {4, 128}, TableBits::eight, 4);
+  const relief::Relief relief{
+      relief::makeColumns(96, 96, {32, 6, 4}, 6, relief::Wrap::clamp).withBorder({true, true}),
+      relief::HeightSpace::world, Vec2(1)};
+  const RenderScene scene(surface::makeBezier(points, 32, 8), relief, {4, 128},
+                          horizon::TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 9);
-  const SampleGrid grid = scene.samples(view);
+  const surface::SampleGrid grid = scene.samples(view);
   const Vec3 light = lightToward(5, 20);
   const Mask mask = scene.answer("geodesic-march", view, light);
   // How far a point stands over the relief: over its foot on the parabola, found by Newton's
@@ -193,8 +196,8 @@ TEST(PathMethods, FollowTheChangeOfCurvature) {
   };
   std::size_t differ = 0;
   for (std::size_t i = 0; i < mask.size(); ++i) {
-    const SurfaceSample& sample = grid.samples[i];
-    const LimitPoint place = scene.surface.evaluate(sample);
+    const surface::SurfaceSample& sample = grid.samples[i];
+    const surface::LimitPoint place = scene.surface.evaluate(sample);
     const Vec3 start =
         place.position - above(place.position) * glm::normalize(glm::cross(place.ds, place.dt));
     bool dark = false;
@@ -211,8 +214,8 @@ TEST(PathMethods, FollowTheChangeOfCurvature) {
 
 TEST(PathMethods, OnAPlaneAreTheMarchOnTheCircle) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), cosineRelief(64, 16, 6), {16, 24},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), cosineRelief(64, 16, 6), {16, 24},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 33);
   for (const Vec3& light : {lightToward(20, 30), lightToward(155, 25), lightToward(290, 20)}) {
     const Mask march = drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}});
@@ -227,8 +230,8 @@ TEST(PathMethods, OnAPlaneAreTheMarchOnTheCircle) {
 /// exact.
 TEST(PathMethods, OnACylinderAreTheMarchOnTheCircle) {
   const GlContext gl;
-  const RenderScene scene(makeCylinder(60, 64.0 / 60, 64, 32, 32), cosineRelief(64, 16, 6),
-                          {16, 24}, TableBits::eight, 2);
+  const RenderScene scene(surface::makeCylinder(60, 64.0 / 60, 64, 32, 32), cosineRelief(64, 16, 6),
+                          {16, 24}, horizon::TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 8);
   for (const Vec3& light : {lightToward(0, 40), lightToward(180, 25), lightToward(90, 30)}) {
     const Mask march = drawnWith(scene, "osculating-march", view, light, {{"stride", 0.02}});
@@ -241,8 +244,8 @@ TEST(PathMethods, OnACylinderAreTheMarchOnTheCircle) {
 /// What bump mapping turns from the light is dark, however few crossings are looked at.
 TEST(PathMethods, AreNeverBlindToAttachedShadows) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 3, 5), {4, 1},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 3, 5), {4, 1},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   for (const Vec3& light : {lightToward(20, 60), lightToward(200, 30)}) {
     const Mask turned = scene.answer("unshadowed", view, light);
@@ -260,8 +263,9 @@ TEST(PathMethods, AreNeverBlindToAttachedShadows) {
   }
 }
 
-Relief columnRelief() {
-  return {makeColumns(64, 64, {32, 8, 2}, 8, Wrap::repeat), HeightSpace::world, Vec2(1)};
+relief::Relief columnRelief() {
+  return {relief::makeColumns(64, 64, {32, 8, 2}, 8, relief::Wrap::repeat),
+          relief::HeightSpace::world, Vec2(1)};
 }
 
 /// With a single crossing all else comes from the table.
@@ -269,8 +273,8 @@ TEST(PathMethods, ResampledHorizonTendsToTheMarchWithItsAzimuths) {
   const GlContext gl;
   const Vec3 light = lightToward(20, 25);
   const auto differenceAt = [&](int azimuths) {
-    const RenderScene scene(makeSphere(60, 1, 1, 16, 16), columnRelief(), {azimuths, 64},
-                            TableBits::eight, 2);
+    const RenderScene scene(surface::makeSphere(60, 1, 1, 16, 16), columnRelief(), {azimuths, 64},
+                            horizon::TableBits::eight, 2);
     const RenderView view = atlasView(scene.surface, 12);
     return difference(testWith(scene, "resampled-horizon", view, light, {{"crossings", 1}}),
                       scene.test("geodesic-march", view, light));
@@ -285,8 +289,8 @@ TEST(PathMethods, ResampledHorizonTendsToTheMarchWithItsAzimuths) {
 
 TEST(PathMethods, ASearchAboutTheBestCandidateFindsMore) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1, 1, 16, 16), columnRelief(), {16, 64}, TableBits::eight,
-                          2);
+  const RenderScene scene(surface::makeSphere(60, 1, 1, 16, 16), columnRelief(), {16, 64},
+                          horizon::TableBits::eight, 2);
   const RenderView view = atlasView(scene.surface, 12);
   const Vec3 light = lightToward(20, 25);
   const auto share = [&](double search) {
@@ -338,8 +342,8 @@ TEST(PathMethods, ResampledHorizonErrsTowardLightAlone) {
                         "  }\n"
                         "  return false;\n");
   for (const int azimuths : {4, 32}) {
-    const RenderScene scene(makeSphere(60, 1, 1, 16, 16), columnRelief(), {azimuths, 64},
-                            TableBits::eight, 2);
+    const RenderScene scene(surface::makeSphere(60, 1, 1, 16, 16), columnRelief(), {azimuths, 64},
+                            horizon::TableBits::eight, 2);
     const RenderView view = atlasView(scene.surface, 8);
     for (const Vec3& light : {lightToward(20, 25), lightToward(140, 40)}) {
       const Mask full = scene.test(dense.read(), view, light);
@@ -370,15 +374,17 @@ void expectBoundCostsNothing(const RenderScene& scene, double elevation) {
 /// The search ends where the ray has left the relief below it: the masks are those of the full one.
 TEST(PathMethods, EndOfTheSearchLosesNoShadow) {
   const GlContext gl;
-  Relief rough = randomRelief(64, 64, 3, 3);
-  const RenderScene sphere(makeSphere(60, 1, 1, 32, 32), rough, {4, 128}, TableBits::eight);
-  const RenderScene bowl(openBowl(), rough, {4, 128}, TableBits::eight);
+  relief::Relief rough = randomRelief(64, 64, 3, 3);
+  const RenderScene sphere(surface::makeSphere(60, 1, 1, 32, 32), rough, {4, 128},
+                           horizon::TableBits::eight);
+  const RenderScene bowl(openBowl(), rough, {4, 128}, horizon::TableBits::eight);
   // Tall pins on flat ground, all of one height: where the ray leaves them is where it matters.
   const RenderScene pins(
       openBowl(), stepRelief(64, 64, 10, [](int i, int j) { return (7 * i + 13 * j) % 29 == 0; }),
-      {4, 128}, TableBits::eight);
-  rough.space = HeightSpace::texture;
-  const RenderScene scaled(makeSphere(60, 1, 1.6, 32, 32), rough, {4, 128}, TableBits::eight);
+      {4, 128}, horizon::TableBits::eight);
+  rough.space = relief::HeightSpace::texture;
+  const RenderScene scaled(surface::makeSphere(60, 1, 1.6, 32, 32), rough, {4, 128},
+                           horizon::TableBits::eight);
   for (const double elevation : {25.0, 45.0, 65.0}) {
     expectBoundCostsNothing(sphere, elevation);
     expectBoundCostsNothing(bowl, elevation);
@@ -391,11 +397,11 @@ TEST(PathMethods, EndOfTheSearchLosesNoShadow) {
 /// circle that the bowl follows at its middle goes on and rises over that.
 TEST(PathMethods, NothingStandsBeyondABorderForAnyMarch) {
   const GlContext gl;
-  const Relief endless = flatRelief(64, 64);
-  Relief ended = endless;
+  const relief::Relief endless = flatRelief(64, 64);
+  relief::Relief ended = endless;
   ended.field = endless.field.withBorder({true, true});
-  const RenderScene open(openBowl(), ended, {4, 128}, TableBits::eight, 4);
-  const RenderScene on(openBowl(), endless, {4, 128}, TableBits::eight, 4);
+  const RenderScene open(openBowl(), ended, {4, 128}, horizon::TableBits::eight, 4);
+  const RenderScene on(openBowl(), endless, {4, 128}, horizon::TableBits::eight, 4);
   const RenderView view = atlasView(open.surface, 8);
   const Vec3 light = lightToward(20, 30);
   for (const char* method : {"geodesic-march", "resampled-horizon", "osculating-march"}) {
@@ -408,20 +414,22 @@ TEST(PathMethods, NothingStandsBeyondABorderForAnyMarch) {
 /// A wall on the far side of a repeating map's border, where the next tile would have it.
 TEST(PathMethods, TheNextTileOfAnOpenPatchCastsNoShadow) {
   const GlContext gl;
-  const Relief tiled = stepRelief(
-      64, 64, 8, [](int i, int) { return i >= 4 && i < 8; }, Wrap::repeat);
-  Relief ended = tiled;
+  const relief::Relief tiled = stepRelief(
+      64, 64, 8, [](int i, int) { return i >= 4 && i < 8; }, relief::Wrap::repeat);
+  relief::Relief ended = tiled;
   ended.field = tiled.field.withBorder({true, true});
-  const RenderScene tiles(makePlane(64, 64, 8, 8), tiled, {4, 40}, TableBits::thirtyTwo);
-  const RenderScene patch(makePlane(64, 64, 8, 8), ended, {4, 40}, TableBits::thirtyTwo);
+  const RenderScene tiles(surface::makePlane(64, 64, 8, 8), tiled, {4, 40},
+                          horizon::TableBits::thirtyTwo);
+  const RenderScene patch(surface::makePlane(64, 64, 8, 8), ended, {4, 40},
+                          horizon::TableBits::thirtyTwo);
   const RenderView view = atlasView(tiles.surface, 9);
   // Toward +x the wall is behind all that lies more than 8 texels from it.
-  const SampleGrid grid = tiles.samples(view);
+  const surface::SampleGrid grid = tiles.samples(view);
   const auto shadowedPastTheWall = [&](const RenderScene& scene, const char* method) {
     const Mask mask = scene.answer(method, view, lightToward(0, 30));
     std::size_t dark = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
-      const SurfaceSample& at = grid.samples[i];
+      const surface::SurfaceSample& at = grid.samples[i];
       const double x = scene.surface.tangentPoint(at).position.x;
       dark += x > -20 && mask.samples[i] == Shade::shadowed ? 1 : 0;
     }
@@ -436,4 +444,4 @@ TEST(PathMethods, TheNextTileOfAnOpenPatchCastsNoShadow) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -15,7 +15,7 @@
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::difference;
@@ -34,9 +34,9 @@ TEST_P(WallShadow, IsAsLongAsTheTangentOfTheLightSays) {
   const auto [azimuth, elevation] = GetParam();
   const GlContext gl;
   // 72 azimuths: the light's is one of them, so that nothing is interpolated between directions.
-  const RenderScene scene(makePlane(96, 32, 12, 4),
+  const RenderScene scene(surface::makePlane(96, 32, 12, 4),
                           stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }),
-                          {72, 60}, TableBits::thirtyTwo);
+                          {72, 60}, horizon::TableBits::thirtyTwo);
   constexpr int side = 48;  // samples a face, 6 a texel
   const RenderView view = atlasView(scene.surface, side);
   const Vec3 light = lightToward(180 + azimuth, elevation);
@@ -62,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(Lights, WallShadow,
 
 TEST(PublishedMethods, AreIdenticalOnAPlane) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 32);
   for (const double elevation : {60.0, 40.0, 25.0, 10.0}) {
     const Vec3 light = lightToward(20, elevation);
@@ -76,8 +76,8 @@ TEST(PublishedMethods, AreIdenticalOnAPlane) {
 
 TEST(PublishedMethods, DifferOnASphere) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 4, 3), {32, 64},
-                          TableBits::eight);
+  const RenderScene scene(surface::makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 4, 3),
+                          {32, 64}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 8);
   const Vec3 light = lightToward(20, 35);
   EXPECT_GT(
@@ -91,9 +91,9 @@ TEST(PublishedMethods, CurvatureAwareTipOfAPinIsLitDownToTheSpheresHorizon) {
   constexpr double radius = 60;
   constexpr double height = 5;
   const RenderScene scene(
-      makeSphere(radius, 1.35, 1.35, 81, 81),
+      surface::makeSphere(radius, 1.35, 1.35, 81, 81),
       stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; }), {32, 40},
-      TableBits::thirtyTwo);
+      horizon::TableBits::thirtyTwo);
   // One face a texel and one sample a face: the sample of the middle face is the pin's tip.
   const RenderView view = atlasView(scene.surface, 1);
   const std::size_t tip = 40 * 81 + 40;
@@ -112,17 +112,17 @@ TEST(PublishedMethods, CurvatureAwareTipOfAPinIsLitDownToTheSpheresHorizon) {
 
 TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(40, 2.4, 1.2, 64, 32), flatRelief(96, 48), {8, 40},
-                          TableBits::eight, 4);
+  const RenderScene scene(surface::makeSphere(40, 2.4, 1.2, 64, 32), flatRelief(96, 48), {8, 40},
+                          horizon::TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 4);
   const Vec3 light = lightToward(0, 30);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   for (const char* method :
        {"unshadowed", "max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact", "relief-march",
         "osculating-march", "geodesic-march", "resampled-horizon"}) {
     const Mask mask = scene.answer(method, view, light);
     for (std::size_t i = 0; i < mask.size(); ++i) {
-      const SurfaceSample& sample = samples.samples[i];
+      const surface::SurfaceSample& sample = samples.samples[i];
       const double cosine = glm::dot(scene.surface.evaluate(sample).position / 40.0, light);
       if (std::abs(cosine) < 1e-3) continue;
       ASSERT_EQ(mask.samples[i], cosine > 0 ? Shade::lit : Shade::shadowed) << method;
@@ -132,18 +132,19 @@ TEST(PublishedMethods, BareConvexSurfaceEndsAtTheTerminator) {
 
 /// A method's answer on the exact frame of the limit surface.
 template <typename Formula>
-bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const Vec3& light,
-                       const Formula& formula) {
-  const TexelFrame frame = texelFrame(point, scene.relief.texelsPerUv());
-  const LocalLight local = localLight(frame, light);
-  const double scale = worldPerHeight(scene.relief.space, frame);
-  const auto entry = [&](const StoredTable& table) {
-    return filteredValue(table, scene.tables, frame.texel, local.azimuth());
+bool referenceShadowed(const RenderScene& scene, const surface::LimitPoint& point,
+                       const Vec3& light, const Formula& formula) {
+  const surface::TexelFrame frame = surface::texelFrame(point, scene.relief.texelsPerUv());
+  const surface::LocalLight local = surface::localLight(frame, light);
+  const double scale = relief::worldPerHeight(scene.relief.space, frame);
+  const auto entry = [&](const horizon::StoredTable& table) {
+    return horizon::filteredValue(table, scene.tables, frame.texel, local.azimuth());
   };
-  const HorizonLookups at{normalCurvature(point, light), scale * scene.relief.field.at(frame.texel),
-                          scale * entry(scene.horizon) / local.worldPerTexel,
-                          entry(scene.distance) * local.worldPerTexel};
-  return !(local.slope > std::max(formula(at), bareHorizon(at.curvature, at.height)));
+  const horizon::HorizonLookups at{surface::normalCurvature(point, light),
+                                   scale * scene.relief.field.at(frame.texel),
+                                   scale * entry(scene.horizon) / local.worldPerTexel,
+                                   entry(scene.distance) * local.worldPerTexel};
+  return !(local.slope > std::max(formula(at), horizon::bareHorizon(at.curvature, at.height)));
 }
 
 /// Base frames of a fine mesh are those of the limit surface up to its chords: what differs is
@@ -151,18 +152,20 @@ bool referenceShadowed(const RenderScene& scene, const LimitPoint& point, const 
 template <typename Formula>
 void expectFormula(const Method& method, const std::map<std::string, double>& parameters,
                    const Formula& formula) {
-  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
-    Relief relief = randomRelief(64, 32, 2, 21);
+  for (const relief::HeightSpace space :
+       {relief::HeightSpace::world, relief::HeightSpace::texture}) {
+    relief::Relief relief = randomRelief(64, 32, 2, 21);
     relief.space = space;
     // A torus: curvature of both signs, frames that are neither square nor even.
-    const RenderScene scene(makeTorus(30, 10, 96, 66), relief, {16, 6}, TableBits::sixteen, 6);
+    const RenderScene scene(surface::makeTorus(30, 10, 96, 66), relief, {16, 6},
+                            horizon::TableBits::sixteen, 6);
     const RenderView view = atlasView(scene.surface, 3);
-    const SampleGrid samples = scene.samples(view);
+    const surface::SampleGrid samples = scene.samples(view);
     const Vec3 light = lightToward(50, 30);
     const Mask mask = scene.test(method, view, light, TableFilter::exact, parameters);
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
-      const SurfaceSample& sample = samples.samples[i];
+      const surface::SurfaceSample& sample = samples.samples[i];
       const bool dark = referenceShadowed(scene, scene.surface.evaluate(sample), light, formula);
       differ += dark != (mask.samples[i] == Shade::shadowed) ? 1 : 0;
     }
@@ -179,16 +182,16 @@ void expectFormula(const std::string& method, const Formula& formula) {
 
 TEST(PublishedMethods, CurvatureAwareShaderIsItsFormulaOnTheLimitSurface) {
   const GlContext gl;
-  expectFormula("onoue-2004", smallAngleHorizon);
+  expectFormula("onoue-2004", horizon::smallAngleHorizon);
 }
 
 TEST(PublishedMethods, ExactShaderIsTheCirclesFormulaOnTheLimitSurface) {
   const GlContext gl;
-  expectFormula("onoue-exact", osculatingHorizon);
+  expectFormula("onoue-exact", horizon::osculatingHorizon);
 }
 
 /// (2) with the occluder's height in the place of the pixel's.
-double smallAngleHorizonOfAll(const HorizonLookups& at) {
+double smallAngleHorizonOfAll(const horizon::HorizonLookups& at) {
   const double peak = at.height + at.slope * at.arcLength;
   return at.slope * (1 - at.curvature * peak) - at.curvature * at.arcLength / 2;
 }
@@ -196,7 +199,7 @@ double smallAngleHorizonOfAll(const HorizonLookups& at) {
 TEST(HorizonLadder, SwitchesAreTheirFormulasOnTheLimitSurface) {
   const GlContext gl;
   const Method ladder = readMethod(std::string(GNOMON_SCENES) + "/methods/horizon-ladder.glsl");
-  expectFormula(ladder, {{"angles", 1}}, unreducedHorizon);
+  expectFormula(ladder, {{"angles", 1}}, horizon::unreducedHorizon);
   expectFormula(ladder, {{"denominator", 1}}, smallAngleHorizonOfAll);
 }
 
@@ -204,10 +207,10 @@ TEST(HorizonLadder, SwitchesAreTheirFormulasOnTheLimitSurface) {
 /// is left shrinks with its square. As published, (2) is not.
 TEST(HorizonLadder, TheDroppedTermIsOfFirstOrder) {
   const auto errors = [](double curvature) {
-    const HorizonLookups at{curvature, 3, 0.4, 10};
-    const double exact = osculatingHorizon(at);
+    const horizon::HorizonLookups at{curvature, 3, 0.4, 10};
+    const double exact = horizon::osculatingHorizon(at);
     return std::pair(std::abs(smallAngleHorizonOfAll(at) - exact),
-                     std::abs(smallAngleHorizon(at) - exact));
+                     std::abs(horizon::smallAngleHorizon(at) - exact));
   };
   const auto [kept, dropped] = errors(1e-3);
   const auto [keptAtHalf, droppedAtHalf] = errors(5e-4);
@@ -221,9 +224,9 @@ TEST(PublishedMethods, MarchOnTheCircleEndsAShadowWhereTheCircleSays) {
   const GlContext gl;
   constexpr double radius = 80;
   constexpr double height = 6;
-  const RenderScene scene(makeSphere(radius, 1.6, 0.4, 64, 16),
+  const RenderScene scene(surface::makeSphere(radius, 1.6, 0.4, 64, 16),
                           stepRelief(128, 32, height, [](int i, int) { return i >= 60 && i < 64; }),
-                          {4, 64}, TableBits::eight, 4);
+                          {4, 64}, horizon::TableBits::eight, 4);
   const RenderView view = atlasView(scene.surface, 15);
   const Mask mask = scene.test("osculating-march", view, lightToward(180, 25));
   const double edge = (63.5 - 64) / 128 * 1.6;  // longitude of the wall's upper edge
@@ -264,8 +267,8 @@ TEST(PublishedMethods, MirroredTextureGivesTheMirroredRelief) {
 
 TEST(PublishedMethods, HardwareFilterChangesLittleButSomething) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 4, 3), {32, 64},
-                          TableBits::eight);
+  const RenderScene scene(surface::makeSphere(60, 1, 1, 32, 32), randomRelief(64, 64, 4, 3),
+                          {32, 64}, horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   const Vec3 light = lightToward(20, 35);
   const double change = difference(scene.test("onoue-2004", view, light),
@@ -276,8 +279,8 @@ TEST(PublishedMethods, HardwareFilterChangesLittleButSomething) {
 
 TEST(PublishedMethods, RoughReliefShadowsMoreAsTheLightSinks) {
   const GlContext gl;
-  const RenderScene scene(makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
-                          TableBits::eight);
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {32, 64},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   double before = -1;
   for (const double elevation : {80.0, 60.0, 40.0, 20.0, 10.0, 5.0}) {
@@ -288,4 +291,4 @@ TEST(PublishedMethods, RoughReliefShadowsMoreAsTheLightSinks) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -14,7 +14,7 @@
 #include "render/displaced_rays.h"
 #include "render/traced_scene.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::above;
@@ -28,7 +28,7 @@ using test::shareShadowed;
 using test::stepRelief;
 using test::TracedScene;
 
-Relief box(double height) {
+relief::Relief box(double height) {
   return stepRelief(48, 48, height,
                     [](int i, int j) { return i >= 20 && i < 28 && j >= 20 && j < 28; });
 }
@@ -37,7 +37,7 @@ Relief box(double height) {
 
 TEST(RealGeometry, UndisplacedPlaneIsLitWhole) {
   const GlContext gl;
-  const DisplacedScene scene(makePlane(48, 48, 6, 6), flatRelief(48, 48), 9);
+  const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), flatRelief(48, 48), 9);
   for (const Camera& camera : {above, cameraAt({10, -70, 30}, {0, 0, 0}, 40, 96)}) {
     const RenderView view = cameraView(camera, scene.displaced.mesh);
     for (const auto& [azimuth, elevation] : {std::pair{20.0, 80.0},
@@ -73,7 +73,7 @@ TEST(RealGeometry, ConvexPatchThatFacesTheLightIsLitWhole) {
 
 TEST(RealGeometry, PlaneLitFromBelowIsDarkWhole) {
   const GlContext gl;
-  const DisplacedScene scene(makePlane(48, 48, 6, 6), flatRelief(48, 48), 3);
+  const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), flatRelief(48, 48), 3);
   const RenderView view = cameraView(above, scene.displaced.mesh);
   for (const double elevation : {-5.0, -60.0, -90.0}) {
     const Vec3 light = lightToward(20, elevation);
@@ -84,7 +84,7 @@ TEST(RealGeometry, PlaneLitFromBelowIsDarkWhole) {
 
 TEST(RealGeometry, ShadowMapWithoutBiasHasAcne) {
   const GlContext gl;
-  const DisplacedScene scene(makePlane(48, 48, 6, 6), flatRelief(48, 48), 9);
+  const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), flatRelief(48, 48), 9);
   const RenderView view = cameraView(above, scene.displaced.mesh);
   const Mask mask = scene.answer("shadow-map", view, lightToward(20, 30), {{"bias", 0}});
   EXPECT_GT(shareShadowed(mask), 0.05);
@@ -94,12 +94,13 @@ TEST(RealGeometry, ShadowMapWithoutBiasHasAcne) {
 
 /// The last shadowed column of the middle row, as a place x in the world; the camera looks straight
 /// down at z = 0.
-double shadowEnd(const Mask& mask, const SampleGrid& samples, const LimitSurface& surface) {
+double shadowEnd(const Mask& mask, const surface::SampleGrid& samples,
+                 const surface::LimitSurface& surface) {
   double end = -1000;
   for (int column = 0; column < mask.width; ++column) {
     const auto i = static_cast<std::size_t>(mask.height / 2 * mask.width + column);
     if (mask.samples[i] != Shade::shadowed) continue;
-    const SurfaceSample& s = samples.samples[i];
+    const surface::SurfaceSample& s = samples.samples[i];
     end = std::max(end, surface.evaluate(s).position.x);
   }
   return end;
@@ -109,10 +110,10 @@ TEST(RealGeometry, BoxCastsAShadowAsLongAsTheTangentOfTheLightSays) {
   const GlContext gl;
   constexpr double height = 5;
   // Vertices at every half texel, texel centres among them: the mesh is the relief itself.
-  const DisplacedScene scene(makePlane(48, 48, 6, 6), box(height), 16);
+  const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), box(height), 16);
   const RenderView view =
       cameraView(cameraAt({0, 0, 100}, {0, 0, 0}, 27, 384), scene.displaced.mesh);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   const double pixel = 2 * 100 * std::tan(radians(13.5)) / 384;
   const double edge = 27.5 - 24;  // the end of its top
   for (const double elevation : {55.0, 40.0, 25.0, 17.0}) {
@@ -134,11 +135,11 @@ TEST(RealGeometry, ShadowVolumesOfABoxAreTheTracers) {
   const GlContext gl;
   // At the box's four corners the relief is not flat inside a texel: quarter texels, and halves of
   // them for the tracer.
-  const DisplacedScene scene(makePlane(48, 48, 6, 6), box(5), 32);
+  const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), box(5), 32);
   const TracedScene traced(scene.surface, scene.relief, 0.125);
   for (const Camera& camera : {above, cameraAt({30, -60, 40}, {0, 0, 2}, 40, 128)}) {
     const RenderView view = cameraView(camera, scene.displaced.mesh);
-    const SampleGrid samples = scene.samples(view);
+    const surface::SampleGrid samples = scene.samples(view);
     for (const auto& [azimuth, elevation] :
          {std::pair{20.0, 35.0}, {-140.0, 20.0}, {90.0, 50.0}, {180.0, 10.0}}) {
       const Vec3 light = lightToward(azimuth, elevation);
@@ -165,9 +166,9 @@ TEST(RealGeometry, ShadowVolumesTendToTheTruthOfFigure8AsTheMeshIsRefined) {
       points.at(4 * j + i) = Vec3(across.at(i), along.at(j), (rim ? -48 : 34) + (end ? 0 : 24));
     }
   }
-  const Relief relief{makeColumns(192, 160, {32, 7, 3}, 8, Wrap::clamp), HeightSpace::texture,
-                      Vec2(1)};
-  const Cage cage = makeBezier(points, 24, 20);
+  const relief::Relief relief{relief::makeColumns(192, 160, {32, 7, 3}, 8, relief::Wrap::clamp),
+                              relief::HeightSpace::texture, Vec2(1)};
+  const surface::Cage cage = surface::makeBezier(points, 24, 20);
   Camera camera = cameraAt({0, -205, 275}, {0, -4, -2}, 32, 384);
   const Vec3 light = lightToward(165, 24);
   std::optional<TracedScene> traced;
@@ -189,4 +190,4 @@ TEST(RealGeometry, ShadowVolumesTendToTheTruthOfFigure8AsTheMeshIsRefined) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

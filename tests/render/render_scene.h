@@ -29,120 +29,129 @@ namespace gnomon::test {
 /// A surface with a relief on the GPU, its tables baked: what a method needs to answer.
 class RenderScene {
  public:
-  RenderScene(const Cage& cage, Relief heights, const BakeSettings& bake, TableBits bits,
-              int subdivisions = 1)
+  RenderScene(const surface::Cage& cage, relief::Relief heights, const horizon::BakeSettings& bake,
+              horizon::TableBits bits, int subdivisions = 1)
       : surface(cage),
         relief(std::move(heights)),
-        frame(texelsPerHeight(relief.space, texelScale(surface, relief.texelsPerUv()))),
-        tables(bakeHorizons(relief.field, bake)),
-        horizon(storeTable(tables.horizon, bits)),
-        distance(storeTable(tables.distance, bits)),
-        mesh(makeBaseMesh(surface, relief.texelsPerUv(), subdivisions)),
-        texture(textureView(mesh)),
+        frame(horizon::texelsPerHeight(relief.space,
+                                       horizon::texelScale(surface, relief.texelsPerUv()))),
+        tables(horizon::bakeHorizons(relief.field, bake)),
+        horizon(horizon::storeTable(tables.horizon, bits)),
+        distance(horizon::storeTable(tables.distance, bits)),
+        mesh(surface::makeBaseMesh(surface, relief.texelsPerUv(), subdivisions)),
+        texture(render::textureView(mesh)),
         bits_(bits),
         gpuMesh_(mesh),
         gpuHeights_(relief.field),
         gpuHorizon_(horizon, tables),
         gpuDistance_(distance, tables) {}
 
-  [[nodiscard]] Drawing drawing(const Vec3& light) const {
+  [[nodiscard]] render::Drawing drawing(const Vec3& light) const {
     return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, light,
             nullptr,  &texture};
   }
 
   /// The drawn answer.
-  [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
-                            TableFilter filter = TableFilter::exact) const {
-    const auto shaders = shaderFolder();
-    return answer(readMethod(methodFile(shaders, method)), view, light, filter);
+  [[nodiscard]] Mask answer(const std::string& method, const render::RenderView& view,
+                            const Vec3& light,
+                            render::TableFilter filter = render::TableFilter::exact) const {
+    const auto shaders = render::shaderFolder();
+    return answer(render::readMethod(render::methodFile(shaders, method)), view, light, filter);
   }
 
-  [[nodiscard]] Mask answer(const Method& method, const RenderView& view, const Vec3& light,
-                            TableFilter filter = TableFilter::exact,
+  [[nodiscard]] Mask answer(const render::Method& method, const render::RenderView& view,
+                            const Vec3& light,
+                            render::TableFilter filter = render::TableFilter::exact,
                             const std::map<std::string, double>& parameters = {}) const {
     return answers(method, view, {light}, filter, parameters).front().drawn;
   }
 
   /// What the shadow test alone says.
-  [[nodiscard]] Mask test(const std::string& method, const RenderView& view, const Vec3& light,
-                          TableFilter filter = TableFilter::exact) const {
-    return test(readMethod(methodFile(shaderFolder(), method)), view, light, filter);
+  [[nodiscard]] Mask test(const std::string& method, const render::RenderView& view,
+                          const Vec3& light,
+                          render::TableFilter filter = render::TableFilter::exact) const {
+    return test(render::readMethod(render::methodFile(render::shaderFolder(), method)), view, light,
+                filter);
   }
 
-  [[nodiscard]] Mask test(const Method& method, const RenderView& view, const Vec3& light,
-                          TableFilter filter = TableFilter::exact,
+  [[nodiscard]] Mask test(const render::Method& method, const render::RenderView& view,
+                          const Vec3& light,
+                          render::TableFilter filter = render::TableFilter::exact,
                           const std::map<std::string, double>& parameters = {}) const {
     return answers(method, view, {light}, filter, parameters).front().test;
   }
 
   /// Both answers for each light; the shader and its tables are made once.
-  [[nodiscard]] std::vector<MethodAnswers> answers(
-      const Method& method, const RenderView& view, const std::vector<Vec3>& lights,
-      TableFilter filter = TableFilter::exact,
+  [[nodiscard]] std::vector<render::MethodAnswers> answers(
+      const render::Method& method, const render::RenderView& view, const std::vector<Vec3>& lights,
+      render::TableFilter filter = render::TableFilter::exact,
       const std::map<std::string, double>& parameters = {}) const {
-    const MethodPass pass(shaderFolder(), method, relief.field.wrap(), filter, parameters);
-    GpuTables gpu{&gpuHorizon_, &gpuDistance_};
+    const render::MethodPass pass(render::shaderFolder(), method, relief.field.wrap(), filter,
+                                  parameters);
+    render::GpuTables gpu{&gpuHorizon_, &gpuDistance_};
     gpu.searchRadius = tables.radiusTexels;
-    std::optional<GpuAngles> angles;
-    std::optional<GpuTable> ellipses;
-    if (method.tables.angles) angles.emplace(horizonAngles(tables, angleLimit, frame), bits_);
+    std::optional<render::GpuAngles> angles;
+    std::optional<render::GpuTable> ellipses;
+    if (method.tables.angles)
+      angles.emplace(horizon::horizonAngles(tables, angleLimit, frame), bits_);
     if (method.tables.surfaceAngles) angles.emplace(surfaceAngles.value(), bits_);
     if (method.tables.ellipse) {
-      const EllipseTable fit = fitEllipses(tables, frame);
-      ellipses.emplace(storeTable(fit.values, bits_), fit);
+      const horizon::EllipseTable fit = horizon::fitEllipses(tables, frame);
+      ellipses.emplace(horizon::storeTable(fit.values, bits_), fit);
     }
     if (angles) gpu.angles = &*angles;
     if (ellipses) gpu.ellipse = &*ellipses;
-    std::vector<MethodAnswers> found;
+    std::vector<render::MethodAnswers> found;
     for (const Vec3& light : lights) found.push_back(pass.render(view, drawing(light), gpu));
     return found;
   }
 
-  [[nodiscard]] SampleGrid samples(const RenderView& view) const {
-    return SamplesPass(shaderFolder()).render(view, gpuMesh_);
+  [[nodiscard]] surface::SampleGrid samples(const render::RenderView& view) const {
+    return render::SamplesPass(render::shaderFolder()).render(view, gpuMesh_);
   }
 
-  LimitSurface surface;
-  Relief relief;
+  surface::LimitSurface surface;
+  relief::Relief relief;
   double frame;  ///< texels a height unit, of angles
-  HorizonTables tables;
-  StoredTable horizon;
-  StoredTable distance;
-  BaseMesh mesh;
-  RenderView texture;                       ///< all unique texels
-  double angleLimit = pi / 2;               ///< of horizon angles
-  std::optional<AngleTable> surfaceAngles;  ///< for methods that read them
+  horizon::HorizonTables tables;
+  horizon::StoredTable horizon;
+  horizon::StoredTable distance;
+  surface::BaseMesh mesh;
+  render::RenderView texture;                        ///< all unique texels
+  double angleLimit = pi / 2;                        ///< of horizon angles
+  std::optional<horizon::AngleTable> surfaceAngles;  ///< for methods that read them
 
  private:
-  TableBits bits_;
-  GpuMesh gpuMesh_;
-  GpuHeights gpuHeights_;
-  GpuTable gpuHorizon_;
-  GpuTable gpuDistance_;
+  horizon::TableBits bits_;
+  render::GpuMesh gpuMesh_;
+  render::GpuHeights gpuHeights_;
+  render::GpuTable gpuHorizon_;
+  render::GpuTable gpuDistance_;
 };
 
 /// Bumps on a sphere; and with u running backward and the map with it, so that the relief in the
 /// world is the same.
 struct MirroredScenes {
   explicit MirroredScenes(int azimuths)
-      : scene(sphere(false), bumps(false), {azimuths, 32}, TableBits::thirtyTwo),
-        mirrored(sphere(true), bumps(true), {azimuths, 32}, TableBits::thirtyTwo) {}
+      : scene(sphere(false), bumps(false), {azimuths, 32}, horizon::TableBits::thirtyTwo),
+        mirrored(sphere(true), bumps(true), {azimuths, 32}, horizon::TableBits::thirtyTwo) {}
 
-  static Cage sphere(bool isMirrored) {
-    Cage cage = makeSphere(40, 1, 1, 16, 16);
+  static surface::Cage sphere(bool isMirrored) {
+    surface::Cage cage = surface::makeSphere(40, 1, 1, 16, 16);
     if (!isMirrored) return cage;
     for (Vec2& uv : cage.uvs) uv.x = 1 - uv.x;
     cage.grid.reset();
     return cage;
   }
-  static Relief bumps(bool isMirrored) {
-    Relief relief = randomRelief(32, 32, 2, 5);
+  static relief::Relief bumps(bool isMirrored) {
+    relief::Relief relief = randomRelief(32, 32, 2, 5);
     if (!isMirrored) return relief;
     std::vector<float> texels;
     for (int j = 0; j < 32; ++j) {
       for (int i = 0; i < 32; ++i) texels.push_back(relief.field.texel(31 - i, j));
     }
-    return {HeightField(32, 32, texels, Wrap::repeat), HeightSpace::world, Vec2(1)};
+    return {relief::HeightField(32, 32, texels, relief::Wrap::repeat), relief::HeightSpace::world,
+            Vec2(1)};
   }
 
   RenderScene scene, mirrored;
@@ -151,44 +160,46 @@ struct MirroredScenes {
 /// A surface as real geometry on the GPU.
 class DisplacedScene {
  public:
-  DisplacedScene(const Cage& cage, Relief heights, int subdivisions)
+  DisplacedScene(const surface::Cage& cage, relief::Relief heights, int subdivisions)
       : surface(cage),
         relief(std::move(heights)),
-        displaced(makeDisplacedMesh(surface, relief, subdivisions)),
+        displaced(displaced::makeDisplacedMesh(surface, relief, subdivisions)),
         gpuMesh_(displaced.mesh),
         gpuVolumes_(displaced),
         gpuHeights_(relief.field) {}
 
-  [[nodiscard]] MethodAnswers answers(const std::string& method, const RenderView& view,
-                                      const Vec3& light,
-                                      const std::map<std::string, double>& parameters = {}) const {
-    const Method read = readMethod(methodFile(shaderFolder(), method));
-    const MethodPass pass(shaderFolder(), read, relief.field.wrap(), TableFilter::exact,
-                          parameters);
+  [[nodiscard]] render::MethodAnswers answers(
+      const std::string& method, const render::RenderView& view, const Vec3& light,
+      const std::map<std::string, double>& parameters = {}) const {
+    const render::Method read =
+        render::readMethod(render::methodFile(render::shaderFolder(), method));
+    const render::MethodPass pass(render::shaderFolder(), read, relief.field.wrap(),
+                                  render::TableFilter::exact, parameters);
     return pass.render(view, drawing(light), {});
   }
 
-  [[nodiscard]] Drawing drawing(const Vec3& light) const {
+  [[nodiscard]] render::Drawing drawing(const Vec3& light) const {
     return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, 1, light, &gpuVolumes_};
   }
 
-  [[nodiscard]] Mask answer(const std::string& method, const RenderView& view, const Vec3& light,
+  [[nodiscard]] Mask answer(const std::string& method, const render::RenderView& view,
+                            const Vec3& light,
                             const std::map<std::string, double>& parameters = {}) const {
     return answers(method, view, light, parameters).drawn;
   }
 
-  [[nodiscard]] SampleGrid samples(const RenderView& view) const {
-    return SamplesPass(shaderFolder()).render(view, gpuMesh_);
+  [[nodiscard]] surface::SampleGrid samples(const render::RenderView& view) const {
+    return render::SamplesPass(render::shaderFolder()).render(view, gpuMesh_);
   }
 
-  LimitSurface surface;
-  Relief relief;
-  DisplacedMesh displaced;
+  surface::LimitSurface surface;
+  relief::Relief relief;
+  displaced::DisplacedMesh displaced;
 
  private:
-  GpuMesh gpuMesh_;
-  GpuVolumes gpuVolumes_;
-  GpuHeights gpuHeights_;
+  render::GpuMesh gpuMesh_;
+  render::GpuVolumes gpuVolumes_;
+  render::GpuHeights gpuHeights_;
 };
 
 /// Share of samples on which two masks of one view differ.

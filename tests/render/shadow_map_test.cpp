@@ -7,7 +7,7 @@
 #include "render/displaced_rays.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::cameraAt;
@@ -20,13 +20,13 @@ using test::Verdict;
 
 TEST(ShadowMap, TendsToTheRaysAsItsTexelsShrink) {
   const GlContext gl;
-  const DisplacedScene scene(makePlane(48, 48, 6, 6), randomRelief(24, 24, 5, 3), 4);
+  const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), randomRelief(24, 24, 5, 3), 4);
   const Rays rays(scene, 4);
   const Vec3 light = lightToward(20, 30);
   for (const RenderView& view :
        {cameraView(cameraAt({0, 0, 100}, {0, 0, 0}, 30, 256), scene.displaced.mesh),
         atlasView(scene.surface, 40)}) {
-    const SampleGrid samples = scene.samples(view);
+    const surface::SampleGrid samples = scene.samples(view);
     // The bias grows with a facet's slope to the light up to 16 and no more: steeper ones,
     // within 3.6° of edge-on, shade themselves in specks however fine the map.
     const Mask truth = rays.mask(samples, light, 1 / std::hypot(1.0, 16.0));
@@ -47,10 +47,10 @@ TEST(ShadowMap, TendsToTheRaysAsItsTexelsShrink) {
 
 TEST(ShadowMap, SeesClosedSurfacesAsRaysDo) {
   const GlContext gl;
-  const DisplacedScene torus(makeTorus(30, 10, 58, 58), randomRelief(48, 32, 3, 3), 1);
+  const DisplacedScene torus(surface::makeTorus(30, 10, 58, 58), randomRelief(48, 32, 3, 3), 1);
   const RenderView view =
       cameraView(cameraAt({20, 90, 90}, {0, 0, 0}, 45, 64), torus.displaced.mesh);
-  const SampleGrid samples = torus.samples(view);
+  const surface::SampleGrid samples = torus.samples(view);
   for (const Vec3& light : {lightToward(20, 40), lightToward(120, -30)}) {
     const Verdict verdict = judge(torus.answer("shadow-map", view, light),
                                   Rays(torus, 1).mask(samples, light), samples);
@@ -61,4 +61,4 @@ TEST(ShadowMap, SeesClosedSurfacesAsRaysDo) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

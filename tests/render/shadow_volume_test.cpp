@@ -9,7 +9,7 @@
 #include "render/displaced_rays.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::above;
@@ -29,7 +29,7 @@ void expectRaysAnswer(const DisplacedScene& scene, int subdivisions, const Camer
                       const Vec3& light, const char* what, bool both = true) {
   SCOPED_TRACE(what);
   const RenderView view = cameraView(camera, scene.displaced.mesh);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   const Mask rays = Rays(scene, subdivisions).mask(samples, light);
   const Mask mask = scene.answer("shadow-volume", view, light);
   const Verdict verdict = judge(mask, rays, samples);
@@ -45,7 +45,7 @@ void expectRaysAnswer(const DisplacedScene& scene, int subdivisions, const Camer
 
 TEST(ShadowVolumes, AreExactOnARoughPlane) {
   const GlContext gl;
-  const DisplacedScene scene(makePlane(48, 48, 6, 6), randomRelief(24, 24, 5, 3), 4);
+  const DisplacedScene scene(surface::makePlane(48, 48, 6, 6), randomRelief(24, 24, 5, 3), 4);
   for (const double azimuth : {20.0, 111.0, 250.0}) {
     expectRaysAnswer(scene, 4, above, lightToward(azimuth, 30), "from above");
     expectRaysAnswer(scene, 4, cameraAt({60, -50, 35}, {0, 0, 0}, 45, 96), lightToward(azimuth, 20),
@@ -55,7 +55,7 @@ TEST(ShadowVolumes, AreExactOnARoughPlane) {
 
 TEST(ShadowVolumes, AreExactOnClosedSurfaces) {
   const GlContext gl;
-  const DisplacedScene torus(makeTorus(30, 10, 58, 58), randomRelief(48, 32, 3, 3), 1);
+  const DisplacedScene torus(surface::makeTorus(30, 10, 58, 58), randomRelief(48, 32, 3, 3), 1);
   expectRaysAnswer(torus, 1, cameraAt({20, 90, 90}, {0, 0, 0}, 45, 64), lightToward(20, 40),
                    "torus");
   expectRaysAnswer(torus, 1, cameraAt({100, 20, 30}, {0, 0, 0}, 45, 64), lightToward(120, -30),
@@ -83,7 +83,7 @@ TEST(ShadowVolumes, AreExactForACameraInsideAShadow) {
   const GlContext gl;
   // A tower 30 high whose shadow, at 20°, is 82 long and holds the camera.
   const DisplacedScene scene(
-      makePlane(96, 48, 12, 6),
+      surface::makePlane(96, 48, 12, 6),
       stepRelief(48, 24, 30, [](int i, int j) { return i >= 10 && i < 16 && j >= 8 && j < 16; }),
       4);
   const Vec3 light = lightToward(180, 20);
@@ -102,9 +102,9 @@ TEST(ShadowVolumes, LeaveNoStreaksWhereFacetsStandEdgeOnToTheLight) {
   const GlContext gl;
   // The lee side of the box falls from 6 to 0 over one texel: light along it, to the bit of a float
   // and beside it.
-  const Relief relief =
+  const relief::Relief relief =
       stepRelief(24, 24, 6, [](int i, int j) { return i >= 10 && i < 14 && j >= 10 && j < 14; });
-  const DisplacedScene scene(makePlane(24, 24, 3, 3), relief, 16);
+  const DisplacedScene scene(surface::makePlane(24, 24, 3, 3), relief, 16);
   const Camera camera = cameraAt({3, -2, 60}, {0, 0, 0}, 24, 128);
   for (const Vec3& light :
        {glm::normalize(Vec3(-1, 0, 6)), glm::normalize(Vec3(1, 0, 6)),
@@ -113,7 +113,7 @@ TEST(ShadowVolumes, LeaveNoStreaksWhereFacetsStandEdgeOnToTheLight) {
     expectRaysAnswer(scene, 16, camera, light, "edge-on", false);
   }
   // A roof with a ridge along y, its far slope exactly along the light.
-  const DisplacedScene ridge(makePlane(24, 24, 3, 3),
+  const DisplacedScene ridge(surface::makePlane(24, 24, 3, 3),
                              stepRelief(24, 24, 4, [](int i, int) { return i == 11; }), 16);
   for (const double along : {0.0, 1.0, -2.0}) {
     expectRaysAnswer(ridge, 16, camera, glm::normalize(Vec3(-1, along, 4)), "ridge", false);
@@ -125,9 +125,9 @@ TEST(ShadowVolumes, StayClosedWhereRoundingDecidesHowAFacetFaces) {
   const DisplacedScene scene(arch(4, 4), randomRelief(16, 16, 3, 3), 2);
   const RenderView view =
       cameraView(cameraAt({10, -50, 60}, {0, 0, 5}, 50, 64), scene.displaced.mesh);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   const Rays rays(scene, 2);
-  const BaseMesh& mesh = scene.displaced.mesh;
+  const surface::BaseMesh& mesh = scene.displaced.mesh;
   std::size_t judged = 0;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     // A light in the very plane of a facet. Its two neighbours and itself must agree on whether it
@@ -147,10 +147,10 @@ TEST(ShadowVolumes, StayClosedWhereRoundingDecidesHowAFacetFaces) {
 
 TEST(ShadowVolumes, AreCountedForOneCameraOnly) {
   const GlContext gl;
-  const DisplacedScene scene(makePlane(24, 24, 3, 3), flatRelief(24, 24), 2);
+  const DisplacedScene scene(surface::makePlane(24, 24, 3, 3), flatRelief(24, 24), 2);
   EXPECT_THROW((void)scene.answer("shadow-volume", atlasView(scene.surface, 8), {0, 0, 1}),
                InternalError);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

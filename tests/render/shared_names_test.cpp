@@ -13,7 +13,7 @@
 // A method that uses a function, a uniform or a structure without the declaration that provides it
 // is told which declaration is missing.
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using ::testing::AllOf;
@@ -31,7 +31,7 @@ class SharedNames : public TemporaryFolder {
         << "\n}\n";
     const GlContext gl;
     try {
-      const MethodPass pass(shaderFolder(), readMethod(file("mine.glsl")), Wrap::repeat,
+      const MethodPass pass(shaderFolder(), readMethod(file("mine.glsl")), relief::Wrap::repeat,
                             TableFilter::exact, {});
     } catch (const InputError& error) {
       return error.what();
@@ -108,4 +108,4 @@ TEST_F(SharedNames, EveryDefineHasItsDeclaration) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -9,7 +9,7 @@
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::RenderScene;
@@ -50,7 +50,7 @@ const std::vector<Case> cases = {{"max-forsyth", 0},        {"onoue-2004", 0},
                                  {"resampled-horizon", 0},  {"relief-march", 0.3},
                                  {"osculating-march", 0.3}, {"geodesic-march", 0.3}};
 
-class ShearedShadow : public testing::TestWithParam<HeightSpace> {};
+class ShearedShadow : public testing::TestWithParam<relief::HeightSpace> {};
 
 /// As the truth's own test: the shadow of a wall 6 height units high ends 6 a |e_x| / (σ tan θ)
 /// texels from its top edge at x = 31.5. A shader that forgot the metric would be off by the ratio
@@ -59,11 +59,11 @@ TEST_P(ShearedShadow, EndsWhereTheMetricSays) {
   const GlContext gl;
   int shadows = 0;
   for (const ShearedPlane& plane : shearedPlanes()) {
-    Relief relief =
+    relief::Relief relief =
         stepRelief(plane.width, plane.height, 6, [](int i, int) { return i >= 28 && i < 32; });
     relief.space = GetParam();
-    const RenderScene scene(plane.cage(), relief, {24, 60}, TableBits::thirtyTwo);
-    const RenderScene eight(plane.cage(), relief, {8, 60}, TableBits::thirtyTwo);
+    const RenderScene scene(plane.cage(), relief, {24, 60}, horizon::TableBits::thirtyTwo);
+    const RenderScene eight(plane.cage(), relief, {8, 60}, horizon::TableBits::thirtyTwo);
     const RenderView view = atlasView(scene.surface, planeSamples);
     for (const double azimuth : {180.0, 150.0, 225.0}) {
       const double a = radians(azimuth);  // one of the tables' 24, two of them of Sloan & Cohen's 8
@@ -86,7 +86,7 @@ TEST_P(ShearedShadow, EndsWhereTheMetricSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HeightSpaces, ShearedShadow,
-                         testing::Values(HeightSpace::world, HeightSpace::texture));
+                         testing::Values(relief::HeightSpace::world, relief::HeightSpace::texture));
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

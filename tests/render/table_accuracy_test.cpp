@@ -22,7 +22,7 @@
 #include "render/render_scene.h"
 #include "render/traced_scene.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::lightToward;
@@ -39,8 +39,8 @@ std::vector<Vec3> lights() {
   return all;
 }
 
-Relief columns(Wrap wrap) {
-  return {makeColumns(96, 96, {32, 8, 1}, 8, wrap), HeightSpace::world, Vec2(1)};
+relief::Relief columns(relief::Wrap wrap) {
+  return {relief::makeColumns(96, 96, {32, 8, 1}, 8, wrap), relief::HeightSpace::world, Vec2(1)};
 }
 
 /// Shares of all samples, means over the lights.
@@ -53,20 +53,23 @@ struct Errors {
 /// A surface with its truth under all lights, traced once.
 class Scene {
  public:
-  Scene(const Cage& cage, const Relief& relief, int subdivisions, int samplesPerSide)
+  Scene(const surface::Cage& cage, const relief::Relief& relief, int subdivisions,
+        int samplesPerSide)
       : cage_(cage), relief_(relief), subdivisions_(subdivisions), samples_(samplesPerSide) {
-    const RenderScene on = tables({8, 64}, TableBits::eight);
-    const SampleGrid samples = on.samples(atlasView(on.surface, samples_));
+    const RenderScene on = tables({8, 64}, horizon::TableBits::eight);
+    const surface::SampleGrid samples = on.samples(atlasView(on.surface, samples_));
     const TracedScene fine(on.surface, on.relief, 0.125);
     const TracedScene coarse(on.surface, on.relief, 0.25);
     for (const Vec3& light : lights()) {
       truths_.push_back(fine.mask(on.surface, on.relief, samples, light));
       uncertainty_ +=
-          flipRate(truths_.back(), coarse.mask(on.surface, on.relief, samples, light)) / lightCount;
+          truth::flipRate(truths_.back(), coarse.mask(on.surface, on.relief, samples, light)) /
+          lightCount;
     }
   }
 
-  [[nodiscard]] RenderScene tables(const BakeSettings& bake, TableBits bits) const {
+  [[nodiscard]] RenderScene tables(const horizon::BakeSettings& bake,
+                                   horizon::TableBits bits) const {
     return {cage_, relief_, bake, bits, subdivisions_};
   }
 
@@ -76,9 +79,9 @@ class Scene {
         readMethod(methodFile(shaderFolder(), method)), atlasView(on.surface, samples_), lights());
     Errors sum;
     for (std::size_t l = 0; l < truths_.size(); ++l) {
-      const Counts counts = countSamples(answers[l].test, truths_[l]);
-      sum.falseShadow += rate(counts, "false_shadow").value.value() / lightCount;
-      sum.falseLight += rate(counts, "false_light").value.value() / lightCount;
+      const compare::Counts counts = compare::countSamples(answers[l].test, truths_[l]);
+      sum.falseShadow += compare::rate(counts, "false_shadow").value.value() / lightCount;
+      sum.falseLight += compare::rate(counts, "false_light").value.value() / lightCount;
     }
     return sum;
   }
@@ -87,8 +90,8 @@ class Scene {
   [[nodiscard]] double uncertainty() const { return uncertainty_; }
 
  private:
-  Cage cage_;
-  Relief relief_;
+  surface::Cage cage_;
+  relief::Relief relief_;
   int subdivisions_;
   int samples_;
   std::vector<Mask> truths_;
@@ -96,27 +99,27 @@ class Scene {
 };
 
 Scene sphereScene() {
-  return {makeSphere(1 / 0.015, 1.44, 1.44, 24, 24), columns(Wrap::repeat), 2, 8};
+  return {surface::makeSphere(1 / 0.015, 1.44, 1.44, 24, 24), columns(relief::Wrap::repeat), 2, 8};
 }
 
 /// The map's border is flat, and no shadow reaches it: where the patch ends does not matter.
 Scene planeScene() {
-  return {makePlane(96, 96, 8, 8), columns(Wrap::clamp), 1, 25};
+  return {surface::makePlane(96, 96, 8, 8), columns(relief::Wrap::clamp), 1, 25};
 }
 
 const std::vector<std::string> tableMethods = {"max-forsyth", "onoue-2004", "sloan-cohen",
                                                "resampled-horizon"};
 const std::vector<int> azimuthCounts = {8, 16, 32, 64};
-const std::vector<TableBits> bitCounts = {TableBits::eight, TableBits::sixteen,
-                                          TableBits::thirtyTwo};
+const std::vector<horizon::TableBits> bitCounts = {
+    horizon::TableBits::eight, horizon::TableBits::sixteen, horizon::TableBits::thirtyTwo};
 
 /// [azimuths, bits] of each method.
-using Found = std::map<std::string, std::map<std::pair<int, TableBits>, Errors>>;
+using Found = std::map<std::string, std::map<std::pair<int, horizon::TableBits>, Errors>>;
 
 Found findErrors(const Scene& scene) {
   Found found;
   for (const int azimuths : azimuthCounts) {
-    for (const TableBits bits : bitCounts) {
+    for (const horizon::TableBits bits : bitCounts) {
       const RenderScene on = scene.tables({azimuths, 64}, bits);
       for (const std::string& method : tableMethods) {
         found[method][{azimuths, bits}] = scene.errors(on, method);
@@ -135,8 +138,8 @@ void expectSensitive(const Scene& scene, Found& found) {
     EXPECT_LT(shareShadowed(truth), 0.9);
   }
   for (const std::string& method : tableMethods) {
-    const double coarsest = found[method][{8, TableBits::eight}].rate();
-    const double finest = found[method][{64, TableBits::thirtyTwo}].rate();
+    const double coarsest = found[method][{8, horizon::TableBits::eight}].rate();
+    const double finest = found[method][{64, horizon::TableBits::thirtyTwo}].rate();
     testing::Test::RecordProperty(method + "_8x8", std::to_string(coarsest));
     testing::Test::RecordProperty(method + "_64x32", std::to_string(finest));
     if (method != "resampled-horizon") {
@@ -160,7 +163,7 @@ void expectNoRiseWithBits(const Scene& scene, Found& found) {
 /// @param share  of the errors: all or a part
 void expectNoRiseWithAzimuths(const Scene& scene, Found& found, const std::string& method,
                               double (*share)(const Errors&)) {
-  for (const TableBits bits : bitCounts) {
+  for (const horizon::TableBits bits : bitCounts) {
     for (std::size_t k = 1; k < azimuthCounts.size(); ++k) {
       EXPECT_LE(share(found[method][std::pair(azimuthCounts[k], bits)]),
                 share(found[method][std::pair(azimuthCounts[k - 1], bits)]) + scene.uncertainty())
@@ -203,8 +206,8 @@ TEST(TableErrors, OnASphereFalseLightDoesNotRiseWithMoreAzimuthsNorAnyErrorWithM
     expectNoRiseWithAzimuths(scene, found, method, wholeError);
   }
   // What the flat horizon gains in false shadow is real, and why its whole error may rise.
-  EXPECT_GT((found["max-forsyth"][{64, TableBits::thirtyTwo}].falseShadow),
-            (found["max-forsyth"][{8, TableBits::thirtyTwo}].falseShadow));
+  EXPECT_GT((found["max-forsyth"][{64, horizon::TableBits::thirtyTwo}].falseShadow),
+            (found["max-forsyth"][{8, horizon::TableBits::thirtyTwo}].falseShadow));
 }
 
 /// The march on the osculating circle knows the curvature at the pixel alone. It is the best of the
@@ -213,7 +216,7 @@ TEST(TableErrors, OnASphereFalseLightDoesNotRiseWithMoreAzimuthsNorAnyErrorWithM
 TEST(SphereErrors, OfTheOsculatingMarchAreTheLeastOfPublishedLocalMethods) {
   const GlContext gl;
   const Scene scene = sphereScene();
-  const RenderScene on = scene.tables({32, 64}, TableBits::sixteen);
+  const RenderScene on = scene.tables({32, 64}, horizon::TableBits::sixteen);
   const double march = scene.errors(on, "osculating-march").rate();
   RecordProperty("osculating-march", std::to_string(march));
   for (const char* method : {"unshadowed", "max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact",
@@ -228,4 +231,4 @@ TEST(SphereErrors, OfTheOsculatingMarchAreTheLeastOfPublishedLocalMethods) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -8,15 +8,16 @@ namespace gnomon::test {
 
 /// A displaced surface to trace the samples of a rendered view on.
 struct TracedScene {
-  MicroMesh mesh;
-  MicroScene scene;
+  truth::MicroMesh mesh;
+  truth::MicroScene scene;
 
-  TracedScene(const LimitSurface& surface, const Relief& relief, double stepTexels)
+  TracedScene(const surface::LimitSurface& surface, const relief::Relief& relief, double stepTexels)
       : mesh(surface, relief, {stepTexels, 0}), scene(mesh) {}
 
-  [[nodiscard]] Mask mask(const LimitSurface& surface, const Relief& relief,
-                          const SampleGrid& samples, const Vec3& light) const {
-    return traceShadows(surface, relief, mesh, scene, samples, {light, 1000, standardRayOffset})
+  [[nodiscard]] Mask mask(const surface::LimitSurface& surface, const relief::Relief& relief,
+                          const surface::SampleGrid& samples, const Vec3& light) const {
+    return truth::traceShadows(surface, relief, mesh, scene, samples,
+                               {light, 1000, truth::standardRayOffset})
         .mask;
   }
 };

@@ -7,7 +7,7 @@
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 using test::flatRelief;
@@ -15,18 +15,18 @@ using test::RenderScene;
 
 TEST(AtlasView, HasEverySampleOfARegularGridOnce) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
-                          TableBits::eight);
+  const RenderScene scene(surface::makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          horizon::TableBits::eight);
   constexpr int side = 7;
   const RenderView view = atlasView(scene.surface, side);
   ASSERT_EQ(view.width, 20 * side);
   ASSERT_EQ(view.height, 15 * side);
-  const SampleGrid grid = scene.samples(view);
+  const surface::SampleGrid grid = scene.samples(view);
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
       const auto i = static_cast<std::size_t>(row * view.width + column);
       const int up = view.height - 1 - row;
-      const SurfaceSample& sample = grid.samples[i];
+      const surface::SurfaceSample& sample = grid.samples[i];
       ASSERT_EQ(sample.face, up / side * 20 + column / side);
       EXPECT_NEAR(sample.s, (column % side + 0.5) / side, 2e-6);
       EXPECT_NEAR(sample.t, (up % side + 0.5) / side, 2e-6);
@@ -46,8 +46,8 @@ Camera cameraAtTheSphere() {
 // What a mask shows at a pixel depends on nothing but the mask there.
 TEST(ShadePass, APictureIsComposedOfThoseAllLitAndAllShadowed) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
-                          TableBits::eight, 2);
+  const RenderScene scene(surface::makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          horizon::TableBits::eight, 2);
   const Camera camera = cameraAtTheSphere();
   const RenderView view = cameraView(camera, scene.mesh);
   const ShadePass pass(shaderFolder(), scene.relief.field.wrap(), DrawnMesh::base);
@@ -71,30 +71,30 @@ TEST(ShadePass, APictureIsComposedOfThoseAllLitAndAllShadowed) {
 
 TEST(AtlasView, AreasSumToTheSurfacesArea) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
-                          TableBits::eight);
-  const SampleGrid grid = scene.samples(atlasView(scene.surface, 5));
+  const RenderScene scene(surface::makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          horizon::TableBits::eight);
+  const surface::SampleGrid grid = scene.samples(atlasView(scene.surface, 5));
   double sum = 0;
-  for (const double area : sampleAreas(scene.surface, grid, 5)) sum += area;
+  for (const double area : surface::sampleAreas(scene.surface, grid, 5)) sum += area;
   const double exact = 60.0 * 60 * 1.6 * 2 * std::sin(0.6);
   EXPECT_NEAR(sum / exact, 1, 1e-4);
 }
 
 TEST(CameraView, SamplesLieUnderTheirPixels) {
   const GlContext gl;
-  const RenderScene scene(makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
-                          TableBits::eight, 8);
+  const RenderScene scene(surface::makeSphere(60, 1.6, 1.2, 20, 15), flatRelief(40, 30), {4, 10},
+                          horizon::TableBits::eight, 8);
   const Camera camera = cameraAtTheSphere();
-  const SampleGrid grid = scene.samples(cameraView(camera, scene.mesh));
+  const surface::SampleGrid grid = scene.samples(cameraView(camera, scene.mesh));
   const CameraAxes axis = axes(camera);
   std::size_t seen = 0;
   for (int row = 0; row < camera.height; ++row) {
     for (int column = 0; column < camera.width; ++column) {
-      const SurfaceSample& sample =
+      const surface::SurfaceSample& sample =
           grid.samples[static_cast<std::size_t>(row * camera.width + column)];
       if (!sample.isOnSurface()) continue;
       ++seen;
-      const LimitPoint point = scene.surface.evaluate(sample);
+      const surface::LimitPoint point = scene.surface.evaluate(sample);
       const Vec3 direction = pixelDirection(camera, axis, column, row);
       const Vec3 toPoint = point.position - camera.eye;
       const double beside = glm::length(toPoint - glm::dot(toPoint, direction) * direction);
@@ -110,7 +110,8 @@ TEST(CameraView, SamplesLieUnderTheirPixels) {
 
 TEST(CameraView, RefusesACameraWithoutADirection) {
   const GlContext gl;
-  const RenderScene scene(makePlane(8, 8, 2, 2), flatRelief(8, 8), {4, 4}, TableBits::eight);
+  const RenderScene scene(surface::makePlane(8, 8, 2, 2), flatRelief(8, 8), {4, 4},
+                          horizon::TableBits::eight);
   Camera camera;
   camera.eye = {0, 0, 10};
   camera.up = {0, 0, 1};
@@ -119,7 +120,8 @@ TEST(CameraView, RefusesACameraWithoutADirection) {
 
 TEST(ShadePass, IsDarkWhereTheMaskIs) {
   const GlContext gl;
-  const RenderScene scene(makePlane(32, 32, 4, 4), flatRelief(32, 32), {4, 4}, TableBits::eight);
+  const RenderScene scene(surface::makePlane(32, 32, 4, 4), flatRelief(32, 32), {4, 4},
+                          horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 8);
   Mask mask{view.width, view.height, {}};
   for (int row = 0; row < view.height; ++row) {
@@ -138,8 +140,8 @@ TEST(ShadePass, IsDarkWhereTheMaskIs) {
 }
 
 TEST(CameraMatrices, PutThePixelsRaysWhereThePixelsAre) {
-  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
-  const BaseMesh mesh = makeBaseMesh(surface, Vec2(40, 30), 1);
+  const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 20, 15));
+  const surface::BaseMesh mesh = surface::makeBaseMesh(surface, Vec2(40, 30), 1);
   const Camera camera{{10, -20, 200}, {1, 2, 30}, {0, 1, 0.2}, radians(40), 90, 60};
   const CameraMatrices matrices = cameraMatrices(camera, mesh);
   const CameraAxes axis = axes(camera);
@@ -153,7 +155,7 @@ TEST(CameraMatrices, PutThePixelsRaysWhereThePixelsAre) {
       EXPECT_NEAR(clip.y / clip.w, 1 - 2 * (row + 0.5) / 60, 1e-12);
     }
   }
-  for (const BaseVertex& vertex : mesh.vertices) {
+  for (const surface::BaseVertex& vertex : mesh.vertices) {
     const glm::dvec4 clip =
         matrices.projection * matrices.view * glm::dvec4(vertex.frame.position, 1);
     EXPECT_LT(std::abs(clip.z), clip.w) << "near and far hold the mesh";
@@ -161,4 +163,4 @@ TEST(CameraMatrices, PutThePixelsRaysWhereThePixelsAre) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -19,7 +19,7 @@
 #include "report/text/budget_text.h"
 #include "report/text/text_width.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::AllOf;
@@ -27,13 +27,13 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-BudgetShare share(double value, bool distinguishable = true) {
-  return {value, Interval{value - 0.001, value + 0.002}, "", distinguishable};
+study::BudgetShare share(double value, bool distinguishable = true) {
+  return {value, compare::Interval{value - 0.001, value + 0.002}, "", distinguishable};
 }
 
 /// 5 % wrong: forward +3, -1, +0.5, left 0.5 and 2; backward moves 0.5 from the first to the third.
-BudgetRecord budgetOf(const std::string& method, const std::string& light) {
-  BudgetRecord budget;
+study::BudgetRecord budgetOf(const std::string& method, const std::string& light) {
+  study::BudgetRecord budget;
   budget.method = method;
   budget.view = "atlas";
   budget.light = light;
@@ -52,8 +52,8 @@ BudgetRecord budgetOf(const std::string& method, const std::string& light) {
   return budget;
 }
 
-StudyRecord recordWithBudgets() {
-  StudyRecord made = test::sampleRecord();
+study::StudyRecord recordWithBudgets() {
+  study::StudyRecord made = test::sampleRecord();
   for (const char* light : {"all", "low", "high"}) {
     made.budgets.push_back(budgetOf("close", light));
     made.budgets.push_back(budgetOf("rough, \"old\"", light));
@@ -64,7 +64,7 @@ StudyRecord recordWithBudgets() {
 TEST(BudgetText, SaysHowMuchTheOrderMoves) {
   // ½ (0.5 + 0 + 0.5) of 5 %.
   EXPECT_THAT(orderText(budgetOf("close", "all")), HasSubstr("0.50 % of the samples, 10 % of the"));
-  BudgetRecord none = budgetOf("close", "all");
+  study::BudgetRecord none = budgetOf("close", "all");
   none.total = {};
   EXPECT_EQ(orderText(none), "No error to attribute.");
 }
@@ -123,7 +123,7 @@ std::vector<std::pair<double, double>> spans(const std::string& script, const st
 /// What is above 0 stands to the right of the zero line without a gap, what is below it to its
 /// left.
 TEST(BudgetPlot, DrawsEveryShareWhereItBelongs) {
-  const std::vector<BudgetRecord> budgets = {budgetOf("close", "all")};
+  const std::vector<study::BudgetRecord> budgets = {budgetOf("close", "all")};
   const std::string script = budgetPlot(budgets).commands;
   const auto near = [](double left, double right) {
     return ::testing::Pair(::testing::DoubleNear(left, 1e-9), ::testing::DoubleNear(right, 1e-9));
@@ -152,7 +152,7 @@ TEST(BudgetPlot, NamesEveryPartOnceWithAColourOfItsOwn) {
 }
 
 TEST(BudgetPlot, DrawsAMethodWithoutErrors) {
-  BudgetRecord none;
+  study::BudgetRecord none;
   none.method = "perfect";
   EXPECT_THAT(svgOf(budgetPlot(std::array{none})),
               AllOf(HasSubstr("perfect"), HasSubstr("</svg>")));
@@ -179,14 +179,14 @@ TEST(BudgetHtml, IsASectionOfTheReport) {
   EXPECT_THAT(html, Not(HasSubstr("map <interpolation>")));
   EXPECT_THAT(reportHtml(test::sampleRecord(), ".").text(), Not(HasSubstr("id=\"budget\"")));
   // One light only: no second set of bars.
-  StudyRecord single = test::sampleRecord();
+  study::StudyRecord single = test::sampleRecord();
   single.budgets = {budgetOf("close", "noon")};
   EXPECT_THAT(budgetSection(single, {}).text(),
               AllOf(HasSubstr("view atlas, noon"), Not(HasSubstr("<details>"))));
 }
 
 TEST(BudgetTerminal, FitsTheTerminal) {
-  StudyRecord made = recordWithBudgets();
+  study::StudyRecord made = recordWithBudgets();
   made.budgets[0].causes[0].name = std::string(80, 'x');
   made.budgets[0].causes[0].forward.interval = {-0.123, -0.111};
   const std::string table = terminalReport(made, false);
@@ -199,4 +199,4 @@ TEST(BudgetTerminal, FitsTheTerminal) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -17,37 +17,40 @@
 #include "report/text/interval_text.h"
 #include "report/text/text_width.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-DifferenceRecord difference(const std::string& first, const std::string& second, double value,
-                            std::optional<Interval> interval, DifferenceVerdict verdict) {
+study::DifferenceRecord difference(const std::string& first, const std::string& second,
+                                   double value, std::optional<compare::Interval> interval,
+                                   study::DifferenceVerdict verdict) {
   return {"camera", "all",  first, second, value, interval, interval ? "" : "too few differ",
           0.003,    verdict};
 }
 
 /// "rough" 10 %, "close" 1.2 %, "best" 1 %.
-StudyRecord recordOfThree() {
-  StudyRecord made = test::sampleRecord();
+study::StudyRecord recordOfThree() {
+  study::StudyRecord made = test::sampleRecord();
   made.confidence = {
-      {"rough, \"old\"", "camera", "all", 0.1, Interval{0.08, 0.13}, "", 25, 40},
-      {"rough, \"old\"", "camera", "elevation 15°", 0.1, Interval{0.07, 0.14}, "", 25, 40},
-      {"close", "camera", "all", 0.012, Interval{0.009, 0.016}, "", 25, 40},
+      {"rough, \"old\"", "camera", "all", 0.1, compare::Interval{0.08, 0.13}, "", 25, 40},
+      {"rough, \"old\"", "camera", "elevation 15°", 0.1, compare::Interval{0.07, 0.14}, "", 25, 40},
+      {"close", "camera", "all", 0.012, compare::Interval{0.009, 0.016}, "", 25, 40},
       {"best", "camera", "all", 0.01, std::nullopt, "too few blocks", 25, 40}};
-  made.differences = {
-      difference("rough, \"old\"", "close", 0.088, Interval{0.07, 0.11}, DifferenceVerdict::worse),
-      difference("rough, \"old\"", "best", 0.09, Interval{0.072, 0.115}, DifferenceVerdict::worse),
-      difference("close", "best", 0.002, std::nullopt, DifferenceVerdict::notDistinguishable)};
+  made.differences = {difference("rough, \"old\"", "close", 0.088, compare::Interval{0.07, 0.11},
+                                 study::DifferenceVerdict::worse),
+                      difference("rough, \"old\"", "best", 0.09, compare::Interval{0.072, 0.115},
+                                 study::DifferenceVerdict::worse),
+                      difference("close", "best", 0.002, std::nullopt,
+                                 study::DifferenceVerdict::notDistinguishable)};
   made.bins = {{"best", "camera", "all", "elevation", {}, 10.0, {1, 2, 3, 4, 10}},
                {"best", "camera", "all", "elevation", 10.0, {}, {5, 0, 0, 5, 10}}};
   return made;
 }
 
 TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
-  const std::vector<ConfidenceRecord> ranked = rankedIn(recordOfThree(), "camera");
+  const std::vector<study::ConfidenceRecord> ranked = rankedIn(recordOfThree(), "camera");
   ASSERT_EQ(ranked.size(), 3U);
   EXPECT_EQ(ranked[0].method, "best");
   EXPECT_EQ(ranked[2].light, "all");
@@ -59,16 +62,17 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   EXPECT_EQ(verdictText(recordOfThree(), "camera"),
             "best is better than rough, \"old\" by 9.00 % of the samples (7.20 to 11.50). best is "
             "not distinguishable from close.");
-  EXPECT_EQ(intervalText(Interval{-0.001, 0.02}), "−0.10 to 2.00");
-  EXPECT_EQ(intervalText(Interval{-0.012, 0.5}), "−1.20 to 50.00");
-  EXPECT_EQ(intervalText(Interval{-1e-7, 0}), "0.00 to 0.00");
+  EXPECT_EQ(intervalText(compare::Interval{-0.001, 0.02}), "−0.10 to 2.00");
+  EXPECT_EQ(intervalText(compare::Interval{-0.012, 0.5}), "−1.20 to 50.00");
+  EXPECT_EQ(intervalText(compare::Interval{-1e-7, 0}), "0.00 to 0.00");
   EXPECT_EQ(intervalText(std::nullopt), "–");
   EXPECT_EQ(verdictText(test::sampleRecord(), "camera"), "");
-  StudyRecord many = recordOfThree();
+  study::StudyRecord many = recordOfThree();
   for (const char* name : {"a", "b", "c"}) {
-    many.confidence.push_back({name, "camera", "all", 0.011, Interval{0, 0.1}, "", 25, 40});
-    many.differences.push_back(difference("best", name, -0.001, Interval{-0.002, 0.001},
-                                          DifferenceVerdict::notDistinguishable));
+    many.confidence.push_back(
+        {name, "camera", "all", 0.011, compare::Interval{0, 0.1}, "", 25, 40});
+    many.differences.push_back(difference("best", name, -0.001, compare::Interval{-0.002, 0.001},
+                                          study::DifferenceVerdict::notDistinguishable));
   }
   EXPECT_THAT(verdictText(many, "camera"),
               HasSubstr("best is not distinguishable from a; b; c and 1 more."));
@@ -81,7 +85,7 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
 }
 
 TEST(ConfidenceText, StatesTheUncertaintyThatItsMarksWereJudgedBy) {
-  StudyRecord record = recordOfThree();
+  study::StudyRecord record = recordOfThree();
   // A pair in which the best is not says nothing of the marks.
   record.differences[0].uncertainty = 0.5;
   EXPECT_THAT(confidenceNote(record, "camera"), HasSubstr("truth’s uncertainty of 0.30 %."));
@@ -110,7 +114,7 @@ TEST(ConfidenceJson, HoldsEveryFigure) {
             R"("high":10.0,"samples":10,"tp":1.0,"fp":2.0,"fn":3.0,"tn":4.0,"error_rate":0.5,)"
             R"("false_shadow":0.2,"false_light":0.3})");
   EXPECT_EQ(json["bins"][1]["high"], nullptr);
-  StudyRecord broken = recordOfThree();
+  study::StudyRecord broken = recordOfThree();
   broken.confidence[0].interval->high = std::numeric_limits<double>::infinity();
   EXPECT_THROW(summaryJson(broken), InternalError);
 }
@@ -136,7 +140,7 @@ TEST(TerminalConfidence, RanksMethodsWithTheirIntervals) {
   EXPECT_THAT(text, HasSubstr("1.20     0.90 to 1.60      +0.20                – ≈\n"));
   EXPECT_THAT(text, HasSubstr("10.00    8.00 to 13.00      +9.00    7.20 to 11.50\n"));
   EXPECT_THAT(terminalReport(test::sampleRecord(), false), Not(HasSubstr("Verdict")));
-  StudyRecord wide = recordOfThree();
+  study::StudyRecord wide = recordOfThree();
   wide.confidence[3].method = std::string(300, 'x');
   std::istringstream wideLines(terminalReport(wide, false));
   for (std::string line; std::getline(wideLines, line);) EXPECT_LE(displayWidth(line), 100U);
@@ -153,4 +157,4 @@ TEST(ConfidenceHtml, HasATableAView) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -15,7 +15,7 @@
 
 // What a name may do to each kind of text that it stands in.
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
@@ -121,7 +121,7 @@ TEST(TerminalPage, KeepsItsOwnStylesAlone) {
 }
 
 TEST(CheckTable, HasTheCommandOnOneLine) {
-  CheckRecord check = test::sampleCheck();
+  study::CheckRecord check = test::sampleCheck();
   check.command = "gnomon check 'a\n::error::x\x1b[1m'";
   for (const bool colours : {false, true}) {
     EXPECT_THAT(checkTable(check, colours), HasSubstr("gnomon check 'a?::error::x?[1m'\n"));
@@ -129,4 +129,4 @@ TEST(CheckTable, HasTheCommandOnOneLine) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -10,7 +10,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ TEST_F(RunFolders, TheIndexGoesFirst) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -14,7 +14,7 @@
 #include "report/tables/means_table.h"
 #include "report/text/text_width.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::countsOf;
@@ -23,10 +23,11 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// A study in which every method has one error rate under each of two lights, in thousandths.
-StudyRecord study(const std::string& name,
-                  const std::vector<std::pair<std::string, std::pair<double, double>>>& errors,
-                  double uncertainty = 0.001) {
-  StudyRecord record;
+study::StudyRecord study(
+    const std::string& name,
+    const std::vector<std::pair<std::string, std::pair<double, double>>>& errors,
+    double uncertainty = 0.001) {
+  study::StudyRecord record;
   record.name = name;
   record.title = "Title of <" + name + ">";
   record.truth.uncertainty = uncertainty;
@@ -43,14 +44,14 @@ StudyRecord study(const std::string& name,
   return record;
 }
 
-std::vector<StudyMeans> meansOf(const std::vector<StudyRecord>& records) {
-  std::vector<StudyMeans> means;
-  for (const StudyRecord& record : records) means.push_back(studyMeans(record));
+std::vector<study::StudyMeans> meansOf(const std::vector<study::StudyRecord>& records) {
+  std::vector<study::StudyMeans> means;
+  for (const study::StudyRecord& record : records) means.push_back(study::studyMeans(record));
   return means;
 }
 
 /// flat: 0.02, 0.10 and 0.06; curved: 0.03, 0.02, 0.01; new: only in the second, 0.015.
-std::vector<StudyMeans> threeStudies() {
+std::vector<study::StudyMeans> threeStudies() {
   return meansOf(
       {study("a", {{"flat", {10, 30}}, {"curved", {30, 30}}}, 0.001),
        study("b", {{"flat", {100, 100}}, {"curved", {10, 30}}, {"new", {15, 15}}}, 0.002),
@@ -59,11 +60,11 @@ std::vector<StudyMeans> threeStudies() {
 
 TEST(StudyRanking, EachStudyHasTheSameWeight) {
   // Two lights in one study, four in the other: the mean of means, not of the lights.
-  StudyRecord many = study("many", {{"m", {10, 10}}});
+  study::StudyRecord many = study("many", {{"m", {10, 10}}});
   for (const char* light : {"morning", "evening"}) {
     many.results.push_back(result("m", light, "camera", "all", countsOf(1000, 50, 0)));
   }
-  const auto ranked = rankOverStudies(meansOf({many, study("few", {{"m", {60, 80}}})}));
+  const auto ranked = study::rankOverStudies(meansOf({many, study("few", {{"m", {60, 80}}})}));
   ASSERT_EQ(ranked.size(), 1U);
   EXPECT_DOUBLE_EQ(*ranked[0].meanError, (0.03 + 0.07) / 2);
   EXPECT_DOUBLE_EQ(*ranked[0].worstError, 0.07);
@@ -71,7 +72,7 @@ TEST(StudyRanking, EachStudyHasTheSameWeight) {
 }
 
 TEST(StudyRanking, RanksWhatWasMeasuredEverywhereByItsMean) {
-  const auto ranked = rankOverStudies(threeStudies());
+  const auto ranked = study::rankOverStudies(threeStudies());
   ASSERT_EQ(ranked.size(), 3U);
   EXPECT_EQ(ranked[0].label, "curved");
   EXPECT_EQ(ranked[0].rank, 1U);
@@ -87,7 +88,7 @@ TEST(StudyRanking, RanksWhatWasMeasuredEverywhereByItsMean) {
 }
 
 TEST(StudyRanking, AMethodThatIsMissingSomewhereHasNoRankHoweverSmallItsError) {
-  const auto ranked = rankOverStudies(threeStudies());
+  const auto ranked = study::rankOverStudies(threeStudies());
   EXPECT_EQ(ranked[2].label, "new");
   EXPECT_FALSE(ranked[2].rank);
   EXPECT_EQ(ranked[2].studies, 1U);
@@ -99,17 +100,17 @@ TEST(StudyRanking, AMethodThatIsMissingSomewhereHasNoRankHoweverSmallItsError) {
 
 /// "easy" is never wrong, but answers under one light of two in the second study: there "curved"
 /// has 10 of 1000 wrong, under the other light 30.
-std::vector<StudyMeans> studiesWithAnEasyCase() {
-  StudyRecord a = study("a", {{"curved", {30, 30}}, {"easy", {1, 1}}});
-  StudyRecord b = study("b", {{"curved", {10, 30}}, {"easy", {1, 1}}});
-  std::erase_if(b.results, [](const ResultRecord& row) {
+std::vector<study::StudyMeans> studiesWithAnEasyCase() {
+  study::StudyRecord a = study("a", {{"curved", {30, 30}}, {"easy", {1, 1}}});
+  study::StudyRecord b = study("b", {{"curved", {10, 30}}, {"easy", {1, 1}}});
+  std::erase_if(b.results, [](const study::ResultRecord& row) {
     return row.method == "easy" && row.light == "dusk";
   });
   return meansOf({a, b});
 }
 
 TEST(StudyRanking, AMethodThatLacksACaseOfAStudyHasNoRankHoweverSmallItsError) {
-  const auto ranked = rankOverStudies(studiesWithAnEasyCase());
+  const auto ranked = study::rankOverStudies(studiesWithAnEasyCase());
   ASSERT_EQ(ranked.size(), 2U);
   EXPECT_EQ(ranked[0].label, "curved");
   EXPECT_EQ(ranked[0].rank, 1U);
@@ -127,14 +128,14 @@ TEST(StudyRanking, AMethodThatLacksACaseOfAStudyHasNoRankHoweverSmallItsError) {
 TEST(StudyRanking, ACellOverFewerCasesIsMarked) {
   const std::string html = rankingHtml(studiesWithAnEasyCase(), "").text();
   EXPECT_THAT(html, HasSubstr("false light 0.00 %, 1 of 2 cases\">0.10*<"));
-  EXPECT_THAT(html, HasSubstr(fewerCasesMeaning));
-  EXPECT_THAT(rankingHtml(threeStudies(), "").text(), Not(HasSubstr(fewerCasesMeaning)));
+  EXPECT_THAT(html, HasSubstr(study::fewerCasesMeaning));
+  EXPECT_THAT(rankingHtml(threeStudies(), "").text(), Not(HasSubstr(study::fewerCasesMeaning)));
 }
 
 TEST(StudyRanking, MoreStudiesComeFirstAmongThoseWithoutARank) {
-  const auto ranked =
-      rankOverStudies(meansOf({study("a", {{"once", {1, 1}}}), study("b", {{"twice", {90, 90}}}),
-                               study("c", {{"twice", {90, 90}}})}));
+  const auto ranked = study::rankOverStudies(
+      meansOf({study("a", {{"once", {1, 1}}}), study("b", {{"twice", {90, 90}}}),
+               study("c", {{"twice", {90, 90}}})}));
   ASSERT_EQ(ranked.size(), 2U);
   EXPECT_EQ(ranked[0].label, "twice");
   EXPECT_FALSE(ranked[0].rank);
@@ -142,11 +143,12 @@ TEST(StudyRanking, MoreStudiesComeFirstAmongThoseWithoutARank) {
 }
 
 TEST(StudyRanking, AStudyThatDefinesNoErrorDoesNotCount) {
-  StudyRecord empty = study("empty", {{"m", {1, 1}}, {"n", {5, 5}}});
-  for (ResultRecord& row : empty.results) {
+  study::StudyRecord empty = study("empty", {{"m", {1, 1}}, {"n", {5, 5}}});
+  for (study::ResultRecord& row : empty.results) {
     if (row.method == "m") row.counts = {};
   }
-  const auto ranked = rankOverStudies(meansOf({empty, study("b", {{"m", {2, 2}}, {"n", {9, 9}}})}));
+  const auto ranked =
+      study::rankOverStudies(meansOf({empty, study("b", {{"m", {2, 2}}, {"n", {9, 9}}})}));
   EXPECT_EQ(ranked[0].label, "n");
   EXPECT_EQ(ranked[1].studies, 1U);
   EXPECT_FALSE(ranked[1].rank);
@@ -154,7 +156,7 @@ TEST(StudyRanking, AStudyThatDefinesNoErrorDoesNotCount) {
 }
 
 TEST(StudyRanking, MarksWhatTheTruthCannotTellFromTheBest) {
-  const auto ranked = rankOverStudies(
+  const auto ranked = study::rankOverStudies(
       meansOf({study("a", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.004),
                study("b", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0.002)}));
   EXPECT_FALSE(ranked[0].closeToBest);
@@ -164,55 +166,58 @@ TEST(StudyRanking, MarksWhatTheTruthCannotTellFromTheBest) {
 
 TEST(StudyRanking, SaysWhichStudiesHaveNoInterval) {
   const auto studyOf = [](const std::string& name) {
-    StudyRecord record = study(name, {{"best", {10, 10}}, {"far", {90, 90}}}, 0);
+    study::StudyRecord record = study(name, {{"best", {10, 10}}, {"far", {90, 90}}}, 0);
     test::addDifferences(record, 0.001);
     return record;
   };
-  SweepRecord sweep;
+  study::SweepRecord sweep;
   sweep.name = "bumps";
   sweep.keys = {{"relief.height", "height"}};
   for (const double value : {0.5, 2.0}) {
-    sweep.cases.push_back({sweptNumber(value).text, {sweptNumber(value)}});
+    sweep.cases.push_back({study::sweptNumber(value).text, {study::sweptNumber(value)}});
   }
   sweep.steps = {studyOf("bumps/0.5"), studyOf("bumps/2")};
-  for (DifferenceRecord& row : sweep.steps[1].differences) {
+  for (study::DifferenceRecord& row : sweep.steps[1].differences) {
     row.interval.reset();
     row.reason = "too few blocks";
   }
-  const std::vector<StudyMeans> studies = {studyMeans(studyOf("plain")), studyMeans(sweep)};
+  const std::vector<study::StudyMeans> studies = {study::studyMeans(studyOf("plain")),
+                                                  study::studyMeans(sweep)};
   const std::string reason = "no interval of the difference on bumps (at 2: too few blocks)";
-  EXPECT_EQ(rankOverStudies(studies)[1].closeToBest, reason);
+  EXPECT_EQ(study::rankOverStudies(studies)[1].closeToBest, reason);
   EXPECT_THAT(rankingHtml(studies, "").text(),
               HasSubstr("not distinguishable from best: " + reason));
   EXPECT_THAT(terminalReport(studies, false), HasSubstr("no interval of the difference on"));
 }
 
 TEST(StudyRanking, MarksWhatTheIntervalsCannotTellFromTheBest) {
-  StudyRecord a = study("a", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0);
-  StudyRecord b = a;
+  study::StudyRecord a =
+      study("a", {{"best", {10, 10}}, {"close", {12, 12}}, {"far", {20, 20}}}, 0);
+  study::StudyRecord b = a;
   // The mean interval of "close" less "best" is -0.001 to 0.005.
   test::addDifferences(a, 0.005);
   test::addDifferences(b, 0.001);
-  const auto ranked = rankOverStudies(meansOf({a, b}));
+  const auto ranked = study::rankOverStudies(meansOf({a, b}));
   EXPECT_EQ(ranked[1].closeToBest, "the interval of the difference holds 0");
   EXPECT_FALSE(ranked[2].closeToBest);
   test::addDifferences(a, 0.001);
-  EXPECT_FALSE(rankOverStudies(meansOf({a, b}))[1].closeToBest);
+  EXPECT_FALSE(study::rankOverStudies(meansOf({a, b}))[1].closeToBest);
 }
 
 TEST(StudyRanking, LabelsThatAreNotNamesSayWhatTheyStandFor) {
-  StudyRecord a = study("a", {{"ours", {1, 1}}});
-  StudyRecord b = a;
+  study::StudyRecord a = study("a", {{"ours", {1, 1}}});
+  study::StudyRecord b = a;
   a.methods[0].name = "onoue-2004";
   b.methods[0].name = "onoue-exact";
-  EXPECT_EQ(labelWithName(rankOverStudies(meansOf({a, a}))[0]), "ours (onoue-2004)");
-  EXPECT_EQ(labelWithName(rankOverStudies(meansOf({a, b}))[0]), "ours (onoue-2004, onoue-exact)");
-  EXPECT_EQ(labelWithName(rankOverStudies(threeStudies())[0]), "curved");
+  EXPECT_EQ(study::labelWithName(study::rankOverStudies(meansOf({a, a}))[0]), "ours (onoue-2004)");
+  EXPECT_EQ(study::labelWithName(study::rankOverStudies(meansOf({a, b}))[0]),
+            "ours (onoue-2004, onoue-exact)");
+  EXPECT_EQ(study::labelWithName(study::rankOverStudies(threeStudies())[0]), "curved");
 }
 
 TEST(StudyRanking, NothingIsNotRanked) {
-  EXPECT_TRUE(rankOverStudies({}).empty());
-  EXPECT_TRUE(rankOverStudies(meansOf({StudyRecord{}})).empty());
+  EXPECT_TRUE(study::rankOverStudies({}).empty());
+  EXPECT_TRUE(study::rankOverStudies(meansOf({study::StudyRecord{}})).empty());
 }
 
 // ---- as text
@@ -243,10 +248,10 @@ TEST(RankingTerminal, FitsWhateverTheNames) {
 // ---- as files
 
 TEST(RankingJson, HoldsRanksResultsAndClaims) {
-  std::vector<StudyMeans> studies = threeStudies();
-  studies[1].claims = {{"Curved is better", "§4", Verdict::held, "1 of 1"}};
-  studies[0].status = RunStatus::pass;
-  studies[1].status = RunStatus::fail;
+  std::vector<study::StudyMeans> studies = threeStudies();
+  studies[1].claims = {{"Curved is better", "§4", study::Verdict::held, "1 of 1"}};
+  studies[0].status = study::RunStatus::pass;
+  studies[1].status = study::RunStatus::fail;
   const auto json = nlohmann::json::parse(rankingJson(studies, "gnomon run a b c"));
   EXPECT_EQ(json["schema"], "gnomon-ranking/2");
   EXPECT_EQ(json["status"], "fail");
@@ -271,14 +276,14 @@ TEST(RankingJson, HoldsRanksResultsAndClaims) {
 }
 
 TEST(RankingJson, RefusesFiguresThatAreNotFinite) {
-  std::vector<StudyMeans> studies = threeStudies();
+  std::vector<study::StudyMeans> studies = threeStudies();
   studies[0].methods[0].uncertainty = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(rankingJson(studies, ""), InternalError);
   EXPECT_THROW(csvTable(studyMeansTable(studies)), InternalError);
 }
 
 TEST(RankingCsv, HasARowAMethodAndStudy) {
-  std::vector<StudyMeans> studies = threeStudies();
+  std::vector<study::StudyMeans> studies = threeStudies();
   studies[2].methods[1].uncertainty.reset();
   const std::string csv = csvTable(studyMeansTable(studies));
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
@@ -289,9 +294,9 @@ TEST(RankingCsv, HasARowAMethodAndStudy) {
 }
 
 TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
-  std::vector<StudyMeans> studies = threeStudies();
-  studies[0].claims = {{"First <claim>", "§4", Verdict::held, ""}};
-  studies[2].claims = {{"Second claim", "§5", Verdict::failed, ""}};
+  std::vector<study::StudyMeans> studies = threeStudies();
+  studies[0].claims = {{"First <claim>", "§4", study::Verdict::held, ""}};
+  studies[2].claims = {{"Second claim", "§5", study::Verdict::failed, ""}};
   const std::string html = rankingHtml(studies, "gnomon run a & b").text();
   for (const char* part :
        {"href=\"a/report.html\"", "href=\"b/report.html\"", "href=\"c/report.html\"",
@@ -316,4 +321,4 @@ TEST(RankingHtml, ShadesTheWorstCellMost) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

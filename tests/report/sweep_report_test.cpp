@@ -20,7 +20,7 @@
 #include "study/judge/gates.h"
 #include "study/judge/study_ranking.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::countsOf;
@@ -29,8 +29,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// A step in which each method errs in the given thousandths under both of two lights.
-StudyRecord step(const std::vector<std::pair<std::string, double>>& errors, double uncertainty) {
-  StudyRecord record = test::emptyRecord();
+study::StudyRecord step(const std::vector<std::pair<std::string, double>>& errors,
+                        double uncertainty) {
+  study::StudyRecord record = test::emptyRecord();
   record.truth.uncertainty = uncertainty;
   for (const auto& [label, error] : errors) {
     record.methods.push_back({label, "name of " + label, "", ""});
@@ -41,18 +42,18 @@ StudyRecord step(const std::vector<std::pair<std::string, double>>& errors, doub
 }
 
 /// A case of one key.
-SweepCase caseAt(double value) {
-  return {sweptNumber(value).text, {sweptNumber(value)}};
+study::SweepCase caseAt(double value) {
+  return {study::sweptNumber(value).text, {study::sweptNumber(value)}};
 }
 
 /// The one slice of a sweep of one key.
-SweepSlice sliceOf(const SweepRecord& sweep) {
+SweepSlice sliceOf(const study::SweepRecord& sweep) {
   return slicesOf(sweep).at(0);
 }
 
 /// Values out of order: 0.5, 0.25, 1. "flat" 2, 4 and 8 percent, "curved" 1, 1 and 3.
-SweepRecord sampleSweep() {
-  SweepRecord sweep;
+study::SweepRecord sampleSweep() {
+  study::SweepRecord sweep;
   sweep.name = "bumps";
   sweep.title = "Bumps & <dents>";
   sweep.source = "Figure 4";
@@ -63,14 +64,14 @@ SweepRecord sampleSweep() {
   sweep.steps = {step({{"flat", 20}, {"curved", 10}}, 0.002),
                  step({{"flat", 40}, {"curved", 10}}, 0.001),
                  step({{"flat", 80}, {"curved", 30}}, 0.003)};
-  sweep.claims = {{"The gain <grows>", "§4", Verdict::held, "5.00 against 3.00"}};
+  sweep.claims = {{"The gain <grows>", "§4", study::Verdict::held, "5.00 against 3.00"}};
   return sweep;
 }
 
 /// "flat" reads 1, 1.5 and 4 MB in 8, 4 and 16 ms, as the values come; "curved" as much at every
 /// value, and is never timed.
-SweepRecord costlySweep() {
-  SweepRecord sweep = sampleSweep();
+study::SweepRecord costlySweep() {
+  study::SweepRecord sweep = sampleSweep();
   const std::array<std::pair<std::uint64_t, double>, 3> costs = {
       {{1'000'000, 8}, {1'250'000, 4}, {3'750'000, 16}}};
   for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -81,19 +82,19 @@ SweepRecord costlySweep() {
   return sweep;
 }
 
-Judgement judgedAtMost(double maximum) {
-  return judge({"flat", "noon", "camera", "all", "error_rate", {}, maximum},
-               {"error_rate", 0.08, {}});
+study::Judgement judgedAtMost(double maximum) {
+  return study::judge({"flat", "noon", "camera", "all", "error_rate", {}, maximum},
+                      {"error_rate", 0.08, {}});
 }
 
 // ---- figures
 
 TEST(SweepMeans, AreMeansOverTheSteps) {
-  const StudyMeans study = studyMeans(sampleSweep());
+  const study::StudyMeans study = study::studyMeans(sampleSweep());
   EXPECT_EQ(study.name, "bumps");
-  EXPECT_EQ(study.status, RunStatus::notJudged);
+  EXPECT_EQ(study.status, study::RunStatus::notJudged);
   ASSERT_EQ(study.methods.size(), 2U);
-  const MethodMeans& flat = study.methods[0];
+  const study::MethodMeans& flat = study.methods[0];
   EXPECT_EQ(flat.label, "flat");
   EXPECT_EQ(flat.name, "name of flat");
   EXPECT_DOUBLE_EQ(*flat.errorRate, 0.14 / 3);
@@ -103,49 +104,50 @@ TEST(SweepMeans, AreMeansOverTheSteps) {
 }
 
 TEST(SweepMeans, AreNoneWhereAStepHasNone) {
-  SweepRecord sweep = sampleSweep();
-  for (ResultRecord& row : sweep.steps[1].results) {
+  study::SweepRecord sweep = sampleSweep();
+  for (study::ResultRecord& row : sweep.steps[1].results) {
     if (row.method == "flat") row.counts = {};
   }
-  EXPECT_FALSE(studyMeans(sweep).methods[0].errorRate);
-  EXPECT_TRUE(studyMeans(sweep).methods[1].errorRate);
+  EXPECT_FALSE(study::studyMeans(sweep).methods[0].errorRate);
+  EXPECT_TRUE(study::studyMeans(sweep).methods[1].errorRate);
 }
 
 TEST(SweepMeans, ASweepIsOneStudyOfARanking) {
-  SweepRecord sweep = sampleSweep();
+  study::SweepRecord sweep = sampleSweep();
   sweep.steps[1].judgements = {judgedAtMost(0.05)};
-  const std::vector<StudyMeans> studies = {studyMeans(sweep), studyMeans(step({{"flat", 10}}, 0))};
-  EXPECT_EQ(studies[0].status, RunStatus::fail);
-  const auto ranked = rankOverStudies(studies);
+  const std::vector<study::StudyMeans> studies = {study::studyMeans(sweep),
+                                                  study::studyMeans(step({{"flat", 10}}, 0))};
+  EXPECT_EQ(studies[0].status, study::RunStatus::fail);
+  const auto ranked = study::rankOverStudies(studies);
   EXPECT_EQ(ranked[0].label, "flat");
   EXPECT_DOUBLE_EQ(*ranked[0].meanError, (0.14 / 3 + 0.01) / 2);
   EXPECT_EQ(ranked[1].studies, 1U);
 }
 
 /// "curved" answers under one light of two at the second value.
-SweepRecord sweepThatLacksACase() {
-  SweepRecord sweep = sampleSweep();
-  std::erase_if(sweep.steps[1].results, [](const ResultRecord& row) {
+study::SweepRecord sweepThatLacksACase() {
+  study::SweepRecord sweep = sampleSweep();
+  std::erase_if(sweep.steps[1].results, [](const study::ResultRecord& row) {
     return row.method == "curved" && row.light == "dusk";
   });
   return sweep;
 }
 
 TEST(SweepMeans, SayWhereTheyAreOverFewerCases) {
-  const SweepRecord sweep = sweepThatLacksACase();
-  const StudyMeans study = studyMeans(sweep);
-  EXPECT_EQ(labelWithCases(study.methods[0]), "flat");
-  EXPECT_EQ(labelWithCases(study.methods[1]), "curved (5 of 6 cases)");
+  const study::SweepRecord sweep = sweepThatLacksACase();
+  const study::StudyMeans study = study::studyMeans(sweep);
+  EXPECT_EQ(study::labelWithCases(study.methods[0]), "flat");
+  EXPECT_EQ(study::labelWithCases(study.methods[1]), "curved (5 of 6 cases)");
   EXPECT_THAT(sweepPlot(sweep, sliceOf(sweep)).commands, HasSubstr("'curved (5 of 6 cases)'"));
   EXPECT_THAT(terminalReport(sweep, false), HasSubstr("  curved      1.00    1.00*     3.00\n"));
-  EXPECT_THAT(terminalReport(sweep, false), HasSubstr(fewerCasesMeaning));
-  EXPECT_THAT(terminalReport(sampleSweep(), false), Not(HasSubstr(fewerCasesMeaning)));
+  EXPECT_THAT(terminalReport(sweep, false), HasSubstr(study::fewerCasesMeaning));
+  EXPECT_THAT(terminalReport(sampleSweep(), false), Not(HasSubstr(study::fewerCasesMeaning)));
   EXPECT_THAT(csvTable(sweepMeansTable(sweep)),
               HasSubstr("\n0.25,curved,0.01,0.01,0,0.001,,1,2\n"));
   const auto json = nlohmann::json::parse(sweepJson(sweep));
   EXPECT_EQ(json["results"][3]["cases"], 1);
   EXPECT_EQ(json["results"][3]["all_cases"], 2);
-  const auto ranked = rankOverStudies(std::array{study});
+  const auto ranked = study::rankOverStudies(std::array{study});
   EXPECT_EQ(ranked[0].label, "flat");
   EXPECT_FALSE(ranked[1].rank);
   EXPECT_DOUBLE_EQ(*ranked[1].leaderError, (0.02 + 0.02 + 0.04 + 0.08 + 0.08) / 5);
@@ -164,7 +166,7 @@ TEST(SweepCsv, HasARowAMethodAndValue) {
 }
 
 TEST(SweepJson, HoldsTheSweep) {
-  SweepRecord sweep = sampleSweep();
+  study::SweepRecord sweep = sampleSweep();
   sweep.steps[2].judgements = {judgedAtMost(0.05)};
   const auto json = nlohmann::json::parse(sweepJson(sweep));
   EXPECT_EQ(json["schema"], "gnomon-sweep/3");
@@ -209,8 +211,8 @@ TEST(SweepPlot, DrawsTheFiguresInTheOrderOfTheValues) {
 }
 
 TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
-  SweepRecord sweep = sampleSweep();
-  for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
+  study::SweepRecord sweep = sampleSweep();
+  for (study::ResultRecord& row : sweep.steps[0].results) row.counts = {};
   EXPECT_THAT(sweepPlot(sweep, sliceOf(sweep)).commands,
               HasSubstr("$e1 << EOD\n0.25 1\n0.5 NaN\n1 3\nEOD\n"));
   EXPECT_THAT(svgOf(sweepPlot(sweep, sliceOf(sweep))), HasSubstr("</svg>"));
@@ -265,9 +267,9 @@ TEST(SweepPlot, ItsLegendHoldsLongLabelsWhole) {
   for (const std::string label :
        {"resampled-horizon, 8 azimuths", "sloan-cohen-surface, 32 azimuths",
         "resampled-horizon, with forty characters"}) {
-    SweepRecord sweep = sampleSweep();
-    for (StudyRecord& record : sweep.steps) {
-      for (ResultRecord& row : record.results) {
+    study::SweepRecord sweep = sampleSweep();
+    for (study::StudyRecord& record : sweep.steps) {
+      for (study::ResultRecord& row : record.results) {
         if (row.method == "flat") row.method = label;
       }
     }
@@ -285,14 +287,14 @@ TEST(SweepPlot, SameSweepSameBytes) {
 }
 
 TEST(SweepPlot, DrawsWhateverTheLabels) {
-  SweepRecord sweep = sampleSweep();
+  study::SweepRecord sweep = sampleSweep();
   sweep.keys[0].axis = "it's `date` {/x}_2 \\ \"";
-  for (StudyRecord& record : sweep.steps) {
+  for (study::StudyRecord& record : sweep.steps) {
     for (int i = 0; i < 9; ++i) {
       const std::string label = "a 'label' of <some> length & such a number " + std::to_string(i);
       record.results.push_back(result(label, "noon", "camera", "all", countsOf(1000, 10 * i, 0)));
     }
-    for (ResultRecord& row : record.results) {
+    for (study::ResultRecord& row : record.results) {
       if (row.method == "flat") row.counts = countsOf(1000, 0, 0);
     }
   }
@@ -300,8 +302,8 @@ TEST(SweepPlot, DrawsWhateverTheLabels) {
   EXPECT_THAT(svg, HasSubstr("it’s `date` {/x}_2 \\"));
   EXPECT_THAT(svg, HasSubstr("a ’label’ of &lt;some> length &amp; such a num…"));
   // No error at all: the axis has no length of its own.
-  for (StudyRecord& record : sweep.steps) {
-    for (ResultRecord& row : record.results) row.counts = countsOf(1000, 0, 0);
+  for (study::StudyRecord& record : sweep.steps) {
+    for (study::ResultRecord& row : record.results) row.counts = countsOf(1000, 0, 0);
     record.truth.uncertainty = 0;
   }
   EXPECT_THAT(svgOf(sweepPlot(sweep, sliceOf(sweep))), HasSubstr("</svg>"));
@@ -324,15 +326,15 @@ TEST(SweepCostPlots, AreFramesAgainstTheValueAndErrorAgainstMemory) {
 
 TEST(SweepCostPlots, AreNotDrawnWhereNothingWasMeasured) {
   EXPECT_TRUE(sweepCostPlots(sampleSweep(), sliceOf(sampleSweep())).empty());
-  SweepRecord sweep = costlySweep();
-  for (StudyRecord& record : sweep.steps) record.cost[0].frameMs.reset();
+  study::SweepRecord sweep = costlySweep();
+  for (study::StudyRecord& record : sweep.steps) record.cost[0].frameMs.reset();
   ASSERT_EQ(sweepCostPlots(sweep, sliceOf(sweep)).size(), 1U);
   EXPECT_EQ(sweepCostPlots(sweep, sliceOf(sweep))[0].name, "sweep_memory");
 }
 
 TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
-  SweepRecord sweep = costlySweep();
-  for (ResultRecord& row : sweep.steps[0].results) row.counts = {};
+  study::SweepRecord sweep = costlySweep();
+  for (study::ResultRecord& row : sweep.steps[0].results) row.counts = {};
   sweep.steps[1].cost[0].frameMs.reset();
   const std::vector<PlotSheet> sheets = sweepCostPlots(sweep, sliceOf(sweep));
   EXPECT_THAT(sheets.at(0).commands, HasSubstr("$m0 << EOD\n0.25 NaN\n0.5 8\n1 16\nEOD\n"));
@@ -342,7 +344,7 @@ TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
 // ---- page
 
 TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
-  SweepRecord sweep = sampleSweep();
+  study::SweepRecord sweep = sampleSweep();
   sweep.steps[0].judgements = {judgedAtMost(0.1)};
   sweep.steps[2].judgements = {judgedAtMost(0.05)};
   PlotSheet cost;
@@ -366,7 +368,7 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
 // ---- terminal
 
 TEST(SweepTable, HasAColumnAValue) {
-  SweepRecord sweep = sampleSweep();
+  study::SweepRecord sweep = sampleSweep();
   sweep.steps[2].judgements = {judgedAtMost(0.05)};
   const std::string text = terminalReport(sweep, false);
   EXPECT_THAT(text, HasSubstr("  Method       0.5     0.25        1\n"
@@ -380,7 +382,7 @@ TEST(SweepTable, HasAColumnAValue) {
 }
 
 TEST(SweepTable, FitsHoweverManyTheValues) {
-  SweepRecord sweep = sampleSweep();
+  study::SweepRecord sweep = sampleSweep();
   for (int i = 0; i < 40; ++i) {
     sweep.cases.push_back(caseAt(-1.0 / (3 + i) * 1e-300));
     sweep.steps.push_back(step({{std::string(80, 'm'), 5}}, 0.001));
@@ -388,10 +390,10 @@ TEST(SweepTable, FitsHoweverManyTheValues) {
   const std::string text = terminalReport(sweep, false);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
-  for (const SweepCase& which : sweep.cases) {
+  for (const study::SweepCase& which : sweep.cases) {
     EXPECT_THAT(text, HasSubstr(which.name.substr(0, 8)));
   }
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -9,11 +9,11 @@
 namespace gnomon::test {
 
 /// What a file of three channels holds, as another library reads it.
-inline Image readImage(const std::filesystem::path& path) {
+inline image::Image readImage(const std::filesystem::path& path) {
   const auto reader = OIIO::ImageInput::open(path.string());
   if (!reader) return {};
   const OIIO::ImageSpec spec = reader->spec();
-  Image image{spec.width, spec.height, {}};
+  image::Image image{spec.width, spec.height, {}};
   if (spec.nchannels != 3) return image;
   image.rgb.resize(3 * spec.image_pixels());
   reader->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, image.rgb.data());

@@ -8,7 +8,7 @@
 #include "surface/test_surfaces.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 TEST(BaseMesh, CountsAreExact) {
@@ -124,4 +124,4 @@ TEST(BaseMesh, RefusesSizes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -8,7 +8,7 @@
 #include "surface/mesh_file.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// The same cage with its inside out: every face's corners in the other order.
@@ -66,4 +66,4 @@ TEST(ClosedSurface, TurnedInsideOutItEnclosesLessThanNothing) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -5,7 +5,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// A point of the torus (M + m cos ψ)(sin λ, ·, cos λ), m sin ψ, seen through the sheared
@@ -255,4 +255,4 @@ TEST(GaussBonnet, ClosedCageOfValenceThree) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

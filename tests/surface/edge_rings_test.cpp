@@ -13,7 +13,7 @@
 #include "surface/mesh_file.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 using Edge = std::pair<int, int>;
@@ -112,4 +112,4 @@ TEST(EdgeRings, AreThoseThatAWalkFromEdgeToOppositeEdgeFinds) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

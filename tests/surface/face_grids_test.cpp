@@ -9,7 +9,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// A grid of vertices over every face of a surface, by their positions.
@@ -161,4 +161,4 @@ TEST(SharedVertices, NeighboursAgreeToTheBitOnceTheFirstIsCopied) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -4,7 +4,7 @@
 
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// One square, its corners at these places of the map.
@@ -41,4 +41,4 @@ TEST(FaceTexels, MirroredFacesHaveThePositiveArea) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

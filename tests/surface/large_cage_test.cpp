@@ -15,7 +15,7 @@
 #include "surface/readers/ply_reader.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// How much more memory this process holds at most from here on (Linux).
@@ -107,4 +107,4 @@ TEST(LargeCage, OneThatWouldNotFitIsRefusedBeforeItIsBuilt) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

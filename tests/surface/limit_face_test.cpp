@@ -6,7 +6,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 Cage randomSpline() {
@@ -135,4 +135,4 @@ TEST(LimitFace, TangentPointsAreThoseOfEvaluateToTheBit) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

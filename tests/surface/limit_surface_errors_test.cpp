@@ -5,7 +5,7 @@
 #include "surface/limit_surface.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 TEST(LimitSurfaceErrors, TooManyFacesAboutAVertex) {
@@ -86,4 +86,4 @@ TEST(LimitSurfaceErrors, FaceOutOfRange) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

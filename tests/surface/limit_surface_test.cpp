@@ -8,7 +8,7 @@
 #include "surface/plain_subdivision.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// A closed cage with vertices of valence 3, 4 and 5: the cube with its top extruded thrice and
@@ -312,4 +312,4 @@ TEST(OutwardNormal, IsZeroWhereDegenerate) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

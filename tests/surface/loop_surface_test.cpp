@@ -11,7 +11,7 @@
 #include "surface/limit_surface.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// Closed, eight faces, six vertices of valence 4; each face has its own corner of the texture.
@@ -167,4 +167,4 @@ TEST(LoopSurface, FacesMeetAlongSharedSides) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -10,7 +10,7 @@
 #include "common/vec.h"
 #include "surface/cage/cage.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Catmull-Clark by the rules of the paper on a closed mesh of quadrilaterals, and the limit masks
 /// of Halstead, Kass & DeRose 1993. Shares nothing with OpenSubdiv.
@@ -124,4 +124,4 @@ struct PlainSubdivision {
   }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

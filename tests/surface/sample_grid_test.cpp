@@ -3,7 +3,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 TEST(SampleAreas, OfASpherePatchSumToItsArea) {
@@ -48,4 +48,4 @@ TEST(SampleAreas, AreThoseOfTheGridAndFloatsHoldThem) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

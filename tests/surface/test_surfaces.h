@@ -11,7 +11,7 @@
 #include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// The cube [-1, 1]³: closed, eight extraordinary vertices of valence 3, each face its own uv
 /// square.
@@ -110,4 +110,4 @@ inline void expectInputError(const std::function<void()>& action,
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -5,7 +5,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// A flat face spanned by a and b, whose uv map has the given derivatives.
@@ -147,4 +147,4 @@ TEST(LocalLight, BelowTheHorizonHasNegativeSlope) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

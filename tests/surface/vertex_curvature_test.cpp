@@ -9,7 +9,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// The largest difference of normal curvatures in four directions from the limit surface's, away
@@ -87,4 +87,4 @@ TEST(EstimatedCurvatures, FacesAgreeAtCommonVerticesAndDegenerateOnesAreZero) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -13,8 +13,8 @@
 namespace gnomon::test {
 
 /// Rays in random directions from a point inside a closed surface that meet nothing.
-inline int escapes(const MicroMesh& mesh, const Vec3& inside, int rays) {
-  const MicroScene scene(mesh);
+inline int escapes(const truth::MicroMesh& mesh, const Vec3& inside, int rays) {
+  const truth::MicroScene scene(mesh);
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   int escaped = 0;
@@ -33,7 +33,7 @@ struct EdgeCount {
 /// The triangles at every edge, which is told by its ends' positions, bit for bit: what rays can
 /// only sample, an edge count proves. Without edges of no length. Sheets that happen to coincide
 /// leave an even number.
-inline EdgeCount countEdges(const MicroMesh& mesh) {
+inline EdgeCount countEdges(const truth::MicroMesh& mesh) {
   using Point = std::array<float, 3>;
   std::map<std::pair<Point, Point>, int> edges;
   const auto point = [&](std::size_t v) {
@@ -45,7 +45,7 @@ inline EdgeCount countEdges(const MicroMesh& mesh) {
     const auto high = std::max(point(a), point(b));
     if (low != high) ++edges[{low, high}];
   };
-  for (const FaceGrid& grid : mesh.grids().faces()) {
+  for (const surface::FaceGrid& grid : mesh.grids().faces()) {
     const auto stride = static_cast<std::size_t>(grid.columns);
     for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(grid.rows); ++j) {
       for (std::size_t i = 0; i + 1 < stride; ++i) {

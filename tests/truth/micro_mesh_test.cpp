@@ -14,7 +14,7 @@
 #include "truth/micro_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 using test::countEdges;
@@ -35,11 +35,11 @@ Vec3 vertexOf(const MicroMesh& mesh, std::size_t index) {
 }
 
 TEST(MicroMesh, PutsGridLinesOnTexelCentres) {
-  const LimitSurface surface(makePlane(12, 8, 5, 3));
-  const Relief relief = flatRelief(12, 8);
+  const surface::LimitSurface surface(surface::makePlane(12, 8, 5, 3));
+  const relief::Relief relief = flatRelief(12, 8);
   const MicroMesh mesh(surface, relief, step(0.3));
   for (int face = 0; face < surface.faceCount(); ++face) {
-    const FaceGrid& grid = mesh.grids().faces()[static_cast<std::size_t>(face)];
+    const surface::FaceGrid& grid = mesh.grids().faces()[static_cast<std::size_t>(face)];
     const double begin = 12.0 / 5 * (face % 5);
     const double length = 12.0 / 5;
     const std::vector<double>& lines = mesh.grids().sLines(grid);
@@ -58,17 +58,18 @@ TEST(MicroMesh, PutsGridLinesOnTexelCentres) {
 }
 
 TEST(MicroMesh, VerticesAreDisplacedLimitPoints) {
-  const LimitSurface surface(makeTorus(30, 10, 66, 66));
-  const Relief relief = randomRelief(64, 32, 2, 7);
+  const surface::LimitSurface surface(surface::makeTorus(30, 10, 66, 66));
+  const relief::Relief relief = randomRelief(64, 32, 2, 7);
   const MicroMesh mesh(surface, relief, step(0.5));
-  const FaceGrid& grid = mesh.grids().faces()[100];
+  const surface::FaceGrid& grid = mesh.grids().faces()[100];
   double worst = 0;
   for (int j = 0; j < grid.rows; ++j) {
     for (int i = 0; i < grid.columns; ++i) {
-      const LimitPoint point =
+      const surface::LimitPoint point =
           surface.evaluate(100, mesh.grids().sLines(grid)[static_cast<std::size_t>(i)],
                            mesh.grids().tLines(grid)[static_cast<std::size_t>(j)]);
-      const Vec3 expected = displaced(relief, texelFrame(point, relief.texelsPerUv()));
+      const Vec3 expected =
+          relief::displaced(relief, surface::texelFrame(point, relief.texelsPerUv()));
       const Vec3 found =
           vertexOf(mesh, grid.firstVertex +
                              static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.columns) +
@@ -80,17 +81,18 @@ TEST(MicroMesh, VerticesAreDisplacedLimitPoints) {
 }
 
 TEST(MicroMesh, ReachesTheAskedNumberOfTrianglesByDefault) {
-  const LimitSurface surface(makePlane(32, 32, 4, 4));
+  const surface::LimitSurface surface(surface::makePlane(32, 32, 4, 4));
   const MicroMesh mesh(surface, flatRelief(32, 32), {std::nullopt, 3e5});
   EXPECT_GE(mesh.triangleCount(), 300000U);
   EXPECT_LT(mesh.triangleCount(), 600000U);
 }
 
 /// The longest micro-edge along s or t, texels: all of them measured on the map.
-double longestEdge(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh) {
+double longestEdge(const surface::LimitSurface& surface, const relief::Relief& relief,
+                   const MicroMesh& mesh) {
   double longest = 0;
   for (int face = 0; face < surface.faceCount(); ++face) {
-    const FaceGrid& grid = mesh.grids().faces()[static_cast<std::size_t>(face)];
+    const surface::FaceGrid& grid = mesh.grids().faces()[static_cast<std::size_t>(face)];
     const std::vector<double>& s = mesh.grids().sLines(grid);
     const std::vector<double>& t = mesh.grids().tLines(grid);
     const auto texel = [&](double atS, double atT) {
@@ -108,33 +110,35 @@ double longestEdge(const LimitSurface& surface, const Relief& relief, const Micr
 }
 
 TEST(MicroMesh, StatesItsLongestMicroEdge) {
-  const Relief relief = randomRelief(128, 128, 0.01, 5);
-  const LimitSurface spot(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const relief::Relief relief = randomRelief(128, 128, 0.01, 5);
+  const surface::LimitSurface spot(
+      surface::readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
   for (const double asked : {0.4, 1.7}) {
     const MicroMesh onSpot(spot, relief, step(asked));
     EXPECT_NEAR(onSpot.stepTexels(), longestEdge(spot, relief, onSpot), 1e-9);
     EXPECT_LE(onSpot.stepTexels(), asked + 1e-9);
     EXPECT_GT(onSpot.stepTexels(), 0.9 * asked) << "no finer than it has to be";
     EXPECT_EQ(onSpot.askedStepTexels(), asked);
-    const LimitSurface cube(cubeCage());
+    const surface::LimitSurface cube(cubeCage());
     const MicroMesh onCube(cube, relief, step(asked));
     EXPECT_NEAR(onCube.stepTexels(), longestEdge(cube, relief, onCube), 1e-9);
   }
   // Between lines of texel centres a step need not divide what there is.
-  const LimitSurface plane(makePlane(12, 8, 4, 2));
+  const surface::LimitSurface plane(surface::makePlane(12, 8, 4, 2));
   const MicroMesh onPlane(plane, flatRelief(12, 8), step(0.3));
   EXPECT_NEAR(onPlane.stepTexels(), longestEdge(plane, flatRelief(12, 8), onPlane), 1e-9);
   EXPECT_EQ(onPlane.stepTexels(), 0.25);
 }
 
 TEST(MicroMesh, LargerFacesGetMorePieces) {
-  const LimitSurface surface(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
-  const Relief relief = randomRelief(256, 256, 0.01, 5);
+  const surface::LimitSurface surface(
+      surface::readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const relief::Relief relief = randomRelief(256, 256, 0.01, 5);
   const MicroMesh mesh(surface, relief, step(0.5));
   int fewest = std::numeric_limits<int>::max();
   int most = 0;
   std::uint64_t triangles = 0;
-  for (const FaceGrid& grid : mesh.grids().faces()) {
+  for (const surface::FaceGrid& grid : mesh.grids().faces()) {
     fewest = std::min({fewest, grid.columns, grid.rows});
     most = std::max({most, grid.columns, grid.rows});
     triangles += 2 * static_cast<std::uint64_t>((grid.columns - 1) * (grid.rows - 1));
@@ -147,21 +151,23 @@ TEST(MicroMesh, LargerFacesGetMorePieces) {
 
 TEST(MicroMesh, HalfTheStepGivesAboutFourTimesTheTriangles) {
   // What the truth's own uncertainty rests on: the same everywhere, on small faces too.
-  const LimitSurface surface(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
-  const Relief relief = randomRelief(256, 256, 0.01, 5);
+  const surface::LimitSurface surface(
+      surface::readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const relief::Relief relief = randomRelief(256, 256, 0.01, 5);
   const MicroMesh coarse(surface, relief, step(1));
   const MicroMesh fine(surface, relief, step(0.5));
   for (std::size_t face = 0; face < coarse.grids().faces().size(); ++face) {
-    const FaceGrid& half = coarse.grids().faces()[face];
-    const FaceGrid& whole = fine.grids().faces()[face];
+    const surface::FaceGrid& half = coarse.grids().faces()[face];
+    const surface::FaceGrid& whole = fine.grids().faces()[face];
     EXPECT_EQ(half.columns - 1, (whole.columns - 1 + 1) / 2);
     EXPECT_EQ(half.rows - 1, (whole.rows - 1 + 1) / 2);
   }
 }
 
 TEST(MicroMesh, ByDefaultTakesTheLargestStepThatGivesEnoughTriangles) {
-  const LimitSurface surface(readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
-  const Relief relief = randomRelief(128, 128, 0.01, 5);
+  const surface::LimitSurface surface(
+      surface::readMeshFile(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const relief::Relief relief = randomRelief(128, 128, 0.01, 5);
   constexpr double wanted = 5e6;
   const MicroMesh mesh(surface, relief, {std::nullopt, wanted});
   const double quarters = 1 / (4 * mesh.askedStepTexels());
@@ -172,20 +178,20 @@ TEST(MicroMesh, ByDefaultTakesTheLargestStepThatGivesEnoughTriangles) {
 }
 
 TEST(MicroMesh, ClosedCageGivesClosedMeshAcrossSeams) {
-  const LimitSurface surface(cubeCage());
+  const surface::LimitSurface surface(cubeCage());
   const MicroMesh mesh(surface, randomRelief(16, 16, 1.5, 5), step(0.21));
   EXPECT_EQ(escapes(mesh, Vec3(0), 200000), 0);
 }
 
 TEST(MicroMesh, ClosedTorusGivesClosedMesh) {
-  const LimitSurface surface(makeTorus(30, 10, 66, 66));
+  const surface::LimitSurface surface(surface::makeTorus(30, 10, 66, 66));
   const MicroMesh mesh(surface, randomRelief(64, 32, 2, 7), step(0.5));
   EXPECT_EQ(escapes(mesh, Vec3(30, 0, 0), 200000), 0);
 }
 
 TEST(MicroMesh, EveryEdgeOfAClosedMeshIsSharedByTwoTriangles) {
   // By position, bit for bit: what rays can only sample, an edge count proves.
-  const LimitSurface surface(cubeCage());
+  const surface::LimitSurface surface(cubeCage());
   const MicroMesh mesh(surface, randomRelief(16, 16, 1.5, 5), step(0.9));
   const EdgeCount edges = countEdges(mesh);
   EXPECT_GT(edges.all, 1000U);
@@ -195,8 +201,8 @@ TEST(MicroMesh, EveryEdgeOfAClosedMeshIsSharedByTwoTriangles) {
 TEST(MicroMesh, FacetIsTheOneThatARayMeets) {
   // Random heights give cells that are far from flat: cut along the other diagonal, the facet would
   // lie elsewhere.
-  const LimitSurface surface(makePlane(16, 16, 3, 3));
-  const Relief relief = randomRelief(16, 16, 3, 11);
+  const surface::LimitSurface surface(surface::makePlane(16, 16, 3, 3));
+  const relief::Relief relief = randomRelief(16, 16, 3, 11);
   const MicroMesh mesh(surface, relief, step(0.5));
   const MicroScene scene(mesh);
   std::mt19937 random(5);
@@ -214,16 +220,16 @@ TEST(MicroMesh, FacetIsTheOneThatARayMeets) {
 }
 
 TEST(MicroMesh, FacetLiesOnTheDisplacedSurfaceAsTheMeshGrowsFiner) {
-  const LimitSurface surface(makeSphere(50, 1, 1, 16, 16));
-  const Relief relief = randomRelief(16, 16, 2, 3);
+  const surface::LimitSurface surface(surface::makeSphere(50, 1, 1, 16, 16));
+  const relief::Relief relief = randomRelief(16, 16, 2, 3);
   const auto worstDistance = [&](double texels) {
     const MicroMesh mesh(surface, relief, step(texels));
     double worst = 0;
     for (int k = 0; k < 400; ++k) {
       const double s = (k % 20 + 0.37) / 20;
       const double t = (k / 20 + 0.61) / 20;
-      const Vec3 exact =
-          displaced(relief, texelFrame(surface.evaluate(k % 256, s, t), relief.texelsPerUv()));
+      const Vec3 exact = relief::displaced(
+          relief, surface::texelFrame(surface.evaluate(k % 256, s, t), relief.texelsPerUv()));
       worst = std::max(worst, glm::length(mesh.facet(k % 256, s, t).point + mesh.centre() - exact));
     }
     return worst;
@@ -235,14 +241,14 @@ TEST(MicroMesh, FacetLiesOnTheDisplacedSurfaceAsTheMeshGrowsFiner) {
 }
 
 TEST(MicroMesh, RefusesWhatCannotFit) {
-  const LimitSurface surface(makePlane(16, 16, 2, 2));
+  const surface::LimitSurface surface(surface::makePlane(16, 16, 2, 2));
   EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(1e-6)), MemoryError);
   EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(0)), InputError);
   // A face of 60,000 texels: more lines than Embree's grids can have.
-  const LimitSurface strip(makePlane(16, 16, 1, 64));
+  const surface::LimitSurface strip(surface::makePlane(16, 16, 1, 64));
   EXPECT_THROW(MicroMesh(strip, flatRelief(60000, 4), step(100)), InputError);
   EXPECT_THROW(MicroMesh(surface, flatRelief(16, 16), step(std::nan(""))), InputError);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -6,7 +6,7 @@
 
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 using test::lightToward;
@@ -17,15 +17,15 @@ using test::stepRelief;
 
 /// A surface with its relief, ready to be traced.
 struct OccluderScene {
-  LimitSurface surface;
-  Relief relief;
+  surface::LimitSurface surface;
+  relief::Relief relief;
   MicroMesh mesh;
   MicroScene scene;
 
-  OccluderScene(const Cage& cage, Relief heights)
+  OccluderScene(const surface::Cage& cage, relief::Relief heights)
       : surface(cage), relief(std::move(heights)), mesh(surface, relief, {0.25, 0}), scene(mesh) {}
 
-  [[nodiscard]] std::optional<Occluder> first(const SurfaceSample& sample,
+  [[nodiscard]] std::optional<Occluder> first(const surface::SurfaceSample& sample,
                                               const Vec3& light) const {
     return firstOccluder(surface, relief, mesh, scene, {sample, light, standardRayOffset});
   }
@@ -34,9 +34,9 @@ struct OccluderScene {
 /// The lee face of a wall 6 high falls from x = 31.5 to 32.5, on a plane of one unit a texel whose
 /// middle is the origin: the ray from (60, 16) meets it where it is as high.
 TEST(FirstOccluder, OfAWallIsTheFaceThatTheRayMeets) {
-  const OccluderScene on(makePlane(96, 32, 12, 4),
+  const OccluderScene on(surface::makePlane(96, 32, 12, 4),
                          stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }));
-  const SurfaceSample sample = sampleAt(on.surface, on.relief, {60, 16});
+  const surface::SurfaceSample sample = sampleAt(on.surface, on.relief, {60, 16});
   const double slope = std::tan(radians(10));
   const auto occluder = on.first(sample, lightToward(180, 10));
   ASSERT_TRUE(occluder);
@@ -58,8 +58,8 @@ TEST(FirstOccluder, OfAWallIsTheFaceThatTheRayMeets) {
 }
 
 TEST(FirstOccluder, IsThereExactlyWhereTheTruthIsDark) {
-  const OccluderScene on(makeSphere(60, 1, 1, 16, 16), randomRelief(64, 64, 4, 3));
-  const SampleGrid samples = samplesOfAllFaces(on.surface, 3);
+  const OccluderScene on(surface::makeSphere(60, 1, 1, 16, 16), randomRelief(64, 64, 4, 3));
+  const surface::SampleGrid samples = samplesOfAllFaces(on.surface, 3);
   for (const double elevation : {60.0, 20.0}) {
     const Vec3 light = lightToward(35, elevation);
     const Truth truth = traceShadows(on.surface, on.relief, on.mesh, on.scene, samples,
@@ -82,9 +82,9 @@ TEST(FirstOccluder, IsThereExactlyWhereTheTruthIsDark) {
 }
 
 TEST(FirstOccluder, IsAbsentWithoutASample) {
-  const OccluderScene on(makePlane(32, 32, 4, 4), randomRelief(32, 32, 4, 3));
+  const OccluderScene on(surface::makePlane(32, 32, 4, 4), randomRelief(32, 32, 4, 3));
   EXPECT_FALSE(on.first({}, lightToward(35, 20)));
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -5,20 +5,21 @@
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 using test::randomRelief;
 using test::sampleAt;
 
 TEST(SamplePlace, OnARampIsThePlanesPointAndTheRampsFacet) {
-  const LimitSurface surface(makePlane(16, 8, 4, 2));
+  const surface::LimitSurface surface(surface::makePlane(16, 8, 4, 2));
   // Heights rise by 1/2 a texel from x = 4.5 to 11.5.
   std::vector<float> texels;
   for (int j = 0; j < 8; ++j) {
     for (int i = 0; i < 16; ++i) texels.push_back(0.5F * static_cast<float>(i));
   }
-  const Relief relief{HeightField(16, 8, texels, Wrap::clamp), HeightSpace::world, Vec2(1)};
+  const relief::Relief relief{relief::HeightField(16, 8, texels, relief::Wrap::clamp),
+                              relief::HeightSpace::world, Vec2(1)};
   const MicroMesh mesh(surface, relief, {0.25, 0});
   const SamplePlace place = SamplePlacer(surface, relief.texelsPerUv(), mesh)
                                 .place(sampleAt(surface, relief, {7.3, 2.2}));
@@ -33,10 +34,11 @@ TEST(SamplePlace, OnARampIsThePlanesPointAndTheRampsFacet) {
 }
 
 TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
-  const LimitSurface surface(makeSphere(40, 1, 1, 12, 12));
-  const Relief relief = randomRelief(24, 24, 1, 5);
-  const SurfaceSample sample{77, 0.31F, 0.64F};
-  const Vec3 exact = displaced(relief, texelFrame(surface.evaluate(sample), relief.texelsPerUv()));
+  const surface::LimitSurface surface(surface::makeSphere(40, 1, 1, 12, 12));
+  const relief::Relief relief = randomRelief(24, 24, 1, 5);
+  const surface::SurfaceSample sample{77, 0.31F, 0.64F};
+  const Vec3 exact = relief::displaced(
+      relief, surface::texelFrame(surface.evaluate(sample), relief.texelsPerUv()));
   double before = 1;
   for (const double step : {0.25, 0.0625}) {
     const MicroMesh mesh(surface, relief, {step, 0});
@@ -48,8 +50,8 @@ TEST(SamplePlace, PointsConvergeToTheDisplacedSurface) {
 }
 
 TEST(SamplePlace, IsUndefinedWithoutASample) {
-  const LimitSurface surface(makePlane(16, 8, 4, 2));
-  const Relief relief = test::flatRelief(4, 4);
+  const surface::LimitSurface surface(surface::makePlane(16, 8, 4, 2));
+  const relief::Relief relief = test::flatRelief(4, 4);
   const MicroMesh mesh(surface, relief, {0.5, 0});
   const SamplePlace place = SamplePlacer(surface, relief.texelsPerUv(), mesh).place({-1, 0, 0});
   EXPECT_FALSE(place.defined);
@@ -57,4 +59,4 @@ TEST(SamplePlace, IsUndefinedWithoutASample) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

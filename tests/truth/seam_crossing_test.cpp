@@ -12,7 +12,7 @@
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 using test::cubeCage;
@@ -20,15 +20,15 @@ using test::flatRelief;
 using test::lightToward;
 using test::stepRelief;
 
-Relief flat(int width, int height, Wrap wrap) {
+relief::Relief flat(int width, int height, relief::Wrap wrap) {
   return stepRelief(
       width, height, 0, [](int, int) { return false; }, wrap);
 }
 
 /// A plane of one world unit a texel in 12 × 4 faces of 8 texels; from column 6 on the texture
 /// coordinates lie elsewhere, `shift` units of uv away.
-Cage planeInTwoCharts(Vec2 shift) {
-  Cage cage = makePlane(96, 32, 12, 4);
+surface::Cage planeInTwoCharts(Vec2 shift) {
+  surface::Cage cage = surface::makePlane(96, 32, 12, 4);
   const auto uvs = static_cast<int>(cage.uvs.size());
   for (int i = 0; i < uvs; ++i) cage.uvs.push_back(cage.uvs[static_cast<std::size_t>(i)] + shift);
   for (std::size_t corner = 0; corner < cage.faceUvs.size(); ++corner) {
@@ -44,40 +44,40 @@ Cage planeInTwoCharts(Vec2 shift) {
 }
 
 TEST(TextureCharts, SeamsAreWhereNeighboursDisagree) {
-  const LimitSurface cube(cubeCage());
+  const surface::LimitSurface cube(cubeCage());
   EXPECT_EQ(TextureCharts(cube, flatRelief(16, 16)).seamCount(), 12U);
-  const LimitSurface plane(makePlane(8, 8, 3, 3));
+  const surface::LimitSurface plane(surface::makePlane(8, 8, 3, 3));
   EXPECT_EQ(TextureCharts(plane, flatRelief(16, 16)).seamCount(), 0U);
-  const LimitSurface halves(planeInTwoCharts({0.3, 0.1}));
+  const surface::LimitSurface halves(planeInTwoCharts({0.3, 0.1}));
   EXPECT_EQ(TextureCharts(halves, flatRelief(96, 32)).seamCount(), 4U);
   // By whole maps apart: no seam where the map repeats.
-  const LimitSurface whole(planeInTwoCharts({2, -1}));
-  EXPECT_EQ(TextureCharts(whole, flat(96, 32, Wrap::repeat)).seamCount(), 0U);
-  EXPECT_EQ(TextureCharts(whole, flat(96, 32, Wrap::clamp)).seamCount(), 4U);
+  const surface::LimitSurface whole(planeInTwoCharts({2, -1}));
+  EXPECT_EQ(TextureCharts(whole, flat(96, 32, relief::Wrap::repeat)).seamCount(), 0U);
+  EXPECT_EQ(TextureCharts(whole, flat(96, 32, relief::Wrap::clamp)).seamCount(), 4U);
 }
 
 TEST(TextureCharts, ATorusHasSeamsOnlyWhereItsMapDoesNotRepeat) {
-  const LimitSurface torus(makeTorus(30, 10, 66, 60));
-  EXPECT_EQ(TextureCharts(torus, flat(64, 32, Wrap::repeat)).seamCount(), 0U);
-  EXPECT_EQ(TextureCharts(torus, flat(64, 32, Wrap::clamp)).seamCount(), 66U + 60U);
-  Relief twoAndAHalf = flat(64, 32, Wrap::repeat);
+  const surface::LimitSurface torus(surface::makeTorus(30, 10, 66, 60));
+  EXPECT_EQ(TextureCharts(torus, flat(64, 32, relief::Wrap::repeat)).seamCount(), 0U);
+  EXPECT_EQ(TextureCharts(torus, flat(64, 32, relief::Wrap::clamp)).seamCount(), 66U + 60U);
+  relief::Relief twoAndAHalf = flat(64, 32, relief::Wrap::repeat);
   twoAndAHalf.repeats = Vec2(2.5, 3);
   EXPECT_EQ(TextureCharts(torus, twoAndAHalf).seamCount(), 60U);
   // Round and round without an end.
-  const TextureCharts charts(torus, flat(64, 32, Wrap::repeat));
+  const TextureCharts charts(torus, flat(64, 32, relief::Wrap::repeat));
   EXPECT_FALSE(charts.crossesSeam({0, 0.5F, 0.5F}, glm::normalize(Vec2(3, 1)), 1e4));
 }
 
 TEST(TextureCharts, MirroredNeighboursAndFacesWithoutAreaAreSeams) {
-  Cage cage = makePlane(8, 8, 2, 1);
+  surface::Cage cage = surface::makePlane(8, 8, 2, 1);
   cage.grid.reset();
   const std::size_t right = 4 * (cage.faceVertices.size() / 4 == 2 ? 1U : 6U);
   const auto seams = [&] {
-    return TextureCharts(LimitSurface(cage), flatRelief(16, 16)).seamCount();
+    return TextureCharts(surface::LimitSurface(cage), flatRelief(16, 16)).seamCount();
   };
   EXPECT_EQ(seams(), 0U);
   // Folded back onto the left face: the common edge stays where it was.
-  const Cage sound = cage;
+  const surface::Cage sound = cage;
   const auto uv = [&](std::size_t k) -> Vec2& {
     cage.uvs.push_back(cage.uvs[static_cast<std::size_t>(cage.faceUvs[right + k])]);
     cage.faceUvs[right + k] = static_cast<int>(cage.uvs.size()) - 1;
@@ -92,10 +92,10 @@ TEST(TextureCharts, MirroredNeighboursAndFacesWithoutAreaAreSeams) {
 }
 
 TEST(TextureCharts, ALineCrossesWhereItIsLongEnough) {
-  const LimitSurface surface(planeInTwoCharts({0.3, 0.1}));
+  const surface::LimitSurface surface(planeInTwoCharts({0.3, 0.1}));
   const TextureCharts charts(surface, flatRelief(96, 32));
   // (s, t) = (0.25, 0.5) of the third column: x = 18 of 48 texels to the seam, y = 20 of 32.
-  const SurfaceSample sample{2 * 12 + 2, 0.25F, 0.5F};
+  const surface::SurfaceSample sample{2 * 12 + 2, 0.25F, 0.5F};
   for (const double degrees : {0.0, 20.0, -12.0, 7.0}) {
     const double a = radians(degrees);
     const double length = 30 / std::cos(a);
@@ -106,7 +106,7 @@ TEST(TextureCharts, ALineCrossesWhereItIsLongEnough) {
   EXPECT_FALSE(charts.crossesSeam(sample, {0, 1}, 1000));
   EXPECT_FALSE(charts.crossesSeam(sample, {-1, 0}, 1000));
   // Through vertices of the cage: (16, 16) to (48, 32) is on the border's way only at its end.
-  const SurfaceSample corner{2 * 12 + 2, 0, 0};
+  const surface::SurfaceSample corner{2 * 12 + 2, 0, 0};
   EXPECT_TRUE(charts.crossesSeam(corner, glm::normalize(Vec2(4, 1)), 40));
   EXPECT_FALSE(charts.crossesSeam(corner, glm::normalize(Vec2(1, 1)), 40));
 }
@@ -114,8 +114,9 @@ TEST(TextureCharts, ALineCrossesWhereItIsLongEnough) {
 /// The point of a face at a place of the map lies in a chart if it lies in one of its faces: a walk
 /// along the line against a look at all faces.
 TEST(TextureCharts, AgreesWithASearchOfAllFacesOnSpot) {
-  const LimitSurface surface(readObj(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
-  const Relief relief = flatRelief(256, 256);
+  const surface::LimitSurface surface(
+      surface::readObj(GNOMON_SCENES "/meshes/spot_control_mesh.obj"));
+  const relief::Relief relief = flatRelief(256, 256);
   const TextureCharts charts(surface, relief);
   EXPECT_GT(charts.seamCount(), 50U);
   EXPECT_LT(charts.seamCount(), 500U);
@@ -145,10 +146,11 @@ TEST(TextureCharts, AgreesWithASearchOfAllFacesOnSpot) {
   int crossing = 0;
   int wrong = 0;
   while (compared < 400) {
-    const SurfaceSample sample{static_cast<int>(random() % faces.size()),
-                               static_cast<float>(uniform(random)),
-                               static_cast<float>(uniform(random))};
-    const TexelFrame frame = texelFrame(surface.evaluate(sample), relief.texelsPerUv());
+    const surface::SurfaceSample sample{static_cast<int>(random() % faces.size()),
+                                        static_cast<float>(uniform(random)),
+                                        static_cast<float>(uniform(random))};
+    const surface::TexelFrame frame =
+        surface::texelFrame(surface.evaluate(sample), relief.texelsPerUv());
     if (!frame.defined || glm::dot(glm::cross(frame.px, frame.py), frame.normal) < 0) continue;
     const double a = 2 * pi * uniform(random);
     const Vec2 direction(std::cos(a), std::sin(a));
@@ -172,9 +174,10 @@ TEST(TextureCharts, AgreesWithASearchOfAllFacesOnSpot) {
 /// beyond the seam takes its light from over it, up to the wall; what is lit behind the shadow has
 /// a ray that passes over the relief's height before or after the seam.
 TEST(SeamCrossings, ArePathsFromTheSampleToWhatDecides) {
-  const LimitSurface surface(planeInTwoCharts({1, 0}));
-  const Relief relief = stepRelief(192, 32, 6, [](int i, int) { return i >= 40 && i < 44; });
-  Relief scaled = relief;
+  const surface::LimitSurface surface(planeInTwoCharts({1, 0}));
+  const relief::Relief relief =
+      stepRelief(192, 32, 6, [](int i, int) { return i >= 40 && i < 44; });
+  relief::Relief scaled = relief;
   scaled.repeats = Vec2(0.5, 1);  // 96 texels a unit of u: the right half lies at 96 + x
   const MicroMesh mesh(surface, scaled, {0.25, 0});
   const MicroScene scene(mesh);
@@ -183,7 +186,7 @@ TEST(SeamCrossings, ArePathsFromTheSampleToWhatDecides) {
   const double tangent = std::tan(radians(20));
   const double end = 43.5 + 6 / tangent;  // of the shadow: x = 60
   const Vec3 light = lightToward(180, 20);
-  SampleGrid samples{0, 1, {}};
+  surface::SampleGrid samples{0, 1, {}};
   std::vector<double> places;
   for (double x = 1.2; x < 96; x += 0.37) {
     places.push_back(x);
@@ -218,4 +221,4 @@ TEST(SeamCrossings, ArePathsFromTheSampleToWhatDecides) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

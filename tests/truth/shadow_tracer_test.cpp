@@ -9,7 +9,7 @@
 
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 using test::flatRelief;
@@ -22,18 +22,18 @@ using test::stepRelief;
 
 /// A surface with its relief, ready to be traced.
 struct TruthScene {
-  LimitSurface surface;
-  Relief relief;
+  surface::LimitSurface surface;
+  relief::Relief relief;
   MicroMesh mesh;
   MicroScene scene;
 
-  TruthScene(const Cage& cage, Relief heights, double stepTexels)
+  TruthScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
       : surface(cage),
         relief(std::move(heights)),
         mesh(surface, relief, {stepTexels, 0}),
         scene(mesh) {}
 
-  [[nodiscard]] Truth trace(const SampleGrid& samples, const Vec3& light,
+  [[nodiscard]] Truth trace(const surface::SampleGrid& samples, const Vec3& light,
                             double radiusTexels = 1000) const {
     return traceShadows(surface, relief, mesh, scene, samples, {light, radiusTexels, 1e-6});
   }
@@ -51,7 +51,7 @@ double lastShadowed(const Truth& truth) {
 /// A wall across a plane of one world unit a texel: 4 texels thick, 6 high. Its top ends at the
 /// centre of its last texel, x = 31.5.
 TruthScene wallScene() {
-  return {makePlane(96, 32, 12, 4),
+  return {surface::makePlane(96, 32, 12, 4),
           stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }), 0.25};
 }
 
@@ -82,7 +82,8 @@ TEST(ShadowTracer, TellsCastFromDistantByTheTablesRadius) {
   // or passes over it where the shadow has ended.
   const auto reach = [slope](double x) { return x - (6 * 32.5 - x * slope) / (6 - slope); };
   const double end = 31.5 + 6 / slope;
-  const SampleGrid samples = sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
+  const surface::SampleGrid samples =
+      sampleLine(scene.surface, scene.relief, {32.6, 16}, {62.6, 16}, 300);
   const Truth truth = scene.trace(samples, lightToward(180, 20), 10);
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     const double x = 32.6 + 30 * (static_cast<double>(i) + 0.5) / 300;
@@ -95,7 +96,8 @@ TEST(ShadowTracer, TellsCastFromDistantByTheTablesRadius) {
 TEST(ShadowTracer, FacetsTurnedFromTheLightAreAttached) {
   const TruthScene scene = wallScene();
   // The wall's lee side, between the centres of its last texel and the next.
-  const SampleGrid lee = sampleLine(scene.surface, scene.relief, {31.6, 16}, {32.4, 16}, 16);
+  const surface::SampleGrid lee =
+      sampleLine(scene.surface, scene.relief, {31.6, 16}, {32.4, 16}, 16);
   const Truth truth = scene.trace(lee, lightToward(180, 45));
   for (std::size_t i = 0; i < lee.samples.size(); ++i) {
     EXPECT_EQ(truth.mask.samples[i], Shade::shadowed);
@@ -105,13 +107,13 @@ TEST(ShadowTracer, FacetsTurnedFromTheLightAreAttached) {
 
 TEST(ShadowTracer, BareSphereIsLitUpToItsTerminator) {
   constexpr double radius = 40;
-  const TruthScene scene(makeSphere(radius, 2.4, 1.2, 64, 32), flatRelief(96, 48), 0.1);
+  const TruthScene scene(surface::makeSphere(radius, 2.4, 1.2, 64, 32), flatRelief(96, 48), 0.1);
   const Vec3 light = lightToward(0, 30);
-  const SampleGrid samples = samplesOfAllFaces(scene.surface, 5);
+  const surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 5);
   const Truth truth = scene.trace(samples, light);
   std::size_t lit = 0;
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
-    const SurfaceSample& sample = samples.samples[i];
+    const surface::SurfaceSample& sample = samples.samples[i];
     const Vec3 normal = scene.surface.evaluate(sample).position / radius;
     const double elevation = glm::dot(normal, light);
     if (std::abs(elevation) < 2e-3)
@@ -130,10 +132,10 @@ TEST(ShadowTracer, TipOfAPinIsLitDownToTheSpheresHorizon) {
   constexpr double radius = 60;
   constexpr double height = 5;
   const TruthScene scene(
-      makeSphere(radius, 2, 2, 40, 40),
+      surface::makeSphere(radius, 2, 2, 40, 40),
       stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; }), 0.1);
   const double dip = std::acos(radius / (radius + height)) * 180 / pi;
-  SampleGrid tip{1, 1, {sampleAt(scene.surface, scene.relief, {40.5, 40.5})}};
+  surface::SampleGrid tip{1, 1, {sampleAt(scene.surface, scene.relief, {40.5, 40.5})}};
   // From (+, +): the tip's own facet, of the cell toward greater x and y, faces that way.
   EXPECT_EQ(scene.trace(tip, lightToward(45, -dip + 0.1)).mask.samples[0], Shade::lit);
   EXPECT_EQ(scene.trace(tip, lightToward(45, -dip - 0.1)).mask.samples[0], Shade::shadowed);
@@ -145,10 +147,11 @@ TEST(ShadowTracer, ColumnOnASphereShadesAsTheCircleSays) {
   // (cos γ - 1/(1 + κh)) / sin γ, the exact horizon on a circle, exceeds the light's slope there.
   constexpr double radius = 80;
   constexpr double height = 6;
-  const TruthScene scene(makeSphere(radius, 1.6, 0.4, 64, 16),
+  const TruthScene scene(surface::makeSphere(radius, 1.6, 0.4, 64, 16),
                          stepRelief(128, 32, height, [](int i, int) { return i >= 60 && i < 64; }),
                          0.1);
-  const SampleGrid samples = sampleLine(scene.surface, scene.relief, {64.6, 16}, {94.6, 16}, 4000);
+  const surface::SampleGrid samples =
+      sampleLine(scene.surface, scene.relief, {64.6, 16}, {94.6, 16}, 4000);
   const Vec3 light =
       lightToward(180, 0) * std::cos(radians(25)) + Vec3(0, 0, std::sin(radians(25)));
   const Truth truth = scene.trace(samples, light);
@@ -169,11 +172,11 @@ TEST(ShadowTracer, ColumnOnASphereShadesAsTheCircleSays) {
 }
 
 TEST(ShadowTracer, DegenerateFramesAreLeftOutAndCounted) {
-  Cage cage = makePlane(8, 8, 2, 2);
+  surface::Cage cage = surface::makePlane(8, 8, 2, 2);
   std::fill(cage.uvs.begin(), cage.uvs.end(), Vec2(0.5));
   cage.grid.reset();
   const TruthScene scene(cage, flatRelief(8, 8), 0.5);
-  const SampleGrid samples = samplesOfAllFaces(scene.surface, 3);
+  const surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 3);
   const Truth truth = scene.trace(samples, lightToward(0, 45));
   EXPECT_EQ(truth.undefinedSamples, truth.mask.size());
   for (const Shade shade : truth.mask.samples) EXPECT_EQ(shade, Shade::none);
@@ -192,7 +195,7 @@ TEST(ShadowTracer, DegenerateFramesAreLeftOutAndCounted) {
 }
 
 TEST(ShadowTracer, DoesNotDependOnTheNumberOfThreads) {
-  const Cage cage = makeTorus(30, 10, 66, 66);
+  const surface::Cage cage = surface::makeTorus(30, 10, 66, 66);
   const auto masksWith = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const TruthScene scene(cage, randomRelief(256, 96, 2, 7), 0.5);
@@ -203,10 +206,10 @@ TEST(ShadowTracer, DoesNotDependOnTheNumberOfThreads) {
 
 /// A rough torus and the samples of an atlas whose sides are no multiples of a packet's.
 struct RoughTorus {
-  TruthScene scene{makeTorus(30, 10, 66, 66), randomRelief(256, 96, 2, 7), 0.5};
-  SampleGrid samples = samplesOfAllFaces(scene.surface, 5);
+  TruthScene scene{surface::makeTorus(30, 10, 66, 66), randomRelief(256, 96, 2, 7), 0.5};
+  surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 5);
 
-  [[nodiscard]] PlacedSamples placed(const SampleGrid& part) const {
+  [[nodiscard]] PlacedSamples placed(const surface::SampleGrid& part) const {
     return placeSamples(scene.surface, scene.relief.texelsPerUv(), scene.mesh, part);
   }
 };
@@ -230,7 +233,7 @@ TEST(ShadowTracer, SeveralLightsAtOnceAreEachLightAlone) {
 }
 
 /// Some rows of a grid, as a grid of its own.
-SampleGrid rowsOf(const SampleGrid& grid, int first, int count) {
+surface::SampleGrid rowsOf(const surface::SampleGrid& grid, int first, int count) {
   const auto row = [&](int i) {
     return grid.samples.begin() + static_cast<std::ptrdiff_t>(i) * grid.width;
   };
@@ -293,7 +296,7 @@ TEST(ShadowTracer, FlipRateCountsDifferences) {
 }
 
 TEST(ShadowTracer, HalfTheResolutionFlipsFew) {
-  const Cage cage = makeSphere(60, 2, 1, 40, 20);
+  const surface::Cage cage = surface::makeSphere(60, 2, 1, 40, 20);
   const auto mask = [&](double step) {
     const TruthScene scene(cage, randomRelief(30, 15, 1.5, 9), step);
     return scene.trace(samplesOfAllFaces(scene.surface, 9), lightToward(20, 30)).mask;
@@ -307,4 +310,4 @@ TEST(ShadowTracer, HalfTheResolutionFlipsFew) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

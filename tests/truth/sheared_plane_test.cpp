@@ -7,14 +7,14 @@
 #include "truth/shadow_tracer.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 using test::ShearedPlane;
 using test::shearedPlanes;
 using test::stepRelief;
 
-class ShearedTruth : public testing::TestWithParam<HeightSpace> {};
+class ShearedTruth : public testing::TestWithParam<relief::HeightSpace> {};
 
 /// A wall along the texture's y axis, 6 height units high, whose top ends at x = 31.5. Along the
 /// light's direction e in the texture plane one texel is σ long, so that the shadow on the floor
@@ -22,10 +22,10 @@ class ShearedTruth : public testing::TestWithParam<HeightSpace> {};
 TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
   int shadows = 0;
   for (const ShearedPlane& plane : shearedPlanes()) {
-    Relief relief =
+    relief::Relief relief =
         stepRelief(plane.width, plane.height, 6, [](int i, int) { return i >= 28 && i < 32; });
     relief.space = GetParam();
-    const LimitSurface surface(plane.cage());
+    const surface::LimitSurface surface(plane.cage());
     const MicroMesh mesh(surface, relief, {plane.mirrored() ? 0.0625 : 0.25, 0});
     const MicroScene scene(mesh);
     for (const double azimuth : {180.0, 150.0, 215.0, 120.0}) {
@@ -38,10 +38,10 @@ TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
         if (length < 2 || length > 28 || aside > 14) continue;  // on the lee slope, or off the map
         ++shadows;
         // The samples run slightly oblique, off the lines of texel centres.
-        SampleGrid samples{2,
-                           1,
-                           {plane.sampleAt({31.5 + length - 0.05, 15.7}),
-                            plane.sampleAt({31.5 + length + 0.05, 15.7})}};
+        surface::SampleGrid samples{2,
+                                    1,
+                                    {plane.sampleAt({31.5 + length - 0.05, 15.7}),
+                                     plane.sampleAt({31.5 + length + 0.05, 15.7})}};
         const Truth truth = traceShadows(surface, relief, mesh, scene, samples,
                                          {plane.lightOver(a, e), 1000, standardRayOffset});
         EXPECT_EQ(truth.mask.samples[0], Shade::shadowed)
@@ -59,14 +59,15 @@ TEST_P(ShearedTruth, WallsShadowEndsWhereTheMetricSays) {
 TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
   for (const ShearedPlane& plane : shearedPlanes()) {
     if (plane.mirrored()) continue;
-    Relief relief = stepRelief(plane.width, plane.height, 30, [](int i, int) { return i < 32; });
+    relief::Relief relief =
+        stepRelief(plane.width, plane.height, 30, [](int i, int) { return i < 32; });
     relief.space = GetParam();
-    const LimitSurface surface(plane.cage());
+    const surface::LimitSurface surface(plane.cage());
     const MicroMesh mesh(surface, relief, {0.25, 0});
     const MicroScene scene(mesh);
     const double a = radians(160);
     const double e = radians(4);
-    const SampleGrid samples{1, 1, {plane.sampleAt({42.5, 15.7})}};
+    const surface::SampleGrid samples{1, 1, {plane.sampleAt({42.5, 15.7})}};
     // The ray meets the wall's slope, which rises from 0 at x = 32.5 to 30 a at 31.5.
     const double rise = std::tan(e) * plane.worldPerTexel(a) / std::abs(std::cos(a));  // a texel
     const double steep = 30 * plane.worldPerHeight(relief.space);
@@ -83,7 +84,7 @@ TEST_P(ShearedTruth, RadiusIsInTexelsAlongTheLight) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HeightSpaces, ShearedTruth,
-                         testing::Values(HeightSpace::world, HeightSpace::texture));
+                         testing::Values(relief::HeightSpace::world, relief::HeightSpace::texture));
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

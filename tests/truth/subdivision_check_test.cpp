@@ -10,16 +10,16 @@
 #include "truth/shadow_tracer.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 struct Displacement {
-  const Cage* cage;
-  const Relief* relief;
+  const surface::Cage* cage;
+  const relief::Relief* relief;
 };
 
 /// Bilinear uv of a face, as Cage defines it.
-Vec2 uvAt(const Cage& cage, unsigned face, double s, double t) {
+Vec2 uvAt(const surface::Cage& cage, unsigned face, double s, double t) {
   const auto corner = [&](unsigned k) {
     return cage.uvs[static_cast<std::size_t>(cage.faceUvs[4 * face + k])];
   };
@@ -48,7 +48,7 @@ T* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::si
 }
 
 embree::Scene subdivisionScene(RTCDevice device, Displacement& data, float pieces) {
-  const Cage& cage = *data.cage;
+  const surface::Cage& cage = *data.cage;
   embree::Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SUBDIVISION));
   auto* positions = newBuffer<float>(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
                                      cage.positions.size(), 3);
@@ -88,7 +88,7 @@ bool blocked(RTCScene scene, const Vec3& origin, const Vec3& light) {
 }
 
 TEST(SubdivisionCheck, EmbreesOwnDisplacedSurfaceGivesTheSameShadows) {
-  const Cage cage = makeTorus(30, 10, 66, 66);
+  const surface::Cage cage = surface::makeTorus(30, 10, 66, 66);
   // Smooth waves: both tessellations must show the same surface, not the same texels.
   std::vector<float> texels;
   for (int j = 0; j < 132; ++j) {
@@ -97,11 +97,12 @@ TEST(SubdivisionCheck, EmbreesOwnDisplacedSurfaceGivesTheSameShadows) {
           static_cast<float>(1.2 + 1.2 * std::cos(2 * pi * i / 22) * std::cos(2 * pi * j / 22)));
     }
   }
-  const Relief relief{HeightField(264, 132, texels, Wrap::repeat), HeightSpace::world, Vec2(1)};
-  const LimitSurface surface(cage);
+  const relief::Relief relief{relief::HeightField(264, 132, texels, relief::Wrap::repeat),
+                              relief::HeightSpace::world, Vec2(1)};
+  const surface::LimitSurface surface(cage);
   const MicroMesh mesh(surface, relief, {0.125, 0});
   const MicroScene scene(mesh);
-  const SampleGrid samples = test::samplesOfAllFaces(surface, 3);
+  const surface::SampleGrid samples = test::samplesOfAllFaces(surface, 3);
   const Vec3 light = test::lightToward(30, 25);
   const Truth truth = traceShadows(surface, relief, mesh, scene, samples, {light, 1000, 1e-6});
 
@@ -111,7 +112,7 @@ TEST(SubdivisionCheck, EmbreesOwnDisplacedSurfaceGivesTheSameShadows) {
   std::size_t differ = 0;
   std::size_t shadowed = 0;
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
-    const SurfaceSample& sample = samples.samples[i];
+    const surface::SurfaceSample& sample = samples.samples[i];
     const Facet facet = mesh.facet(sample);
     const bool turned = glm::dot(facet.normal, light) <= 0;
     // Lifted over the difference of the two tessellations.
@@ -127,4 +128,4 @@ TEST(SubdivisionCheck, EmbreesOwnDisplacedSurfaceGivesTheSameShadows) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

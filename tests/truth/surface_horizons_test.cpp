@@ -11,7 +11,7 @@
 #include "surface/texel_frame.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 using test::flatRelief;
@@ -21,21 +21,21 @@ using test::stepRelief;
 constexpr double precision = 1e-3;  // as stated: radians
 
 struct HorizonScene {
-  LimitSurface surface;
-  Relief relief;
+  surface::LimitSurface surface;
+  relief::Relief relief;
   MicroMesh mesh;
   MicroScene scene;
 
-  HorizonScene(const Cage& cage, Relief heights, double stepTexels)
+  HorizonScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
       : surface(cage),
         relief(std::move(heights)),
         mesh(surface, relief, {stepTexels, 0}),
         scene(mesh) {}
 
   /// Of texel centres x0 … x0 + columns - 1 by y0 … y0 + rows - 1.
-  [[nodiscard]] AngleTable shoot(int x0, int y0, int columns, int rows, int azimuths,
-                                 double limit) const {
-    SampleGrid texels{columns, rows, {}};
+  [[nodiscard]] horizon::AngleTable shoot(int x0, int y0, int columns, int rows, int azimuths,
+                                          double limit) const {
+    surface::SampleGrid texels{columns, rows, {}};
     for (int y = y0 + rows - 1; y >= y0; --y) {
       for (int x = x0; x < x0 + columns; ++x) {
         texels.samples.push_back(sampleAt(surface, relief, Vec2(x, y) + 0.5));
@@ -48,10 +48,10 @@ struct HorizonScene {
 TEST(SurfaceHorizons, BesideABoxAreItsElevation) {
   // A box 8 × 8, 6 high; its top ends at 31.5 and 24.5 toward +x, at 16.5 … 24.5 in y.
   const HorizonScene scene(
-      makePlane(64, 40, 8, 5),
+      surface::makePlane(64, 40, 8, 5),
       stepRelief(64, 40, 6, [](int i, int j) { return i >= 24 && i < 32 && j >= 16 && j < 24; }),
       0.5);
-  const AngleTable table = scene.shoot(33, 20, 28, 1, 4, pi / 2);
+  const horizon::AngleTable table = scene.shoot(33, 20, 28, 1, 4, pi / 2);
   EXPECT_EQ(table.width, 28);
   EXPECT_EQ(table.height, 1);
   for (int i = 0; i < 28; ++i) {
@@ -65,10 +65,10 @@ TEST(SurfaceHorizons, BesideABoxAreItsElevation) {
 
 TEST(SurfaceHorizons, RowsAndAzimuthsRunAsTheMapDoes) {
   // Highest where x is least and y is greatest: the first of four texels along x, the last along y.
-  const HorizonScene scene(makePlane(16, 16, 4, 4),
+  const HorizonScene scene(surface::makePlane(16, 16, 4, 4),
                            stepRelief(16, 16, 9, [](int i, int j) { return i < 4 && j >= 12; }),
                            0.5);
-  const AngleTable table = scene.shoot(0, 0, 16, 16, 8, pi / 2);
+  const horizon::AngleTable table = scene.shoot(0, 0, 16, 16, 8, pi / 2);
   const auto angle = [&](int x, int y, int m) {
     return table.angles[static_cast<std::size_t>((m * 16 + y) * 16 + x)];
   };
@@ -80,9 +80,9 @@ TEST(SurfaceHorizons, RowsAndAzimuthsRunAsTheMapDoes) {
 }
 
 TEST(SurfaceHorizons, BareSphereEndsAtItsTangentPlane) {
-  const HorizonScene scene(makeSphere(40, 1.6, 1.2, 40, 32), flatRelief(64, 48), 0.125);
+  const HorizonScene scene(surface::makeSphere(40, 1.6, 1.2, 40, 32), flatRelief(64, 48), 0.125);
   for (const double limit : {pi / 2, pi}) {
-    const AngleTable table = scene.shoot(8, 8, 48, 32, 8, limit);
+    const horizon::AngleTable table = scene.shoot(8, 8, 48, 32, 8, limit);
     for (const float angle : table.angles) {
       EXPECT_LE(angle, static_cast<float>(limit));
       // A facet of 0.125 world units is tilted by up to 0.125 / 40 / √2 from its middle's normal.
@@ -92,7 +92,7 @@ TEST(SurfaceHorizons, BareSphereEndsAtItsTangentPlane) {
 }
 
 TEST(SurfaceHorizons, LessThanAHalfTurnIsKeptToItsLimit) {
-  const HorizonScene scene(makeSphere(40, 1.6, 1.2, 40, 32), flatRelief(64, 48), 0.5);
+  const HorizonScene scene(surface::makeSphere(40, 1.6, 1.2, 40, 32), flatRelief(64, 48), 0.5);
   for (const float angle : scene.shoot(30, 20, 2, 2, 8, 0.7).angles) EXPECT_FLOAT_EQ(angle, 0.7F);
 }
 
@@ -101,10 +101,10 @@ TEST(SurfaceHorizons, TipOfAPinSeesBelowItsTangentPlane) {
   for (const double height : {2.0, 5.0, 9.0}) {
     constexpr double radius = 60;
     const HorizonScene scene(
-        makeSphere(radius, 2, 2, 40, 40),
+        surface::makeSphere(radius, 2, 2, 40, 40),
         stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; }), 0.2);
     // The tip's own facet falls toward greater x and y: of eight azimuths it faces the second.
-    const AngleTable table = scene.shoot(40, 40, 1, 1, 8, pi);
+    const horizon::AngleTable table = scene.shoot(40, 40, 1, 1, 8, pi);
     const double kappa = 1 / radius;
     EXPECT_NEAR(table.angles[1], pi / 2 + std::acos(1 / (1 + kappa * height)), 2 * precision);
     EXPECT_NEAR(scene.shoot(40, 40, 1, 1, 8, pi / 2).angles[1], pi / 2, 1e-6);
@@ -113,11 +113,12 @@ TEST(SurfaceHorizons, TipOfAPinSeesBelowItsTangentPlane) {
 
 TEST(SurfaceHorizons, OnAPlaneAreTheFlatReliefs) {
   // Cosines of x and of y added: flat inside each cell, so that facets are the relief itself.
-  const Relief relief{makeCosine(48, 48, {12}, 6, Wrap::clamp), HeightSpace::world, Vec2(1)};
-  const HorizonTables baked = bakeHorizons(relief.field, {16, 200});
-  const AngleTable flat = horizonAngles(baked, pi / 2, 1);
-  const HorizonScene scene(makePlane(48, 48, 8, 8), relief, 0.5);
-  const AngleTable shot = scene.shoot(0, 0, 48, 48, 16, pi / 2);
+  const relief::Relief relief{relief::makeCosine(48, 48, {12}, 6, relief::Wrap::clamp),
+                              relief::HeightSpace::world, Vec2(1)};
+  const horizon::HorizonTables baked = horizon::bakeHorizons(relief.field, {16, 200});
+  const horizon::AngleTable flat = horizon::horizonAngles(baked, pi / 2, 1);
+  const HorizonScene scene(surface::makePlane(48, 48, 8, 8), relief, 0.5);
+  const horizon::AngleTable shot = scene.shoot(0, 0, 48, 48, 16, pi / 2);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < shot.angles.size(); ++i) {
     // Four facets meet at a texel's centre, and a ray starts from one of them. Left out is where
@@ -125,7 +126,7 @@ TEST(SurfaceHorizons, OnAPlaneAreTheFlatReliefs) {
     const auto x = static_cast<int>(i % 48);
     const auto y = static_cast<int>(i / 48 % 48);
     const double azimuth = 2 * pi * static_cast<double>(i / (48 * 48)) / 16;
-    const HeightField& h = relief.field;
+    const relief::HeightField& h = relief.field;
     const auto steepest = [](double along, double before, double here, double after) {
       return std::max(along * (here - before), along * (after - here));
     };
@@ -150,11 +151,12 @@ TEST(SurfaceHorizons, OnAPlaneAreTheFlatReliefs) {
 /// In the hole of a torus the far side stands before the sky: light comes through a gap, or not at
 /// all.
 TEST(SurfaceHorizons, InATorussHoleAreTheLowestRaysThatEscape) {
-  const HorizonScene scene(makeTorus(30, 14, 64, 64), flatRelief(64, 64), 0.25);
+  const HorizonScene scene(surface::makeTorus(30, 14, 64, 64), flatRelief(64, 64), 0.25);
   constexpr int azimuths = 48;
-  const AngleTable table = scene.shoot(20, 2, 1, 1, azimuths, pi / 2);
-  const SurfaceSample sample = sampleAt(scene.surface, scene.relief, {20.5, 2.5});
-  const TexelFrame frame = texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
+  const horizon::AngleTable table = scene.shoot(20, 2, 1, 1, azimuths, pi / 2);
+  const surface::SurfaceSample sample = sampleAt(scene.surface, scene.relief, {20.5, 2.5});
+  const surface::TexelFrame frame =
+      surface::texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
   const Facet facet = scene.mesh.facet(sample);
   int gaps = 0;
   for (int m = 0; m < azimuths; ++m) {
@@ -186,15 +188,16 @@ TEST(SurfaceHorizons, InATorussHoleAreTheLowestRaysThatEscape) {
 }
 
 TEST(SurfaceHorizons, TexelWithoutASampleGetsTheLimit) {
-  const HorizonScene scene(makePlane(8, 8, 2, 2), flatRelief(8, 8), 0.5);
-  const SampleGrid none{2, 1, {SurfaceSample{}, SurfaceSample{}}};
-  const AngleTable table =
+  const HorizonScene scene(surface::makePlane(8, 8, 2, 2), flatRelief(8, 8), 0.5);
+  const surface::SampleGrid none{2, 1, {surface::SurfaceSample{}, surface::SurfaceSample{}}};
+  const horizon::AngleTable table =
       shootHorizons(scene.surface, scene.relief, scene.mesh, scene.scene, none, 3, 1.25);
   EXPECT_EQ(table.angles, std::vector<float>(6, 1.25F));
 }
 
 TEST(SurfaceHorizons, OneRayMeetsWhatAPacketMeets) {
-  const HorizonScene scene(makeTorus(30, 10, 66, 66), test::randomRelief(96, 66, 2, 7), 0.5);
+  const HorizonScene scene(surface::makeTorus(30, 10, 66, 66), test::randomRelief(96, 66, 2, 7),
+                           0.5);
   std::size_t hits = 0;
   for (int k = 0; k < 40; ++k) {
     const Vec3 direction = test::lightToward(9.0 * k, 7.0 * (k % 13) - 40);
@@ -222,9 +225,10 @@ TEST(SurfaceHorizons, OneRayMeetsWhatAPacketMeets) {
 }
 
 /// The stated search, one ray after the other.
-double angleByOneRayAtATime(const HorizonScene& scene, const SurfaceSample& sample, double azimuth,
-                            double limit) {
-  const TexelFrame frame = texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
+double angleByOneRayAtATime(const HorizonScene& scene, const surface::SurfaceSample& sample,
+                            double azimuth, double limit) {
+  const surface::TexelFrame frame =
+      surface::texelFrame(scene.surface.evaluate(sample), scene.relief.texelsPerUv());
   const Facet facet = scene.mesh.facet(sample);
   const Vec3 tangent = glm::normalize(std::cos(azimuth) * frame.px + std::sin(azimuth) * frame.py);
   const auto isFree = [&](double off) {
@@ -246,9 +250,10 @@ double angleByOneRayAtATime(const HorizonScene& scene, const SurfaceSample& samp
 }
 
 TEST(SurfaceHorizons, SearchedTogetherAreThoseSearchedAlone) {
-  const HorizonScene scene(makeTorus(30, 10, 66, 66), test::randomRelief(96, 66, 3, 7), 0.5);
+  const HorizonScene scene(surface::makeTorus(30, 10, 66, 66), test::randomRelief(96, 66, 3, 7),
+                           0.5);
   constexpr int azimuths = 5;
-  const AngleTable table = scene.shoot(20, 10, 19, 11, azimuths, pi / 2);
+  const horizon::AngleTable table = scene.shoot(20, 10, 19, 11, azimuths, pi / 2);
   std::size_t between = 0;
   for (int m = 0; m < azimuths; ++m) {
     for (int y = 0; y < 11; ++y) {
@@ -266,4 +271,4 @@ TEST(SurfaceHorizons, SearchedTogetherAreThoseSearchedAlone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -14,29 +14,31 @@ namespace gnomon::test {
 
 /// A relief that is `height` where `isHigh(i, j)` holds and 0 elsewhere.
 template <typename IsHigh>
-Relief stepRelief(int width, int height, double amplitude, const IsHigh& isHigh,
-                  Wrap wrap = Wrap::clamp) {
+relief::Relief stepRelief(int width, int height, double amplitude, const IsHigh& isHigh,
+                          relief::Wrap wrap = relief::Wrap::clamp) {
   std::vector<float> texels;
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) {
       texels.push_back(isHigh(i, j) ? static_cast<float>(amplitude) : 0.0F);
     }
   }
-  return {HeightField(width, height, std::move(texels), wrap), HeightSpace::world, Vec2(1)};
+  return {relief::HeightField(width, height, std::move(texels), wrap), relief::HeightSpace::world,
+          Vec2(1)};
 }
 
-inline Relief flatRelief(int width, int height) {
+inline relief::Relief flatRelief(int width, int height) {
   return stepRelief(width, height, 0, [](int, int) { return false; });
 }
 
 /// Independent heights in [0, amplitude): the roughest relief there is.
-inline Relief randomRelief(int width, int height, double amplitude, std::uint32_t seed) {
+inline relief::Relief randomRelief(int width, int height, double amplitude, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<float> texels(static_cast<std::size_t>(width * height));
   for (float& texel : texels) {
     texel = static_cast<float>(amplitude * static_cast<double>(random()) / 4294967296.0);
   }
-  return {HeightField(width, height, std::move(texels), Wrap::repeat), HeightSpace::world, Vec2(1)};
+  return {relief::HeightField(width, height, std::move(texels), relief::Wrap::repeat),
+          relief::HeightSpace::world, Vec2(1)};
 }
 
 /// The unit vector toward a light; degrees.
@@ -47,8 +49,9 @@ inline Vec3 lightToward(double azimuth, double elevation) {
 }
 
 /// The sample of a grid chart at texture position (x, y) in texels of a map of the given size.
-inline SurfaceSample sampleAt(const LimitSurface& surface, const Relief& relief, Vec2 texel) {
-  const GridChart grid = surface.grid().value();
+inline surface::SurfaceSample sampleAt(const surface::LimitSurface& surface,
+                                       const relief::Relief& relief, Vec2 texel) {
+  const surface::GridChart grid = surface.grid().value();
   const Vec2 place = texel / relief.texelsPerUv() * Vec2(grid.columns, grid.rows);
   const Vec2 cell = glm::min(glm::floor(place), Vec2(grid.columns - 1, grid.rows - 1));
   return {static_cast<int>(cell.y) * grid.columns + static_cast<int>(cell.x),
@@ -56,9 +59,10 @@ inline SurfaceSample sampleAt(const LimitSurface& surface, const Relief& relief,
 }
 
 /// A row of samples at texture positions from `begin` to `end`.
-inline SampleGrid sampleLine(const LimitSurface& surface, const Relief& relief, Vec2 begin,
-                             Vec2 end, int count) {
-  SampleGrid grid{count, 1, {}};
+inline surface::SampleGrid sampleLine(const surface::LimitSurface& surface,
+                                      const relief::Relief& relief, Vec2 begin, Vec2 end,
+                                      int count) {
+  surface::SampleGrid grid{count, 1, {}};
   for (int k = 0; k < count; ++k) {
     const double share = (k + 0.5) / count;
     grid.samples.push_back(sampleAt(surface, relief, begin + share * (end - begin)));
@@ -67,8 +71,8 @@ inline SampleGrid sampleLine(const LimitSurface& surface, const Relief& relief, 
 }
 
 /// `side` × `side` samples of every face, one row of the grid a face.
-inline SampleGrid samplesOfAllFaces(const LimitSurface& surface, int side) {
-  SampleGrid grid{side * side, surface.faceCount(), {}};
+inline surface::SampleGrid samplesOfAllFaces(const surface::LimitSurface& surface, int side) {
+  surface::SampleGrid grid{side * side, surface.faceCount(), {}};
   for (int face = 0; face < surface.faceCount(); ++face) {
     for (int k = 0; k < side * side; ++k) {
       grid.samples.push_back({face,
@@ -92,11 +96,11 @@ struct ShearedPlane {
   [[nodiscard]] double determinant() const { return px.x * py.y - py.x * px.y; }
   [[nodiscard]] bool mirrored() const { return determinant() < 0; }
   /// World length of one height unit.
-  [[nodiscard]] double worldPerHeight(HeightSpace space) const {
-    return space == HeightSpace::world ? 1 : std::sqrt(std::abs(determinant()));
+  [[nodiscard]] double worldPerHeight(relief::HeightSpace space) const {
+    return space == relief::HeightSpace::world ? 1 : std::sqrt(std::abs(determinant()));
   }
-  [[nodiscard]] Cage cage() const {
-    Cage cage = makePlane(width, height, columns, rows);
+  [[nodiscard]] surface::Cage cage() const {
+    surface::Cage cage = surface::makePlane(width, height, columns, rows);
     for (Vec3& position : cage.positions) {
       const double x = mirrored() ? -position.x : position.x;
       position = Vec3(x * px + position.y * py, 0);
@@ -108,7 +112,7 @@ struct ShearedPlane {
     return cage;
   }
   /// The sample at a place of the map, texels.
-  [[nodiscard]] SurfaceSample sampleAt(Vec2 texel) const {
+  [[nodiscard]] surface::SurfaceSample sampleAt(Vec2 texel) const {
     const Vec2 uv = texel / Vec2(width, height);
     const Vec2 place = Vec2(mirrored() ? 1 - uv.x : uv.x, uv.y) * Vec2(columns, rows);
     const Vec2 cell = glm::min(glm::floor(place), Vec2(columns - 1, rows - 1));
@@ -137,8 +141,8 @@ inline std::vector<ShearedPlane> shearedPlanes() {
 
 /// A cube's cage: a closed surface of six faces, each with the whole texture, so that every edge is
 /// a seam whose two sides have different heights.
-inline Cage cubeCage() {
-  Cage cage;
+inline surface::Cage cubeCage() {
+  surface::Cage cage;
   for (int k = 0; k < 8; ++k) {
     cage.positions.push_back(10.0 * Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
   }

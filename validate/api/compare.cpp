@@ -39,7 +39,7 @@ Mask maskOf(const MaskView& view, const char* what) {
 
 /// A region as a mask that is lit where samples count.
 Mask regionMask(const Mask& truth, std::span<const std::uint8_t> region) {
-  requireOnePerSample(region.size(), truth.size(), "values of the region");
+  compare::requireOnePerSample(region.size(), truth.size(), "values of the region");
   Mask mask{truth.width, truth.height, {}};
   mask.samples.reserve(region.size());
   for (const std::uint8_t counts : region) {
@@ -48,8 +48,8 @@ Mask regionMask(const Mask& truth, std::span<const std::uint8_t> region) {
   return mask;
 }
 
-void add(std::vector<MaskMetric>& list, const std::vector<Metric>& metrics) {
-  for (const Metric& metric : metrics) {
+void add(std::vector<MaskMetric>& list, const std::vector<compare::Metric>& metrics) {
+  for (const compare::Metric& metric : metrics) {
     list.push_back({std::string(metric.name), metric.value, std::string(metric.reason)});
   }
 }
@@ -71,13 +71,14 @@ MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,
     Mask right = maskOf(truth, "truth");
     std::optional<Mask> region;
     if (!options.region.empty()) region = regionMask(right, options.region);
-    const ComparedMasks masks =
-        commonPixels(maskOf(candidate, "candidate"), std::move(right), region ? &*region : nullptr);
-    const Counts counts = countSamples(masks.candidate, masks.truth, options.weights);
+    const compare::ComparedMasks masks = compare::commonPixels(
+        maskOf(candidate, "candidate"), std::move(right), region ? &*region : nullptr);
+    const compare::Counts counts =
+        compare::countSamples(masks.candidate, masks.truth, options.weights);
     MaskFigures figures{counts.truePositive, counts.falsePositive, counts.falseNegative,
                         counts.trueNegative, counts.samples,       {}};
-    add(figures.metrics, rates(counts));
-    add(figures.metrics, compareBoundaries(masks.candidate, masks.truth));
+    add(figures.metrics, compare::rates(counts));
+    add(figures.metrics, compare::compareBoundaries(masks.candidate, masks.truth));
     return figures;
   });
 }

@@ -15,7 +15,7 @@ void throwTranslated() {
   } catch (const Exception&) {
     throw;
   } catch (...) {
-    const Failure failure = currentFailure();
+    const cli::Failure failure = cli::currentFailure();
     switch (failure.status) {
       case ExitStatus::noGl:
         throw Exception(FailureKind::noOpenGl, failure.message);

@@ -10,18 +10,18 @@
 namespace gnomon {
 inline namespace api {
 
-HeightField heightFieldOf(const HeightMap& map) {
+relief::HeightField heightFieldOf(const HeightMap& map) {
   return {map.width,
           map.height,
           {map.texels.begin(), map.texels.end()},
-          map.repeats ? Wrap::repeat : Wrap::clamp,
+          map.repeats ? relief::Wrap::repeat : relief::Wrap::clamp,
           {map.endsInX, map.endsInY}};
 }
 
 HorizonMaps bakeHorizons(const HeightMap& map, int azimuths, double radius) {
   return translated([&] {
-    const auto tables = std::make_shared<const HorizonTables>(
-        bakeHorizons(heightFieldOf(map), BakeSettings{azimuths, radius}));
+    const auto tables = std::make_shared<const horizon::HorizonTables>(
+        horizon::bakeHorizons(heightFieldOf(map), horizon::BakeSettings{azimuths, radius}));
     return HorizonMaps{tables->width,   tables->height,   tables->layers,
                        tables->horizon, tables->distance, tables};
   });

@@ -28,8 +28,8 @@ std::string commandOf(const std::filesystem::path& study, const RunOptions& opti
   return text;
 }
 
-RunRequest requestOf(const std::filesystem::path& study, const RunOptions& options) {
-  RunRequest request;
+cli::RunRequest requestOf(const std::filesystem::path& study, const RunOptions& options) {
+  cli::RunRequest request;
   request.studies = {study};
   request.out = options.out;
   request.options.methods = options.methods;
@@ -41,28 +41,28 @@ RunRequest requestOf(const std::filesystem::path& study, const RunOptions& optio
 }
 
 /// Gates that do not hold, and what was not measured.
-std::vector<std::string> failuresOf(const std::vector<StudyRecord>& records) {
+std::vector<std::string> failuresOf(const std::vector<study::StudyRecord>& records) {
   std::vector<std::string> lines;
-  for (const StudyRecord& record : records) {
-    for (const Judgement& judgement : record.judgements) {
-      if (judgement.isFault()) lines.push_back(gateFaultText(judgement));
+  for (const study::StudyRecord& record : records) {
+    for (const study::Judgement& judgement : record.judgements) {
+      if (judgement.isFault()) lines.push_back(report::gateFaultText(judgement));
     }
-    for (const ProblemRecord& problem : record.problems) lines.push_back(problem.message);
+    for (const study::ProblemRecord& problem : record.problems) lines.push_back(problem.message);
   }
   return lines;
 }
 
-RunResult run(const RunRequest& request) {
-  const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
-  const GlContext gl;
-  requirePlots();
-  const std::unique_ptr<Cache> cache = openCache(request.noCache);
-  Records records;
+RunResult run(const cli::RunRequest& request) {
+  const std::vector<study::StudyPlan> plans = cli::readPlans(request.studies, request.options);
+  const render::GlContext gl;
+  cli::requirePlots();
+  const std::unique_ptr<cache::Cache> cache = cli::openCache(request.noCache);
+  cli::Records records;
   records.folders.claim(plans.front(), request.out);
   records.folders.clear(request.out);
-  MeasuredCases cases(gl, request, *cache, caseCount(plans));
-  const PlanRecords part = runPlan(plans.front(), cases, request, *cache, records);
-  (void)finishPlan(part, request, *cache, records);
+  cli::MeasuredCases cases(gl, request, *cache, cli::caseCount(plans));
+  const cli::PlanRecords part = cli::runPlan(plans.front(), cases, request, *cache, records);
+  (void)cli::finishPlan(part, request, *cache, records);
   std::vector<std::string> failures = failuresOf(records.all);
   return {request.out / plans.front().name / "summary.json", failures.empty(), std::move(failures)};
 }
@@ -71,7 +71,7 @@ RunResult run(const RunRequest& request) {
 
 RunResult runStudy(const std::filesystem::path& study, const RunOptions& options) {
   std::exception_ptr cancelled;
-  RunRequest request = requestOf(study, options);
+  cli::RunRequest request = requestOf(study, options);
   request.progress = [&](std::string_view stage, double share) {
     if (!options.progress) return;
     try {

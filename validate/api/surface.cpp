@@ -27,12 +27,12 @@ namespace {
 constexpr double mostSamples = 1 << 27;
 constexpr int mostPixelsASide = 16384;
 
-Surface surfaceOf(Cage cage) {
+Surface surfaceOf(surface::Cage cage) {
   return Surface(std::make_shared<const Surface::Data>(std::move(cage)));
 }
 
-SubdivisionScheme schemeOf(bool triangles) {
-  return triangles ? SubdivisionScheme::loop : SubdivisionScheme::catmullClark;
+surface::SubdivisionScheme schemeOf(bool triangles) {
+  return triangles ? surface::SubdivisionScheme::loop : surface::SubdivisionScheme::catmullClark;
 }
 
 template <std::size_t size>
@@ -48,8 +48,8 @@ std::vector<glm::vec<size, double>> vectorsOf(std::span<const double> numbers, c
   return vectors;
 }
 
-Cage cageOf(const ControlMesh& mesh) {
-  Cage cage;
+surface::Cage cageOf(const ControlMesh& mesh) {
+  surface::Cage cage;
   cage.scheme = schemeOf(mesh.triangles);
   cage.positions = vectorsOf<3>(mesh.positions, "positions");
   cage.uvs = vectorsOf<2>(mesh.uvs, "uvs");
@@ -65,7 +65,8 @@ Cage cageOf(const ControlMesh& mesh) {
   return cage;
 }
 
-Cage shapeOf(std::string_view shape, const std::vector<double>& sizes, int columns, int rows) {
+surface::Cage shapeOf(std::string_view shape, const std::vector<double>& sizes, int columns,
+                      int rows) {
   static const std::map<std::string_view, std::size_t> counts = {
       {"plane", 2}, {"cylinder", 3}, {"sphere", 3}, {"torus", 2}};
   const auto found = counts.find(shape);
@@ -76,38 +77,41 @@ Cage shapeOf(std::string_view shape, const std::vector<double>& sizes, int colum
     throw InputError(fmt::format("shape \"{}\": {} sizes found, {} expected", shape, sizes.size(),
                                  found->second));
   }
-  if (shape == "plane") return makePlane(sizes[0], sizes[1], columns, rows);
-  if (shape == "torus") return makeTorus(sizes[0], sizes[1], columns, rows);
-  if (shape == "cylinder") return makeCylinder(sizes[0], sizes[1], sizes[2], columns, rows);
-  return makeSphere(sizes[0], sizes[1], sizes[2], columns, rows);
+  if (shape == "plane") return surface::makePlane(sizes[0], sizes[1], columns, rows);
+  if (shape == "torus") return surface::makeTorus(sizes[0], sizes[1], columns, rows);
+  if (shape == "cylinder")
+    return surface::makeCylinder(sizes[0], sizes[1], sizes[2], columns, rows);
+  return surface::makeSphere(sizes[0], sizes[1], sizes[2], columns, rows);
 }
 
-SampleGrid atlasGrid(const LimitSurface& surface, int side) {
+surface::SampleGrid atlasGrid(const surface::LimitSurface& surface, int side) {
   if (side < 1 || !(static_cast<double>(side) * side * surface.faceCount() <= mostSamples)) {
     throw InputError(
         fmt::format("side: {} found, at least 1 and at most {} samples on {} faces "
                     "expected",
                     side, mostSamples, surface.faceCount()));
   }
-  const RenderView view = atlasView(surface, side);
-  SampleGrid grid{view.width, view.height, {}};
+  const render::RenderView view = render::atlasView(surface, side);
+  surface::SampleGrid grid{view.width, view.height, {}};
   const auto middle = [side](int index) {
     return (static_cast<float>(index % side) + 0.5F) / static_cast<float>(side);
   };
   for (int y = view.height - 1; y >= 0; --y) {
     for (int x = 0; x < view.width; ++x) {
       const int face = y / side * view.atlasTiles.x + x / side;
-      grid.samples.push_back(face < surface.faceCount() ? SurfaceSample{face, middle(x), middle(y)}
-                                                        : SurfaceSample{});
+      grid.samples.push_back(face < surface.faceCount()
+                                 ? surface::SurfaceSample{face, middle(x), middle(y)}
+                                 : surface::SurfaceSample{});
     }
   }
   return grid;
 }
 
-SurfaceSamples samplesOf(const SampleGrid& grid, std::vector<double> weights) {
+SurfaceSamples samplesOf(const surface::SampleGrid& grid, std::vector<double> weights) {
   SurfaceSamples samples{grid.width, grid.height, {}, std::move(weights)};
   samples.places.reserve(grid.samples.size());
-  for (const SurfaceSample& at : grid.samples) samples.places.push_back({at.face, at.s, at.t});
+  for (const surface::SurfaceSample& at : grid.samples)
+    samples.places.push_back({at.face, at.s, at.t});
   return samples;
 }
 
@@ -148,7 +152,7 @@ Surface makeSurface(const ControlMesh& mesh) {
 }
 
 Surface readSurface(const std::filesystem::path& file, bool triangles) {
-  return translated([&] { return surfaceOf(readMeshFile(file, schemeOf(triangles))); });
+  return translated([&] { return surfaceOf(surface::readMeshFile(file, schemeOf(triangles))); });
 }
 
 Surface makeShape(std::string_view shape, const std::vector<double>& sizes, int columns, int rows) {
@@ -157,9 +161,9 @@ Surface makeShape(std::string_view shape, const std::vector<double>& sizes, int 
 
 SurfaceSamples atlasSamples(const Surface& surface, int side) {
   return translated([&] {
-    const LimitSurface& limit = surface.data().limit;
-    const SampleGrid grid = atlasGrid(limit, side);
-    return samplesOf(grid, sampleAreas(limit, grid, side));
+    const surface::LimitSurface& limit = surface.data().limit;
+    const surface::SampleGrid grid = atlasGrid(limit, side);
+    return samplesOf(grid, surface::sampleAreas(limit, grid, side));
   });
 }
 
@@ -168,11 +172,13 @@ SurfaceSamples cameraSamples(const Surface& surface, const PinholeCamera& camera
   return translated([&] {
     const Camera checked = cameraOf(camera);
     // The samples do not depend on the map.
-    const BaseMesh mesh = makeBaseMesh(surface.data().limit, Vec2(1), subdivisions);
-    const RenderView view = cameraView(checked, mesh);
+    const surface::BaseMesh mesh =
+        surface::makeBaseMesh(surface.data().limit, Vec2(1), subdivisions);
+    const render::RenderView view = render::cameraView(checked, mesh);
     return onOwnThread([&] {
-      const GlContext gl;
-      return samplesOf(SamplesPass(shaderFolder()).render(view, GpuMesh(mesh)), {});
+      const render::GlContext gl;
+      return samplesOf(
+          render::SamplesPass(render::shaderFolder()).render(view, render::GpuMesh(mesh)), {});
     });
   });
 }

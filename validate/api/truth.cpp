@@ -21,23 +21,25 @@ inline namespace api {
 namespace {
 
 static_assert(static_cast<int>(Shade::shadowed) == 1 && static_cast<int>(Shade::none) == 2);
-static_assert(static_cast<int>(Region::beyondTerminator) ==
+static_assert(static_cast<int>(truth::Region::beyondTerminator) ==
               static_cast<int>(ShadowRegion::beyondTerminator));
 
-Relief reliefOf(const Surface::Data& surface, const Displacement& displacement) {
+relief::Relief reliefOf(const Surface::Data& surface, const Displacement& displacement) {
   const Vec2 repeats(displacement.repeats[0], displacement.repeats[1]);
   if (!(repeats.x > 0 && repeats.y > 0 && std::isfinite(repeats.x + repeats.y))) {
     throw InputError(
         fmt::format("repeats: [{}, {}] found, above 0 expected", repeats.x, repeats.y));
   }
-  HeightField field = heightFieldOf(displacement.map);
-  const Border border = borderOf(surface.cage, surface.limit, field.wrap(), repeats);
+  relief::HeightField field = heightFieldOf(displacement.map);
+  const relief::Border border =
+      relief::borderOf(surface.cage, surface.limit, field.wrap(), repeats);
   return {std::move(field).withBorder(border),
-          displacement.heightsInTexels ? HeightSpace::texture : HeightSpace::world, repeats};
+          displacement.heightsInTexels ? relief::HeightSpace::texture : relief::HeightSpace::world,
+          repeats};
 }
 
-SampleGrid gridOf(const SurfaceSamples& samples, int faces) {
-  SampleGrid grid{samples.width, samples.height, {}};
+surface::SampleGrid gridOf(const SurfaceSamples& samples, int faces) {
+  surface::SampleGrid grid{samples.width, samples.height, {}};
   if (samples.width < 1 || samples.height < 1 ||
       samples.places.size() !=
           static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height)) {
@@ -75,30 +77,30 @@ std::vector<Vec3> unitVectors(const std::vector<std::array<double, 3>>& lights) 
 
 /// What every trace of one call shares.
 struct Task {
-  const LimitSurface& surface;
-  Relief relief;
-  SampleGrid samples;
-  std::vector<TraceSettings> lights;
+  const surface::LimitSurface& surface;
+  relief::Relief relief;
+  surface::SampleGrid samples;
+  std::vector<truth::TraceSettings> lights;
 };
 
 struct Traced {
-  std::vector<Truth> truths;
+  std::vector<truth::Truth> truths;
   double step = 0;  ///< that the mesh was asked for, texels
   std::uint64_t triangles = 0;
 };
 
 Traced trace(const Task& task, std::optional<double> step) {
-  MicroMeshSettings settings;
+  truth::MicroMeshSettings settings;
   settings.stepTexels = step;
-  const MicroMesh mesh(task.surface, task.relief, settings);
-  return {
-      traceShadows(task.surface, task.relief, mesh, MicroScene(mesh), task.samples, task.lights),
-      mesh.askedStepTexels(), mesh.triangleCount()};
+  const truth::MicroMesh mesh(task.surface, task.relief, settings);
+  return {truth::traceShadows(task.surface, task.relief, mesh, truth::MicroScene(mesh),
+                              task.samples, task.lights),
+          mesh.askedStepTexels(), mesh.triangleCount()};
 }
 
 /// The same at half the resolution and half the rays' offset, as the uncertainty of a run is found.
-std::vector<Truth> traceCoarser(Task task, const Traced& fine) {
-  for (TraceSettings& light : task.lights) light.rayOffset = standardRayOffset / 2;
+std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine) {
+  for (truth::TraceSettings& light : task.lights) light.rayOffset = truth::standardRayOffset / 2;
   Traced coarse = trace(task, 2 * fine.step);
   if (2 * coarse.triangles > fine.triangles) {
     throw InputError(
@@ -110,13 +112,13 @@ std::vector<Truth> traceCoarser(Task task, const Traced& fine) {
   return std::move(coarse.truths);
 }
 
-ShadowTruth shadowTruthOf(const Truth& truth, const Truth& coarse) {
+ShadowTruth shadowTruthOf(const truth::Truth& truth, const truth::Truth& coarse) {
   ShadowTruth result{
-      truth.mask.width, truth.mask.height, {}, {}, flipRate(truth.mask, coarse.mask)};
+      truth.mask.width, truth.mask.height, {}, {}, truth::flipRate(truth.mask, coarse.mask)};
   for (const Shade shade : truth.mask.samples) {
     result.mask.push_back(static_cast<std::uint8_t>(shade));
   }
-  for (const Region region : truth.regions) {
+  for (const truth::Region region : truth.regions) {
     result.regions.push_back(static_cast<std::uint8_t>(region));
   }
   return result;
@@ -133,12 +135,13 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
     const std::vector<Vec3> directions = unitVectors(lights);
     Task task{
         data.limit, reliefOf(data, displacement), gridOf(samples, data.limit.faceCount()), {}};
-    const double radius =
-        options.radius ? *options.radius : searchRadius(data.limit, task.relief, directions).texels;
+    const double radius = options.radius
+                              ? *options.radius
+                              : horizon::searchRadius(data.limit, task.relief, directions).texels;
     if (!(radius > 0)) throw InputError(fmt::format("radius: {} found, above 0 expected", radius));
     for (const Vec3& direction : directions) task.lights.push_back({direction, radius});
     const Traced fine = trace(task, options.step);
-    const std::vector<Truth> coarse = traceCoarser(std::move(task), fine);
+    const std::vector<truth::Truth> coarse = traceCoarser(std::move(task), fine);
     std::vector<ShadowTruth> truths;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       truths.push_back(shadowTruthOf(fine.truths[i], coarse[i]));

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// Values as bytes and back, for entries that only the program that wrote them reads (its identity
 /// is in their keys): native endian, and no versions.
@@ -166,4 +166,4 @@ T valueOf(std::string_view bytes) {
   return value;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

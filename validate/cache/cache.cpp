@@ -18,7 +18,7 @@
 #include "common/files/part_file.h"
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace fs = std::filesystem;
 namespace {
 
@@ -166,4 +166,4 @@ void Cache::save(const ContentKey& own, const std::string& content) {
   if (written_ > std::min(enough, limit_ / 8)) accountForWritten();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

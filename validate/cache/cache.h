@@ -14,7 +14,7 @@
 #include "cache/content_key.h"
 #include "common/raw_vector.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// What computes the results of a cache.
 struct CacheOwner {
@@ -110,4 +110,4 @@ class Cache {
   std::atomic<std::uint64_t> damaged_ = 0;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

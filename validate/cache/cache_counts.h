@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// What was found in a cache, and what was not.
 struct CacheCounts {
@@ -15,4 +15,4 @@ struct CacheCounts {
   }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

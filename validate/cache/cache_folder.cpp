@@ -16,7 +16,7 @@
 #include "common/files/atomic_file.h"
 #include "common/files/part_file.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace fs = std::filesystem;
 namespace {
 
@@ -158,4 +158,4 @@ std::uint64_t parseBytes(std::string_view text) {
   return static_cast<std::uint64_t>(std::llround(bytes));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// The files of a cache: `FOLDER/ab/REST.entry`, named by key; `FOLDER/limit`, the bound that the
 /// user chose; part files (see PartFile) while they are written. Nothing else in the folder is ever
@@ -49,4 +49,4 @@ void account(const std::filesystem::path& folder, std::uint64_t written, std::ui
 /// @throws UsageError for anything else, or more than 1e18
 std::uint64_t parseBytes(std::string_view text);
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

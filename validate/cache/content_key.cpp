@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <xxhash.h>
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace {
 
 /// Longer inputs enter by their own key.
@@ -41,4 +41,4 @@ KeyBuilder& KeyBuilder::append(std::string_view name, char type, const void* dat
   return *this;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// The name of a cached result: 128 bits of XXH3 over all that the result depends on. Two different
 /// inputs share one with a probability of 2⁻¹²⁸; nobody gains by making them do so.
@@ -73,4 +73,4 @@ class KeyBuilder {
   std::string bytes_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace gnomon {
+namespace gnomon::cache {
 namespace {
 
 struct Header {
@@ -58,4 +58,4 @@ std::optional<std::string_view> openedEntry(const ContentKey& key, std::string_v
   return content;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

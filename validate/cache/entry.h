@@ -7,7 +7,7 @@
 
 #include "cache/content_key.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// An entry as its file holds it: a header of 64 bytes (magic, format version, the key that it
 /// belongs to, length and XXH3 checksum of the content), then the content.
@@ -25,4 +25,4 @@ bool mayBeEntry(const ContentKey& key, std::string_view header, std::uint64_t fi
 /// @return a view into `file`
 std::optional<std::string_view> openedEntry(const ContentKey& key, std::string_view file);
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

@@ -9,7 +9,7 @@
 #include "common/lists.h"
 #include "report/json/baseline_json.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
@@ -17,11 +17,11 @@ const char* formName(bool quick) {
   return quick ? "quick" : "full";
 }
 
-bool isQuick(const StudyPlan& plan) {
+bool isQuick(const study::StudyPlan& plan) {
   return plan.steps.front().quick;
 }
 
-void requireSameRun(const Baseline& baseline, const StudyPlan& plan) {
+void requireSameRun(const study::Baseline& baseline, const study::StudyPlan& plan) {
   if (baseline.study != plan.name) {
     throw InputError(
         fmt::format("study: \"{}\" found, \"{}\" expected", baseline.study, plan.name));
@@ -32,8 +32,8 @@ void requireSameRun(const Baseline& baseline, const StudyPlan& plan) {
                     formName(baseline.quick), formName(isQuick(plan))));
   }
   std::vector<std::string> steps;
-  for (const StudySpec& step : plan.steps) steps.push_back(step.name);
-  for (const Gate& gate : baseline.gates) {
+  for (const study::StudySpec& step : plan.steps) steps.push_back(step.name);
+  for (const study::Gate& gate : baseline.gates) {
     // A value of a step that is not run could never be judged.
     if (contains(steps, gate.step)) continue;
     throw InputError(fmt::format("values.study: \"{}\" found, the study has {}", gate.step,
@@ -41,7 +41,7 @@ void requireSameRun(const Baseline& baseline, const StudyPlan& plan) {
   }
 }
 
-bool saysTheSame(const Baseline& a, const Baseline& b) {
+bool saysTheSame(const study::Baseline& a, const study::Baseline& b) {
   return a.study == b.study && a.quick == b.quick && a.gates == b.gates;
 }
 
@@ -55,13 +55,13 @@ fs::path pictureFolder(const fs::path& folder, const std::string& step) {
   return folder / "pictures" / step;
 }
 
-Baseline readReferences(const fs::path& file, const StudyPlan& plan) {
+study::Baseline readReferences(const fs::path& file, const study::StudyPlan& plan) {
   if (!pathExists(file)) {
     throw InputError(fmt::format(
         "{}: missing, the references of {} expected; --update-baseline --reason TEXT writes them",
         file.string(), plan.name));
   }
-  Baseline baseline = readBaseline(file);
+  study::Baseline baseline = report::readBaseline(file);
   try {
     requireSameRun(baseline, plan);
   } catch (const InputError& error) {
@@ -70,10 +70,11 @@ Baseline readReferences(const fs::path& file, const StudyPlan& plan) {
   return baseline;
 }
 
-void judgeReferences(const fs::path& file, const Baseline& baseline,
-                     const std::vector<std::string>& leftOut, StudyRecord& record) {
+void judgeReferences(const fs::path& file, const study::Baseline& baseline,
+                     const std::vector<std::string>& leftOut, study::StudyRecord& record) {
   try {
-    const std::vector<Judgement> references = judgeBaseline(baseline, record, leftOut);
+    const std::vector<study::Judgement> references =
+        study::judgeBaseline(baseline, record, leftOut);
     record.judgements.insert(record.judgements.end(), references.begin(), references.end());
   } catch (const InputError& error) {
     record.problems.push_back(
@@ -81,14 +82,15 @@ void judgeReferences(const fs::path& file, const Baseline& baseline,
   }
 }
 
-std::optional<Baseline> readFormerReferences(const fs::path& file) {
-  return pathExists(file) ? std::optional(readBaseline(file)) : std::nullopt;
+std::optional<study::Baseline> readFormerReferences(const fs::path& file) {
+  return pathExists(file) ? std::optional(report::readBaseline(file)) : std::nullopt;
 }
 
-bool updateBaseline(const fs::path& file, const StudyPlan& plan, const std::string& reason,
-                    const std::optional<Baseline>& former, std::span<const StudyRecord> steps,
-                    CheckRecord& check) {
-  Baseline baseline{plan.name, isQuick(plan), steps.front().environment, {}, referenceGates(steps)};
+bool updateBaseline(const fs::path& file, const study::StudyPlan& plan, const std::string& reason,
+                    const std::optional<study::Baseline>& former,
+                    std::span<const study::StudyRecord> steps, study::CheckRecord& check) {
+  study::Baseline baseline{
+      plan.name, isQuick(plan), steps.front().environment, {}, study::referenceGates(steps)};
   if (check.status() != ExitStatus::pass) {
     check.notices.push_back(
         {fmt::format("{} left as it is: the check has not passed", file.string())});
@@ -105,10 +107,10 @@ bool updateBaseline(const fs::path& file, const StudyPlan& plan, const std::stri
   if (former) baseline.history = former->history;
   baseline.history.push_back(
       {reason, baseline.environment.gnomonVersion, baseline.environment.commit});
-  writeTextAtomically(file, baselineJson(baseline));
+  writeTextAtomically(file, report::baselineJson(baseline));
   check.notices.push_back(
       {fmt::format("{} written: {} references", file.string(), baseline.gates.size())});
   return true;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -10,7 +10,7 @@
 #include "study/record/check_record.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// The file of a study's references in a folder: `NAME.json`.
 std::filesystem::path baselineFile(const std::filesystem::path& folder, const std::string& study);
@@ -22,16 +22,16 @@ std::filesystem::path pictureFolder(const std::filesystem::path& folder, const s
 /// The references of a study, read before it is run.
 /// @throws InputError naming the file: it is missing or no baseline, or is of another study or
 ///   form, or holds values of steps that the study does not have
-Baseline readReferences(const std::filesystem::path& file, const StudyPlan& plan);
+study::Baseline readReferences(const std::filesystem::path& file, const study::StudyPlan& plan);
 
 /// Judges one run by its part of the references: its gates, and what kept it from being judged.
 /// @param leftOut  labels of the methods that the run takes no part of
-void judgeReferences(const std::filesystem::path& file, const Baseline& baseline,
-                     const std::vector<std::string>& leftOut, StudyRecord& record);
+void judgeReferences(const std::filesystem::path& file, const study::Baseline& baseline,
+                     const std::vector<std::string>& leftOut, study::StudyRecord& record);
 
 /// The references that an update replaces; none where there is no file.
 /// @throws InputError for a file that is no baseline, so that its history is not lost
-std::optional<Baseline> readFormerReferences(const std::filesystem::path& file);
+std::optional<study::Baseline> readFormerReferences(const std::filesystem::path& file);
 
 /// Writes a run's values as references, with the reason after those of the file that was there, and
 /// tells of it in a notice. Leaves the file alone where the check has not passed, and where every
@@ -40,8 +40,8 @@ std::optional<Baseline> readFormerReferences(const std::filesystem::path& file);
 /// @param former  what the file holds
 /// @return whether the references are now this run's
 /// @throws InputError where the run has no value to write
-bool updateBaseline(const std::filesystem::path& file, const StudyPlan& plan,
-                    const std::string& reason, const std::optional<Baseline>& former,
-                    std::span<const StudyRecord> steps, CheckRecord& check);
+bool updateBaseline(const std::filesystem::path& file, const study::StudyPlan& plan,
+                    const std::string& reason, const std::optional<study::Baseline>& former,
+                    std::span<const study::StudyRecord> steps, study::CheckRecord& check);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

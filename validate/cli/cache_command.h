@@ -7,10 +7,10 @@
 #include "cache/cache.h"
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// The user's cache, or one that is off: where it is not wanted, or there is no place for it.
-std::unique_ptr<Cache> openCache(bool isOff);
+std::unique_ptr<cache::Cache> openCache(bool isOff);
 
 /// What `gnomon cache` was asked for.
 struct CacheRequest {
@@ -24,4 +24,4 @@ struct CacheRequest {
 ///   there is no place for a cache
 ExitStatus showCache(const CacheRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -8,45 +8,47 @@
 #include "study/run/method_trial.h"
 #include "study/run/run_study.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Does work that takes a StageProgress: that of the request, or a line on the terminal.
 template <typename Work>
-StudyRecord MeasuredCases::shown(const StudySpec& study, const Work& work) {
-  StageProgress progress = request_.progress;
+study::StudyRecord MeasuredCases::shown(const study::StudySpec& study, const Work& work) {
+  study::StageProgress progress = request_.progress;
   if (!progress) {
     progress = [this](std::string_view stage, double share) { line_.update(stage, share); };
   }
   store_.expectCases(isStep(study) || request_.varyRadius);
-  StudyRecord record = inStudy(study, [&] { return work(progress); });
+  study::StudyRecord record = inStudy(study, [&] { return work(progress); });
   line_.clear();
   return record;
 }
 
-void MeasuredCases::prepare(const StudySpec& study) {
-  inStudy(study, [&] { tryMethods(study, gl_, cache_); });
+void MeasuredCases::prepare(const study::StudySpec& study) {
+  inStudy(study, [&] { study::tryMethods(study, gl_, cache_); });
 }
 
-StudyRecord MeasuredCases::measure(const StudySpec& study, RunFolder& folder) {
+study::StudyRecord MeasuredCases::measure(const study::StudySpec& study,
+                                          report::RunFolder& folder) {
   line_.beginCase(study.name);
-  FolderWriter writer(folder);
-  return shown(study, [&](const StageProgress& progress) {
-    return runStudy(study, gl_, writer, cache_, store_, progress);
+  report::FolderWriter writer(folder);
+  return shown(study, [&](const study::StageProgress& progress) {
+    return study::runStudy(study, gl_, writer, cache_, store_, progress);
   });
 }
 
-StudyRecord MeasuredCases::measureFigures(const StudySpec& study) {
+study::StudyRecord MeasuredCases::measureFigures(const study::StudySpec& study) {
   line_.beginCase(study.name);
-  return shown(study, [&](const StageProgress& progress) {
-    return runStudyFigures(study, gl_, cache_, store_, progress);
+  return shown(study, [&](const study::StageProgress& progress) {
+    return study::runStudyFigures(study, gl_, cache_, store_, progress);
   });
 }
 
-StudyRecord MeasuredCases::measureAt(const StudySpec& study, double radiusFactor) {
+study::StudyRecord MeasuredCases::measureAt(const study::StudySpec& study, double radiusFactor) {
   line_.setTitle(fmt::format("{}, radius × {}", study.name, radiusFactor));
-  return shown(study, [&](const StageProgress& progress) {
-    return measureStudy(withRadiusTimes(study, radiusFactor), gl_, cache_, store_, progress);
+  return shown(study, [&](const study::StageProgress& progress) {
+    return study::measureStudy(study::withRadiusTimes(study, radiusFactor), gl_, cache_, store_,
+                               progress);
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -11,7 +11,7 @@
 #include "study/run/scene/scene_store.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Where the figures of a run's cases come from, a case being a study or a step of a sweep: from
 /// measuring it, or from what shards have kept.
@@ -23,13 +23,13 @@ class CaseSource {
   virtual ~CaseSource() = default;
 
   /// Called for all cases of a plan before the first of them is asked for.
-  virtual void prepare(const StudySpec& study) = 0;
+  virtual void prepare(const study::StudySpec& study) = 0;
   /// What was found, no claim judged yet; its pictures are written to the folder.
-  virtual StudyRecord measure(const StudySpec& study, RunFolder& folder) = 0;
+  virtual study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) = 0;
   /// The figures alone, without pictures and frame times.
-  virtual StudyRecord measureFigures(const StudySpec& study) = 0;
+  virtual study::StudyRecord measureFigures(const study::StudySpec& study) = 0;
   /// The figures alone, at half or at twice the search radius.
-  virtual StudyRecord measureAt(const StudySpec& study, double radiusFactor) = 0;
+  virtual study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) = 0;
 };
 
 /// Measures, and tells how far it is on the terminal, or whom the request names.
@@ -37,23 +37,24 @@ class MeasuredCases final : public CaseSource {
  public:
   /// All outlive the source.
   /// @param count  of the cases that will be measured
-  MeasuredCases(const GlContext& gl, const RunRequest& request, Cache& cache, std::size_t count)
+  MeasuredCases(const render::GlContext& gl, const RunRequest& request, cache::Cache& cache,
+                std::size_t count)
       : gl_(gl), request_(request), cache_(cache), line_("", count) {}
 
-  void prepare(const StudySpec& study) override;
-  StudyRecord measure(const StudySpec& study, RunFolder& folder) override;
-  StudyRecord measureFigures(const StudySpec& study) override;
-  StudyRecord measureAt(const StudySpec& study, double radiusFactor) override;
+  void prepare(const study::StudySpec& study) override;
+  study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) override;
+  study::StudyRecord measureFigures(const study::StudySpec& study) override;
+  study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) override;
 
  private:
   template <typename Work>
-  StudyRecord shown(const StudySpec& study, const Work& work);
+  study::StudyRecord shown(const study::StudySpec& study, const Work& work);
 
-  const GlContext& gl_;
+  const render::GlContext& gl_;
   const RunRequest& request_;
-  Cache& cache_;
-  SceneStore store_;
+  cache::Cache& cache_;
+  study::SceneStore store_;
   TerminalProgress line_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -26,21 +26,21 @@
 #include "study/judge/tightening.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
 /// One study file on its way through a check.
 struct Study {
-  CheckRecord check;
-  std::optional<StudyPlan> plan;    ///< none, if the file cannot be read
-  std::optional<PlanRecords> part;  ///< none, until it has been run
+  study::CheckRecord check;
+  std::optional<study::StudyPlan> plan;  ///< none, if the file cannot be read
+  std::optional<PlanRecords> part;       ///< none, until it has been run
   /// What it is judged by, or what an update replaces; none, if the file is missing or no baseline.
-  std::optional<Baseline> baseline;
+  std::optional<study::Baseline> baseline;
 };
 
 void requireSense(const CheckRequest& request) {
-  const StudyOptions& options = request.run.options;
+  const study::StudyOptions& options = request.run.options;
   if (!request.updateBaseline) {
     if (!request.reason.empty()) throw UsageError("--reason: --update-baseline expected with it");
     if (request.baselinePictures) {
@@ -68,7 +68,7 @@ void requireSense(const CheckRequest& request) {
 std::string commandFor(const CheckRequest& request, const std::string& file,
                        const std::vector<std::string>& methods) {
   std::string text = "gnomon check " + shellQuoted(file);
-  const StudyOptions& options = request.run.options;
+  const study::StudyOptions& options = request.run.options;
   const auto add = [&](const char* option, const std::vector<std::string>& values) {
     for (const std::string& value : values) {
       text += fmt::format(" {} {}", option, shellQuoted(value));
@@ -88,26 +88,26 @@ std::string commandFor(const CheckRequest& request, const std::string& file,
 }
 
 /// The methods of the gates that do not hold; none where all are needed to tell.
-std::vector<std::string> faultyMethods(const CheckRecord& check) {
+std::vector<std::string> faultyMethods(const study::CheckRecord& check) {
   std::vector<std::string> methods;
   if (!check.problems.empty()) return methods;
-  for (const Judgement& judgement : check.judgements) {
+  for (const study::Judgement& judgement : check.judgements) {
     if (judgement.isFault()) appendOnce(methods, judgement.gate.method);
   }
   return methods;
 }
 
-void addProblem(CheckRecord& check, const char* part) {
+void addProblem(study::CheckRecord& check, const char* part) {
   const Failure failure = currentFailure();
   check.problems.push_back({part, failure.status, failure.message});
 }
 
-void requireGates(const StudyPlan& plan, const CheckRequest& request) {
-  const StudySpec& study = plan.steps.front();
+void requireGates(const study::StudyPlan& plan, const CheckRequest& request) {
+  const study::StudySpec& study = plan.steps.front();
   if (request.baseline) return;
   const bool judgesMethods =
       std::any_of(study.thresholds.begin(), study.thresholds.end(),
-                  [](const Gate& gate) { return !isOfTruthAlone(gate.metric); });
+                  [](const study::Gate& gate) { return !compare::isOfTruthAlone(gate.metric); });
   if (judgesMethods) return;
   if (!study.thresholds.empty()) {
     throw InputError(fmt::format(
@@ -138,10 +138,10 @@ Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::s
   study.check.file = file.string();
   study.check.command = commandFor(request, study.check.file, {});
   try {
-    StudyPlan plan = readStudyPlan(file, request.run.options);
+    study::StudyPlan plan = study::readStudyPlan(file, request.run.options);
     study.check.name = plan.name;
-    for (const StudySpec& step : plan.steps) {
-      for (Judgement skipped : step.leftOut) {
+    for (const study::StudySpec& step : plan.steps) {
+      for (study::Judgement skipped : step.leftOut) {
         skipped.gate.step = step.name;
         study.check.judgements.push_back(std::move(skipped));
       }
@@ -160,20 +160,20 @@ Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::s
 /// as it is written.
 void writeJunit(const CheckRequest& request, const std::vector<Study>& studies, bool judged) {
   if (!request.junit || (!judged && !keepsContent(*request.junit))) return;
-  std::vector<CheckRecord> checks;
+  std::vector<study::CheckRecord> checks;
   for (const Study& study : studies) {
     checks.push_back(study.check);
     if (judged || !study.plan) continue;
     checks.back().problems.push_back(
         {"study", ExitStatus::internal, study.check.file + ": the check did not come to its end"});
   }
-  writeTextAtomically(*request.junit, junitXml(checks));
+  writeTextAtomically(*request.junit, report::junitXml(checks));
 }
 
 /// Judges a run by the study's references. What kept the study from having any kept this run from
 /// being judged.
 void judgeStep(const Study& study, const CheckRequest& request, RunFolders& folders,
-               StudyRecord& record) {
+               study::StudyRecord& record) {
   if (!request.baseline) return;
   record.baseline = study.check.baseline;
   record.problems.insert(record.problems.end(), study.check.problems.begin(),
@@ -182,8 +182,8 @@ void judgeStep(const Study& study, const CheckRequest& request, RunFolders& fold
   judgeReferences(record.baseline, *study.baseline, study.plan->steps.front().leftOutMethods,
                   record);
   if (request.run.metricsOnly) return;
-  record.referencePictures = drawReferencePictures(record, folders.of(record.name),
-                                                   pictureFolder(*request.baseline, record.name));
+  record.referencePictures = report::drawReferencePictures(
+      record, folders.of(record.name), pictureFolder(*request.baseline, record.name));
 }
 
 /// How many studies a ranking would hold.
@@ -209,12 +209,12 @@ void claimFolders(std::vector<Study>& studies, const CheckRequest& request, RunF
 
 /// Makes what every run needs; none where nothing can be run, which is then a problem of each
 /// study.
-std::unique_ptr<GlContext> prepare(std::vector<Study>& studies, const CheckRequest& request,
-                                   RunFolders& folders) {
+std::unique_ptr<render::GlContext> prepare(std::vector<Study>& studies, const CheckRequest& request,
+                                           RunFolders& folders) {
   try {
     const bool drawsPlots = !request.run.metricsOnly;
-    if (drawsPlots) askGnuplotVersion();  // which it tells while OpenGL starts
-    auto gl = std::make_unique<GlContext>();
+    if (drawsPlots) report::askGnuplotVersion();  // which it tells while OpenGL starts
+    auto gl = std::make_unique<render::GlContext>();
     if (drawsPlots) requirePlots();
     claimFolders(studies, request, folders);
     return gl;
@@ -227,12 +227,12 @@ std::unique_ptr<GlContext> prepare(std::vector<Study>& studies, const CheckReque
 }
 
 /// Runs what can be run.
-void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cache,
+void runAll(std::vector<Study>& studies, const CheckRequest& request, cache::Cache& cache,
             Records& records) {
   const bool isAny = std::any_of(studies.begin(), studies.end(),
                                  [](const Study& study) { return study.plan.has_value(); });
   if (!isAny) return;
-  const std::unique_ptr<GlContext> gl = prepare(studies, request, records.folders);
+  const std::unique_ptr<render::GlContext> gl = prepare(studies, request, records.folders);
   if (!gl) return;
   std::size_t count = 0;
   for (const Study& study : studies) count += study.plan ? study.plan->steps.size() : 0;
@@ -240,54 +240,55 @@ void runAll(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
   for (Study& study : studies) {
     if (!study.plan || !records.folders.holds(study.plan->name)) continue;
     try {
-      study.part =
-          runPlan(*study.plan, cases, request.run, cache, records,
-                  [&](StudyRecord& record) { judgeStep(study, request, records.folders, record); });
+      study.part = runPlan(
+          *study.plan, cases, request.run, cache, records,
+          [&](study::StudyRecord& record) { judgeStep(study, request, records.folders, record); });
     } catch (...) {
       addProblem(study.check, "study");
     }
   }
 }
 
-std::span<const StudyRecord> recordsOf(const Study& study, const Records& records) {
+std::span<const study::StudyRecord> recordsOf(const Study& study, const Records& records) {
   return std::span(records.all).subspan(study.part->first, study.plan->steps.size());
 }
 
 /// Each once: a problem of the study is one of all its steps.
-void addProblems(CheckRecord& check, const std::vector<ProblemRecord>& problems) {
-  for (const ProblemRecord& problem : problems) {
-    const bool isThere =
-        std::any_of(check.problems.begin(), check.problems.end(),
-                    [&](const ProblemRecord& other) { return other.message == problem.message; });
+void addProblems(study::CheckRecord& check, const std::vector<study::ProblemRecord>& problems) {
+  for (const study::ProblemRecord& problem : problems) {
+    const bool isThere = std::any_of(
+        check.problems.begin(), check.problems.end(),
+        [&](const study::ProblemRecord& other) { return other.message == problem.message; });
     if (!isThere) check.problems.push_back(problem);
   }
 }
 
 /// Of a refused method, which is told as a problem already.
-bool isProblem(const StudyRecord& step, const std::string& notice) {
-  return std::any_of(step.problems.begin(), step.problems.end(),
-                     [&](const ProblemRecord& problem) { return problem.message == notice; });
+bool isProblem(const study::StudyRecord& step, const std::string& notice) {
+  return std::any_of(
+      step.problems.begin(), step.problems.end(),
+      [&](const study::ProblemRecord& problem) { return problem.message == notice; });
 }
 
 /// Takes over what the runs were judged by: thresholds first, those that were left out after the
 /// others, then references.
 void collect(Study& study, const CheckRequest& request, const Records& records) {
-  CheckRecord& check = study.check;
-  const std::span<const StudyRecord> steps = recordsOf(study, records);
-  std::vector<Judgement> judgements;
-  for (const StudyRecord& step : steps) {
-    for (const TimingRecord& timing : step.timings) check.seconds += timing.seconds;
+  study::CheckRecord& check = study.check;
+  const std::span<const study::StudyRecord> steps = recordsOf(study, records);
+  std::vector<study::Judgement> judgements;
+  for (const study::StudyRecord& step : steps) {
+    for (const study::TimingRecord& timing : step.timings) check.seconds += timing.seconds;
     judgements.insert(judgements.end(), step.judgements.begin(), step.judgements.end());
     addProblems(check, step.problems);
   }
   check.judgements.insert(check.judgements.begin(), judgements.begin(), judgements.end());
-  std::ranges::stable_sort(check.judgements, {}, [](const Judgement& judgement) {
+  std::ranges::stable_sort(check.judgements, {}, [](const study::Judgement& judgement) {
     return judgement.gate.origin.index();
   });
-  const StudySpec& first = study.plan->steps.front();
+  const study::StudySpec& first = study.plan->steps.front();
   // The quick form's values scatter: they say nothing of how tight a limit could be.
-  if (!first.quick) check.notices = looseThresholds(first.thresholds, steps);
-  for (const StudyRecord& step : steps) {
+  if (!first.quick) check.notices = study::looseThresholds(first.thresholds, steps);
+  for (const study::StudyRecord& step : steps) {
     for (const std::string& text : step.notices) {
       if (isProblem(step, text)) continue;
       const std::string where = steps.size() > 1 ? step.name + ": " : "";
@@ -295,40 +296,41 @@ void collect(Study& study, const CheckRequest& request, const Records& records) 
     }
   }
   if (request.updateBaseline || !study.baseline) return;
-  const std::vector<NoticeRecord> notices = betterThan(byOrigin(check.judgements).references);
+  const std::vector<study::NoticeRecord> notices =
+      study::betterThan(study::byOrigin(check.judgements).references);
   check.notices.insert(check.notices.end(), notices.begin(), notices.end());
 }
 
 /// Writes the references anew. What goes wrong here is told in the reports too.
-void update(Study& study, const CheckRequest& request, Cache& cache, Records& records) {
-  const std::span<StudyRecord> steps =
+void update(Study& study, const CheckRequest& request, cache::Cache& cache, Records& records) {
+  const std::span<study::StudyRecord> steps =
       std::span(records.all).subspan(study.part->first, study.plan->steps.size());
   const std::size_t before = study.check.problems.size();
   try {
     const bool isWritten = updateBaseline(study.check.baseline, *study.plan, request.reason,
                                           study.baseline, steps, study.check);
-    for (const StudyRecord& step : steps) {
+    for (const study::StudyRecord& step : steps) {
       if (!isWritten || !request.baselinePictures) break;
-      keepReferencePictures(step, request.run.out / step.name,
-                            pictureFolder(*request.baseline, step.name));
+      report::keepReferencePictures(step, request.run.out / step.name,
+                                    pictureFolder(*request.baseline, step.name));
     }
   } catch (...) {
     addProblem(study.check, "baseline");
   }
   if (study.check.problems.size() == before) return;
-  for (StudyRecord& step : steps) step.problems = study.check.problems;
+  for (study::StudyRecord& step : steps) step.problems = study.check.problems;
   reportPlan(*study.part, request.run, cache, records);
 }
 
-void finish(std::vector<Study>& studies, const CheckRequest& request, Cache& cache,
+void finish(std::vector<Study>& studies, const CheckRequest& request, cache::Cache& cache,
             Records& records) {
-  std::vector<StudyMeans> ranked;
+  std::vector<study::StudyMeans> ranked;
   for (Study& study : studies) {
     if (!study.part) continue;
     try {
       collect(study, request, records);
       if (request.updateBaseline) update(study, request, cache, records);
-      StudyMeans means = finishPlan(*study.part, request.run, cache, records);
+      study::StudyMeans means = finishPlan(*study.part, request.run, cache, records);
       if (isRanked(*study.plan)) ranked.push_back(std::move(means));
     } catch (...) {
       addProblem(study.check, "study");
@@ -338,18 +340,19 @@ void finish(std::vector<Study>& studies, const CheckRequest& request, Cache& cac
   if (ranked.size() > 1) reportRanking(ranked, request.run, records.folders.ranking());
 }
 
-void print(const std::vector<CheckRecord>& checks, const CheckRequest& request, ExitStatus status) {
+void print(const std::vector<study::CheckRecord>& checks, const CheckRequest& request,
+           ExitStatus status) {
   std::set<std::string> told;
-  for (const CheckRecord& check : checks) {
-    for (const ProblemRecord& problem : check.problems) {
+  for (const study::CheckRecord& check : checks) {
+    for (const study::ProblemRecord& problem : check.problems) {
       if (told.insert(problem.message).second) printFailure({problem.status, problem.message});
     }
   }
-  for (const CheckRecord& check : checks) {
-    printText(checkTable(check, coloursWanted()) + "\n");
+  for (const study::CheckRecord& check : checks) {
+    printText(report::checkTable(check, coloursWanted()) + "\n");
   }
-  if (request.github) printUnchanged(githubAnnotations(checks));
-  printText(checkSummary(checks, status, coloursWanted()));
+  if (request.github) printUnchanged(report::githubAnnotations(checks));
+  printText(report::checkSummary(checks, status, coloursWanted()));
   printLine("Reports: " + request.run.out.string());
 }
 
@@ -364,11 +367,11 @@ ExitStatus checkStudies(const CheckRequest& request) {
   }
   writeJunit(request, studies, false);
   Records records;
-  const std::unique_ptr<Cache> cache = openCache(request.run.noCache);
+  const std::unique_ptr<cache::Cache> cache = openCache(request.run.noCache);
   runAll(studies, request, *cache, records);
   finish(studies, request, *cache, records);
   writeJunit(request, studies, true);
-  std::vector<CheckRecord> checks;
+  std::vector<study::CheckRecord> checks;
   ExitStatus status = ExitStatus::pass;
   for (const Study& study : studies) {
     checks.push_back(study.check);
@@ -378,4 +381,4 @@ ExitStatus checkStudies(const CheckRequest& request) {
   return status;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

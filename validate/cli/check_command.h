@@ -7,7 +7,7 @@
 #include "cli/run_command.h"
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon check` was asked for.
 struct CheckRequest {
@@ -37,4 +37,4 @@ struct CheckRequest {
 /// @throws UsageError for options that contradict each other
 ExitStatus checkStudies(const CheckRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

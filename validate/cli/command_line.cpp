@@ -34,7 +34,7 @@
 #include "study/spec/study_file.h"
 #include "study/spec/study_sections.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 constexpr const char* runExamples = R"(
@@ -168,23 +168,24 @@ void addCheckOptions(CLI::App& command, CheckRequest& request) {
 
 ExitStatus list(const std::string& what) {
   if (what == "keys") {
-    printText(studyKeysText());
+    printText(study::studyKeysText());
     return ExitStatus::pass;
   }
   printLine("Methods ([[method]] name):");
-  const auto shaders = shaderFolder();
-  for (const std::string& name : methodNames(shaders)) {
-    const Method method = readMethod(methodFile(shaders, name));
+  const auto shaders = render::shaderFolder();
+  for (const std::string& name : render::methodNames(shaders)) {
+    const render::Method method = render::readMethod(render::methodFile(shaders, name));
     printLine(fmt::format("  {:<22} {} ({})", name, method.title, method.citation));
     for (const auto& [key, parameter] : method.parameters) {
       printLine(fmt::format("    {} = {} ({} to {}): {}", key, parameter.defaultValue,
                             parameter.minimum, parameter.maximum, parameter.about));
     }
   }
-  printLine(fmt::format("\nShapes ([surface] shape): {}", fmt::join(shapeNames, ", ")));
-  printLine(fmt::format("Patterns ([relief] pattern): {}", fmt::join(patternNames, ", ")));
-  printLine(fmt::format("Solids ([relief] solid): {}", fmt::join(solidNames, ", ")));
-  printLine(fmt::format("Metrics ([[threshold]] metric): {}", fmt::join(metricNames(), ", ")));
+  printLine(fmt::format("\nShapes ([surface] shape): {}", fmt::join(study::shapeNames, ", ")));
+  printLine(fmt::format("Patterns ([relief] pattern): {}", fmt::join(study::patternNames, ", ")));
+  printLine(fmt::format("Solids ([relief] solid): {}", fmt::join(study::solidNames, ", ")));
+  printLine(
+      fmt::format("Metrics ([[threshold]] metric): {}", fmt::join(study::metricNames(), ", ")));
   return ExitStatus::pass;
 }
 
@@ -296,8 +297,8 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   comparison.command = request.command;
   CLI::App* compare = addCompareCommand(app, comparison);
   ViewRequest viewRequest;
-  viewRequest.tryMethod = [](const MethodSpec& method, Wrap wrap) {
-    (void)tryMethod(method, wrap);
+  viewRequest.tryMethod = [](const study::MethodSpec& method, relief::Wrap wrap) {
+    (void)study::tryMethod(method, wrap);
   };
   CLI::App* view = addViewCommand(app, viewRequest);
   CacheRequest cacheRequest;
@@ -360,8 +361,8 @@ int runCommandLine(int argc, char** argv, const Viewer& viewer) {
   const JunitFile junit({argv, static_cast<std::size_t>(argc)},
                         commandText(argumentsOf(argc, argv)));
   try {
-    if (argc > 1 && std::string_view(argv[1]) == trialArgument) {
-      return static_cast<int>(answerTrial(std::vector<std::string>(argv + 2, argv + argc)));
+    if (argc > 1 && std::string_view(argv[1]) == study::trialArgument) {
+      return static_cast<int>(study::answerTrial(std::vector<std::string>(argv + 2, argv + argc)));
     }
     junit.open();
     const int status = dispatch(argc, argv, viewer);
@@ -376,4 +377,4 @@ int runCommandLine(int argc, char** argv, const Viewer& viewer) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -2,7 +2,7 @@
 
 #include "cli/view_request.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// The whole program: parses the command line, runs the command, turns every error into one line on
 /// standard error and its exit status (see ExitStatus). Output that could not be written is such an
@@ -10,4 +10,4 @@ namespace gnomon {
 /// @param viewer  what `gnomon view` calls
 int runCommandLine(int argc, char** argv, const Viewer& viewer);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

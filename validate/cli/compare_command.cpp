@@ -18,7 +18,7 @@
 #include "report/json/mask_comparison.h"
 #include "study/judge/gates.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 constexpr const char* compareExamples = R"(
@@ -34,26 +34,26 @@ Examples:
   gnomon compare layers.exr truth.png --channel shadow.R --invert --json - )";
 
 /// The option that a gate comes from, as typed.
-const std::string& optionOf(const Gate& gate) {
-  return std::get<CompareOption>(gate.origin).text;
+const std::string& optionOf(const study::Gate& gate) {
+  return std::get<study::CompareOption>(gate.origin).text;
 }
 
 /// @throws UsageError for a limit that no picture of that size could miss, or none could meet
-void requireLimit(const Gate& gate, const PictureExtent& picture) {
-  const MetricRange range = metricRange(gate.metric, picture);
+void requireLimit(const study::Gate& gate, const compare::PictureExtent& picture) {
+  const compare::MetricRange range = compare::metricRange(gate.metric, picture);
   try {
-    requireInRange(*(gate.maximum ? gate.maximum : gate.minimum), gate.metric, range);
-    requireMissable(gate.minimum, gate.maximum, gate.metric, range);
+    compare::requireInRange(*(gate.maximum ? gate.maximum : gate.minimum), gate.metric, range);
+    compare::requireMissable(gate.minimum, gate.maximum, gate.metric, range);
   } catch (const InputError& error) {
     throw UsageError(fmt::format("{}: {}", optionOf(gate), error.what()));
   }
 }
 
 /// @param option  "--max" or "--min"
-Gate gateOf(const std::string& option, const std::string& text) {
+study::Gate gateOf(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string metric = text.substr(0, equals);
-  const auto& names = maskMetricNames();
+  const auto& names = compare::maskMetricNames();
   if (equals == std::string::npos) {
     throw UsageError(fmt::format("{} {}: METRIC=VALUE expected", option, text));
   }
@@ -62,26 +62,28 @@ Gate gateOf(const std::string& option, const std::string& text) {
                                  metric, fmt::join(names, ", ")));
   }
   constexpr double any = std::numeric_limits<double>::max();
-  const auto value = limitOfText(text.substr(equals + 1), metricRange(metric, {any, any}));
+  const auto value =
+      compare::limitOfText(text.substr(equals + 1), compare::metricRange(metric, {any, any}));
   if (!value || !std::isfinite(*value)) {
     throw UsageError(
         fmt::format("{} {}: a number expected after =, or of a share a percentage", option, text));
   }
-  Gate gate;
+  study::Gate gate;
   gate.metric = metric;
   (option == "--max" ? gate.maximum : gate.minimum) = value;
-  gate.origin = CompareOption{option + " " + text};
+  gate.origin = study::CompareOption{option + " " + text};
   requireLimit(gate, {any, any});
   return gate;
 }
 
-std::vector<Gate> gatesOf(const CompareRequest& request) {
-  std::vector<Gate> gates;
+std::vector<study::Gate> gatesOf(const CompareRequest& request) {
+  std::vector<study::Gate> gates;
   for (const std::string& text : request.maxima) gates.push_back(gateOf("--max", text));
   for (const std::string& text : request.minima) gates.push_back(gateOf("--min", text));
   const bool judgesNothing =
-      !gates.empty() && std::all_of(gates.begin(), gates.end(),
-                                    [](const Gate& gate) { return isOfTruthAlone(gate.metric); });
+      !gates.empty() && std::all_of(gates.begin(), gates.end(), [](const study::Gate& gate) {
+        return compare::isOfTruthAlone(gate.metric);
+      });
   if (judgesNothing) {
     throw UsageError(fmt::format("{}: {} is the truth's alone, a gate on the candidate expected",
                                  optionOf(gates.front()), gates.front().metric));
@@ -91,26 +93,27 @@ std::vector<Gate> gatesOf(const CompareRequest& request) {
 
 /// @throws UsageError for a limit that no picture of the truth's size could miss, or none could
 ///   meet
-std::vector<Judgement> judged(const std::vector<Gate>& gates, const Mask& truth,
-                              const std::vector<Metric>& metrics) {
-  const PictureExtent picture{std::hypot(truth.width, truth.height),
-                              static_cast<double>(truth.size())};
-  std::vector<Judgement> judgements;
-  for (const Gate& gate : gates) {
+std::vector<study::Judgement> judged(const std::vector<study::Gate>& gates, const Mask& truth,
+                                     const std::vector<compare::Metric>& metrics) {
+  const compare::PictureExtent picture{std::hypot(truth.width, truth.height),
+                                       static_cast<double>(truth.size())};
+  std::vector<study::Judgement> judgements;
+  for (const study::Gate& gate : gates) {
     requireLimit(gate, picture);
-    judgements.push_back(judge(gate, metricNamed(metrics, gate.metric)));
+    judgements.push_back(study::judge(gate, compare::metricNamed(metrics, gate.metric)));
   }
   return judgements;
 }
 
-MaskFileRecord recordOf(const std::filesystem::path& file, const MaskPicture& picture) {
+report::MaskFileRecord recordOf(const std::filesystem::path& file,
+                                const image::MaskPicture& picture) {
   return {file.string(), picture.mask, picture.binarised};
 }
 
-ComparedMasks common(const CompareRequest& request, const Mask& candidate, const Mask& truth,
-                     const std::optional<MaskPicture>& roi) {
+compare::ComparedMasks common(const CompareRequest& request, const Mask& candidate,
+                              const Mask& truth, const std::optional<image::MaskPicture>& roi) {
   try {
-    return commonPixels(candidate, truth, roi ? &roi->mask : nullptr);
+    return compare::commonPixels(candidate, truth, roi ? &roi->mask : nullptr);
   } catch (const InputError& error) {
     const std::string with = request.roi ? fmt::format(" with {}", request.roi->string()) : "";
     throw InputError(fmt::format("{} against {}{}: {}", request.candidate.string(),
@@ -118,18 +121,18 @@ ComparedMasks common(const CompareRequest& request, const Mask& candidate, const
   }
 }
 
-void write(const CompareRequest& request, const MaskComparison& comparison,
-           const ComparedMasks& masks) {
+void write(const CompareRequest& request, const report::MaskComparison& comparison,
+           const compare::ComparedMasks& masks) {
   if (request.difference) {
-    writePng(*request.difference, differenceImage(masks.candidate, masks.truth));
+    image::writePng(*request.difference, image::differenceImage(masks.candidate, masks.truth));
   }
   if (!request.json.empty() && request.json != "-") {
-    writeTextAtomically(request.json, maskComparisonJson(comparison));
+    writeTextAtomically(request.json, report::maskComparisonJson(comparison));
   }
   if (request.json == "-") {
-    printUnchanged(maskComparisonJson(comparison));
+    printUnchanged(report::maskComparisonJson(comparison));
   } else {
-    printText(maskComparisonTable(comparison, coloursWanted()));
+    printText(report::maskComparisonTable(comparison, coloursWanted()));
   }
 }
 
@@ -178,7 +181,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
 }
 
 ExitStatus compareMasks(const CompareRequest& request) {
-  const std::vector<Gate> gates = gatesOf(request);
+  const std::vector<study::Gate> gates = gatesOf(request);
   if (request.threshold && !(*request.threshold > 0 && *request.threshold < 1)) {
     throw UsageError(
         fmt::format("--binarise {}: a value between 0 and 1 expected", *request.threshold));
@@ -187,27 +190,28 @@ ExitStatus compareMasks(const CompareRequest& request) {
     throw UsageError(fmt::format("--difference {}: a name that ends in .png expected",
                                  request.difference->string()));
   }
-  const MaskPicture candidate = readMaskPicture(
+  const image::MaskPicture candidate = image::readMaskPicture(
       request.candidate,
       {request.candidateChannel, request.threshold, request.inverted, request.upward});
-  const MaskPicture truth = readMaskPicture(
+  const image::MaskPicture truth = image::readMaskPicture(
       request.truth, {.channel = request.truthChannel, .threshold = request.threshold});
-  std::optional<MaskPicture> roi;
+  std::optional<image::MaskPicture> roi;
   if (request.roi)
-    roi = readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
-  const ComparedMasks masks = common(request, candidate.mask, truth.mask, roi);
-  MaskComparison comparison{recordOf(request.candidate, candidate), recordOf(request.truth, truth)};
+    roi = image::readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
+  const compare::ComparedMasks masks = common(request, candidate.mask, truth.mask, roi);
+  report::MaskComparison comparison{recordOf(request.candidate, candidate),
+                                    recordOf(request.truth, truth)};
   if (roi) comparison.roi = recordOf(*request.roi, *roi);
   comparison.command = request.command;
   comparison.width = truth.mask.width;
   comparison.height = truth.mask.height;
   comparison.withoutSample = masks.withoutSample;
   comparison.outsideRoi = masks.outsideRoi;
-  comparison.counts = countSamples(masks.candidate, masks.truth);
-  comparison.metrics = maskMetrics(masks.candidate, masks.truth);
+  comparison.counts = compare::countSamples(masks.candidate, masks.truth);
+  comparison.metrics = compare::maskMetrics(masks.candidate, masks.truth);
   comparison.judgements = judged(gates, truth.mask, comparison.metrics);
   write(request, comparison, masks);
   return comparison.passed() ? ExitStatus::pass : ExitStatus::thresholdFailed;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon compare` was asked for.
 struct CompareRequest {
@@ -38,4 +38,4 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request);
 ///   pictures that cannot be compared
 ExitStatus compareMasks(const CompareRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -4,7 +4,7 @@
 
 #include "cli/run_command.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Traces the truth of the studies, without any method, and writes it into `out/NAME/truth`; see
 /// `writeTruth`. The file that describes the rest is written last and removed first: where it is,
@@ -18,4 +18,4 @@ ExitStatus traceStudies(const RunRequest& request);
 ///   where unset
 ExitStatus exportStudies(const RunRequest& request, std::optional<int> subdivisions);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -10,7 +10,7 @@
 #include "common/text/one_line.h"
 #include "report/ci/github_annotations.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 /// One line, with no control character at its end. Messages quote what was found, which may be of
@@ -48,11 +48,11 @@ Failure currentFailure() {
 }
 
 void printWarning(const std::string& text) {
-  printError(withoutWorkflowCommands(fmt::format("gnomon: warning: {}\n", cleaned(text))));
+  printError(report::withoutWorkflowCommands(fmt::format("gnomon: warning: {}\n", cleaned(text))));
 }
 
 void printFailure(const Failure& failure) {
-  printError(withoutWorkflowCommands(fmt::format("gnomon: {}\n", failure.message)));
+  printError(report::withoutWorkflowCommands(fmt::format("gnomon: {}\n", failure.message)));
 }
 
 void Failures::print() const {
@@ -65,4 +65,4 @@ ExitStatus Failures::status() const {
   return worst;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

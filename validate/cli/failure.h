@@ -6,7 +6,7 @@
 #include "cli/output.h"
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What went wrong, as a status and one line.
 struct Failure {
@@ -51,4 +51,4 @@ class Failures {
   std::vector<Failure> all_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -15,7 +15,7 @@
 #include "report/suite/suite_json.h"
 #include "study/judge/suite/suite_agreement.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
@@ -27,13 +27,14 @@ Examples:
   gnomon gather night-1 night-2 --out both
   gnomon gather second-seed --out second --against first/suite.json)";
 
-const FolderKind suiteKind{"suite.json", {"suite.csv", "suite.md", "suite.html"}, "suite.txt"};
+const report::FolderKind suiteKind{
+    "suite.json", {"suite.csv", "suite.md", "suite.html"}, "suite.txt"};
 
-std::vector<FinishedScene> readAll(const std::vector<fs::path>& folders) {
-  std::vector<FinishedScene> scenes;
+std::vector<report::FinishedScene> readAll(const std::vector<fs::path>& folders) {
+  std::vector<report::FinishedScene> scenes;
   std::map<std::string, fs::path> names;
   for (const fs::path& folder : folders) {
-    for (FinishedScene& scene : readFinishedScenes(folder)) {
+    for (report::FinishedScene& scene : report::readFinishedScenes(folder)) {
       const auto [first, isNew] = names.try_emplace(scene.means.name, scene.folder);
       if (!isNew) {
         throw InputError(
@@ -47,16 +48,16 @@ std::vector<FinishedScene> readAll(const std::vector<fs::path>& folders) {
 }
 
 /// @throws InputError
-std::string requireSuite(const std::vector<StudyMeans>& scenes, const fs::path& folder) {
+std::string requireSuite(const std::vector<study::StudyMeans>& scenes, const fs::path& folder) {
   std::set<std::string> suites;
-  for (const StudyMeans& scene : scenes) suites.insert(scene.suite);
+  for (const study::StudyMeans& scene : scenes) suites.insert(scene.suite);
   if (suites.size() > 1) {
     throw InputError(fmt::format("{}: scenes of \"{}\" and \"{}\" found, of one suite expected",
                                  folder.string(), *suites.begin(), *suites.rbegin()));
   }
-  if (scenes.size() < leastScenes) {
+  if (scenes.size() < compare::leastScenes) {
     throw InputError(fmt::format("{}: {} finished scenes of a suite found, {} or more expected",
-                                 folder.string(), scenes.size(), leastScenes));
+                                 folder.string(), scenes.size(), compare::leastScenes));
   }
   return *suites.begin();
 }
@@ -67,7 +68,7 @@ std::string relativeReport(const fs::path& scene, const fs::path& out) {
   return page.lexically_relative(fs::absolute(out).lexically_normal()).generic_string();
 }
 
-void printAgreement(const SuiteAgreement& agreement, const fs::path& other) {
+void printAgreement(const study::SuiteAgreement& agreement, const fs::path& other) {
   if (!agreement.tau) {
     throw InputError(
         fmt::format("{}: {} methods with a rank in both found, two or more of different means "
@@ -102,33 +103,34 @@ CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request) {
 }
 
 ExitStatus gatherScenes(const GatherRequest& request) {
-  const std::vector<FinishedScene> scenes = readAll(request.folders);
-  std::vector<StudyMeans> studies;
-  for (const FinishedScene& scene : scenes) studies.push_back(scene.means);
+  const std::vector<report::FinishedScene> scenes = readAll(request.folders);
+  std::vector<study::StudyMeans> studies;
+  for (const report::FinishedScene& scene : scenes) studies.push_back(scene.means);
   const std::string suite = requireSuite(studies, request.folders.front());
-  std::optional<SuiteRanking> other;
-  if (request.against) other = readSuiteRanking(*request.against);
+  std::optional<study::SuiteRanking> other;
+  if (request.against) other = report::readSuiteRanking(*request.against);
 
-  SuiteStatistics statistics = suiteStatistics(suite, studies);
-  for (SuiteScene& scene : statistics.scenes) {
-    for (const FinishedScene& finished : scenes) {
+  study::SuiteStatistics statistics = study::suiteStatistics(suite, studies);
+  for (study::SuiteScene& scene : statistics.scenes) {
+    for (const report::FinishedScene& finished : scenes) {
       if (finished.means.name == scene.name) {
         scene.report = relativeReport(finished.folder, request.out);
       }
     }
   }
-  RunFolder claimed(request.out, suiteKind);
+  report::RunFolder claimed(request.out, suiteKind);
   const FileLock lock = lockFolder(claimed);
   // Once more: while it was not locked another command may have changed it.
-  RunFolder folder(request.out, suiteKind);
+  report::RunFolder folder(request.out, suiteKind);
   folder.clear();
-  writeSuiteFiles(statistics, studies, request.command, folder);
-  folder.finish(suiteJson(statistics, request.command));
+  report::writeSuiteFiles(statistics, studies, request.command, folder);
+  folder.finish(report::suiteJson(statistics, request.command));
   printLine(fmt::format("{}: {} scenes, {} methods", suite, statistics.table.scenes.size(),
                         statistics.methods.size()));
-  if (other) printAgreement(agreementOf(rankingOf(statistics), *other), *request.against);
+  if (other)
+    printAgreement(study::agreementOf(study::rankingOf(statistics), *other), *request.against);
   printLine("Report: " + (request.out / "suite.html").string());
   return ExitStatus::pass;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon gather` was asked for.
 struct GatherRequest {
@@ -31,4 +31,4 @@ CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request);
 ///   suites or one scene twice, and as readFinishedScenes
 ExitStatus gatherScenes(const GatherRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

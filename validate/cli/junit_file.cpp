@@ -8,7 +8,7 @@
 #include "common/files/atomic_file.h"
 #include "report/ci/junit.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
@@ -25,11 +25,11 @@ bool mayReplace(const fs::path& file) {
 }
 
 std::string errorXml(const std::string& command, const Failure& failure) {
-  CheckRecord check;
+  study::CheckRecord check;
   check.name = "gnomon check";
   check.command = command;
   check.problems.push_back({"check", failure.status, failure.message});
-  return junitXml({&check, 1});
+  return report::junitXml({&check, 1});
 }
 
 }  // namespace
@@ -78,4 +78,4 @@ bool keepsContent(const fs::path& file) {
   return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

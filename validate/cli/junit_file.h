@@ -7,7 +7,7 @@
 
 #include "cli/failure.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// The JUnit file of a command line, from before anything else happens. Until a check has come to
 /// its end the file holds an error: no process that is killed, and no error of usage, leaves the
@@ -36,4 +36,4 @@ class JunitFile {
 /// somebody reads as it is written, a device or a pipe, gets the result alone.
 bool keepsContent(const std::filesystem::path& file);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Adds an option that may be repeated and takes one value each time.
 inline CLI::Option* addList(CLI::App& command, const std::string& name,
@@ -16,4 +16,4 @@ inline CLI::Option* addList(CLI::App& command, const std::string& name,
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

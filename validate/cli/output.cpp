@@ -14,7 +14,7 @@
 #include "common/text/one_line.h"
 #include "report/ci/github_annotations.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 [[noreturn]] void failOutput(int reason) {
@@ -39,7 +39,7 @@ void prepareStreams() {
 }
 
 void printText(std::string_view text) {
-  printUnchanged(withoutWorkflowCommands(text));
+  printUnchanged(report::withoutWorkflowCommands(text));
 }
 
 void printLine(std::string_view text) {
@@ -77,4 +77,4 @@ bool progressWanted() {
   return isTerminal(STDERR_FILENO);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What the command line writes on standard output and standard error. Output that is lost is a
 /// failure: who reads an empty table must not read exit status 0 beside it.
@@ -44,4 +44,4 @@ bool coloursWanted();
 /// Whether standard error is a terminal whose line can be written anew.
 bool progressWanted();
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

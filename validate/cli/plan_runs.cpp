@@ -25,39 +25,40 @@
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_inputs.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-void writeCopy(const toml::table& study, RunFolder& folder, const std::string& name) {
-  folder.write(name, studyCopyText(study, folder.path() / name));
+void writeCopy(const toml::table& study, report::RunFolder& folder, const std::string& name) {
+  folder.write(name, study::studyCopyText(study, folder.path() / name));
 }
 
 /// The command that gives figures again, from their own folder: it does not tell where that is.
-std::string figuresCommand(const StudyPlan& plan, const RunRequest& request) {
-  return fmt::format("gnomon run {} --metrics-only{}", shellQuoted(studyCopyName(plan.name)),
+std::string figuresCommand(const study::StudyPlan& plan, const RunRequest& request) {
+  return fmt::format("gnomon run {} --metrics-only{}", shellQuoted(study::studyCopyName(plan.name)),
                      request.varyRadius ? " --vary-radius" : "");
 }
 
 /// The command that runs a step again: its own copy, as the file's study has all values.
-std::string commandOf(const StudyPlan& plan, const StudySpec& step, const RunRequest& request) {
+std::string commandOf(const study::StudyPlan& plan, const study::StudySpec& step,
+                      const RunRequest& request) {
   if (request.metricsOnly) return figuresCommand(plan, request);
   if (!plan.sweep) return request.command;
-  const fs::path copy = request.out / step.name / studyCopyName(step.name);
+  const fs::path copy = request.out / step.name / study::studyCopyName(step.name);
   return "gnomon run " + shellQuoted(copy.string());
 }
 
-CaseRecord reproductionOf(const StudySpec& study, const fs::path& folder) {
+study::CaseRecord reproductionOf(const study::StudySpec& study, const fs::path& folder) {
   return inStudy(study, [&] {
-    return CaseRecord{studyCopyName(study.name), resolvedStudy(study, folder),
-                      studyInputs(study, folder)};
+    return study::CaseRecord{study::studyCopyName(study.name), study::resolvedStudy(study, folder),
+                             study::studyInputs(study, folder)};
   });
 }
 
-StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, CaseSource& cases,
-                   const RunRequest& request, RunFolder& folder) {
-  CaseRecord reproduction = reproductionOf(study, folder.path());
-  StudyRecord record = cases.measure(study, folder);
+study::StudyRecord runOne(const study::StudyPlan& plan, const study::StudySpec& study,
+                          CaseSource& cases, const RunRequest& request, report::RunFolder& folder) {
+  study::CaseRecord reproduction = reproductionOf(study, folder.path());
+  study::StudyRecord record = cases.measure(study, folder);
   writeCopy(reproduction.settings, folder, reproduction.file);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
@@ -65,27 +66,27 @@ StudyRecord runOne(const StudyPlan& plan, const StudySpec& study, CaseSource& ca
 }
 
 /// The figures of a study; of one that is no step of a sweep also its copy, in its folder.
-StudyRecord runFigures(const StudyPlan& plan, const StudySpec& study, CaseSource& cases,
-                       const RunRequest& request, RunFolders& folders) {
-  CaseRecord reproduction;
+study::StudyRecord runFigures(const study::StudyPlan& plan, const study::StudySpec& study,
+                              CaseSource& cases, const RunRequest& request, RunFolders& folders) {
+  study::CaseRecord reproduction;
   if (!plan.sweep) {
-    RunFolder& folder = folders.of(study.name);
+    report::RunFolder& folder = folders.of(study.name);
     reproduction = reproductionOf(study, folder.path());
     writeCopy(reproduction.settings, folder, reproduction.file);
   }
-  StudyRecord record = cases.measureFigures(study);
+  study::StudyRecord record = cases.measureFigures(study);
   record.command = commandOf(plan, study, request);
   record.reproduction = std::move(reproduction);
-  return figuresAlone(std::move(record), plan.sweep.has_value());
+  return report::figuresAlone(std::move(record), plan.sweep.has_value());
 }
 
-void measureStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
+void measureStep(const study::StudyPlan& plan, const study::StudySpec& step, CaseSource& cases,
                  const RunRequest& request, Records& records) {
-  StudyRecord record = request.metricsOnly
-                           ? runFigures(plan, step, cases, request, records.folders)
-                           : runOne(plan, step, cases, request, records.folders.of(step.name));
+  study::StudyRecord record =
+      request.metricsOnly ? runFigures(plan, step, cases, request, records.folders)
+                          : runOne(plan, step, cases, request, records.folders.of(step.name));
   if (request.varyRadius) {
-    StudyRecord half = cases.measureAt(step, 0.5);
+    study::StudyRecord half = cases.measureAt(step, 0.5);
     records.twice.push_back(cases.measureAt(step, 2));
     records.half.push_back(std::move(half));
   }
@@ -93,92 +94,94 @@ void measureStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases
 }
 
 /// Judges a study's claims by what the run holds so far, and writes its reports.
-void report(const StudySpec& study, Records& records, std::size_t own, const RunRequest& request,
-            Cache& cache) {
-  StudyRecord& record = records.all[own];
-  record.claims = judgeClaims(study.claims, records.all, own);
+void report(const study::StudySpec& study, Records& records, std::size_t own,
+            const RunRequest& request, cache::Cache& cache) {
+  study::StudyRecord& record = records.all[own];
+  record.claims = study::judgeClaims(study.claims, records.all, own);
   if (request.varyRadius) {
-    records.half[own].claims = judgeClaims(study.claims, records.half, own);
-    records.twice[own].claims = judgeClaims(study.claims, records.twice, own);
-    keepRadiusChecks(record, records.half[own], records.twice[own]);
+    records.half[own].claims = study::judgeClaims(study.claims, records.half, own);
+    records.twice[own].claims = study::judgeClaims(study.claims, records.twice, own);
+    study::keepRadiusChecks(record, records.half[own], records.twice[own]);
   }
   // The figures of a step are told by its sweep.
   if (!records.folders.holds(record.name)) return;
-  RunFolder& folder = records.folders.of(record.name);
-  if (request.metricsOnly) return writeFigureFiles(record, folder);
-  writeRunFiles(record, folder, cache);
+  report::RunFolder& folder = records.folders.of(record.name);
+  if (request.metricsOnly) return report::writeFigureFiles(record, folder);
+  report::writeRunFiles(record, folder, cache);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
-bool speaksOfOthers(const StudySpec& study) {
+bool speaksOfOthers(const study::StudySpec& study) {
   return std::any_of(study.claims.begin(), study.claims.end(),
-                     [](const ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
+                     [](const study::ClaimSpec& claim) { return !claim.gainExceeds.empty(); });
 }
 
-SweepRecord sweepOf(const PlanRecords& part, const Records& records, const RunRequest& request) {
-  const auto made = [&](const std::vector<StudyRecord>& steps) {
+study::SweepRecord sweepOf(const PlanRecords& part, const Records& records,
+                           const RunRequest& request) {
+  const auto made = [&](const std::vector<study::StudyRecord>& steps) {
     const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(part.first);
     const auto count = static_cast<std::ptrdiff_t>(part.plan->steps.size());
-    return makeSweepRecord(
-        *part.plan, std::vector<StudyRecord>(begin, begin + count),
+    return study::makeSweepRecord(
+        *part.plan, std::vector<study::StudyRecord>(begin, begin + count),
         request.metricsOnly ? figuresCommand(*part.plan, request) : request.command);
   };
-  SweepRecord sweep = made(records.all);
+  study::SweepRecord sweep = made(records.all);
   sweep.hasStepReports = !request.metricsOnly;
-  if (request.varyRadius) keepRadiusChecks(sweep, made(records.half), made(records.twice));
+  if (request.varyRadius) study::keepRadiusChecks(sweep, made(records.half), made(records.twice));
   return sweep;
 }
 
 void writeSweep(const PlanRecords& part, Records& records, const RunRequest& request,
-                Cache& cache) {
-  RunFolder& folder = records.folders.of(part.plan->name);
-  const SweepRecord sweep = sweepOf(part, records, request);
-  if (request.metricsOnly) return writeFigureFiles(sweep, folder);
-  writeSweepFiles(sweep, folder, cache);
+                cache::Cache& cache) {
+  report::RunFolder& folder = records.folders.of(part.plan->name);
+  const study::SweepRecord sweep = sweepOf(part, records, request);
+  if (request.metricsOnly) return report::writeFigureFiles(sweep, folder);
+  report::writeSweepFiles(sweep, folder, cache);
 }
 
 /// Forgets all records but the first of each kind.
 void keepFirst(Records& records, std::size_t count) {
-  for (std::vector<StudyRecord>* list : {&records.all, &records.half, &records.twice}) {
+  for (std::vector<study::StudyRecord>* list : {&records.all, &records.half, &records.twice}) {
     if (list->size() > count)
       list->erase(list->begin() + static_cast<std::ptrdiff_t>(count), list->end());
   }
 }
 
-void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& request, Cache& cache,
-              Records& records, const StepJudge& judge) {
-  const StudyPlan& plan = *part.plan;
-  for (const StudySpec& step : plan.steps) cases.prepare(step);
-  RunFolder& folder = records.folders.of(plan.name);
+void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& request,
+              cache::Cache& cache, Records& records, const StepJudge& judge) {
+  const study::StudyPlan& plan = *part.plan;
+  for (const study::StudySpec& step : plan.steps) cases.prepare(step);
+  report::RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;
-  if (plan.sweep) swept = sweepStudy(plan.steps.front(), request.options, folder.path());
-  for (const StudySpec& step : plan.steps) {
+  if (plan.sweep) swept = study::sweepStudy(plan.steps.front(), request.options, folder.path());
+  for (const study::StudySpec& step : plan.steps) {
     runStep(plan, step, cases, request, cache, records, judge);
   }
   if (swept) {
-    writeCopy(*swept, folder, studyCopyName(plan.name));
+    writeCopy(*swept, folder, study::studyCopyName(plan.name));
     writeSweep(part, records, request, cache);
   }
 }
 
 }  // namespace
 
-void runStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
-             const RunRequest& request, Cache& cache, Records& records, const StepJudge& judge) {
+void runStep(const study::StudyPlan& plan, const study::StudySpec& step, CaseSource& cases,
+             const RunRequest& request, cache::Cache& cache, Records& records,
+             const StepJudge& judge) {
   measureStep(plan, step, cases, request, records);
   if (judge) judge(records.all.back());
   // At once, so that a later failure leaves this one's report.
   report(step, records, records.all.size() - 1, request, cache);
 }
 
-std::size_t caseCount(std::span<const StudyPlan> plans) {
+std::size_t caseCount(std::span<const study::StudyPlan> plans) {
   std::size_t count = 0;
-  for (const StudyPlan& plan : plans) count += plan.steps.size();
+  for (const study::StudyPlan& plan : plans) count += plan.steps.size();
   return count;
 }
 
-PlanRecords runPlan(const StudyPlan& plan, CaseSource& cases, const RunRequest& request,
-                    Cache& cache, Records& records, const StepJudge& judge) {
+PlanRecords runPlan(const study::StudyPlan& plan, CaseSource& cases, const RunRequest& request,
+                    cache::Cache& cache, Records& records, const StepJudge& judge) {
   const PlanRecords part{&plan, records.all.size()};
   try {
     runSteps(part, cases, request, cache, records, judge);
@@ -190,9 +193,9 @@ PlanRecords runPlan(const StudyPlan& plan, CaseSource& cases, const RunRequest& 
   return part;
 }
 
-void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
+void reportPlan(const PlanRecords& part, const RunRequest& request, cache::Cache& cache,
                 Records& records) {
-  const StudyPlan& plan = *part.plan;
+  const study::StudyPlan& plan = *part.plan;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     report(plan.steps[i], records, part.first + i, request, cache);
   }
@@ -200,18 +203,18 @@ void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache
   writeSweep(part, records, request, cache);
 }
 
-StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
-                      Records& records) {
+study::StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request,
+                             cache::Cache& cache, Records& records) {
   if (speaksOfOthers(part.plan->steps.front())) reportPlan(part, request, cache, records);
-  return part.plan->sweep ? studyMeans(sweepOf(part, records, request))
-                          : studyMeans(records.all[part.first]);
+  return part.plan->sweep ? study::studyMeans(sweepOf(part, records, request))
+                          : study::studyMeans(records.all[part.first]);
 }
 
 void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records) {
-  const StudyPlan& plan = *part.plan;
-  const std::string table = plan.sweep
-                                ? terminalReport(sweepOf(part, records, request), coloursWanted())
-                                : terminalReport(records.all[part.first], coloursWanted());
+  const study::StudyPlan& plan = *part.plan;
+  const std::string table =
+      plan.sweep ? report::terminalReport(sweepOf(part, records, request), coloursWanted())
+                 : report::terminalReport(records.all[part.first], coloursWanted());
   printText(table + "\n");
   const fs::path folder = request.out / plan.name;
   printLine(request.metricsOnly ? "Figures: " + (folder / "cases.csv").string()
@@ -219,30 +222,30 @@ void printPlan(const PlanRecords& part, const RunRequest& request, const Records
   printText("\n");
 }
 
-bool isRanking(std::span<const StudyPlan> plans) {
+bool isRanking(std::span<const study::StudyPlan> plans) {
   return std::count_if(plans.begin(), plans.end(), isRanked) > 1;
 }
 
-bool isRanked(const StudyPlan& plan) {
+bool isRanked(const study::StudyPlan& plan) {
   return plan.steps.front().ranked;
 }
 
-void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request,
-                   RunFolder& folder) {
-  for (const StudyMeans& study : studies) folder.add(study.name + "/");
-  folder.write("ranking.csv", csvTable(studyMeansTable(studies)));
-  if (request.metricsOnly) return folder.finish(rankingJson(studies, request.command));
-  folder.write("ranking.md",
-               markdownTable(rankedOverStudiesTable(studies, rankOverStudies(studies))));
-  folder.write("ranking.html", rankingHtml(studies, request.command).text());
-  if (writeSuiteOf(studies, request.command, folder)) {
+void reportRanking(std::span<const study::StudyMeans> studies, const RunRequest& request,
+                   report::RunFolder& folder) {
+  for (const study::StudyMeans& study : studies) folder.add(study.name + "/");
+  folder.write("ranking.csv", report::csvTable(report::studyMeansTable(studies)));
+  if (request.metricsOnly) return folder.finish(report::rankingJson(studies, request.command));
+  folder.write("ranking.md", report::markdownTable(report::rankedOverStudiesTable(
+                                 studies, study::rankOverStudies(studies))));
+  folder.write("ranking.html", report::rankingHtml(studies, request.command).text());
+  if (report::writeSuiteOf(studies, request.command, folder)) {
     printLine("Over the scenes: " + (request.out / "suite.html").string());
   }
-  folder.finish(rankingJson(studies, request.command));
+  folder.finish(report::rankingJson(studies, request.command));
 }
 
 void requirePlots() {
-  (void)gnuplotVersion();
+  (void)report::gnuplotVersion();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -14,22 +14,22 @@
 #include "study/record/record.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// The records of all steps of all plans of a command, one after the other; where the radius is
 /// varied, those at half and at twice of it in the same order; and the folders that they are
 /// written to.
 struct Records {
-  std::vector<StudyRecord> all, half, twice;
+  std::vector<study::StudyRecord> all, half, twice;
   RunFolders folders;
 };
 
 /// The cases of all plans together.
-std::size_t caseCount(std::span<const StudyPlan> plans);
+std::size_t caseCount(std::span<const study::StudyPlan> plans);
 
 /// The part of the records that belongs to a plan.
 struct PlanRecords {
-  const StudyPlan* plan;
+  const study::StudyPlan* plan;
   std::size_t first;
 };
 
@@ -38,7 +38,7 @@ struct PlanRecords {
 void requirePlots();
 
 /// Judges the record of a step before anything is written of it.
-using StepJudge = std::function<void(StudyRecord&)>;
+using StepJudge = std::function<void(study::StudyRecord&)>;
 
 /// Runs all steps of a plan, adds their records and writes its folder with its reports, and the
 /// study itself, so that it can be run again from there. With `varyRadius` every step is measured
@@ -46,32 +46,33 @@ using StepJudge = std::function<void(StudyRecord&)>;
 /// there. Where it fails, no record of the plan stays.
 /// @param cache    what earlier runs left, and what this one leaves
 /// @param records  its folders have been claimed and cleared
-PlanRecords runPlan(const StudyPlan& plan, CaseSource& cases, const RunRequest& request,
-                    Cache& cache, Records& records, const StepJudge& judge = {});
+PlanRecords runPlan(const study::StudyPlan& plan, CaseSource& cases, const RunRequest& request,
+                    cache::Cache& cache, Records& records, const StepJudge& judge = {});
 
 /// Runs one step of a plan, for which the source is prepared, adds its records and writes its
 /// folder with its reports.
-void runStep(const StudyPlan& plan, const StudySpec& step, CaseSource& cases,
-             const RunRequest& request, Cache& cache, Records& records,
+void runStep(const study::StudyPlan& plan, const study::StudySpec& step, CaseSource& cases,
+             const RunRequest& request, cache::Cache& cache, Records& records,
              const StepJudge& judge = {});
 
 /// Writes a plan's reports anew.
-void reportPlan(const PlanRecords& part, const RunRequest& request, Cache& cache, Records& records);
+void reportPlan(const PlanRecords& part, const RunRequest& request, cache::Cache& cache,
+                Records& records);
 
 /// Judges again what speaks of other studies, now that all have run, and writes that anew.
 /// @return what the plan gives to the ranking
-StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request, Cache& cache,
-                      Records& records);
+study::StudyMeans finishPlan(const PlanRecords& part, const RunRequest& request,
+                             cache::Cache& cache, Records& records);
 
 /// Prints a plan's table and where its report is.
 void printPlan(const PlanRecords& part, const RunRequest& request, const Records& records);
 
 /// Whether a plan counts in a ranking, and whether there is one: with two such plans or more.
-bool isRanked(const StudyPlan& plan);
-bool isRanking(std::span<const StudyPlan> plans);
+bool isRanked(const study::StudyPlan& plan);
+bool isRanking(std::span<const study::StudyPlan> plans);
 
 /// Ranks the methods over all studies, and writes that.
-void reportRanking(std::span<const StudyMeans> studies, const RunRequest& request,
-                   RunFolder& folder);
+void reportRanking(std::span<const study::StudyMeans> studies, const RunRequest& request,
+                   report::RunFolder& folder);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -19,17 +19,17 @@
 #include "report/plots/gnuplot.h"
 #include "study/run/truth_study.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
+void bakeTables(const study::StudySpec& study, const fs::path& out, cache::Cache& cache) {
   TerminalProgress progress(study.name);
-  const StoredHorizons stored =
-      bakeStudyTables(study, cache, [&](double share) { progress.update("bake", share); });
+  const horizon::StoredHorizons stored =
+      study::bakeStudyTables(study, cache, [&](double share) { progress.update("bake", share); });
   const fs::path path = out / study.name / "tables.exr";
   removeLeftovers(path.parent_path());
-  writeHorizons(path, stored);
+  horizon::writeHorizons(path, stored);
   printLine(fmt::format("{}: {} × {} texels, {} azimuths, {} in {} bits", path.string(),
                         stored.width, stored.height, stored.layers,
                         formatBytes(static_cast<double>(stored.byteCount())),
@@ -40,21 +40,21 @@ void bakeTables(const StudySpec& study, const fs::path& out, Cache& cache) {
 
 ExitStatus runStudies(const RunRequest& request) {
   if (request.shard) return runShard(request);
-  const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
-  if (!request.metricsOnly) askGnuplotVersion();  // which it tells while OpenGL starts
-  const GlContext gl;
+  const std::vector<study::StudyPlan> plans = readPlans(request.studies, request.options);
+  if (!request.metricsOnly) report::askGnuplotVersion();  // which it tells while OpenGL starts
+  const render::GlContext gl;
   if (!request.metricsOnly) requirePlots();
-  const std::unique_ptr<Cache> cache = openCache(request.noCache);
+  const std::unique_ptr<cache::Cache> cache = openCache(request.noCache);
   MeasuredCases cases(gl, request, *cache, caseCount(plans));
   return runPlans(plans, cases, request, *cache);
 }
 
 ExitStatus bakeStudies(const RunRequest& request) {
-  const std::vector<StudyPlan> plans = readPlans(request.studies, request.options);
-  const std::unique_ptr<Cache> cache = openCache(request.noCache);
+  const std::vector<study::StudyPlan> plans = readPlans(request.studies, request.options);
+  const std::unique_ptr<cache::Cache> cache = openCache(request.noCache);
   Failures failures;
-  for (const StudyPlan& plan : plans) {
-    for (const StudySpec& step : plan.steps) {
+  for (const study::StudyPlan& plan : plans) {
+    for (const study::StudySpec& step : plan.steps) {
       failures.attempt([&] { bakeTables(step, request.out, *cache); });
     }
   }
@@ -62,4 +62,4 @@ ExitStatus bakeStudies(const RunRequest& request) {
   return failures.status();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -11,22 +11,22 @@
 #include "study/run/scene/stage_clock.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon run` was asked for.
 struct RunRequest {
   std::vector<std::filesystem::path> studies;
   std::filesystem::path out = "out";
-  StudyOptions options;
+  study::StudyOptions options;
   bool noCache = false;
   bool varyRadius = false;  ///< judge at half and at twice the search radius too
   /// Figures alone: no masks, pictures, pages, plots and times. Then the same input gives the same
   /// folder, byte for byte.
   bool metricsOnly = false;
-  std::string command;         ///< the command line, for the report
-  Arguments arguments;         ///< the same, word by word
-  std::optional<Shard> shard;  ///< runs only this part of the cases, see runShard
-  StageProgress progress;      ///< told how far a run is; a line on the terminal, if it is empty
+  std::string command;            ///< the command line, for the report
+  Arguments arguments;            ///< the same, word by word
+  std::optional<Shard> shard;     ///< runs only this part of the cases, see runShard
+  study::StageProgress progress;  ///< told how far a run is; a line on the terminal, if it is empty
 };
 
 /// Runs the studies one after the other and writes each one's folder `out/NAME`: pictures and masks
@@ -51,4 +51,4 @@ ExitStatus runStudies(const RunRequest& request);
 /// Bakes the tables of the studies and writes them as `out/NAME/tables.exr`.
 ExitStatus bakeStudies(const RunRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

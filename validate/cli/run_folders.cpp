@@ -8,12 +8,12 @@
 #include "common/error.h"
 #include "study/spec/resolved_study.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-const FolderKind runKind{"summary.json", {"report.html"}};
-const FolderKind rankingKind{
+const report::FolderKind runKind{"summary.json", {"report.html"}};
+const report::FolderKind rankingKind{
     "ranking.json", {"ranking.csv", "ranking.md", "ranking.html"}, "ranking.txt"};
 
 /// The part of a step's name that is its folder in its sweep's, with a slash: "0.5/".
@@ -23,7 +23,7 @@ std::string subfolderOf(const std::string& step) {
 
 }  // namespace
 
-FileLock lockFolder(const RunFolder& folder) {
+FileLock lockFolder(const report::RunFolder& folder) {
   std::error_code failure;
   fs::create_directories(folder.path(), failure);
   if (failure) {
@@ -45,18 +45,18 @@ FileLock lockFolder(const RunFolder& folder) {
   return lock;
 }
 
-void RunFolders::claim(const StudyPlan& plan, const fs::path& out, bool withSteps) {
+void RunFolders::claim(const study::StudyPlan& plan, const fs::path& out, bool withSteps) {
   std::map<std::string, Claimed> found;
   const auto add = [&](const std::string& name) {
-    const std::string copy = studyCopyName(name);
-    requireCopyOrNothing(out / name / copy);
-    found.insert_or_assign(name, Claimed{RunFolder(out / name, runKind), copy, {}});
+    const std::string copy = study::studyCopyName(name);
+    study::requireCopyOrNothing(out / name / copy);
+    found.insert_or_assign(name, Claimed{report::RunFolder(out / name, runKind), copy, {}});
   };
   add(plan.name);
   // Once more: while it was not locked another run may have changed it.
   locks_.push_back(lockFolder(found.at(plan.name).folder));
   add(plan.name);
-  for (const StudySpec& step : plan.steps) {
+  for (const study::StudySpec& step : plan.steps) {
     if (step.name == plan.name || !withSteps) continue;
     add(step.name);
     found.at(plan.name).subfolders.push_back(subfolderOf(step.name));
@@ -66,7 +66,7 @@ void RunFolders::claim(const StudyPlan& plan, const fs::path& out, bool withStep
 }
 
 void RunFolders::claimRanking(const fs::path& out) {
-  locks_.push_back(lockFolder(RunFolder(out, rankingKind)));
+  locks_.push_back(lockFolder(report::RunFolder(out, rankingKind)));
   ranking_.emplace_back(out, rankingKind);
 }
 
@@ -95,7 +95,7 @@ void RunFolders::clearOldRanking(const fs::path& out) {
     ranking().clear();
     return;
   }
-  RunFolder old(out, rankingKind);
+  report::RunFolder old(out, rankingKind);
   const bool tellsOfOurs = std::any_of(claimed_.begin(), claimed_.end(), [&](const auto& claimed) {
     return old.names(claimed.first + "/");
   });
@@ -105,4 +105,4 @@ void RunFolders::clearOldRanking(const fs::path& out) {
   if (lock.state() != FileLock::State::elsewhere) old.remove();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

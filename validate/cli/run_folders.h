@@ -10,11 +10,11 @@
 #include "report/run_folder.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Locks a folder of results for this process, and creates it where it is not there.
 /// @throws InputError where another process holds it, and as RunFolder
-FileLock lockFolder(const RunFolder& folder);
+FileLock lockFolder(const report::RunFolder& folder);
 
 /// The folders of results that a command writes: `out/NAME` of each study and `out/NAME/VALUE` of a
 /// sweep's values. First all are claimed, then all are cleared, before the first study is run: a
@@ -25,7 +25,7 @@ class RunFolders {
   /// @throws InputError where another process writes there, or a file of somebody else's stands in
   ///   the place of a summary or of the study's copy
   /// @param withSteps  whether a sweep's steps have folders
-  void claim(const StudyPlan& plan, const std::filesystem::path& out, bool withSteps = true);
+  void claim(const study::StudyPlan& plan, const std::filesystem::path& out, bool withSteps = true);
   /// Likewise the ranking's files in `out`.
   void claimRanking(const std::filesystem::path& out);
 
@@ -36,13 +36,13 @@ class RunFolders {
 
   /// Whether a study's or a step's folder has been claimed.
   [[nodiscard]] bool holds(const std::string& name) const { return claimed_.contains(name); }
-  [[nodiscard]] RunFolder& of(const std::string& name) { return claimed_.at(name).folder; }
+  [[nodiscard]] report::RunFolder& of(const std::string& name) { return claimed_.at(name).folder; }
   /// Once it is claimed.
-  [[nodiscard]] RunFolder& ranking() { return ranking_.at(0); }
+  [[nodiscard]] report::RunFolder& ranking() { return ranking_.at(0); }
 
  private:
   struct Claimed {
-    RunFolder folder;
+    report::RunFolder folder;
     std::string copy;                     ///< name of the study's copy
     std::vector<std::string> subfolders;  ///< of a sweep's values
   };
@@ -50,8 +50,8 @@ class RunFolders {
 
   std::map<std::string, Claimed> claimed_;      ///< by study or step
   std::vector<std::filesystem::path> studies_;  ///< that are run: never removed
-  std::vector<RunFolder> ranking_;              ///< none or one
+  std::vector<report::RunFolder> ranking_;      ///< none or one
   std::vector<FileLock> locks_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

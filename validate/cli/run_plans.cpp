@@ -7,31 +7,32 @@
 #include "cli/plan_runs.h"
 #include "report/page/terminal_report.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
-ExitStatus worstProblem(const std::vector<StudyRecord>& records) {
+ExitStatus worstProblem(const std::vector<study::StudyRecord>& records) {
   ExitStatus worst = ExitStatus::pass;
-  for (const StudyRecord& record : records) worst = std::max(worst, worstOf(record.problems));
+  for (const study::StudyRecord& record : records)
+    worst = std::max(worst, study::worstOf(record.problems));
   return worst;
 }
 
-ExitStatus runPlans(const std::vector<StudyPlan>& plans, CaseSource& cases,
-                    const RunRequest& request, Cache& cache) {
+ExitStatus runPlans(const std::vector<study::StudyPlan>& plans, CaseSource& cases,
+                    const RunRequest& request, cache::Cache& cache) {
   Records records;
-  for (const StudyPlan& plan : plans) {
+  for (const study::StudyPlan& plan : plans) {
     records.folders.claim(plan, request.out, !request.metricsOnly);
   }
   if (isRanking(plans)) records.folders.claimRanking(request.out);
   records.folders.clear(request.out);
   Failures failures;
   std::vector<PlanRecords> whole;
-  for (const StudyPlan& plan : plans) {
+  for (const study::StudyPlan& plan : plans) {
     failures.attempt([&] { whole.push_back(runPlan(plan, cases, request, cache, records)); });
   }
-  std::vector<StudyMeans> ranked;
+  std::vector<study::StudyMeans> ranked;
   for (const PlanRecords& part : whole) {
     failures.attempt([&] {
-      StudyMeans means = finishPlan(part, request, cache, records);
+      study::StudyMeans means = finishPlan(part, request, cache, records);
       printPlan(part, request, records);
       if (isRanked(*part.plan)) ranked.push_back(std::move(means));
     });
@@ -39,7 +40,7 @@ ExitStatus runPlans(const std::vector<StudyPlan>& plans, CaseSource& cases,
   if (ranked.size() > 1) {
     failures.attempt([&] {
       reportRanking(ranked, request, records.folders.ranking());
-      printText(terminalReport(ranked, coloursWanted()) + "\n");
+      printText(report::terminalReport(ranked, coloursWanted()) + "\n");
       printLine("Report: " +
                 (request.out / (request.metricsOnly ? "ranking.csv" : "ranking.html")).string());
     });
@@ -48,4 +49,4 @@ ExitStatus runPlans(const std::vector<StudyPlan>& plans, CaseSource& cases,
   return std::max(failures.status(), worstProblem(records.all));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

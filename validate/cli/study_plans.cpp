@@ -2,21 +2,21 @@
 
 #include <fmt/core.h>
 
-namespace gnomon {
+namespace gnomon::cli {
 
-std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
-                                 const StudyOptions& options) {
-  std::vector<StudyPlan> plans;
+std::vector<study::StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
+                                        const study::StudyOptions& options) {
+  std::vector<study::StudyPlan> plans;
   std::set<std::string> names;
   for (const std::filesystem::path& file : studies) {
-    plans.push_back(readStudyPlan(file, options));
+    plans.push_back(study::readStudyPlan(file, options));
     requireNewName(names, file, plans.back().name);
   }
   return plans;
 }
 
-std::vector<StudyPlan> readOutlines(const std::vector<std::filesystem::path>& studies,
-                                    StudyOptions options) {
+std::vector<study::StudyPlan> readOutlines(const std::vector<std::filesystem::path>& studies,
+                                           study::StudyOptions options) {
   options.isOutline = true;
   return readPlans(studies, options);
 }
@@ -28,13 +28,13 @@ void requireNewName(std::set<std::string>& names, const std::filesystem::path& f
                                file.string(), name));
 }
 
-bool isStep(const StudySpec& study) {
+bool isStep(const study::StudySpec& study) {
   return study.name.find('/') != std::string::npos;
 }
 
-std::string placeOf(const StudySpec& study) {
+std::string placeOf(const study::StudySpec& study) {
   return isStep(study) ? fmt::format("{}: {}", study.file.string(), study.name)
                        : study.file.string();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -9,18 +9,18 @@
 #include "common/error.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Reads the studies of one command, all before the first is run: a typing error in the last one
 /// shows at once.
 /// @throws InputError as `readStudyPlan`, and for two studies of one name
-std::vector<StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
-                                 const StudyOptions& options);
+std::vector<study::StudyPlan> readPlans(const std::vector<std::filesystem::path>& studies,
+                                        const study::StudyOptions& options);
 
 /// What the studies of one command ask for, in outline: see StudyOptions.
 /// @throws as readPlans, as far as outlines can tell
-std::vector<StudyPlan> readOutlines(const std::vector<std::filesystem::path>& studies,
-                                    StudyOptions options);
+std::vector<study::StudyPlan> readOutlines(const std::vector<std::filesystem::path>& studies,
+                                           study::StudyOptions options);
 
 /// Adds a study's name to those of a command.
 /// @throws InputError for one that is among them
@@ -28,15 +28,15 @@ void requireNewName(std::set<std::string>& names, const std::filesystem::path& f
                     const std::string& name);
 
 /// Whether a study is a step of a sweep.
-bool isStep(const StudySpec& study);
+bool isStep(const study::StudySpec& study);
 
 /// The study's file, and of a sweep's step which one it is.
-std::string placeOf(const StudySpec& study);
+std::string placeOf(const study::StudySpec& study);
 
 /// Does the work of one study. What fails inside it speaks of keys or of the study's other files:
 /// its message gets the study's place before it. Output that is lost is nobody's.
 template <typename Work>
-decltype(auto) inStudy(const StudySpec& study, const Work& work) {
+decltype(auto) inStudy(const study::StudySpec& study, const Work& work) {
   try {
     return work();
   } catch (const Error& error) {
@@ -45,4 +45,4 @@ decltype(auto) inStudy(const StudySpec& study, const Work& work) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -7,7 +7,7 @@
 #include "report/json/suite_json.h"
 #include "study/spec/suite/drawn_suite.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 constexpr const char* examples = R"text(
@@ -55,15 +55,18 @@ CLI::App* addSuiteCommand(CLI::App& app, SuiteRequest& request) {
 }
 
 ExitStatus drawSuiteScenes(const SuiteRequest& request) {
-  const SuiteSpec suite = readSuite(request.from.value_or(standardSuiteFile()));
-  const SuiteMethods methods =
-      readSuiteMethods(request.methods.value_or(standardMethodsFile()), request.settings);
-  const SuiteSplit split = request.split == "train" ? SuiteSplit::train : SuiteSplit::test;
-  const DrawnSuite drawn = drawSuite(suite, methods, split, request.seed, request.scenes);
-  if (request.out) writeSuite(drawn, suiteManifest(drawn), *request.out);
+  const study::SuiteSpec suite =
+      study::readSuite(request.from.value_or(study::standardSuiteFile()));
+  const study::SuiteMethods methods = study::readSuiteMethods(
+      request.methods.value_or(study::standardMethodsFile()), request.settings);
+  const study::SuiteSplit split =
+      request.split == "train" ? study::SuiteSplit::train : study::SuiteSplit::test;
+  const study::DrawnSuite drawn =
+      study::drawSuite(suite, methods, split, request.seed, request.scenes);
+  if (request.out) study::writeSuite(drawn, report::suiteManifest(drawn), *request.out);
   printLine(fmt::format("{}  {}, {}, seed {}, {} scenes", drawn.sha256, drawn.suite,
-                        splitName(split), drawn.seed, drawn.studies.size()));
+                        study::splitName(split), drawn.seed, drawn.studies.size()));
   return ExitStatus::pass;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon suite` was asked for.
 struct SuiteRequest {
@@ -28,4 +28,4 @@ CLI::App* addSuiteCommand(CLI::App& app, SuiteRequest& request);
 /// @throws InputError as readSuite, readSuiteMethods, drawSuite and writeSuite
 ExitStatus drawSuiteScenes(const SuiteRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -7,7 +7,7 @@
 #include "cli/output.h"
 #include "common/time_left.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 TerminalProgress::TerminalProgress(std::string title, std::size_t cases)
     : cases_(cases),
@@ -66,4 +66,4 @@ void TerminalProgress::clear() {
   shown_ = false;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// One line on standard error that says which stage runs, how far it is, and how long it will take:
 /// only where standard error is a terminal, and only for stages over half a second.
@@ -45,4 +45,4 @@ class TerminalProgress {
   Clock::time_point lastShown_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -4,7 +4,7 @@
 
 #include "cli/list_option.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 constexpr const char* viewExamples = R"(
@@ -61,4 +61,4 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
   return view;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

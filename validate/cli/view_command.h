@@ -6,9 +6,9 @@ namespace CLI {
 class App;
 }
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Adds `gnomon view` and its options; they fill `request`.
 CLI::App* addViewCommand(CLI::App& app, ViewRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -10,12 +10,12 @@
 #include "study/run/method_trial.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon view` was asked for.
 struct ViewRequest {
   std::filesystem::path study;
-  StudyOptions options;
+  study::StudyOptions options;
   std::filesystem::path out = "out";  ///< what is saved goes to `out/NAME/view`
   int width = 1280;                   ///< of the window, pixels
   int height = 720;
@@ -34,11 +34,11 @@ struct ViewRequest {
   std::optional<std::filesystem::path> status;
   /// Tries a method in a process of its own before it is compiled, each time that its file is
   /// another; throws InputError for one that may not be.
-  MethodTrial tryMethod;
+  study::MethodTrial tryMethod;
 };
 
 /// Shows a study until its window is closed. The program hands one in, so that the library needs no
 /// window system.
 using Viewer = std::function<ExitStatus(const ViewRequest&)>;
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -4,7 +4,7 @@
 
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 bool answersWhereverTruthDoes(const Mask& candidate, const Mask& truth) {
@@ -34,4 +34,4 @@ std::vector<std::vector<std::size_t>> answerGroups(std::span<const Mask* const> 
   return groups;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -6,7 +6,7 @@
 
 #include "common/mask.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// Candidates are compared with one truth at once, up to so many.
 constexpr std::size_t mostCandidatesAtOnce = 64;
@@ -38,4 +38,4 @@ auto compareInGroups(std::span<const Mask* const> candidates, const Mask& truth,
   return all;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 void requireBin(std::uint8_t bin, std::size_t binCount) {
@@ -58,4 +58,4 @@ std::vector<Counts> countBins(const Mask& candidate, const Mask& truth,
   return counts;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

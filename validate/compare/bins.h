@@ -8,7 +8,7 @@
 #include "common/mask.h"
 #include "compare/counts.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// The bin of a sample that has none.
 constexpr std::uint8_t noBin = 255;
@@ -32,4 +32,4 @@ std::vector<Counts> countBins(const Mask& candidate, const Mask& truth,
                               std::span<const std::uint8_t> bins, std::size_t binCount,
                               std::span<const double> weights = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

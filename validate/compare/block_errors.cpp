@@ -10,7 +10,7 @@
 #include "compare/counts.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 double sumOf(const std::vector<double>& values) {
@@ -67,4 +67,4 @@ BlockErrors blockErrors(const Mask& mask, const Mask& truth, int side,
   return errors;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

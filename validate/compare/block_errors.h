@@ -7,7 +7,7 @@
 
 #include "common/mask.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// Where a mask is wrong, in square blocks of a view. Errors of neighbouring samples are
 /// correlated, so a single sample is no independent observation; a block larger than the features
@@ -33,4 +33,4 @@ BlockErrors blockErrors(const Mask& mask, const Mask& truth, int side,
                         std::span<const double> weights = {},
                         std::span<const std::uint8_t> selected = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

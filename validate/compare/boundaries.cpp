@@ -10,7 +10,7 @@
 #include "compare/contour.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 constexpr std::size_t tolerances = boundaryTolerances.size();
@@ -307,4 +307,4 @@ const std::vector<std::string_view>& boundaryReasons() {
   return reasons;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

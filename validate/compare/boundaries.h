@@ -9,7 +9,7 @@
 #include "compare/rates.h"
 #include "compare/sample_layout.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// The distances d at which boundary IoU and surface Dice are taken, in the layout's unit.
 constexpr std::array<double, 3> boundaryTolerances = {1, 2, 4};
@@ -72,4 +72,4 @@ bool isBoundaryDistance(std::string_view name);
 /// All reasons why one of them has no value.
 const std::vector<std::string_view>& boundaryReasons();
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 double ratio(double part, double whole) {
@@ -229,4 +229,4 @@ ConfidenceInterval rateConfidence(const BlockErrors& cells, const Tiling& tiling
        "a few blocks of the view hold nearly all errors"});
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -8,7 +8,7 @@
 #include "common/mask.h"
 #include "compare/block_errors.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// A confidence interval, both ends included.
 struct Interval {
@@ -100,4 +100,4 @@ ConfidenceInterval differenceConfidence(const BlockErrors& first, const BlockErr
 /// @param degrees  of freedom, `leastDegrees` or more; need not be whole
 double studentQuantile(double degrees);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -12,7 +12,7 @@
 #include "common/system/memory.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -208,4 +208,4 @@ double ContourDistances::fromNearby(int halfColumn) {
   return std::sqrt((place - nearest.place) * (place - nearest.place) + nearest.height);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -6,7 +6,7 @@
 #include "common/mask.h"
 #include "compare/sample_layout.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// The contour of a mask: every side between two samples, one beside or above the other, of which
 /// one is lit and the other shadowed. Where it is not known what comes after a sample there is no
@@ -83,4 +83,4 @@ class ContourDistances {
   std::size_t last_ = 0;  ///< where in the envelope the last answer was
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

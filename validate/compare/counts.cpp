@@ -7,7 +7,7 @@
 #include "common/error.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 void requireWeights(std::span<const double> weights) {
@@ -100,4 +100,4 @@ std::vector<Counts> countClasses(const Mask& candidate, const Mask& truth,
                    [&](std::size_t i) -> std::size_t { return classes[i]; });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -7,7 +7,7 @@
 
 #include "common/mask.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// The confusion matrix of a candidate mask against the truth; *positive means shadowed*. Weighted
 /// by area where weights are given: the four cells then sum to the area, not to the count.
@@ -42,4 +42,4 @@ std::vector<Counts> countClasses(const Mask& candidate, const Mask& truth,
                                  std::span<const std::uint8_t> classes, std::size_t classCount,
                                  std::span<const double> weights = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

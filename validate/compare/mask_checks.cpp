@@ -4,7 +4,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 /// Checks that a mask holds what its width and height promise, without overflow for any of the two.
@@ -36,4 +36,4 @@ void requireOnePerSample(std::size_t found, std::size_t samples, const char* wha
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

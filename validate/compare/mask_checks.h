@@ -4,7 +4,7 @@
 
 #include "common/mask.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// Whether a sample has an answer: lit or shadowed.
 inline bool isAnswer(Shade shade) {
@@ -18,4 +18,4 @@ void requireSameView(const Mask& candidate, const Mask& truth);
 /// @throws InputError unless there is one value a sample, or none at all
 void requireOnePerSample(std::size_t found, std::size_t samples, const char* what);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -9,7 +9,7 @@
 #include "compare/boundaries.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 void requireSize(const char* what, const Mask& mask, const Mask& truth) {
@@ -82,4 +82,4 @@ const std::vector<std::string_view>& maskMetricNames() {
   return names;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -7,7 +7,7 @@
 #include "common/mask.h"
 #include "compare/rates.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// Two masks of one picture, with an answer in both or in neither.
 struct ComparedMasks {
@@ -33,4 +33,4 @@ std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth);
 /// The names of those, in order.
 const std::vector<std::string_view>& maskMetricNames();
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -10,7 +10,7 @@
 #include "compare/boundaries.h"
 #include "compare/shadow_length.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 bool isLength(std::string_view metric) {
@@ -105,4 +105,4 @@ void requireMissable(std::optional<double> minimum, std::optional<double> maximu
                                hint(metric, range)));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

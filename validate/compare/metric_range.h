@@ -6,7 +6,7 @@
 
 #include "compare/rates.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// What a picture's size leaves possible.
 struct PictureExtent {
@@ -54,4 +54,4 @@ void requireInRange(double limit, std::string_view metric, const MetricRange& ra
 void requireMissable(std::optional<double> minimum, std::optional<double> maximum,
                      std::string_view metric, const MetricRange& range);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 Metric defined(double value) {
@@ -182,4 +182,4 @@ const std::vector<std::string_view>& rateNames() {
   return names;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -8,7 +8,7 @@
 
 #include "compare/counts.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// One metric. Undefined values have no number but a reason; they are never reported as 0 or 1.
 struct Metric {
@@ -48,4 +48,4 @@ const Metric& metricNamed(std::span<const Metric> metrics, std::string_view name
 /// The names above, in order.
 const std::vector<std::string_view>& rateNames();
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

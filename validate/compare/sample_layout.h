@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// How the samples of a view lie beside each other. As it stands: an image, measured in pixels.
 struct SampleLayout {
@@ -20,4 +20,4 @@ struct SampleLayout {
 constexpr std::uint8_t breakRight = 1;  ///< between a sample and the one to its right
 constexpr std::uint8_t breakBelow = 2;  ///< between a sample and the one below
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

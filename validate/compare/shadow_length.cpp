@@ -14,7 +14,7 @@
 #include "compare/answer_groups.h"
 #include "compare/mask_checks.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 /// Where lines start in a sample: points (k, 4 k) / 17 of a lattice around its centre. Their
@@ -349,4 +349,4 @@ const std::vector<std::string_view>& lengthMetricNames() {
   return names;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

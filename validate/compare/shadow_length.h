@@ -11,7 +11,7 @@
 #include "common/raw_vector.h"
 #include "compare/rates.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// How one sample of a view continues along its light.
 struct LightStep {
@@ -104,4 +104,4 @@ std::vector<Metric> lengthMetrics(const ShadowLengths& lengths);
 /// The names above, in order.
 const std::vector<std::string_view>& lengthMetricNames();
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

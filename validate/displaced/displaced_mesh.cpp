@@ -10,7 +10,7 @@
 #include "common/system/memory.h"
 #include "surface/face_grids.h"
 
-namespace gnomon {
+namespace gnomon::displaced {
 namespace {
 
 /// One side of a triangle: its ends by the number that coinciding vertices share, the lower first.
@@ -27,7 +27,8 @@ struct Side {
   }
 };
 
-std::vector<Side> sortedSides(const BaseMesh& mesh, const std::vector<std::uint32_t>& shared) {
+std::vector<Side> sortedSides(const surface::BaseMesh& mesh,
+                              const std::vector<std::uint32_t>& shared) {
   std::vector<Side> sides;
   sides.reserve(mesh.triangles.size());
   for (std::uint32_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
@@ -43,7 +44,7 @@ std::vector<Side> sortedSides(const BaseMesh& mesh, const std::vector<std::uint3
 
 }  // namespace
 
-std::vector<std::uint32_t> triangleAdjacency(const BaseMesh& mesh,
+std::vector<std::uint32_t> triangleAdjacency(const surface::BaseMesh& mesh,
                                              const std::vector<std::uint32_t>& shared) {
   std::vector<std::uint32_t> adjacency(2 * mesh.triangles.size());
   const auto opposite = [&mesh](const Side& side) {
@@ -65,18 +66,19 @@ std::vector<std::uint32_t> triangleAdjacency(const BaseMesh& mesh,
   return adjacency;
 }
 
-DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relief,
+DisplacedMesh makeDisplacedMesh(const surface::LimitSurface& surface, const relief::Relief& relief,
                                 int subdivisions) {
   DisplacedMesh result;
-  result.mesh = makeBaseMesh(surface, relief.texelsPerUv(), subdivisions);
-  BaseMesh& mesh = result.mesh;
+  result.mesh = surface::makeBaseMesh(surface, relief.texelsPerUv(), subdivisions);
+  surface::BaseMesh& mesh = result.mesh;
   requireMemory(static_cast<double>(mesh.triangles.size()) * (sizeof(Side) + 12),
                 fmt::format("a displaced mesh of {} triangles", mesh.triangleCount()));
   parallelFor(0, mesh.vertices.size(), [&](std::size_t i) {
-    TexelFrame& frame = mesh.vertices[i].frame;
-    frame.position = displaced(relief, frame);
+    surface::TexelFrame& frame = mesh.vertices[i].frame;
+    frame.position = relief::displaced(relief, frame);
   });
-  const auto shared = firstVertices(surface, FaceGrids::even(surface.faceCount(), subdivisions));
+  const auto shared =
+      surface::firstVertices(surface, surface::FaceGrids::even(surface.faceCount(), subdivisions));
   for (std::size_t i = 0; i < shared.size(); ++i) {
     mesh.vertices[i].frame.position = mesh.vertices[shared[i]].frame.position;
   }
@@ -84,4 +86,4 @@ DisplacedMesh makeDisplacedMesh(const LimitSurface& surface, const Relief& relie
   return result;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::displaced

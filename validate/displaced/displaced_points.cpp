@@ -8,7 +8,7 @@
 #include "surface/limit_face.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::displaced {
 namespace {
 
 /// Some rows of a face's grid: what one thread computes at once.
@@ -17,7 +17,7 @@ struct RowBlock {
 };
 
 /// All rows of all faces, so cut that even a single face keeps every thread busy.
-std::vector<RowBlock> rowBlocks(const FaceGrids& grids) {
+std::vector<RowBlock> rowBlocks(const surface::FaceGrids& grids) {
   constexpr std::size_t mostRows = 32;
   std::vector<RowBlock> blocks;
   for (std::size_t face = 0; face < grids.faces().size(); ++face) {
@@ -31,25 +31,26 @@ std::vector<RowBlock> rowBlocks(const FaceGrids& grids) {
 
 }  // namespace
 
-void displaceGrids(const LimitSurface& surface, const Relief& relief, const FaceGrids& grids,
-                   const PointSink& sink, const Progress& progress) {
+void displaceGrids(const surface::LimitSurface& surface, const relief::Relief& relief,
+                   const surface::FaceGrids& grids, const PointSink& sink,
+                   const Progress& progress) {
   const Vec2 texelsPerUv = relief.texelsPerUv();
   const std::vector<RowBlock> blocks = rowBlocks(grids);
   CountedProgress done(progress, blocks.size());
   parallelFor(0, blocks.size(), [&](std::size_t b) {
     const RowBlock& block = blocks[b];
-    const FaceGrid& grid = grids.faces()[block.face];
+    const surface::FaceGrid& grid = grids.faces()[block.face];
     const std::vector<double>& s = grids.sLines(grid);
     const std::vector<double>& t = grids.tLines(grid);
-    const LimitFace face(surface, static_cast<int>(block.face),
-                         (block.endRow - block.firstRow) * s.size());
-    std::vector<TangentPoint> points(s.size());
+    const surface::LimitFace face(surface, static_cast<int>(block.face),
+                                  (block.endRow - block.firstRow) * s.size());
+    std::vector<surface::TangentPoint> points(s.size());
     std::vector<Vec3> positions(s.size());
     for (std::size_t row = block.firstRow; row < block.endRow; ++row) {
       face.row(t[row], s, points);
       std::transform(points.begin(), points.end(), positions.begin(),
-                     [&](const TangentPoint& point) {
-                       return displaced(relief, texelFrame(point, texelsPerUv));
+                     [&](const surface::TangentPoint& point) {
+                       return relief::displaced(relief, surface::texelFrame(point, texelsPerUv));
                      });
       sink(grid.vertex(0, row), positions);
     }
@@ -57,4 +58,4 @@ void displaceGrids(const LimitSurface& surface, const Relief& relief, const Face
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::displaced

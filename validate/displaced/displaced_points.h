@@ -9,7 +9,7 @@
 #include "surface/face_grids.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::displaced {
 
 /// Takes the displaced points of some vertices of one row, world, from vertex `first` on.
 using PointSink = std::function<void(std::size_t first, std::span<const Vec3> points)>;
@@ -19,7 +19,8 @@ using PointSink = std::function<void(std::size_t first, std::span<const Vec3> po
 /// texture seam neighbours differ until one is copied to the other (forEachSharedVertex).
 /// @param sink      is called once for each vertex, from several threads at once
 /// @param progress  may throw to cancel, see common/progress.h
-void displaceGrids(const LimitSurface& surface, const Relief& relief, const FaceGrids& grids,
-                   const PointSink& sink, const Progress& progress = {});
+void displaceGrids(const surface::LimitSurface& surface, const relief::Relief& relief,
+                   const surface::FaceGrids& grids, const PointSink& sink,
+                   const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::displaced

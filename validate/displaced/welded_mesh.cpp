@@ -14,17 +14,17 @@
 #include "surface/closed_surface.h"
 #include "surface/face_grids.h"
 
-namespace gnomon {
+namespace gnomon::displaced {
 namespace {
 
 constexpr int mostSubdivisions = 8192;
 
-double triangleCount(const LimitSurface& surface, int subdivisions) {
+double triangleCount(const surface::LimitSurface& surface, int subdivisions) {
   return 2.0 * subdivisions * subdivisions * surface.faceCount();
 }
 
 /// Refuses a mesh that cannot be numbered or held, before anything of it is made.
-void requireRoom(const LimitSurface& surface, int subdivisions) {
+void requireRoom(const surface::LimitSurface& surface, int subdivisions) {
   const std::string parameter = "subdivisions";
   if (subdivisions < 1 || subdivisions > mostSubdivisions) {
     throw InputError(fmt::format("{} found, 1 to {} expected", subdivisions, mostSubdivisions),
@@ -62,24 +62,27 @@ void weld(std::vector<glm::vec3>& positions, std::vector<std::uint32_t>& first) 
 
 }  // namespace
 
-WeldedMesh makeWeldedMesh(const LimitSurface& surface, const Relief& relief, int subdivisions) {
+WeldedMesh makeWeldedMesh(const surface::LimitSurface& surface, const relief::Relief& relief,
+                          int subdivisions) {
   requireRoom(surface, subdivisions);
-  const FaceGrids grids = FaceGrids::even(surface.faceCount(), subdivisions);
+  const surface::FaceGrids grids = surface::FaceGrids::even(surface.faceCount(), subdivisions);
   std::vector<glm::vec3> positions(grids.vertexCount());
   displaceGrids(surface, relief, grids, [&](std::size_t first, std::span<const Vec3> points) {
     std::copy(points.begin(), points.end(), positions.begin() + static_cast<std::ptrdiff_t>(first));
   });
-  std::vector<std::uint32_t> numbers = firstVertices(surface, grids);
+  std::vector<std::uint32_t> numbers = surface::firstVertices(surface, grids);
   weld(positions, numbers);
-  std::vector<std::uint32_t> triangles = gridTriangles(grids, Diagonal::acrossOrigin);
+  std::vector<std::uint32_t> triangles =
+      surface::gridTriangles(grids, surface::Diagonal::acrossOrigin);
   for (std::uint32_t& vertex : triangles) vertex = numbers[vertex];
-  return {std::move(positions), std::move(triangles), isClosed(surface)};
+  return {std::move(positions), std::move(triangles), surface::isClosed(surface)};
 }
 
-int subdivisionsForTexels(const LimitSurface& surface, Vec2 texelsPerUv, double mostTriangles) {
+int subdivisionsForTexels(const surface::LimitSurface& surface, Vec2 texelsPerUv,
+                          double mostTriangles) {
   double longestSide = 0;
   for (int face = 0; face < surface.faceCount(); ++face) {
-    const LimitPoint middle = surface.evaluate(face, 0.5, 0.5);
+    const surface::LimitPoint middle = surface.evaluate(face, 0.5, 0.5);
     longestSide = std::max({longestSide, glm::length(middle.uvDs * texelsPerUv),
                             glm::length(middle.uvDt * texelsPerUv)});
   }
@@ -91,4 +94,4 @@ int subdivisionsForTexels(const LimitSurface& surface, Vec2 texelsPerUv, double 
   return std::max(1, static_cast<int>(most));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::displaced

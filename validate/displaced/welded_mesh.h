@@ -7,7 +7,7 @@
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::displaced {
 
 /// The displaced surface for other programs: triangles that share their vertices.
 struct WeldedMesh {
@@ -26,11 +26,12 @@ struct WeldedMesh {
 /// @param subdivisions  1 to 8192
 /// @throws InputError for other subdivisions or 2³¹ vertices and more, MemoryError if they cannot
 ///   fit
-WeldedMesh makeWeldedMesh(const LimitSurface& surface, const Relief& relief, int subdivisions);
+WeldedMesh makeWeldedMesh(const surface::LimitSurface& surface, const relief::Relief& relief,
+                          int subdivisions);
 
 /// The subdivisions that give 4 pieces a texel along the longest face, measured through its middle;
 /// 2 or 1 where 4 would exceed `mostTriangles`; and where even 1 does, the most that do not.
-int subdivisionsForTexels(const LimitSurface& surface, Vec2 texelsPerUv,
+int subdivisionsForTexels(const surface::LimitSurface& surface, Vec2 texelsPerUv,
                           double mostTriangles = 4e6);
 
-}  // namespace gnomon
+}  // namespace gnomon::displaced

@@ -10,7 +10,7 @@
 #include "image/images.h"
 #include "truth/sample_place.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 namespace {
 
 const std::vector<std::string>& sampleChannels() {
@@ -23,7 +23,7 @@ const std::vector<std::string>& sampleChannels() {
 
 using Pixel = std::array<float, 18>;
 
-Pixel pixelOf(const SamplePlace& place, const Vec3& centre, double weight) {
+Pixel pixelOf(const truth::SamplePlace& place, const Vec3& centre, double weight) {
   if (!place.defined) return {-1};
   const auto f = [](double value) { return static_cast<float>(value); };
   const Vec3 point = place.facet.point + centre;
@@ -47,18 +47,19 @@ Pixel pixelOf(const SamplePlace& place, const Vec3& centre, double weight) {
           f(weight)};
 }
 
-ChannelImage sampleMap(const RunScene& scene, const ViewCase& view, const MicroMesh& mesh) {
-  const SampleGrid& grid = view.samples;
-  ChannelImage map{grid.width, grid.height, sampleChannels(), {}};
+image::ChannelImage sampleMap(const study::RunScene& scene, const study::ViewCase& view,
+                              const truth::MicroMesh& mesh) {
+  const surface::SampleGrid& grid = view.samples;
+  image::ChannelImage map{grid.width, grid.height, sampleChannels(), {}};
   requireMemory(sizeof(Pixel) * static_cast<double>(grid.samples.size()),
                 fmt::format("a sample map of {} × {} pixels", grid.width, grid.height));
   map.values.resize(grid.samples.size() * std::tuple_size_v<Pixel>);
   const Vec2 texelsPerUv = scene.study.relief.texelsPerUv();
   const auto width = static_cast<std::size_t>(grid.width);
   parallelFor(0, static_cast<std::size_t>(grid.height), [&](std::size_t row) {
-    SamplePlacer placer(scene.surface, texelsPerUv, mesh);
+    truth::SamplePlacer placer(scene.surface, texelsPerUv, mesh);
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
-      const SamplePlace place = placer.place(grid.samples[i]);
+      const truth::SamplePlace place = placer.place(grid.samples[i]);
       const Pixel pixel = pixelOf(place, mesh.centre(), view.weights.empty() ? 1 : view.weights[i]);
       std::copy(pixel.begin(), pixel.end(),
                 map.values.begin() + static_cast<std::ptrdiff_t>(i * pixel.size()));
@@ -69,42 +70,43 @@ ChannelImage sampleMap(const RunScene& scene, const ViewCase& view, const MicroM
 
 }  // namespace
 
-std::string sampleMapFile(const CaseNames& names, std::size_t view) {
+std::string sampleMapFile(const study::CaseNames& names, std::size_t view) {
   return fmt::format("samples/{}.exr", names.views[view]);
 }
 
-std::string roiFile(const CaseNames& names, std::size_t view) {
+std::string roiFile(const study::CaseNames& names, std::size_t view) {
   return fmt::format("roi/{}.png", names.views[view]);
 }
 
-void writeHeights(RunFolder& folder, const HeightField& field) {
-  ChannelImage image{field.width(), field.height(), {"height"}, {}};
+void writeHeights(report::RunFolder& folder, const relief::HeightField& field) {
+  image::ChannelImage image{field.width(), field.height(), {"height"}, {}};
   image.values.reserve(field.texels().size());
   for (int row = field.height() - 1; row >= 0; --row) {
     for (int column = 0; column < field.width(); ++column) {
       image.values.push_back(field.texel(column, row));
     }
   }
-  writeExr(folder.newFile("heights.exr"), image);
+  image::writeExr(folder.newFile("heights.exr"), image);
 }
 
-void writeSampleMaps(RunFolder& folder, RunScene& scene, const MicroMesh& mesh) {
-  const CaseNames names = caseNames(scene.study);
+void writeSampleMaps(report::RunFolder& folder, study::RunScene& scene,
+                     const truth::MicroMesh& mesh) {
+  const study::CaseNames names = study::caseNames(scene.study);
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
-    writeExr(folder.newFile(sampleMapFile(names, v)),
-             sampleMap(scene, scene.standardBase().views[v], mesh));
+    image::writeExr(folder.newFile(sampleMapFile(names, v)),
+                    sampleMap(scene, scene.standardBase().views[v], mesh));
   }
 }
 
-void writeRegionsOfInterest(RunFolder& folder, RunScene& scene) {
-  const CaseNames names = caseNames(scene.study);
+void writeRegionsOfInterest(report::RunFolder& folder, study::RunScene& scene) {
+  const study::CaseNames names = study::caseNames(scene.study);
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
     Mask roi = scene.standardBase().views[v].truths.front().mask;
     for (Shade& shade : roi.samples) {
       shade = shade == Shade::none ? Shade::shadowed : Shade::lit;
     }
-    folder.write(roiFile(names, v), pngOf(maskImage(roi)));
+    folder.write(roiFile(names, v), image::pngOf(image::maskImage(roi)));
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::exporting

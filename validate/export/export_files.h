@@ -8,18 +8,18 @@
 #include "study/run/truth_study.h"
 #include "study/spec/file_names.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 
 /// The parts of an export that are pictures; `exportJson` tells what they hold. All are written
 /// whole or not at all.
 
 /// `samples/VIEW.exr` and `roi/VIEW.png`.
-std::string sampleMapFile(const CaseNames& names, std::size_t view);
-std::string roiFile(const CaseNames& names, std::size_t view);
+std::string sampleMapFile(const study::CaseNames& names, std::size_t view);
+std::string roiFile(const study::CaseNames& names, std::size_t view);
 
 /// Writes the height map as `heights.exr`, channel `height`, in height units; the first row is the
 /// one with the largest v.
-void writeHeights(RunFolder& folder, const HeightField& field);
+void writeHeights(report::RunFolder& folder, const relief::HeightField& field);
 
 /// Writes a sample map for every view of the standard base, whose truths are not needed. Channels:
 ///   face, s, t          the sample; face is -1, and all else 0, where the truth has no answer
@@ -30,9 +30,10 @@ void writeHeights(RunFolder& folder, const HeightField& field);
 ///   facet.X, .Y, .Z     normal of the facet that holds it, unit, outward
 ///   weight              area that the sample stands for in an atlas; 1 in a camera's view
 /// @throws MemoryError for a map that cannot fit
-void writeSampleMaps(RunFolder& folder, RunScene& scene, const MicroMesh& mesh);
+void writeSampleMaps(report::RunFolder& folder, study::RunScene& scene,
+                     const truth::MicroMesh& mesh);
 
 /// Writes, for every view, where the truths have an answer: white there, black elsewhere.
-void writeRegionsOfInterest(RunFolder& folder, RunScene& scene);
+void writeRegionsOfInterest(report::RunFolder& folder, study::RunScene& scene);
 
-}  // namespace gnomon
+}  // namespace gnomon::exporting

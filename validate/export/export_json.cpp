@@ -5,12 +5,12 @@
 #include "render/view.h"
 #include "report/json/json_values.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 namespace {
 
 constexpr double degreesPerRadian = 180 / pi;
 
-Json conventionsJson() {
+report::Json conventionsJson() {
   return {
       {"question",
        "For every pixel of a sample map: is the displaced point lit? It is where its facet faces "
@@ -51,7 +51,7 @@ Json conventionsJson() {
        "/ (2^bits - 1)."}};
 }
 
-Json channelsJson() {
+report::Json channelsJson() {
   return {{"face, s, t", "the sample: face of the cage and parameters on it; face -1 is no sample"},
           {"texel.X, .Y", "texture coordinates in texels"},
           {"base.X, .Y, .Z", "P, the point of the undisplaced limit surface"},
@@ -61,20 +61,20 @@ Json channelsJson() {
           {"weight", "of the sample in an atlas; 1 in a camera's view"}};
 }
 
-Json vectorJson(const Vec3& v) {
+report::Json vectorJson(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-Json matrixJson(const glm::dmat4& matrix) {
-  Json rows = Json::array();
+report::Json matrixJson(const glm::dmat4& matrix) {
+  report::Json rows = report::Json::array();
   for (int row = 0; row < 4; ++row) {
     rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
   }
   return rows;
 }
 
-Json cameraJson(const Camera& camera, const BaseMesh& mesh) {
-  const CameraMatrices matrices = cameraMatrices(camera, mesh);
+report::Json cameraJson(const Camera& camera, const surface::BaseMesh& mesh) {
+  const render::CameraMatrices matrices = render::cameraMatrices(camera, mesh);
   return {{"eye", vectorJson(camera.eye)},
           {"target", vectorJson(camera.target)},
           {"up", vectorJson(camera.up)},
@@ -83,47 +83,48 @@ Json cameraJson(const Camera& camera, const BaseMesh& mesh) {
           {"projection", matrixJson(matrices.projection)}};
 }
 
-Json atlasJson(const AtlasSpec& atlas, const RenderView& view) {
+report::Json atlasJson(const study::AtlasSpec& atlas, const render::RenderView& view) {
   return {{"samples_per_side", atlas.samplesPerSide},
           {"columns", view.atlasTiles.x},
           {"rows", view.atlasTiles.y}};
 }
 
-Json viewJson(RunScene& scene, const StudyRecord& record, const CaseNames& names,
-              std::size_t index) {
-  const BaseCase& base = scene.standardBase();
-  const ViewSpec& spec = scene.study.views[index];
-  const RenderView& view = base.views[index].view;
-  Json json = {{"name", spec.name}, {"width", view.width}, {"height", view.height}};
-  const std::string type(viewKindNames.at(spec.kind.index()));
+report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
+                      const study::CaseNames& names, std::size_t index) {
+  const study::BaseCase& base = scene.standardBase();
+  const study::ViewSpec& spec = scene.study.views[index];
+  const render::RenderView& view = base.views[index].view;
+  report::Json json = {{"name", spec.name}, {"width", view.width}, {"height", view.height}};
+  const std::string type(study::viewKindNames.at(spec.kind.index()));
   json["type"] = type;
   json[type] = std::visit(
       Overloaded{[&](const Camera& camera) { return cameraJson(camera, base.drawn.get()->mesh); },
-                 [&](const AtlasSpec& atlas) { return atlasJson(atlas, view); }},
+                 [&](const study::AtlasSpec& atlas) { return atlasJson(atlas, view); }},
       spec.kind);
   json["samples"] = sampleMapFile(names, index);
   json["roi"] = roiFile(names, index);
-  Json masks = Json::array();
+  report::Json masks = report::Json::array();
   const std::size_t lights = scene.study.lights.size();
   for (std::size_t l = 0; l < lights; ++l) {
-    masks.push_back({{"light", scene.study.lights[l].name},
-                     {"truth", truthMaskFile(names, index, l)},
-                     {"uncertainty", jsonNumber(record.truth.flips.at(index * lights + l).flipRate,
-                                                "views.masks.uncertainty")}});
+    masks.push_back(
+        {{"light", scene.study.lights[l].name},
+         {"truth", truthMaskFile(names, index, l)},
+         {"uncertainty", report::jsonNumber(record.truth.flips.at(index * lights + l).flipRate,
+                                            "views.masks.uncertainty")}});
   }
   json["masks"] = std::move(masks);
   return json;
 }
 
-Json lightJson(const LightSpec& light) {
+report::Json lightJson(const study::LightSpec& light) {
   return {{"name", light.name},
           {"azimuth_degrees", degreesPerRadian * light.azimuth},
           {"elevation_degrees", degreesPerRadian * light.elevation},
           {"direction", vectorJson(light.direction())}};
 }
 
-Json heightsJson(const Relief& relief) {
-  const HeightField& field = relief.field;
+report::Json heightsJson(const relief::Relief& relief) {
+  const relief::HeightField& field = relief.field;
   const Vec2 texelsPerUv = relief.texelsPerUv();
   return {{"file", "heights.exr"},
           {"channel", "height"},
@@ -131,17 +132,17 @@ Json heightsJson(const Relief& relief) {
           {"height", field.height()},
           {"minimum", field.minimum()},
           {"maximum", field.maximum()},
-          {"height_space", relief.space == HeightSpace::world ? "world" : "texture"},
-          {"wrap", field.wrap() == Wrap::repeat ? "repeat" : "clamp"},
+          {"height_space", relief.space == relief::HeightSpace::world ? "world" : "texture"},
+          {"wrap", field.wrap() == relief::Wrap::repeat ? "repeat" : "clamp"},
           {"repeats", {relief.repeats.x, relief.repeats.y}},
           {"texels_per_uv", {texelsPerUv.x, texelsPerUv.y}}};
 }
 
-Json rangeJson(const StoredTable& table) {
+report::Json rangeJson(const horizon::StoredTable& table) {
   return {{"low", table.low}, {"high", table.high}};
 }
 
-Json tablesJson(const StoredHorizons& tables) {
+report::Json tablesJson(const horizon::StoredHorizons& tables) {
   return {{"file", "tables.exr"},
           {"azimuths", tables.layers},
           {"radius_texels", tables.radiusTexels},
@@ -150,7 +151,7 @@ Json tablesJson(const StoredHorizons& tables) {
           {"distance", rangeJson(tables.distance)}};
 }
 
-Json displacedJson(const ExportedMesh& mesh) {
+report::Json displacedJson(const ExportedMesh& mesh) {
   return {{"file", "displaced.ply"},
           {"subdivisions", mesh.subdivisions},
           {"vertices", mesh.vertices},
@@ -160,33 +161,34 @@ Json displacedJson(const ExportedMesh& mesh) {
 
 }  // namespace
 
-std::string exportJson(RunScene& scene, const StudyRecord& record, const ExportedMesh& mesh,
-                       const StoredHorizons& tables, double rayLift) {
-  const CaseNames names = caseNames(scene.study);
-  Json views = Json::array();
+std::string exportJson(study::RunScene& scene, const study::StudyRecord& record,
+                       const ExportedMesh& mesh, const horizon::StoredHorizons& tables,
+                       double rayLift) {
+  const study::CaseNames names = study::caseNames(scene.study);
+  report::Json views = report::Json::array();
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
     views.push_back(viewJson(scene, record, names, v));
   }
-  const BaseMesh& base = scene.standardBase().drawn.get()->mesh;
-  const Json json = {{"schema", "gnomon-export/1"},
-                     {"study", jsonStudy(record)},
-                     {"environment", jsonEnvironment(record.environment)},
-                     {"conventions", conventionsJson()},
-                     {"displaced_mesh", displacedJson(mesh)},
-                     {"base_mesh",
-                      {{"file", "base.obj"},
-                       {"subdivisions", scene.study.base.subdivisions},
-                       {"vertices", base.vertices.size()},
-                       {"triangles", base.triangleCount()}}},
-                     {"height_map", heightsJson(scene.study.relief)},
-                     {"tables", tablesJson(tables)},
-                     {"lights", jsonList(scene.study.lights, lightJson)},
-                     {"views", std::move(views)},
-                     {"channels", channelsJson()},
-                     {"ray_lift", jsonNumber(rayLift, "ray_lift")},
-                     {"truth", jsonTruth(record.truth)},
-                     {"undefined_samples", record.undefinedSamples}};
-  return jsonText(json);
+  const surface::BaseMesh& base = scene.standardBase().drawn.get()->mesh;
+  const report::Json json = {{"schema", "gnomon-export/1"},
+                             {"study", report::jsonStudy(record)},
+                             {"environment", report::jsonEnvironment(record.environment)},
+                             {"conventions", conventionsJson()},
+                             {"displaced_mesh", displacedJson(mesh)},
+                             {"base_mesh",
+                              {{"file", "base.obj"},
+                               {"subdivisions", scene.study.base.subdivisions},
+                               {"vertices", base.vertices.size()},
+                               {"triangles", base.triangleCount()}}},
+                             {"height_map", heightsJson(scene.study.relief)},
+                             {"tables", tablesJson(tables)},
+                             {"lights", report::jsonList(scene.study.lights, lightJson)},
+                             {"views", std::move(views)},
+                             {"channels", channelsJson()},
+                             {"ray_lift", report::jsonNumber(rayLift, "ray_lift")},
+                             {"truth", report::jsonTruth(record.truth)},
+                             {"undefined_samples", record.undefinedSamples}};
+  return report::jsonText(json);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::exporting

@@ -8,7 +8,7 @@
 #include "study/run/truth_study.h"
 #include "study/spec/file_names.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 
 /// What an export says of its displaced mesh.
 struct ExportedMesh {
@@ -21,7 +21,8 @@ struct ExportedMesh {
 /// The export's description, schema "gnomon-export/1": files, units, conventions, camera matrices,
 /// lights. Enough for another renderer to answer at the study's samples.
 /// @param rayLift  world length by which the truth's rays start off their facets
-std::string exportJson(RunScene& scene, const StudyRecord& record, const ExportedMesh& mesh,
-                       const StoredHorizons& tables, double rayLift);
+std::string exportJson(study::RunScene& scene, const study::StudyRecord& record,
+                       const ExportedMesh& mesh, const horizon::StoredHorizons& tables,
+                       double rayLift);
 
-}  // namespace gnomon
+}  // namespace gnomon::exporting

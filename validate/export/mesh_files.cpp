@@ -10,12 +10,12 @@
 #include "common/files/atomic_file.h"
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 namespace {
 
 static_assert(sizeof(glm::vec3) == 12, "a vertex of the PLY is three floats and nothing else");
 
-std::string plyHeader(const WeldedMesh& mesh, const std::string& comment) {
+std::string plyHeader(const displaced::WeldedMesh& mesh, const std::string& comment) {
   const char* order = std::endian::native == std::endian::little ? "little" : "big";
   return fmt::format(
       "ply\nformat binary_{}_endian 1.0\ncomment {}\nelement vertex {}\nproperty float x\n"
@@ -25,7 +25,7 @@ std::string plyHeader(const WeldedMesh& mesh, const std::string& comment) {
 }
 
 /// The face records: a count of 3 and three indices, 13 bytes without padding.
-std::string faceBytes(const WeldedMesh& mesh, std::size_t first, std::size_t count) {
+std::string faceBytes(const displaced::WeldedMesh& mesh, std::size_t first, std::size_t count) {
   constexpr std::size_t indexBytes = 3 * sizeof(std::uint32_t);
   std::string bytes(count * (1 + indexBytes), '\3');
   for (std::size_t face = 0; face < count; ++face) {
@@ -37,7 +37,7 @@ std::string faceBytes(const WeldedMesh& mesh, std::size_t first, std::size_t cou
 
 }  // namespace
 
-void writePly(const std::filesystem::path& path, const WeldedMesh& mesh,
+void writePly(const std::filesystem::path& path, const displaced::WeldedMesh& mesh,
               const std::string& comment) {
   writeAtomically(path, [&](int file) {
     writeAll(file, plyHeader(mesh, comment));
@@ -50,7 +50,7 @@ void writePly(const std::filesystem::path& path, const WeldedMesh& mesh,
   });
 }
 
-void writeObj(const std::filesystem::path& path, const BaseMesh& mesh, Vec2 texelsPerUv,
+void writeObj(const std::filesystem::path& path, const surface::BaseMesh& mesh, Vec2 texelsPerUv,
               const std::string& comment) {
   constexpr double bytesPerVertex = 160;
   constexpr double bytesPerTriangle = 80;
@@ -62,7 +62,7 @@ void writeObj(const std::filesystem::path& path, const BaseMesh& mesh, Vec2 texe
   const auto append = [&](const char* key, const Vec3& v) {
     text += fmt::format("{} {} {} {}\n", key, shortest(v.x), shortest(v.y), shortest(v.z));
   };
-  for (const BaseVertex& vertex : mesh.vertices) {
+  for (const surface::BaseVertex& vertex : mesh.vertices) {
     const Vec2 uv = vertex.frame.texel / texelsPerUv;
     append("v", vertex.frame.position);
     text += fmt::format("vt {} {}\n", shortest(uv.x), shortest(uv.y));
@@ -75,4 +75,4 @@ void writeObj(const std::filesystem::path& path, const BaseMesh& mesh, Vec2 texe
   writeTextAtomically(path, text);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::exporting

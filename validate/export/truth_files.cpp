@@ -8,29 +8,30 @@
 #include "report/json/json_values.h"
 #include "report/pictures/region_image.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 namespace {
 
-std::string regionFile(const CaseNames& names, std::size_t view, std::size_t light) {
+std::string regionFile(const study::CaseNames& names, std::size_t view, std::size_t light) {
   return fmt::format("regions/{}_{}.png", names.views[view], names.lights[light]);
 }
 
-Json regionCountsJson(const Truth& truth) {
-  Json counts = Json::object();
-  for (const Region region : reportedRegions) {
-    counts[std::string(regionName(region))] =
+report::Json regionCountsJson(const truth::Truth& truth) {
+  report::Json counts = report::Json::object();
+  for (const truth::Region region : truth::reportedRegions) {
+    counts[std::string(truth::regionName(region))] =
         std::count(truth.regions.begin(), truth.regions.end(), region);
   }
   return counts;
 }
 
-Json caseJson(RunScene& scene, const StudyRecord& record, const CaseNames& names, std::size_t view,
-              std::size_t light) {
-  const Truth& truth = scene.standardBase().views[view].truths[light];
+report::Json caseJson(study::RunScene& scene, const study::StudyRecord& record,
+                      const study::CaseNames& names, std::size_t view, std::size_t light) {
+  const truth::Truth& truth = scene.standardBase().views[view].truths[light];
   const auto count = [&](Shade shade) {
     return std::count(truth.mask.samples.begin(), truth.mask.samples.end(), shade);
   };
-  const UncertaintyRecord& flip = record.truth.flips.at(view * scene.study.lights.size() + light);
+  const study::UncertaintyRecord& flip =
+      record.truth.flips.at(view * scene.study.lights.size() + light);
   return {{"view", scene.study.views[view].name},
           {"light", scene.study.lights[light].name},
           {"width", truth.mask.width},
@@ -41,12 +42,12 @@ Json caseJson(RunScene& scene, const StudyRecord& record, const CaseNames& names
           {"shadowed", count(Shade::shadowed)},
           {"undefined_samples", truth.undefinedSamples},
           {"region_samples", regionCountsJson(truth)},
-          {"uncertainty", jsonNumber(flip.flipRate, "cases.uncertainty")}};
+          {"uncertainty", report::jsonNumber(flip.flipRate, "cases.uncertainty")}};
 }
 
 /// Calls `visit(view, light)` for every case of the study.
 template <typename Visit>
-void forEachCase(const StudySpec& study, const Visit& visit) {
+void forEachCase(const study::StudySpec& study, const Visit& visit) {
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     for (std::size_t l = 0; l < study.lights.size(); ++l) visit(v, l);
   }
@@ -54,36 +55,37 @@ void forEachCase(const StudySpec& study, const Visit& visit) {
 
 }  // namespace
 
-std::string truthMaskFile(const CaseNames& names, std::size_t view, std::size_t light) {
+std::string truthMaskFile(const study::CaseNames& names, std::size_t view, std::size_t light) {
   return fmt::format("masks/{}_{}_truth.png", names.views[view], names.lights[light]);
 }
 
-void writeTruthMasks(RunFolder& folder, RunScene& scene) {
-  const CaseNames names = caseNames(scene.study);
+void writeTruthMasks(report::RunFolder& folder, study::RunScene& scene) {
+  const study::CaseNames names = study::caseNames(scene.study);
   forEachCase(scene.study, [&](std::size_t v, std::size_t l) {
     folder.write(truthMaskFile(names, v, l),
-                 pngOf(maskImage(scene.standardBase().views[v].truths[l].mask)));
+                 image::pngOf(image::maskImage(scene.standardBase().views[v].truths[l].mask)));
   });
 }
 
-void writeTruth(RunFolder& folder, RunScene& scene, const StudyRecord& record) {
+void writeTruth(report::RunFolder& folder, study::RunScene& scene,
+                const study::StudyRecord& record) {
   writeTruthMasks(folder, scene);
-  const CaseNames names = caseNames(scene.study);
-  Json cases = Json::array();
+  const study::CaseNames names = study::caseNames(scene.study);
+  report::Json cases = report::Json::array();
   forEachCase(scene.study, [&](std::size_t v, std::size_t l) {
     folder.write(regionFile(names, v, l),
-                 pngOf(regionImage(scene.standardBase().views[v].truths[l])));
+                 image::pngOf(report::regionImage(scene.standardBase().views[v].truths[l])));
     cases.push_back(caseJson(scene, record, names, v, l));
   });
-  const Json json = {{"schema", "gnomon-truth/1"},
-                     {"study", jsonStudy(record)},
-                     {"environment", jsonEnvironment(record.environment)},
-                     {"truth", jsonTruth(record.truth)},
-                     {"region_colours", jsonRegionColours()},
-                     {"cases", std::move(cases)},
-                     {"undefined_samples", record.undefinedSamples},
-                     {"notices", record.notices}};
-  folder.finish(jsonText(json));
+  const report::Json json = {{"schema", "gnomon-truth/1"},
+                             {"study", report::jsonStudy(record)},
+                             {"environment", report::jsonEnvironment(record.environment)},
+                             {"truth", report::jsonTruth(record.truth)},
+                             {"region_colours", report::jsonRegionColours()},
+                             {"cases", std::move(cases)},
+                             {"undefined_samples", record.undefinedSamples},
+                             {"notices", record.notices}};
+  folder.finish(report::jsonText(json));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::exporting

@@ -7,18 +7,19 @@
 #include "study/run/truth_study.h"
 #include "study/spec/file_names.h"
 
-namespace gnomon {
+namespace gnomon::exporting {
 
 /// `masks/VIEW_LIGHT_truth.png`, as in a run's folder.
-std::string truthMaskFile(const CaseNames& names, std::size_t view, std::size_t light);
+std::string truthMaskFile(const study::CaseNames& names, std::size_t view, std::size_t light);
 
 /// Writes the truths of the scene's standard base as mask pictures.
-void writeTruthMasks(RunFolder& folder, RunScene& scene);
+void writeTruthMasks(report::RunFolder& folder, study::RunScene& scene);
 
 /// Writes what `gnomon truth` finds: the masks, `regions/VIEW_LIGHT.png` (in the colours that the
 /// JSON names) and last `truth.json`, schema "gnomon-truth/1", whose presence says that all is
 /// there.
 /// @param record  as `traceStudy` gives it
-void writeTruth(RunFolder& folder, RunScene& scene, const StudyRecord& record);
+void writeTruth(report::RunFolder& folder, study::RunScene& scene,
+                const study::StudyRecord& record);
 
-}  // namespace gnomon
+}  // namespace gnomon::exporting

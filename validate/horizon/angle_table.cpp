@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight) {
   AngleTable result{tables, limit, std::vector<float>(tables.horizon.size())};
@@ -14,4 +14,4 @@ AngleTable horizonAngles(const HorizonTables& tables, double limit, double texel
   return result;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

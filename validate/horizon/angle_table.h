@@ -5,7 +5,7 @@
 #include "horizon/horizon_bake.h"
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// Horizon *angles* off the surface's normal, as Sloan & Cohen 2000 (§2) keep them: a light is seen
 /// where its own angle off the normal is smaller. Per texel centre, one layer an azimuth.
@@ -23,4 +23,4 @@ struct AngleTable : TableShape {
 /// @param texelsPerHeight  k > 0, of the frame in which they are taken: see texel_scale.h
 AngleTable horizonAngles(const HorizonTables& tables, double limit, double texelsPerHeight);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -5,8 +5,8 @@
 
 #include "horizon/kernel/horizon_tiles.h"
 
-namespace gnomon {
-HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,
+namespace gnomon::horizon {
+HorizonTables bakeHorizons(const relief::HeightField& field, const BakeSettings& settings,
                            const Progress& progress) {
   const double texels = static_cast<double>(field.width()) * field.height();
   checkBake(field, settings, 2 * sizeof(float) * texels * settings.azimuths);
@@ -23,4 +23,4 @@ HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& setting
   return tables;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -5,7 +5,7 @@
 #include "horizon/table_shape.h"
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 struct BakeSettings {
   int azimuths = 32;          ///< M ≥ 1: directions φ_m = 2πm/M, counter-clockwise from +x
@@ -37,7 +37,7 @@ struct HorizonTables : TableShape {
 /// rises evenly.
 /// @throws InputError for settings out of range (messages call them `azimuths` and `radius`) or
 ///   heights more than 1e34 apart; MemoryError naming `azimuths` if the tables cannot fit
-HorizonTables bakeHorizons(const HeightField& field, const BakeSettings& settings,
+HorizonTables bakeHorizons(const relief::HeightField& field, const BakeSettings& settings,
                            const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -7,7 +7,7 @@
 #include "common/parallel.h"
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 /// Area, first and second moments of a region of the plane.
@@ -71,4 +71,4 @@ EllipseTable fitEllipses(const HorizonTables& tables, double texelsPerHeight) {
   return result;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

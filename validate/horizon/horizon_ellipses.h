@@ -4,7 +4,7 @@
 
 #include "horizon/horizon_bake.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// One elliptical cone of light a texel (Kautz, Heidrich & Daubert 2000; Heidrich, Daubert, Kautz &
 /// Seidel 2000): the unit directions from which the texel is lit, projected along the normal onto
@@ -26,4 +26,4 @@ struct EllipseTable : TableShape {
 /// @param texelsPerHeight  k > 0, of the frame in which directions are taken: see texel_scale.h
 EllipseTable fitEllipses(const HorizonTables& tables, double texelsPerHeight);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -10,7 +10,7 @@
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 constexpr double mostTexels = 16384;
@@ -45,7 +45,7 @@ bool isDark(const RayWay& way) {
 /// The points of the grid on one face.
 class Face {
  public:
-  Face(const LimitSurface& surface, int face, int side)
+  Face(const surface::LimitSurface& surface, int face, int side)
       : surface_(surface), face_(face), side_(side) {}
 
   template <typename Visit>
@@ -58,7 +58,7 @@ class Face {
   }
 
  private:
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   int face_;
   int side_;
 };
@@ -72,7 +72,7 @@ double diagonalOf(const std::vector<Vec3>& lows, const std::vector<Vec3>& highs)
 }
 
 /// The surface's box holds its grid: too small by less than a grid's step.
-double diagonal(const LimitSurface& surface, int side) {
+double diagonal(const surface::LimitSurface& surface, int side) {
   constexpr double far = std::numeric_limits<double>::infinity();
   const auto faces = static_cast<std::size_t>(surface.faceCount());
   std::vector<Vec3> lows(faces, Vec3(far));
@@ -80,7 +80,7 @@ double diagonal(const LimitSurface& surface, int side) {
   parallelFor(
       0, faces,
       [&](std::size_t face) {
-        Face(surface, static_cast<int>(face), side).forEach([&](const LimitPoint& point) {
+        Face(surface, static_cast<int>(face), side).forEach([&](const surface::LimitPoint& point) {
           lows[face] = glm::min(lows[face], point.position);
           highs[face] = glm::max(highs[face], point.position);
         });
@@ -95,16 +95,16 @@ void take(SearchRadius& most, const SearchRadius& found) {
 }
 
 /// The ray from one point toward one light, in texels.
-SearchRadius radiusAt(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
-                      const Vec3& light, double diagonal) {
-  const LocalLight local = localLight(frame, light);
+SearchRadius radiusAt(const surface::LimitPoint& point, const surface::TexelFrame& frame,
+                      const relief::Relief& relief, const Vec3& light, double diagonal) {
+  const surface::LocalLight local = surface::localLight(frame, light);
   if (std::isinf(local.slope)) {  // the light stands along the normal
     return {0, local.slope > 0 ? RadiusBound::leaves : RadiusBound::unlit};
   }
-  const double a = worldPerHeight(relief.space, frame);
+  const double a = relief::worldPerHeight(relief.space, frame);
   const double texel = local.worldPerTexel;
   const Vec3 along = local.direction.x * frame.px + local.direction.y * frame.py;
-  const RayWay way{normalCurvature(point, along),
+  const RayWay way{surface::normalCurvature(point, along),
                    local.slope,
                    a * relief.field.minimum(),
                    a * relief.field.maximum(),
@@ -132,7 +132,7 @@ RayEnd endOf(const RayWay& way) {
   return end;
 }
 
-SearchRadius searchRadius(const LimitSurface& surface, const Relief& relief,
+SearchRadius searchRadius(const surface::LimitSurface& surface, const relief::Relief& relief,
                           std::span<const Vec3> lights) {
   constexpr double points = 16384;
   const auto faces = static_cast<std::size_t>(surface.faceCount());
@@ -142,8 +142,8 @@ SearchRadius searchRadius(const LimitSurface& surface, const Relief& relief,
   parallelFor(
       0, faces,
       [&](std::size_t face) {
-        Face(surface, static_cast<int>(face), side).forEach([&](const LimitPoint& point) {
-          const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+        Face(surface, static_cast<int>(face), side).forEach([&](const surface::LimitPoint& point) {
+          const surface::TexelFrame frame = surface::texelFrame(point, relief.texelsPerUv());
           if (!frame.defined) return;
           for (std::size_t l = 0; l < lights.size(); ++l) {
             SearchRadius radius = radiusAt(point, frame, relief, lights[l], farthest);
@@ -159,4 +159,4 @@ SearchRadius searchRadius(const LimitSurface& surface, const Relief& relief,
   return all;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -7,7 +7,7 @@
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// Which rule determined a search radius.
 enum class RadiusBound {
@@ -46,7 +46,7 @@ struct SearchRadius {
 /// The result is the largest over all points and lights, rounded up, 1 to 16,384 texels. It depends
 /// on no view.
 /// @param lights  unit vectors toward them
-SearchRadius searchRadius(const LimitSurface& surface, const Relief& relief,
+SearchRadius searchRadius(const surface::LimitSurface& surface, const relief::Relief& relief,
                           std::span<const Vec3> lights);
 
 /// Input of `endOf`: a ray over the relief, and the lengths that may bound it.
@@ -69,4 +69,4 @@ struct RayEnd {
 
 RayEnd endOf(const RayWay& way);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

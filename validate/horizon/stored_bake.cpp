@@ -6,7 +6,7 @@
 
 #include "horizon/kernel/horizon_tiles.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 /// The extremes of what it is shown, on any thread.
@@ -28,7 +28,7 @@ struct TableExtremes {
   Extremes horizon, distance;
 };
 
-TableExtremes findExtremes(const HeightField& field, const BakeSettings& settings,
+TableExtremes findExtremes(const relief::HeightField& field, const BakeSettings& settings,
                            const Progress& progress) {
   TableExtremes all;
   std::mutex mutex;
@@ -64,7 +64,7 @@ Progress partOf(const Progress& progress, double begin, double end) {
 
 }  // namespace
 
-StoredHorizons bakeStoredHorizons(const HeightField& field, const BakeSettings& settings,
+StoredHorizons bakeStoredHorizons(const relief::HeightField& field, const BakeSettings& settings,
                                   TableBits bits, const Progress& progress) {
   const double entries = static_cast<double>(field.width()) * field.height() * settings.azimuths;
   checkBake(field, settings, 2 * entries * static_cast<int>(bits) / 8);
@@ -89,4 +89,4 @@ StoredHorizons bakeStoredHorizons(const HeightField& field, const BakeSettings& 
   return stored;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -4,13 +4,13 @@
 #include "horizon/stored_table.h"
 #include "horizon/table_file.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// The tables of `bakeHorizons` as `storeTable` stores them, to the byte, without ever holding
 /// them as floats. Codes of 8 and 16 bits need the tables' extremes first, so these are baked
 /// twice: twice the time for a quarter or half of the memory.
 /// @throws as `bakeHorizons`
-StoredHorizons bakeStoredHorizons(const HeightField& field, const BakeSettings& settings,
+StoredHorizons bakeStoredHorizons(const relief::HeightField& field, const BakeSettings& settings,
                                   TableBits bits, const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

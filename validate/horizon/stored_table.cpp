@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 double largestCode(TableBits bits) {
@@ -84,4 +84,4 @@ StoredTable storeTable(std::span<const float> values, TableBits bits) {
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// Bits that one table entry takes on the GPU.
 enum class TableBits : int { eight = 8, sixteen = 16, thirtyTwo = 32 };
@@ -36,4 +36,4 @@ StoredTable storeTable(std::span<const float> values, TableBits bits);
 /// A table of so many entries, all bytes 0, for values from `low` to `high`.
 StoredTable emptyTable(std::size_t entries, TableBits bits, float low, float high);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

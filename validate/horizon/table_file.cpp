@@ -14,7 +14,7 @@
 #include "common/text/one_line.h"
 #include "image/channel_image.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 namespace fs = std::filesystem;
 
@@ -27,14 +27,14 @@ constexpr int rowsAtOnce = 16;      // what EXR's zip compression packs together
 
 /// How one entry of a table lies in the file. Converted by hand, since the image library scales
 /// integers when it converts them.
-NumberType pixelType(TableBits bits) {
-  if (bits == TableBits::sixteen) return NumberType::uint32;
-  return bits == TableBits::eight ? NumberType::half : NumberType::float32;
+image::NumberType pixelType(TableBits bits) {
+  if (bits == TableBits::sixteen) return image::NumberType::uint32;
+  return bits == TableBits::eight ? image::NumberType::half : image::NumberType::float32;
 }
 
 /// How it lies in the buffers handed to the image library: 32 bits each.
-NumberType bufferType(TableBits bits) {
-  return bits == TableBits::sixteen ? NumberType::uint32 : NumberType::float32;
+image::NumberType bufferType(TableBits bits) {
+  return bits == TableBits::sixteen ? image::NumberType::uint32 : image::NumberType::float32;
 }
 
 std::size_t bytesAnEntry(TableBits bits) {
@@ -74,8 +74,8 @@ void checkConsistent(const fs::path& path, const StoredHorizons& tables) {
   }
 }
 
-ExrDescription describe(const StoredHorizons& tables) {
-  ExrDescription exr{tables.width, tables.height, {}, pixelType(tables.horizon.bits), {}};
+image::ExrDescription describe(const StoredHorizons& tables) {
+  image::ExrDescription exr{tables.width, tables.height, {}, pixelType(tables.horizon.bits), {}};
   for (const char* table : {"distance", "horizon"}) {
     for (int m = 0; m < tables.layers; ++m) {
       exr.channels.push_back(fmt::format("{}.{:03}", table, m));
@@ -84,7 +84,7 @@ ExrDescription describe(const StoredHorizons& tables) {
   exr.attributes["gnomon:azimuths"] = tables.layers;
   // As text, since EXR metadata of OpenImageIO holds no doubles.
   exr.attributes["gnomon:radiusTexels"] = fmt::format("{}", tables.radiusTexels);
-  exr.attributes["gnomon:wrap"] = tables.wrap == Wrap::repeat ? "repeat" : "clamp";
+  exr.attributes["gnomon:wrap"] = tables.wrap == relief::Wrap::repeat ? "repeat" : "clamp";
   exr.attributes["gnomon:bits"] = static_cast<int>(tables.horizon.bits);
   exr.attributes["gnomon:horizonLow"] = tables.horizon.low;
   exr.attributes["gnomon:horizonHigh"] = tables.horizon.high;
@@ -128,7 +128,7 @@ void writeHorizons(const fs::path& path, const StoredHorizons& tables) {
     gatherRows(tables, top, count, buffer);
     return buffer.data();
   };
-  writeExr(path, describe(tables), {bufferType(tables.horizon.bits), rowsAtOnce, rows});
+  image::writeExr(path, describe(tables), {bufferType(tables.horizon.bits), rowsAtOnce, rows});
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

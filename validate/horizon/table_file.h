@@ -5,7 +5,7 @@
 #include "horizon/stored_table.h"
 #include "horizon/table_shape.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// The two horizon tables as they are stored, with what is needed to use them.
 struct StoredHorizons : TableShape {
@@ -29,4 +29,4 @@ struct StoredHorizons : TableShape {
 ///   azimuths; one that cannot be written
 void writeHorizons(const std::filesystem::path& path, const StoredHorizons& horizons);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -4,7 +4,7 @@
 
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// The size of a table over a height map, and how it goes on outside. Entries lie [layer][y][x],
 /// x fastest; row y = 0 is at v = 0. A table of horizons has one layer an azimuth φ_m = 2πm/M.
@@ -12,11 +12,12 @@ struct TableShape {
   int width = 0;   ///< texels
   int height = 0;  ///< texels
   int layers = 0;
-  Wrap wrap = Wrap::repeat;
-  Border border = {};  ///< past it, that is within half a texel of it, the outermost entries hold
+  relief::Wrap wrap = relief::Wrap::repeat;
+  relief::Border border =
+      {};  ///< past it, that is within half a texel of it, the outermost entries hold
 
   /// One entry a texel and layer.
-  static TableShape over(const HeightField& field, int layers) {
+  static TableShape over(const relief::HeightField& field, int layers) {
     return {field.width(), field.height(), layers, field.wrap(), field.border()};
   }
 
@@ -32,4 +33,4 @@ struct TableShape {
   }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

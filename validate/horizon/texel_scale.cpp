@@ -12,7 +12,7 @@
 #include "common/parallel.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 struct FaceScale {
@@ -21,14 +21,15 @@ struct FaceScale {
   double farthest = 0;
 };
 
-FaceScale faceScale(const LimitSurface& surface, int face, int side, Vec2 texelsPerUv) {
+FaceScale faceScale(const surface::LimitSurface& surface, int face, int side, Vec2 texelsPerUv) {
   FaceScale scale;
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {
-      const TangentPoint point = surface.tangentPoint(face, (i + 0.5) / side, (j + 0.5) / side);
+      const surface::TangentPoint point =
+          surface.tangentPoint(face, (i + 0.5) / side, (j + 0.5) / side);
       const Vec3 place = glm::abs(point.position);
       scale.farthest = std::max({scale.farthest, place.x, place.y, place.z});
-      if (!texelFrame(point, texelsPerUv).defined) continue;
+      if (!surface::texelFrame(point, texelsPerUv).defined) continue;
       const Vec2 s = texelsPerUv * point.uvDs;
       const Vec2 t = texelsPerUv * point.uvDt;
       scale.world += glm::length(glm::cross(point.ds, point.dt)) / (side * side);
@@ -60,7 +61,7 @@ void requireFloatsHold(const TexelScale& scale) {
 
 }  // namespace
 
-TexelScale texelScale(const LimitSurface& surface, Vec2 texelsPerUv) {
+TexelScale texelScale(const surface::LimitSurface& surface, Vec2 texelsPerUv) {
   constexpr double points = 16384;
   const auto faces = static_cast<std::size_t>(surface.faceCount());
   const int side = std::max(1, static_cast<int>(std::sqrt(points / static_cast<double>(faces))));
@@ -82,8 +83,8 @@ TexelScale texelScale(const LimitSurface& surface, Vec2 texelsPerUv) {
   return {width, whole.farthest};
 }
 
-double texelsPerHeight(HeightSpace space, const TexelScale& scale) {
-  return space == HeightSpace::texture || scale.width == 0 ? 1 : 1 / scale.width;
+double texelsPerHeight(relief::HeightSpace space, const TexelScale& scale) {
+  return space == relief::HeightSpace::texture || scale.width == 0 ? 1 : 1 / scale.width;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -4,7 +4,7 @@
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// The size of a surface's texels in the world.
 struct TexelScale {
@@ -19,7 +19,7 @@ struct TexelScale {
 /// @throws InputError where floats, in which rays and shaders compute with world units, cannot hold
 ///   the surface: a texel narrower than 1e-7 or wider than 1e7, whose width's fourth power they
 ///   have no digits for, or points so far from the origin that they are over 1/64 texel apart
-TexelScale texelScale(const LimitSurface& surface, Vec2 texelsPerUv);
+TexelScale texelScale(const surface::LimitSurface& surface, Vec2 texelsPerUv);
 
 /// The frame in which angles of the flat relief are taken: the texture's own plane, in texels, over
 /// which a height unit is k texels high. A table of slopes needs no such choice, since a slope is
@@ -29,6 +29,6 @@ TexelScale texelScale(const LimitSurface& surface, Vec2 texelsPerUv);
 /// @return k: 1 where heights are texels, and where no texel has a width. Where heights are world
 ///   units it is 1 / T, so that the frame is the world's own wherever texels are squares of that
 ///   width.
-double texelsPerHeight(HeightSpace space, const TexelScale& scale);
+double texelsPerHeight(relief::HeightSpace space, const TexelScale& scale);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

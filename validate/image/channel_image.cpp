@@ -5,7 +5,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 ExrDescription describe(const ChannelImage& image, const ImageAttributes& attributes) {
@@ -52,4 +52,4 @@ std::string exrBytes(const ChannelImage& image) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -6,7 +6,7 @@
 
 #include "image/image_module.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// A picture of any number of channels of 32-bit floats.
 struct ChannelImage {
@@ -31,4 +31,4 @@ void writeExr(const std::filesystem::path& path, const ChannelImage& image,
 /// @throws InternalError likewise, and where the image cannot be encoded
 std::string exrBytes(const ChannelImage& image);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

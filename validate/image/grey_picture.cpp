@@ -11,7 +11,7 @@
 #include "common/system/memory.h"
 #include "image/image_file.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 namespace fs = std::filesystem;
 
@@ -182,4 +182,4 @@ GreyPicture readGreyPicture(const fs::path& path, const std::string& channel) {
   return placed.take();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// One channel of a picture as numbers, row by row from the top.
 struct GreyPicture {
@@ -29,4 +29,4 @@ struct GreyPicture {
 ///   (naming the first pixel); MemoryError where it would not fit
 GreyPicture readGreyPicture(const std::filesystem::path& path, const std::string& channel = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// A picture of 8-bit sRGB values: three a pixel, row by row, row 0 at the top.
 struct Image {
@@ -12,4 +12,4 @@ struct Image {
   std::vector<std::uint8_t> rgb;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::image

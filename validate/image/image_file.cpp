@@ -19,7 +19,7 @@
 #include "image/formats/png_reader.h"
 #include "image/image_module.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 namespace fs = std::filesystem;
 
@@ -133,4 +133,4 @@ void ImageFile::refuse(const std::string& what) const {
   throw InputError(fmt::format("{}: {}", path_.string(), oneLine(what)));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

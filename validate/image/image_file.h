@@ -11,7 +11,7 @@
 #include "image/image_format.h"
 #include "image/image_reader.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// A picture of one of the formats of ImageFormat, told by its content. Whatever goes wrong in a
 /// reader is an InputError of one line that names the file.
@@ -70,4 +70,4 @@ class ImageFile {
   std::unique_ptr<ImageReader> reader_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::image

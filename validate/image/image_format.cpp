@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 using namespace std::string_view_literals;
@@ -151,4 +151,4 @@ std::string otherFileKind(std::string_view start) {
   return kind != nullptr ? kind : "a file of an unknown kind";
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

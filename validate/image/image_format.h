@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// The formats of pictures that are read: what height maps and masks come in. Each has a reader
 /// that is fuzzed; a reader of any other format is never asked.
@@ -29,4 +29,4 @@ std::optional<ImageFormat> imageFormatOf(std::string_view start);
 /// empty file", "a file of an unknown kind".
 std::string otherFileKind(std::string_view start);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

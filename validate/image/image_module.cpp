@@ -10,7 +10,7 @@
 #include "common/system/own_files.h"
 #include "common/text/one_line.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace fs = std::filesystem;
 namespace {
 
@@ -48,4 +48,4 @@ const ImageModule& imageModule() {
   return module;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

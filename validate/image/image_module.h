@@ -12,7 +12,7 @@
 #include "image/image_format.h"
 #include "image/image_reader.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// What a file's header says beside the pixels, by name.
 using ImageAttributes = std::map<std::string, std::variant<int, float, std::string>>;
@@ -60,4 +60,4 @@ constexpr const char* imageModuleVersionSymbol = "gnomonImageModuleVersion";
 /// @throws InternalError where it cannot be loaded, or is of another version than the program
 const ImageModule& imageModule();
 
-}  // namespace gnomon
+}  // namespace gnomon::image

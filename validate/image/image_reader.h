@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// An image that a library cannot read or write, in its words. These do not name the file and may
 /// be of several lines or of none: who asked for the image says the rest.
@@ -84,4 +84,4 @@ class ImageReader {
   virtual void readRows(int rows, int first, int end, NumberType type, void* values) = 0;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -5,7 +5,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 void requireWhole(const Mask& mask) {
@@ -71,4 +71,4 @@ void writePng(const std::filesystem::path& path, const Image& image) {
   writeTextAtomically(path, pngOf(image));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

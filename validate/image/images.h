@@ -8,7 +8,7 @@
 #include "common/mask.h"
 #include "image/image.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
@@ -48,4 +48,4 @@ std::string pngOf(const Image& image);
 /// @throws InputError when the file cannot be written, InternalError as pngOf
 void writePng(const std::filesystem::path& path, const Image& image);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "image/grey_picture.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 bool isGrey(float value) {
@@ -118,4 +118,4 @@ MaskPicture readMaskPicture(const std::filesystem::path& path, const MaskReading
   return picture;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

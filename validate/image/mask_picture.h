@@ -7,7 +7,7 @@
 
 #include "common/mask.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// How a picture of a mask is to be understood.
 struct MaskReading {
@@ -32,4 +32,4 @@ struct MaskPicture {
 ///   without a threshold, for any other value: with their number and the first one's place
 MaskPicture readMaskPicture(const std::filesystem::path& path, const MaskReading& reading = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::image

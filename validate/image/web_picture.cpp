@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "common/text/base64.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 void require(bool succeeded, const WebPPicture& picture) {
@@ -62,4 +62,4 @@ std::string webPicture(const Image& image, int quality, int longestSide) {
   return {reinterpret_cast<const char*>(writer.mem), writer.size};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -6,7 +6,7 @@
 
 #include "image/image.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// Pictures as a page embeds them.
 
@@ -31,4 +31,4 @@ std::string dataAddress(std::string_view type, const std::string& bytes);
 std::string webPicture(const Image& image, int quality,
                        int longestSide = std::numeric_limits<int>::max());
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 void checkSize(int width, int height, std::size_t texelCount) {
@@ -106,4 +106,4 @@ HeightField HeightField::withBorder(Border border) && {
   return std::move(*this);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

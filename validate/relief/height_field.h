@@ -6,7 +6,7 @@
 #include "common/vec.h"
 #include "relief/wrap.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// A height map h(x, y): *the bilinear interpolant of its texels*, whose centres lie at
 /// (i + 0.5, j + 0.5). Truth, bake and shaders all use this one function. Coordinates are texels;
@@ -64,4 +64,4 @@ class HeightField {
 /// @param height  height units of the value 1
 HeightField inverted(const HeightField& field, double height);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

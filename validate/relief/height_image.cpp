@@ -10,11 +10,12 @@
 
 #include "image/image_file.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 /// The height of a pixel.
-float heightOf(const ImageFile& image, float value, double height, std::size_t column, int row) {
+float heightOf(const image::ImageFile& image, float value, double height, std::size_t column,
+               int row) {
   const auto found = static_cast<float>(value * height);
   if (std::isfinite(found)) return found;
   image.refuse(fmt::format("pixel ({}, {}) holds {}, times the height {}: a finite height expected",
@@ -32,8 +33,8 @@ void turnUpsideDown(std::vector<float>& texels, std::size_t width) {
 
 HeightField readHeightImage(const std::filesystem::path& path, int channel, double height,
                             Wrap wrap) {
-  ImageFile image(path);
-  const ImageFacts facts = image.facts();
+  image::ImageFile image(path);
+  const image::ImageFacts facts = image.facts();
   image.requireReadable(sizeof(float));
   if (channel < 0 || channel >= facts.channelCount()) {
     image.refuse(
@@ -50,9 +51,9 @@ HeightField readHeightImage(const std::filesystem::path& path, int channel, doub
       }
     }
   };
-  image.readBands<float>(channel, channel + 1, NumberType::float32, append);
+  image.readBands<float>(channel, channel + 1, image::NumberType::float32, append);
   turnUpsideDown(texels, width);
   return {facts.data.width, facts.data.height, std::move(texels), wrap};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -4,7 +4,7 @@
 
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// Reads one channel of an image of any format of `ImageFormat`, told by its content. Integers are
 /// normalised to [0, 1] (8 and 16 bit), floats are taken as they are; all are then multiplied by
@@ -17,4 +17,4 @@ namespace gnomon {
 HeightField readHeightImage(const std::filesystem::path& path, int channel, double height,
                             Wrap wrap);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 /// Texture coordinates from files are rounded.
@@ -12,7 +12,7 @@ struct UvRange {
   Vec2 low{0}, high{1};
 };
 
-UvRange uvRange(const Cage& cage) {
+UvRange uvRange(const surface::Cage& cage) {
   // The outermost faces of a grid's cage reach past [0, 1] and have no limit surface.
   if (cage.grid || cage.uvs.empty()) return {};
   UvRange range{cage.uvs.front(), cage.uvs.front()};
@@ -24,7 +24,7 @@ UvRange uvRange(const Cage& cage) {
 }
 
 /// Whether the first and the last face of a row, or of a column, do not meet.
-Border openEnds(const LimitSurface& surface) {
+Border openEnds(const surface::LimitSurface& surface) {
   const auto grid = surface.grid();
   if (!grid) return {};
   const auto first = surface.corners(0);
@@ -35,7 +35,8 @@ Border openEnds(const LimitSurface& surface) {
 
 }  // namespace
 
-Border borderOf(const Cage& cage, const LimitSurface& surface, Wrap wrap, Vec2 repeats) {
+Border borderOf(const surface::Cage& cage, const surface::LimitSurface& surface, Wrap wrap,
+                Vec2 repeats) {
   const UvRange range = uvRange(cage);
   const Border open = openEnds(surface);
   const auto isBorder = [&](int axis, bool isOpen) {
@@ -46,4 +47,4 @@ Border borderOf(const Cage& cage, const LimitSurface& surface, Wrap wrap, Vec2 r
   return {isBorder(0, open.x), isBorder(1, open.y)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

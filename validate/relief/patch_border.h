@@ -4,7 +4,7 @@
 #include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// The axes along which a map ends with the surface that carries it.
 ///
@@ -17,6 +17,7 @@ namespace gnomon {
 /// and cannot know in which tile the surface ends.
 /// @param surface  of the cage
 /// @param repeats  times that the map is laid over one unit of u and of v
-Border borderOf(const Cage& cage, const LimitSurface& surface, Wrap wrap, Vec2 repeats);
+Border borderOf(const surface::Cage& cage, const surface::LimitSurface& surface, Wrap wrap,
+                Vec2 repeats);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -5,7 +5,7 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 void requireBetween(const std::string& parameter, double value, double least, double most) {
   if (!(value >= least && value <= most)) {
@@ -25,4 +25,4 @@ void requireMap(int width, int height, double amplitude) {
                 fmt::format("a map of {} × {} texels", width, height));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

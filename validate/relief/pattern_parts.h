@@ -12,7 +12,7 @@
 #include "common/vec.h"
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// What patterns of the plane and of space are made of.
 
@@ -81,4 +81,4 @@ inline double rippleProfile(double t, double windward) {
   return std::pow((1 - t) / (1 - windward), 1.5);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

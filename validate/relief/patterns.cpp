@@ -11,7 +11,7 @@
 #include "common/vec.h"
 #include "relief/pattern_parts.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 /// From a coordinate to the nearest line of a lattice through the cells' centres.
@@ -156,4 +156,4 @@ HeightField makeRipples(int width, int height, const RipplesPattern& pattern, do
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

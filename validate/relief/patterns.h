@@ -2,7 +2,7 @@
 
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// Reliefs as functions, sampled at texel centres; values 0 to 1 times `height`. All tile where
 /// `period` divides the map's sides. Lengths in texels. See each for its formula.
@@ -53,4 +53,4 @@ HeightField makeCosine(int width, int height, const CosinePattern&, double ampli
 HeightField makeCells(int width, int height, const CellsPattern&, double amplitude, Wrap);
 HeightField makeRipples(int width, int height, const RipplesPattern&, double amplitude, Wrap);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -2,17 +2,17 @@
 
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::relief {
 
-double worldPerHeight(HeightSpace space, const TexelFrame& frame) {
+double worldPerHeight(HeightSpace space, const surface::TexelFrame& frame) {
   if (space == HeightSpace::world) return 1;
   return std::sqrt(glm::length(glm::cross(frame.px, frame.py)));
 }
 
-Vec3 displaced(const Relief& relief, const TexelFrame& frame) {
+Vec3 displaced(const Relief& relief, const surface::TexelFrame& frame) {
   if (!frame.defined) return frame.position;
   const double height = worldPerHeight(relief.space, frame) * relief.field.at(frame.texel);
   return frame.position + height * frame.normal;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

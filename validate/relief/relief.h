@@ -4,7 +4,7 @@
 #include "relief/height_field.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// What a height unit is in the world.
 enum class HeightSpace {
@@ -26,9 +26,9 @@ struct Relief {
 };
 
 /// a: world length per height unit at a frame.
-double worldPerHeight(HeightSpace space, const TexelFrame& frame);
+double worldPerHeight(HeightSpace space, const surface::TexelFrame& frame);
 
 /// D = P + a h n: the displaced point above a frame. An undefined frame is not displaced.
-Vec3 displaced(const Relief& relief, const TexelFrame& frame);
+Vec3 displaced(const Relief& relief, const surface::TexelFrame& frame);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -11,7 +11,7 @@
 #include "common/parallel.h"
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 /// The two old texels between whose centres a new one lies.
@@ -59,4 +59,4 @@ HeightField resampledHeights(const HeightField& field, int factor, double scale)
   return {width, height, std::move(texels), field.wrap()};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -2,7 +2,7 @@
 
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// The same relief on a finer map: `factor` times as many texels along x and y, each the height of
 /// the bilinear function at its centre. For an odd factor every old texel centre is a new one, so
@@ -14,4 +14,4 @@ namespace gnomon {
 ///   fit
 HeightField resampledHeights(const HeightField& field, int factor, double scale);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

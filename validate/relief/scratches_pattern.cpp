@@ -8,7 +8,7 @@
 #include "common/random_stream.h"
 #include "relief/pattern_parts.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 struct Scratch {
@@ -117,4 +117,4 @@ HeightField makeScratches(int width, int height, const ScratchesPattern& pattern
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

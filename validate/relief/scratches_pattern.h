@@ -2,7 +2,7 @@
 
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// A polished surface with scratches: straight grooves at random places, in random directions. At a
 /// texel the height is 1 less the deepest groove there; with r the distance to a scratch's segment
@@ -22,4 +22,4 @@ struct ScratchesPattern {
 ///   above 0 or over 4; MemoryError
 HeightField makeScratches(int width, int height, const ScratchesPattern&, double amplitude, Wrap);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

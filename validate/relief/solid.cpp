@@ -10,7 +10,7 @@
 #include "common/overloaded.h"
 #include "relief/pattern_parts.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 using Cell = glm::vec<3, std::int64_t>;
@@ -145,4 +145,4 @@ SolidFunction solidFunction(const SolidPattern& solid) {
       solid);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

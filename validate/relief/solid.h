@@ -5,7 +5,7 @@
 
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// Solid reliefs: functions of a point in space, 0 to 1. A surface that is carved from them has no
 /// seams. Lengths in world units. See each for its formula.
@@ -48,4 +48,4 @@ using SolidFunction = std::function<double(const Vec3& point)>;
 ///   range, a direction of length 0
 SolidFunction solidFunction(const SolidPattern& solid);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

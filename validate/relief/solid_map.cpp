@@ -16,7 +16,7 @@
 #include "surface/limit_face.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 double cross(Vec2 a, Vec2 b) {
@@ -27,7 +27,7 @@ double cross(Vec2 a, Vec2 b) {
 /// (1, 1), (0, 1), texels.
 class FaceOnMap {
  public:
-  FaceOnMap(const LimitFace& face, Vec2 texelsPerUv)
+  FaceOnMap(const surface::LimitFace& face, Vec2 texelsPerUv)
       : corners_{face.at(0, 0).uv * texelsPerUv, face.at(1, 0).uv * texelsPerUv,
                  face.at(1, 1).uv * texelsPerUv, face.at(0, 1).uv * texelsPerUv} {}
 
@@ -159,14 +159,15 @@ class Owners {
 
 }  // namespace
 
-HeightField makeSolidMap(const LimitSurface& surface, int width, int height,
+HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int height,
                          const SolidFunction& solid, double amplitude, Wrap wrap) {
   requireMap(width, height, amplitude);
   const Vec2 texelsPerUv(width, height);
   const double texels = texelsPerUv.x * texelsPerUv.y;
   requireMemory(texels * (sizeof(Owner) + sizeof(float)),
                 fmt::format("a solid on a map of {} × {} texels", width, height));
-  const std::vector<LimitFace> faces = limitFaces(surface, static_cast<std::size_t>(texels));
+  const std::vector<surface::LimitFace> faces =
+      surface::limitFaces(surface, static_cast<std::size_t>(texels));
   Owners owners(width, height, wrap);
   for (std::size_t face = 0; face < faces.size(); ++face) {
     const FaceOnMap map(faces[face], texelsPerUv);
@@ -178,13 +179,13 @@ HeightField makeSolidMap(const LimitSurface& surface, int width, int height,
     const auto row = static_cast<std::size_t>(centre.y);
     const Owner& owner = list[row * static_cast<std::size_t>(width) + column];
     if (owner.face < 0) return 0.0;
-    const LimitFace& face = faces[static_cast<std::size_t>(owner.face)];
-    const TangentPoint point =
+    const surface::LimitFace& face = faces[static_cast<std::size_t>(owner.face)];
+    const surface::TangentPoint point =
         face.at(static_cast<double>(owner.parameters.x), static_cast<double>(owner.parameters.y));
-    const TexelFrame frame = texelFrame(point, texelsPerUv);
+    const surface::TexelFrame frame = surface::texelFrame(point, texelsPerUv);
     const Vec2 beyond(owner.beyond);
     return solid(point.position + beyond.x * frame.px + beyond.y * frame.py);
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -4,7 +4,7 @@
 #include "relief/solid.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// Samples a solid into the map of a surface, so that both sides of every seam agree.
 ///
@@ -23,9 +23,9 @@ namespace gnomon {
 /// other's texels, and there the two sides do jump. Where the map repeats, texture coordinates
 /// count modulo the map; otherwise faces outside [0, 1] have no texels.
 /// @throws MemoryError naming `relief.size`; InputError for a map without texels
-HeightField makeSolidMap(const LimitSurface& surface, int width, int height,
+HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int height,
                          const SolidFunction& solid, double amplitude, Wrap wrap);
 
 constexpr double solidMargin = 4;  ///< texels
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -14,7 +14,7 @@
 #include "common/system/memory.h"
 #include "relief/pattern_parts.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 namespace {
 
 using Complex = std::complex<double>;
@@ -144,4 +144,4 @@ HeightField makeSpectrum(int width, int height, const SpectrumPattern& pattern, 
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -2,7 +2,7 @@
 
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// Rough ground: a random field whose power spectrum is f^-β, by spectral synthesis (Peitgen &
 /// Saupe 1988). Over all waves (k, l) of which whole numbers fit on the map, one of each pair
@@ -23,4 +23,4 @@ struct SpectrumPattern {
 ///   MemoryError
 HeightField makeSpectrum(int width, int height, const SpectrumPattern&, double amplitude, Wrap);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

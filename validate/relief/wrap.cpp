@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::relief {
 
 int wrappedIndex(int i, int size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
@@ -26,4 +26,4 @@ Neighbours neighbours(double coordinate, int size, Wrap wrap) {
   return {wrappedIndex(first, size, wrap), wrappedIndex(first + 1, size, wrap), c - below};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace gnomon {
+namespace gnomon::relief {
 
 /// How a map or table goes on outside its texels.
 enum class Wrap { repeat, clamp };
@@ -24,4 +24,4 @@ struct Neighbours {
 /// @param coordinate  any finite one, texels; the centre of texel i lies at i + 0.5
 Neighbours neighbours(double coordinate, int size, Wrap wrap);
 
-}  // namespace gnomon
+}  // namespace gnomon::relief

@@ -11,7 +11,7 @@
 #include "render/gl_context.h"
 #include "render/gl_handles.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 double wallMilliseconds(const std::function<void()>& draw) {
@@ -97,4 +97,4 @@ double medianFrameMilliseconds(const std::function<void()>& draw, int frames, Fi
   return median;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string_view>
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The clock that measures a frame's time.
 enum class FrameClock {
@@ -46,4 +46,4 @@ double medianMilliseconds(const std::function<double()>& frame, int frames, Firs
 double medianFrameMilliseconds(const std::function<void()>& draw, int frames, FirstFrame first,
                                FrameClock clock);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -11,7 +11,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 struct GlContext::Egl {
   EGLDisplay display = EGL_NO_DISPLAY;
@@ -131,4 +131,4 @@ void throwOnGlError(const char* task) {
   throw InternalError(fmt::format("OpenGL error 0x{:04x} while {}", error, task));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

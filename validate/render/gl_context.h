@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The driver's own description.
 struct GlDriver {
@@ -36,4 +36,4 @@ class GlContext {
 /// @param task  for the message: "reading the samples of a view"
 void throwOnGlError(const char* task);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

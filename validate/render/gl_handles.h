@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace gnomon::gl {
+namespace gnomon::render::gl {
 
 /// Owns one GL object name and deletes it with the context still current.
 template <typename Deleter>
@@ -70,4 +70,4 @@ inline Framebuffer makeFramebuffer() {
   return Framebuffer(name);
 }
 
-}  // namespace gnomon::gl
+}  // namespace gnomon::render::gl

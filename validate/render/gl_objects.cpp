@@ -1,6 +1,6 @@
 #include "render/gl_objects.h"
 
-namespace gnomon::gl {
+namespace gnomon::render::gl {
 namespace {
 
 GLint targetOf(const Texture& texture) {
@@ -68,4 +68,4 @@ void fill(const Texture& texture, TextureSize size, GLenum format, GLenum type,
   }
 }
 
-}  // namespace gnomon::gl
+}  // namespace gnomon::render::gl

@@ -5,7 +5,7 @@
 
 #include "render/gl_handles.h"
 
-namespace gnomon::gl {
+namespace gnomon::render::gl {
 
 // GL objects made and filled by direct state access: nothing here is bound, so that no draw call
 // depends on what was made before it.
@@ -44,4 +44,4 @@ Texture makeTexture(GLenum target, GLenum format, TextureSize size, GLint filter
 /// @param format, type  of a texel as it lies in memory
 void fill(const Texture& texture, TextureSize size, GLenum format, GLenum type, const void* texels);
 
-}  // namespace gnomon::gl
+}  // namespace gnomon::render::gl

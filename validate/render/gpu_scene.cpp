@@ -16,7 +16,7 @@
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 /// BaseVertex as the vertex stage reads it (surface.vert).
@@ -41,7 +41,7 @@ constexpr std::array gpuVertexLayout = {
     gl::Attribute{9, 2, offsetof(GpuVertex, st)},
 };
 
-GpuVertex gpuVertex(const BaseVertex& v) {
+GpuVertex gpuVertex(const surface::BaseVertex& v) {
   const auto& [frame, principal, face, st] = v;
   return {{glm::vec3(frame.position), glm::vec3(frame.normal), glm::vec3(frame.px),
            glm::vec3(frame.py), glm::vec3(principal.v1), glm::vec3(principal.v2)},
@@ -58,16 +58,16 @@ struct PixelFormat {
   double steps;      ///< 2^bits - 1; 0 for floats
 };
 
-PixelFormat pixelFormat(TableBits bits) {
-  if (bits == TableBits::eight) return {GL_R8, GL_RGBA8, GL_UNSIGNED_BYTE, 255};
-  if (bits == TableBits::sixteen) return {GL_R16, GL_RGBA16, GL_UNSIGNED_SHORT, 65535};
+PixelFormat pixelFormat(horizon::TableBits bits) {
+  if (bits == horizon::TableBits::eight) return {GL_R8, GL_RGBA8, GL_UNSIGNED_BYTE, 255};
+  if (bits == horizon::TableBits::sixteen) return {GL_R16, GL_RGBA16, GL_UNSIGNED_SHORT, 65535};
   return {GL_R32F, GL_RGBA32F, GL_FLOAT, 0};
 }
 
 /// Past a border the outermost entries hold.
-void setWrap(GLuint texture, Wrap wrap, Border border = {}) {
+void setWrap(GLuint texture, relief::Wrap wrap, relief::Border border = {}) {
   const auto mode = [wrap](bool clamped) {
-    return wrap == Wrap::repeat && !clamped ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    return wrap == relief::Wrap::repeat && !clamped ? GL_REPEAT : GL_CLAMP_TO_EDGE;
   };
   glTextureParameteri(texture, GL_TEXTURE_WRAP_S, mode(border.x));
   glTextureParameteri(texture, GL_TEXTURE_WRAP_T, mode(border.y));
@@ -75,21 +75,21 @@ void setWrap(GLuint texture, Wrap wrap, Border border = {}) {
 
 }  // namespace
 
-Sphere boundingSphere(const BaseMesh& mesh) {
+Sphere boundingSphere(const surface::BaseMesh& mesh) {
   Vec3 low(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
-  for (const BaseVertex& vertex : mesh.vertices) {
+  for (const surface::BaseVertex& vertex : mesh.vertices) {
     low = glm::min(low, vertex.frame.position);
     high = glm::max(high, vertex.frame.position);
   }
   return {(low + high) / 2.0, glm::length(high - low) / 2};
 }
 
-GpuMesh::GpuMesh(const BaseMesh& mesh)
+GpuMesh::GpuMesh(const surface::BaseMesh& mesh)
     : triangleCount_(mesh.triangleCount()), bounds_(boundingSphere(mesh)) {
   std::vector<GpuVertex> vertices;
   vertices.reserve(mesh.vertices.size());
-  for (const BaseVertex& vertex : mesh.vertices) vertices.push_back(gpuVertex(vertex));
+  for (const surface::BaseVertex& vertex : mesh.vertices) vertices.push_back(gpuVertex(vertex));
   vertices_ = gl::makeBuffer(std::as_bytes(std::span(vertices)));
   indices_ = gl::makeBuffer(std::as_bytes(std::span(mesh.triangles)));
   layout_ = gl::makeVertexArray(vertices_, sizeof(GpuVertex), gpuVertexLayout);
@@ -102,10 +102,11 @@ void GpuMesh::draw() const {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangleCount_), GL_UNSIGNED_INT, nullptr);
 }
 
-GpuVolumes::GpuVolumes(const DisplacedMesh& mesh) : indexCount_(mesh.adjacency.size()) {
+GpuVolumes::GpuVolumes(const displaced::DisplacedMesh& mesh) : indexCount_(mesh.adjacency.size()) {
   std::vector<glm::vec3> positions;
   positions.reserve(mesh.mesh.vertices.size());
-  for (const BaseVertex& vertex : mesh.mesh.vertices) positions.emplace_back(vertex.frame.position);
+  for (const surface::BaseVertex& vertex : mesh.mesh.vertices)
+    positions.emplace_back(vertex.frame.position);
   positions_ = gl::makeBuffer(std::as_bytes(std::span(positions)));
   indices_ = gl::makeBuffer(std::as_bytes(std::span(mesh.adjacency)));
   const std::array position = {gl::Attribute{0, 3, 0}};
@@ -120,7 +121,7 @@ void GpuVolumes::draw() const {
                  nullptr);
 }
 
-GpuHeights::GpuHeights(const HeightField& field)
+GpuHeights::GpuHeights(const relief::HeightField& field)
     : byteCount_(field.texels().size() * sizeof(float)),
       bounds_(field.minimum(), field.maximum()),
       border_(field.border()) {
@@ -136,7 +137,7 @@ GpuHeights::GpuHeights(const HeightField& field)
   throwOnGlError("taking the height map");
 }
 
-GpuTable::GpuTable(const StoredTable& table, const TableShape& shape)
+GpuTable::GpuTable(const horizon::StoredTable& table, const horizon::TableShape& shape)
     : range_(table.low, table.high - table.low), byteCount_(table.bytes.size()) {
   const auto [width, height, layers, wrap, border] = shape;
   const int largest = gl::limit(GL_MAX_3D_TEXTURE_SIZE);
@@ -145,7 +146,7 @@ GpuTable::GpuTable(const StoredTable& table, const TableShape& shape)
         fmt::format("tables of {} × {} texels × {} azimuths, OpenGL takes at most {} a side", width,
                     height, layers, largest));
   }
-  if (table.bits == TableBits::thirtyTwo) range_ = {0, 1};
+  if (table.bits == horizon::TableBits::thirtyTwo) range_ = {0, 1};
   const PixelFormat format = pixelFormat(table.bits);
   const gl::TextureSize size{width, height, layers};
   texture_ = gl::makeTexture(GL_TEXTURE_3D, format.red, size, GL_LINEAR);
@@ -158,8 +159,8 @@ GpuTable::GpuTable(const StoredTable& table, const TableShape& shape)
 namespace {
 
 /// Values from 0 to 1 as codes of the format, rounded to nearest.
-std::vector<std::uint8_t> encode(const std::vector<float>& shares, TableBits bits) {
-  if (bits == TableBits::thirtyTwo) {
+std::vector<std::uint8_t> encode(const std::vector<float>& shares, horizon::TableBits bits) {
+  if (bits == horizon::TableBits::thirtyTwo) {
     std::vector<std::uint8_t> bytes(shares.size() * sizeof(float));
     std::memcpy(bytes.data(), shares.data(), bytes.size());
     return bytes;
@@ -167,14 +168,14 @@ std::vector<std::uint8_t> encode(const std::vector<float>& shares, TableBits bit
   // The extremes of a stored table are its own; two more values pin them to 0 and 1.
   std::vector<float> pinned = shares;
   pinned.insert(pinned.end(), {0.0F, 1.0F});
-  std::vector<std::uint8_t> bytes = storeTable(pinned, bits).bytes;
+  std::vector<std::uint8_t> bytes = horizon::storeTable(pinned, bits).bytes;
   bytes.resize(shares.size() * static_cast<std::size_t>(bits) / 8);
   return bytes;
 }
 
 /// Four layers of `shares` ([layer][y][x]) in each RGBA map; what is missing in the last is 0.
 gl::Texture rgbaMaps(const std::vector<float>& shares, int width, int height, int layers,
-                     TableBits bits, std::uint64_t& byteCount) {
+                     horizon::TableBits bits, std::uint64_t& byteCount) {
   const int maps = (layers + 3) / 4;
   const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   std::vector<float> packed(4 * texels * static_cast<std::size_t>(maps), 0.0F);
@@ -192,7 +193,7 @@ gl::Texture rgbaMaps(const std::vector<float>& shares, int width, int height, in
   return texture;
 }
 
-gl::Texture basisMaps(int azimuths, TableBits bits) {
+gl::Texture basisMaps(int azimuths, horizon::TableBits bits) {
   constexpr int side = 256;
   std::vector<double> steps;  // each texel's azimuth, in steps between those of the table
   for (int y = 0; y < side; ++y) {
@@ -214,7 +215,7 @@ gl::Texture basisMaps(int azimuths, TableBits bits) {
   return rgbaMaps(shares, side, side, azimuths, bits, ignored);
 }
 
-gl::Texture arccosMap(double limit, TableBits bits) {
+gl::Texture arccosMap(double limit, horizon::TableBits bits) {
   constexpr int entries = 256;
   std::vector<float> shares;
   const double lowest = std::cos(limit);
@@ -226,7 +227,7 @@ gl::Texture arccosMap(double limit, TableBits bits) {
   return rgbaMaps(shares, entries, 1, 1, bits, ignored);
 }
 
-std::vector<float> shareOf(const AngleTable& table) {
+std::vector<float> shareOf(const horizon::AngleTable& table) {
   std::vector<float> shares(table.angles.size());
   std::transform(table.angles.begin(), table.angles.end(), shares.begin(), [&](float angle) {
     return std::clamp(static_cast<float>(angle / table.limit), 0.0F, 1.0F);
@@ -236,7 +237,7 @@ std::vector<float> shareOf(const AngleTable& table) {
 
 }  // namespace
 
-GpuAngles::GpuAngles(const AngleTable& table, TableBits bits)
+GpuAngles::GpuAngles(const horizon::AngleTable& table, horizon::TableBits bits)
     : azimuths_(table.layers),
       limit_(table.limit),
       steps_(pixelFormat(bits).steps),
@@ -258,4 +259,4 @@ GpuAngles::GpuAngles(const AngleTable& table, TableBits bits)
   throwOnGlError("taking horizon angles");
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

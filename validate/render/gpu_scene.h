@@ -9,7 +9,7 @@
 #include "render/gl_handles.h"
 #include "surface/base_mesh.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// A ball in the world.
 struct Sphere {
@@ -18,12 +18,12 @@ struct Sphere {
 };
 
 /// The sphere about the box of a mesh's vertices.
-Sphere boundingSphere(const BaseMesh& mesh);
+Sphere boundingSphere(const surface::BaseMesh& mesh);
 
 /// A mesh in GL buffers.
 class GpuMesh {
  public:
-  explicit GpuMesh(const BaseMesh& mesh);
+  explicit GpuMesh(const surface::BaseMesh& mesh);
   [[nodiscard]] const Sphere& bounds() const { return bounds_; }
   [[nodiscard]] std::size_t triangleCount() const { return triangleCount_; }
   void draw() const;
@@ -39,7 +39,7 @@ class GpuMesh {
 /// A displaced mesh in GL buffers, every triangle with its neighbours, for shadow volumes.
 class GpuVolumes {
  public:
-  explicit GpuVolumes(const DisplacedMesh& mesh);
+  explicit GpuVolumes(const displaced::DisplacedMesh& mesh);
   void draw() const;
 
  private:
@@ -53,25 +53,25 @@ class GpuVolumes {
 class GpuHeights {
  public:
   /// @throws InputError if the map is larger than GL's largest texture
-  explicit GpuHeights(const HeightField& field);
+  explicit GpuHeights(const relief::HeightField& field);
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
   /// The lowest and the highest texel, height units.
   [[nodiscard]] glm::vec2 bounds() const { return bounds_; }
-  [[nodiscard]] Border border() const { return border_; }
+  [[nodiscard]] relief::Border border() const { return border_; }
 
  private:
   gl::Texture texture_;
   std::uint64_t byteCount_;
   glm::vec2 bounds_;
-  Border border_;
+  relief::Border border_;
 };
 
 /// A table as a 3-D texture in its stored bits.
 class GpuTable {
  public:
   /// @throws InputError if a side is larger than GL's largest 3-D texture
-  GpuTable(const StoredTable& table, const TableShape& shape);
+  GpuTable(const horizon::StoredTable& table, const horizon::TableShape& shape);
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
   /// low and high - low: a normalised code c stands for low + c · (high - low).
@@ -88,7 +88,7 @@ class GpuTable {
 class GpuAngles {
  public:
   /// @throws InputError if a side is larger than GL's largest texture
-  GpuAngles(const AngleTable& table, TableBits bits);
+  GpuAngles(const horizon::AngleTable& table, horizon::TableBits bits);
   [[nodiscard]] GLuint texture() const { return angles_.name(); }
   /// Their basis maps, B_k(s, t): 1 where (s, t), -1 to 1 over the map, points toward azimuth k,
   /// falling off evenly in angle to 0 at the azimuths beside it.
@@ -99,7 +99,7 @@ class GpuAngles {
   [[nodiscard]] double limit() const { return limit_; }
   /// Codes of one channel, 2^bits - 1; 0 for floats.
   [[nodiscard]] double steps() const { return steps_; }
-  [[nodiscard]] TableBits bits() const { return bits_; }
+  [[nodiscard]] horizon::TableBits bits() const { return bits_; }
   [[nodiscard]] glm::ivec2 origin() const { return origin_; }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
 
@@ -110,9 +110,9 @@ class GpuAngles {
   int azimuths_;
   double limit_;
   double steps_;
-  TableBits bits_;
+  horizon::TableBits bits_;
   glm::ivec2 origin_;
   std::uint64_t byteCount_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -18,7 +18,7 @@
 #include "common/text/one_line.h"
 #include "common/text/toml_nesting.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
 
@@ -281,4 +281,4 @@ std::vector<std::string> methodNames(const fs::path& shaders) {
   return names;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

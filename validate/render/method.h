@@ -8,7 +8,7 @@
 
 #include "render/shader_files.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// A number that a method's quality depends on: a uniform of the same name in its GLSL.
 struct MethodParameter {
@@ -86,4 +86,4 @@ std::filesystem::path methodFile(const std::filesystem::path& shaders, const std
 /// Names of all methods in the shader folder, sorted.
 std::vector<std::string> methodNames(const std::filesystem::path& shaders);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 constexpr std::size_t linesPerPiece = 1000000;
@@ -84,4 +84,4 @@ gl::Program makeProgram(const ProgramStages& stages, const std::vector<std::stri
   return program;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

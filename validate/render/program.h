@@ -6,7 +6,7 @@
 #include "render/gl_handles.h"
 #include "render/shader_files.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The stages of a program, each its pieces one after the other.
 struct ProgramStages {
@@ -19,4 +19,4 @@ struct ProgramStages {
 /// @throws InputError with file and line of the first error that the compiler names
 gl::Program makeProgram(const ProgramStages& stages, const std::vector<std::string>& defines);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

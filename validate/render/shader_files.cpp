@@ -12,7 +12,7 @@
 #include "common/files/atomic_file.h"
 #include "common/system/own_files.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace fs = std::filesystem;
 
 fs::path shaderFolder() {
@@ -58,4 +58,4 @@ ShaderPiece readShader(const fs::path& path) {
   return {path.string(), readFile(path)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

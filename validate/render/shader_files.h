@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The folder that holds `common/` and `methods/`: the environment's GNOMON_SHADERS, else beside
 /// the installed program or library (PREFIX/share/gnomon/shaders), else the source tree that the
@@ -30,4 +30,4 @@ struct ShaderPiece {
 /// Reads a shader file as one piece.
 ShaderPiece readShader(const std::filesystem::path& path);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace gnomon {
+namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
 
@@ -110,4 +110,4 @@ std::string missingDeclaration(const std::vector<SharedName>& names, const std::
   return "";
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

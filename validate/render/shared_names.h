@@ -6,7 +6,7 @@
 
 #include "render/shader_files.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// A function, structure, uniform or constant of `shaders/common/` that a method may use.
 struct SharedName {
@@ -33,4 +33,4 @@ std::string declarationFor(const std::string& define);
 std::string missingDeclaration(const std::vector<SharedName>& names, const std::string& message,
                                const ShaderPiece& source, const std::vector<std::string>& defines);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -5,7 +5,7 @@
 #include "common/error.h"
 #include "render/gl_objects.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 void requireSize(int width, int height) {
@@ -65,4 +65,4 @@ void Target::readUpward(std::size_t attachment, GLenum format, GLenum type, std:
                     values);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -5,7 +5,7 @@
 
 #include "render/gl_handles.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// A framebuffer of textures of one size, with 32-bit depth and, where asked for, a stencil. To
 /// make one binds nothing: a pass binds the target that it draws into (beginPass).
@@ -61,4 +61,4 @@ class Target {
   std::vector<gl::Texture> colours_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::render

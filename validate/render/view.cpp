@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 /// Any unit vector across a given one.
@@ -21,7 +21,7 @@ Vec3 across(const Vec3& direction) {
 
 }  // namespace
 
-CameraMatrices cameraMatrices(const Camera& camera, const BaseMesh& mesh) {
+CameraMatrices cameraMatrices(const Camera& camera, const surface::BaseMesh& mesh) {
   const Vec3 back = camera.eye - camera.target;
   if (glm::length(glm::cross(back, camera.up)) <=
       1e-9 * glm::length(back) * glm::length(camera.up)) {
@@ -36,13 +36,13 @@ CameraMatrices cameraMatrices(const Camera& camera, const BaseMesh& mesh) {
           glm::perspective(camera.verticalFov, aspect, nearest, farthest)};
 }
 
-RenderView cameraView(const Camera& camera, const BaseMesh& mesh) {
+RenderView cameraView(const Camera& camera, const surface::BaseMesh& mesh) {
   const CameraMatrices matrices = cameraMatrices(camera, mesh);
   const glm::dmat4 clip = matrices.projection * matrices.view;
   return {camera.width, camera.height, glm::mat4(clip), {0, 0}, {0, 0, 0, 0}};
 }
 
-RenderView atlasView(const LimitSurface& surface, int samplesPerSide) {
+RenderView atlasView(const surface::LimitSurface& surface, int samplesPerSide) {
   int columns = 0;
   int rows = 0;
   if (const auto grid = surface.grid()) {
@@ -56,10 +56,10 @@ RenderView atlasView(const LimitSurface& surface, int samplesPerSide) {
       columns * samplesPerSide, rows * samplesPerSide, glm::mat4(1), {columns, rows}, {0, 0, 0, 0}};
 }
 
-RenderView textureView(const BaseMesh& mesh) {
+RenderView textureView(const surface::BaseMesh& mesh) {
   Vec2 low(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
-  for (const BaseVertex& vertex : mesh.vertices) {
+  for (const surface::BaseVertex& vertex : mesh.vertices) {
     low = glm::min(low, vertex.frame.texel);
     high = glm::max(high, vertex.frame.texel);
   }
@@ -99,4 +99,4 @@ RenderView lightView(const Sphere& bounds, const Vec3& light, int side) {
   return view;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -7,7 +7,7 @@
 #include "surface/base_mesh.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The projection of a mesh into a picture, which determines the view's samples.
 struct RenderView {
@@ -30,20 +30,20 @@ struct CameraMatrices {
 
 /// Near and far hold the mesh's bounding sphere.
 /// @throws InputError as `cameraView`
-CameraMatrices cameraMatrices(const Camera& camera, const BaseMesh& mesh);
+CameraMatrices cameraMatrices(const Camera& camera, const surface::BaseMesh& mesh);
 
 /// One sample a pixel, as Figure 8 shows the surface; faces turned from the camera are not drawn.
 /// @throws InputError if the eye is at the target or `up` points along the view
-RenderView cameraView(const Camera& camera, const BaseMesh& mesh);
+RenderView cameraView(const Camera& camera, const surface::BaseMesh& mesh);
 
 /// A regular grid of `samplesPerSide`² samples over every face's parameters, each face a square
 /// tile; a grid chart keeps its faces side by side, others fill rows of a square. Parameters of
 /// sample (i, j) of a face: ((i + 0.5) / samplesPerSide, (j + 0.5) / samplesPerSide), t upward.
-RenderView atlasView(const LimitSurface& surface, int samplesPerSide);
+RenderView atlasView(const surface::LimitSurface& surface, int samplesPerSide);
 
 /// The texture's own plane, one pixel a texel: all texels that the mesh's texture coordinates
 /// reach, each unique. Where charts overlap, one of them shows. Sides end at 2³⁰.
-RenderView textureView(const BaseMesh& mesh);
+RenderView textureView(const surface::BaseMesh& mesh);
 
 /// @throws InputError if the view has more than 2²⁷ texels, MemoryError if they cannot fit
 void requireTextureView(const RenderView& view);
@@ -53,4 +53,4 @@ void requireTextureView(const RenderView& view);
 /// @param light  unit vector toward the light
 RenderView lightView(const Sphere& bounds, const Vec3& light, int side);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -4,9 +4,9 @@
 #include "report/json/sweep_json.h"
 #include "report/tables/long_table.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
-StudyRecord figuresAlone(StudyRecord record, bool isStep) {
+study::StudyRecord figuresAlone(study::StudyRecord record, bool isStep) {
   record.timings.clear();
   record.cache.reset();
   record.truth.bvhBytes.reset();
@@ -15,16 +15,16 @@ StudyRecord figuresAlone(StudyRecord record, bool isStep) {
   return record;
 }
 
-void writeFigureFiles(const StudyRecord& record, RunFolder& folder) {
+void writeFigureFiles(const study::StudyRecord& record, RunFolder& folder) {
   folder.removeIndex();
   folder.write("cases.csv", longCsv(record));
   folder.finish(summaryJson(record));
 }
 
-void writeFigureFiles(const SweepRecord& sweep, RunFolder& folder) {
+void writeFigureFiles(const study::SweepRecord& sweep, RunFolder& folder) {
   folder.removeIndex();
   folder.write("cases.csv", longCsv(sweep));
   folder.finish(sweepJson(sweep));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -4,7 +4,7 @@
 #include "study/record/record.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// What a run with `--metrics-only` leaves: figures, and nothing that two runs of the same study
 /// with the same program do not share. Folders are the same, byte for byte.
@@ -12,12 +12,12 @@ namespace gnomon {
 /// A record without what tells of the run alone: times, threads, the cache's counts, and the memory
 /// of the ray tracing structure.
 /// @param isStep  of a sweep, whose long table has no bins: these go too
-StudyRecord figuresAlone(StudyRecord record, bool isStep);
+study::StudyRecord figuresAlone(study::StudyRecord record, bool isStep);
 
 /// Writes cases.csv (longCsv), then summary.json.
 /// @throws InputError for a file that cannot be written
-void writeFigureFiles(const StudyRecord& record, RunFolder& folder);
+void writeFigureFiles(const study::StudyRecord& record, RunFolder& folder);
 /// Likewise a sweep's.
-void writeFigureFiles(const SweepRecord& sweep, RunFolder& folder);
+void writeFigureFiles(const study::SweepRecord& sweep, RunFolder& folder);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

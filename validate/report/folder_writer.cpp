@@ -6,37 +6,38 @@
 #include "report/pictures/displaced_image.h"
 #include "report/pictures/region_image.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 std::string FolderWriter::mask(const Mask& mask) const {
-  return pngOf(maskImage(mask));
+  return image::pngOf(image::maskImage(mask));
 }
 
-std::string FolderWriter::regions(const Truth& truth) const {
-  return pngOf(regionImage(truth));
+std::string FolderWriter::regions(const truth::Truth& truth) const {
+  return image::pngOf(regionImage(truth));
 }
 
 std::string FolderWriter::weights(int width, int height, const std::vector<double>& weights) const {
-  ChannelImage image{width, height, {"area"}, {}};
+  image::ChannelImage image{width, height, {"area"}, {}};
   image.values.reserve(weights.size());
   for (const double weight : weights) image.values.push_back(static_cast<float>(weight));
-  return exrBytes(image);
+  return image::exrBytes(image);
 }
 
 std::string FolderWriter::picture(int width, int height,
                                   const std::vector<std::uint8_t>& rgb) const {
-  return pngOf(Image{width, height, rgb});
+  return image::pngOf(image::Image{width, height, rgb});
 }
 
 std::string FolderWriter::difference(const Mask& candidate, const Mask& truth) const {
-  return pngOf(differenceImage(candidate, truth));
+  return image::pngOf(image::differenceImage(candidate, truth));
 }
 
 std::string FolderWriter::embedded(int width, int height, const std::vector<std::uint8_t>& rgb,
-                                   EmbeddedSize size) const {
-  const Image image{width, height, rgb};
-  return size == EmbeddedSize::small ? webPicture(image, smallQuality, smallSide)
-                                     : webPicture(image, fineQuality);
+                                   study::EmbeddedSize size) const {
+  const image::Image image{width, height, rgb};
+  return size == study::EmbeddedSize::small
+             ? image::webPicture(image, image::smallQuality, image::smallSide)
+             : image::webPicture(image, image::fineQuality);
 }
 
 std::vector<std::uint8_t> FolderWriter::displaced(int width, int height,
@@ -48,4 +49,4 @@ void FolderWriter::write(const std::string& path, const std::string& bytes) {
   folder_.write(path, bytes);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,23 +6,23 @@
 #include "report/run_folder.h"
 #include "study/run/stages/run_writer.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Writes the pictures of a run into its folder, as PNG files; what a page embeds is WebP.
-class FolderWriter : public RunWriter {
+class FolderWriter : public study::RunWriter {
  public:
   /// @param folder  outlives the writer
   explicit FolderWriter(RunFolder& folder) : folder_(folder) {}
 
   [[nodiscard]] std::string mask(const Mask& mask) const override;
-  [[nodiscard]] std::string regions(const Truth& truth) const override;
+  [[nodiscard]] std::string regions(const truth::Truth& truth) const override;
   [[nodiscard]] std::string weights(int width, int height,
                                     const std::vector<double>& weights) const override;
   [[nodiscard]] std::string picture(int width, int height,
                                     const std::vector<std::uint8_t>& rgb) const override;
   [[nodiscard]] std::string difference(const Mask& candidate, const Mask& truth) const override;
   [[nodiscard]] std::string embedded(int width, int height, const std::vector<std::uint8_t>& rgb,
-                                     EmbeddedSize size) const override;
+                                     study::EmbeddedSize size) const override;
   [[nodiscard]] std::vector<std::uint8_t> displaced(int width, int height,
                                                     const std::vector<float>& light) const override;
   void write(const std::string& path, const std::string& bytes) override;
@@ -31,4 +31,4 @@ class FolderWriter : public RunWriter {
   RunFolder& folder_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -10,21 +10,22 @@
 #include "image/grey_picture.h"
 #include "image/images.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace fs = std::filesystem;
 namespace {
 
-using Kind = PictureRecord::Kind;
+using Kind = study::PictureRecord::Kind;
 constexpr const char* pictureFolder = "references";
 
 /// The method's answer in a colour of a signed difference, of which the red part is enough.
 Shade shadeOf(float red, const fs::path& path) {
-  const auto is = [&](const Rgb& colour) {
+  const auto is = [&](const image::Rgb& colour) {
     return std::lround(255 * red) == static_cast<long>(colour[0]);
   };
-  if (is(DifferenceColours::none)) return Shade::none;
-  if (is(DifferenceColours::bothLit) || is(DifferenceColours::falseLight)) return Shade::lit;
-  if (is(DifferenceColours::bothShadowed) || is(DifferenceColours::falseShadow)) {
+  if (is(image::DifferenceColours::none)) return Shade::none;
+  if (is(image::DifferenceColours::bothLit) || is(image::DifferenceColours::falseLight))
+    return Shade::lit;
+  if (is(image::DifferenceColours::bothShadowed) || is(image::DifferenceColours::falseShadow)) {
     return Shade::shadowed;
   }
   throw InputError(fmt::format("{}: a colour found that no signed difference has", path.string()));
@@ -39,10 +40,10 @@ void keepCommon(Mask& a, Mask& b) {
 }
 
 /// The path of the signed difference of a row; empty where the run has none.
-std::string differenceOf(const StudyRecord& record, const ReferencePictures& row) {
-  for (const PanelRecord& panel : record.panels) {
+std::string differenceOf(const study::StudyRecord& record, const study::ReferencePictures& row) {
+  for (const study::PanelRecord& panel : record.panels) {
     if (panel.view != row.view || panel.light != row.light) continue;
-    for (const PictureRecord& picture : panel.pictures) {
+    for (const study::PictureRecord& picture : panel.pictures) {
       if (picture.kind == Kind::difference && picture.method == row.method) return picture.path;
     }
   }
@@ -50,7 +51,7 @@ std::string differenceOf(const StudyRecord& record, const ReferencePictures& row
 }
 
 /// Copies what was kept and draws the change.
-void drawChange(ReferencePictures& row, RunFolder& folder, const fs::path& old) {
+void drawChange(study::ReferencePictures& row, RunFolder& folder, const fs::path& old) {
   Mask before = maskOfDifference(old);
   Mask after = maskOfDifference(folder.path() / row.after);
   if (before.width != after.width || before.height != after.height) {
@@ -63,25 +64,25 @@ void drawChange(ReferencePictures& row, RunFolder& folder, const fs::path& old) 
   row.before = fmt::format("{}/{}_before.png", pictureFolder, name);
   row.change = fmt::format("{}/{}_change.png", pictureFolder, name);
   folder.write(row.before, readFile(old));
-  folder.write(row.change, pngOf(differenceImage(after, before)));
+  folder.write(row.change, image::pngOf(image::differenceImage(after, before)));
 }
 
 }  // namespace
 
 Mask maskOfDifference(const fs::path& path) {
-  const GreyPicture picture = readGreyPicture(path, "R");
+  const image::GreyPicture picture = image::readGreyPicture(path, "R");
   Mask mask{picture.width, picture.height, {}};
   mask.samples.reserve(picture.values.size());
   for (const float red : picture.values) mask.samples.push_back(shadeOf(red, path));
   return mask;
 }
 
-void keepReferencePictures(const StudyRecord& record, const fs::path& folder,
+void keepReferencePictures(const study::StudyRecord& record, const fs::path& folder,
                            const fs::path& kept) {
   RunFolder pictures(kept, {""});
   pictures.clear();
-  for (const PanelRecord& panel : record.panels) {
-    for (const PictureRecord& picture : panel.pictures) {
+  for (const study::PanelRecord& panel : record.panels) {
+    for (const study::PictureRecord& picture : panel.pictures) {
       if (picture.kind != Kind::difference) continue;
       const fs::path path = picture.path;
       pictures.write(path.filename().string(), readFile(folder / path));
@@ -90,17 +91,19 @@ void keepReferencePictures(const StudyRecord& record, const fs::path& folder,
   pictures.finish();
 }
 
-std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, RunFolder& folder,
-                                                     const fs::path& kept) {
-  std::vector<ReferencePictures> rows;
-  for (const Judgement& judgement : byOrigin(record.judgements).references) {
-    const Gate& gate = judgement.gate;
+std::vector<study::ReferencePictures> drawReferencePictures(const study::StudyRecord& record,
+                                                            RunFolder& folder,
+                                                            const fs::path& kept) {
+  std::vector<study::ReferencePictures> rows;
+  for (const study::Judgement& judgement : study::byOrigin(record.judgements).references) {
+    const study::Gate& gate = judgement.gate;
     if (!judgement.isFault()) continue;
-    const bool isThere = std::any_of(rows.begin(), rows.end(), [&](const ReferencePictures& row) {
-      return row.method == gate.method && row.view == gate.view && row.light == gate.light;
-    });
+    const bool isThere =
+        std::any_of(rows.begin(), rows.end(), [&](const study::ReferencePictures& row) {
+          return row.method == gate.method && row.view == gate.view && row.light == gate.light;
+        });
     if (isThere) continue;
-    ReferencePictures row{gate.method, gate.view, gate.light, "", "", "", ""};
+    study::ReferencePictures row{gate.method, gate.view, gate.light, "", "", "", ""};
     row.after = differenceOf(record, row);
     if (row.after.empty()) continue;
     const fs::path old = kept / fs::path(row.after).filename();
@@ -116,4 +119,4 @@ std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, 
   return rows;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

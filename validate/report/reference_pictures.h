@@ -7,7 +7,7 @@
 #include "report/run_folder.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Pictures for references that do not hold: what was committed, what is now, and what changed.
 
@@ -20,7 +20,7 @@ Mask maskOfDifference(const std::filesystem::path& path);
 /// @param kept    takes a file a method, view and light, and a list of them (run_folder.h); those
 ///   of its list before go, and nothing else
 /// @throws InputError where a file cannot be read or written, and as RunFolder
-void keepReferencePictures(const StudyRecord& record, const std::filesystem::path& folder,
+void keepReferencePictures(const study::StudyRecord& record, const std::filesystem::path& folder,
                            const std::filesystem::path& kept);
 
 /// A set of pictures for each method, view and light of which a reference fails or is undefined, in
@@ -28,7 +28,8 @@ void keepReferencePictures(const StudyRecord& record, const std::filesystem::pat
 /// change drawn beside it: in the colours of a signed difference of the method's mask now from that
 /// which was committed, without the samples that only one of them has.
 /// @throws InputError where a picture of the run cannot be read or one cannot be written
-std::vector<ReferencePictures> drawReferencePictures(const StudyRecord& record, RunFolder& folder,
-                                                     const std::filesystem::path& kept);
+std::vector<study::ReferencePictures> drawReferencePictures(const study::StudyRecord& record,
+                                                            RunFolder& folder,
+                                                            const std::filesystem::path& kept);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -32,12 +32,12 @@
 #include "report/tables/ranked_table.h"
 #include "report/tables/sweep_tables.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// Fonts are the one thing that it does not hold: they are the system's, and change no figure.
-ContentKey keyOf(const PlotSheet& sheet, std::string_view format) {
-  KeyBuilder key("plot");
+cache::ContentKey keyOf(const PlotSheet& sheet, std::string_view format) {
+  cache::KeyBuilder key("plot");
   key.add("format", format).add("gnuplot", gnuplotVersion()).add("title", sheet.title);
   key.add("width", sheet.width).add("height", sheet.height);
   return key.add("commands", sheet.commands).key();
@@ -46,7 +46,7 @@ ContentKey keyOf(const PlotSheet& sheet, std::string_view format) {
 /// One plot in one format.
 struct PlotFile {
   const PlotSheet* sheet;
-  ContentKey key;
+  cache::ContentKey key;
   std::string bytes = {};
 };
 
@@ -63,7 +63,7 @@ constexpr std::array<PlotFormat, 2> plotFormats = {{
 }};
 
 /// Draws some of the files, and keeps them.
-void draw(std::span<PlotFile* const> wanted, const PlotFormat& format, Cache& cache) {
+void draw(std::span<PlotFile* const> wanted, const PlotFormat& format, cache::Cache& cache) {
   std::vector<PlotSheet> sheets;
   for (const PlotFile* file : wanted) sheets.push_back(*file->sheet);
   std::vector<std::string> drawn = format.write(sheets);
@@ -75,7 +75,7 @@ void draw(std::span<PlotFile* const> wanted, const PlotFormat& format, Cache& ca
 
 /// The plots in one format, drawn where the cache does not have them.
 std::vector<PlotFile> plotFiles(const std::vector<PlotSheet>& sheets, const PlotFormat& format,
-                                Cache& cache) {
+                                cache::Cache& cache) {
   std::vector<PlotFile> all;
   all.reserve(sheets.size());
   for (const PlotSheet& sheet : sheets) all.push_back({&sheet, keyOf(sheet, format.name)});
@@ -94,7 +94,8 @@ std::vector<PlotFile> plotFiles(const std::vector<PlotSheet>& sheets, const Plot
 }
 
 /// Draws all plots in both formats, and writes them.
-std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, RunFolder& folder, Cache& cache) {
+std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, RunFolder& folder,
+                                  cache::Cache& cache) {
   std::array<std::vector<PlotFile>, plotFormats.size()> drawn;
   parallelFor(0, plotFormats.size(),
               [&](std::size_t i) { drawn.at(i) = plotFiles(sheets, plotFormats.at(i), cache); });
@@ -113,7 +114,7 @@ std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, RunFolder& fold
 }
 
 /// All plots of a sweep, each with the section of the page that shows it.
-std::vector<PlotSheet> sweepSheets(const SweepRecord& sweep) {
+std::vector<PlotSheet> sweepSheets(const study::SweepRecord& sweep) {
   std::vector<PlotSheet> sheets;
   const auto add = [&](PlotSheet sheet, const char* section) {
     sheet.section = section;
@@ -135,10 +136,10 @@ std::vector<PlotSheet> sweepSheets(const SweepRecord& sweep) {
 
 }  // namespace
 
-void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache) {
+void writeRunFiles(const study::StudyRecord& record, RunFolder& folder, cache::Cache& cache) {
   folder.removeIndex();
   folder.write("metrics.csv", csvTable(metricsTable(record)));
-  const Table ranked = rankedTable(record, rankMethods(record));
+  const Table ranked = rankedTable(record, study::rankMethods(record));
   for (const TableFormat& format : tableFormats()) {
     if (format.isFile) folder.write(fmt::format("table.{}", format.name), format.print(ranked));
   }
@@ -153,7 +154,7 @@ void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache) {
   folder.finish(summaryJson(record));
 }
 
-void writeSweepFiles(const SweepRecord& sweep, RunFolder& folder, Cache& cache) {
+void writeSweepFiles(const study::SweepRecord& sweep, RunFolder& folder, cache::Cache& cache) {
   folder.removeIndex();
   folder.write("sweep.csv", csvTable(sweepMeansTable(sweep)));
   folder.write("cases.csv", longCsv(sweep));
@@ -163,4 +164,4 @@ void writeSweepFiles(const SweepRecord& sweep, RunFolder& folder, Cache& cache) 
   folder.finish(sweepJson(sweep));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 #include "study/record/record.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The files of a run beside its pictures. Each is written whole or not at all.
 
@@ -15,11 +15,11 @@ namespace gnomon {
 /// @param cache  keeps plots
 /// @throws InputError for a file that cannot be written or a picture that cannot be read;
 ///   InternalError as the writers
-void writeRunFiles(const StudyRecord& record, RunFolder& folder, Cache& cache);
+void writeRunFiles(const study::StudyRecord& record, RunFolder& folder, cache::Cache& cache);
 
 /// Writes a sweep's: sweep.csv, cases.csv, table.tex, its plots as plots/*.svg and .pdf,
 /// report.html, summary.json.
 /// @throws likewise
-void writeSweepFiles(const SweepRecord& sweep, RunFolder& folder, Cache& cache);
+void writeSweepFiles(const study::SweepRecord& sweep, RunFolder& folder, cache::Cache& cache);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

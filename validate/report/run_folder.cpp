@@ -16,7 +16,7 @@
 #include "common/files/disk_sync.h"
 #include "common/files/part_file.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace fs = std::filesystem;
 namespace {
 
@@ -230,4 +230,4 @@ void RunFolder::finish(std::string_view index) {
   replaceFile(path, index, Sync::now, folder_);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The files that tell what is in a folder of results.
 struct FolderKind {
@@ -75,4 +75,4 @@ class RunFolder {
   std::set<std::string> names_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -14,7 +14,7 @@
 #include "surface/face_grids.h"
 #include "surface/vertex_curvature.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 constexpr int mostSubdivisions = 1024;
@@ -96,4 +96,4 @@ BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivi
   return mesh;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -8,7 +8,7 @@
 #include "surface/limit_surface.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// One vertex of the base mesh: what the papers' vertex programs hand to the pixel.
 struct BaseVertex {
@@ -45,4 +45,4 @@ enum class CurvatureSource {
 BaseMesh makeBaseMesh(const LimitSurface& surface, Vec2 texelsPerUv, int subdivisions,
                       CurvatureSource curvature = CurvatureSource::limit);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -5,7 +5,7 @@
 
 #include "surface/shared_sides.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 bool isClosed(const LimitSurface& surface) {
   return 2 * sharedSides(surface).size() == 4 * static_cast<std::size_t>(surface.faceCount());
@@ -29,4 +29,4 @@ double enclosedVolume(const LimitSurface& surface) {
   return sixfold / 6;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -2,7 +2,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Whether every edge of the surface has a face on both sides: it has no border.
 bool isClosed(const LimitSurface& surface);
@@ -12,4 +12,4 @@ bool isClosed(const LimitSurface& surface);
 /// polyhedron whose triangles join each face's middle to its four edges.
 double enclosedVolume(const LimitSurface& surface);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

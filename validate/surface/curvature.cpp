@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// The unit tangential part of a vector, along e1 and e2; zero where that vanishes.
@@ -69,4 +69,4 @@ Vec3 applyShapeOperator(const ShapeOperator& shape, const Vec3& direction) {
          (shape.l12 * t.x + shape.l22 * t.y) * shape.e2;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

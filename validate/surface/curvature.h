@@ -3,7 +3,7 @@
 #include "common/vec.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Principal curvatures of a surface, 1 / world length, *positive where the surface bends away from
 /// the outward normal* (convex: +1/R on a sphere), largest first, with their unit tangent
@@ -46,4 +46,4 @@ double normalCurvature(const LimitPoint& point, const Vec3& direction);
 Vec3 applyShapeOperator(const LimitPoint& point, const Vec3& direction);
 Vec3 applyShapeOperator(const ShapeOperator& shape, const Vec3& direction);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -4,7 +4,7 @@
 
 #include "surface/shared_sides.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// Disjoint sets of the numbers 0 to n - 1 (Galler & Fischer 1964), paths halved on the way.
@@ -52,4 +52,4 @@ EdgeRings makeEdgeRings(const LimitSurface& surface) {
   return rings;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

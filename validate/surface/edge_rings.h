@@ -5,7 +5,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Which edges of a surface's faces must be cut into the same number of pieces, if every face is to
 /// be a grid and neighbours are to share the vertices of their common edge. An edge ring is an
@@ -24,4 +24,4 @@ struct EdgeRings {
 
 EdgeRings makeEdgeRings(const LimitSurface& surface);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

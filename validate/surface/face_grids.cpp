@@ -6,7 +6,7 @@
 
 #include "surface/shared_sides.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 using Visit = std::function<void(std::size_t, std::size_t)>;
@@ -113,4 +113,4 @@ std::vector<std::uint32_t> gridTriangles(const FaceGrids& grids, Diagonal diagon
   return triangles;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

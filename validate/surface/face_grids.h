@@ -7,7 +7,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Which grid lines cross one face: indices into a list of lines.
 struct FaceLines {
@@ -86,4 +86,4 @@ enum class Diagonal {
 /// row by row and face by face.
 std::vector<std::uint32_t> gridTriangles(const FaceGrids& grids, Diagonal diagonal);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::surface {
 
 FaceTexels faceTexels(const LimitSurface& surface, Vec2 texelsPerUv, int face) {
   const auto at = [&](double s, double t) {
@@ -29,4 +29,4 @@ double longestEdgeTexels(const LimitSurface& surface, Vec2 texelsPerUv) {
   return longest;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -2,7 +2,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// The size of one face on the map.
 struct FaceTexels {
@@ -18,4 +18,4 @@ FaceTexels faceTexels(const LimitSurface& surface, Vec2 texelsPerUv, int face);
 /// The longest edge of any face, texels.
 double longestEdgeTexels(const LimitSurface& surface, Vec2 texelsPerUv);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

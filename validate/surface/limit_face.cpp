@@ -1,6 +1,6 @@
 #include "surface/limit_face.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// The cubic with these values and derivatives at 0 and at 1.
@@ -96,4 +96,4 @@ std::vector<LimitFace> limitFaces(const LimitSurface& surface, std::size_t point
   return faces;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -7,7 +7,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// One face of a limit surface, prepared for evaluation at many points.
 ///
@@ -46,4 +46,4 @@ class LimitFace {
 /// @param points   expected number of evaluations, of all faces together
 std::vector<LimitFace> limitFaces(const LimitSurface& surface, std::size_t points);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

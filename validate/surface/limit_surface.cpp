@@ -15,7 +15,7 @@
 #include "common/system/memory.h"
 #include "surface/cage/topology.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 namespace Bfr = OpenSubdiv::Bfr;
@@ -354,4 +354,4 @@ std::string openSubdivVersion() {
          "." + std::to_string(OPENSUBDIV_VERSION_PATCH);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -9,7 +9,7 @@
 #include "surface/cage/cage.h"
 #include "surface/surface_sample.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// One point of the limit surface with its first derivatives by the face's own parameters (s, t) in
 /// [0, 1]²: enough for a tangent plane and a texture frame. Positions in world units.
@@ -86,4 +86,4 @@ class LimitSurface {
 /// "3.5.0": the version that this program was built against.
 std::string openSubdivVersion();
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

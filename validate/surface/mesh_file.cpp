@@ -8,7 +8,7 @@
 #include "surface/readers/obj_reader.h"
 #include "surface/readers/ply_reader.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
   std::string ending = path.extension().string();
@@ -20,4 +20,4 @@ Cage readMeshFile(const std::filesystem::path& path, SubdivisionScheme scheme) {
       fmt::format("{}: a mesh file that ends in .obj or .ply expected", path.string()));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -4,7 +4,7 @@
 
 #include "surface/cage/cage.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Reads a control cage by readObj or readPly, chosen by the file's extension: `.obj` or `.ply`, in
 /// either case.
@@ -12,4 +12,4 @@ namespace gnomon {
 Cage readMeshFile(const std::filesystem::path& path,
                   SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -6,7 +6,7 @@
 
 #include "common/parallel.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::vector<double> sampleAreas(const LimitSurface& surface, const SampleGrid& g
   return areas;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

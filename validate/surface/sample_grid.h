@@ -5,7 +5,7 @@
 #include "surface/limit_surface.h"
 #include "surface/surface_sample.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// The samples of a view, row by row, row 0 at the top of the picture.
 struct SampleGrid {
@@ -22,4 +22,4 @@ struct SampleGrid {
 /// compresses well.
 std::vector<double> sampleAreas(const LimitSurface& surface, const SampleGrid& grid, int side);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

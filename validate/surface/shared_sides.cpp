@@ -4,7 +4,7 @@
 #include <array>
 #include <tuple>
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// A side with its two cage vertices, the lower first.
@@ -39,4 +39,4 @@ std::vector<SharedSide> sharedSides(const LimitSurface& surface) {
   return shared;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

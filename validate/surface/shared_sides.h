@@ -5,7 +5,7 @@
 
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Side k of a face runs from its corner k to corner (k + 1) % 4: along s at t = 0, along t at s =
 /// 1, back along s at t = 1, back along t at s = 0.
@@ -23,4 +23,4 @@ struct SharedSide {
 /// surface's border and is not listed.
 std::vector<SharedSide> sharedSides(const LimitSurface& surface);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// A point of the undisplaced limit surface, by its face and parameters: the place where the one
 /// question is asked.
@@ -17,4 +17,4 @@ struct SurfaceSample {
   [[nodiscard]] std::size_t faceIndex() const { return static_cast<std::size_t>(face); }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

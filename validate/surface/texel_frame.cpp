@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gnomon {
+namespace gnomon::surface {
 
 TexelFrame texelFrame(const TangentPoint& point, Vec2 texelsPerUv) {
   const Vec2 texel = point.uv * texelsPerUv;
@@ -43,4 +43,4 @@ LocalLight localLight(const TexelFrame& frame, const Vec3& light) {
   return {direction, glm::length(direction.x * frame.px + direction.y * frame.py), rise / run};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -3,7 +3,7 @@
 #include "common/vec.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// The frame in which a bump map lives at one point of a surface: texture coordinates in texels and
 /// the world vectors per texel, by the chain rule P_s = P_x x_s + P_y y_s (and so for t).
@@ -37,4 +37,4 @@ struct LocalLight {
 /// @param light  L, unit vector toward the light; the frame must be defined
 LocalLight localLight(const TexelFrame& frame, const Vec3& light);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

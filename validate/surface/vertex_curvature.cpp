@@ -8,7 +8,7 @@
 
 #include "common/parallel.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 using Matrix = glm::dmat3;
@@ -72,4 +72,4 @@ std::vector<PrincipalCurvatures> estimatedCurvatures(const BaseMesh& mesh,
   return result;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

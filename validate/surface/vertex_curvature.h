@@ -7,7 +7,7 @@
 #include "surface/base_mesh.h"
 #include "surface/curvature.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Principal curvatures at the vertices of a polygon mesh from the mesh alone, as for a program
 /// that has polygons and normals but no limit surface. Along an edge d from a vertex with normal n
@@ -24,4 +24,4 @@ namespace gnomon {
 std::vector<PrincipalCurvatures> estimatedCurvatures(const BaseMesh& mesh,
                                                      std::span<const std::uint32_t> shared);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -8,7 +8,7 @@
 #include "common/parallel.h"
 #include "truth/flush_denormals.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::vector<float> displacedPicture(const SeenSurface& seen, const MicroScene& s
   return picture;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

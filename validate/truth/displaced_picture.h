@@ -7,7 +7,7 @@
 #include "common/raw_vector.h"
 #include "truth/micro_scene.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// What the displaced surface looks like by its own primary rays: the picture that Figure 8(c)
 /// stands for. For looking at, never for scoring: its pixels show other points than the samples do.
@@ -37,4 +37,4 @@ SeenSurface seenSurface(const MicroMesh& mesh, const MicroScene& scene, const Ca
 std::vector<float> displacedPicture(const SeenSurface& seen, const MicroScene& scene,
                                     const Vec3& light, const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -12,7 +12,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace gnomon::embree {
+namespace gnomon::truth::embree {
 
 struct ReleaseDevice {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -73,4 +73,4 @@ inline void intersect1(RTCScene scene, RTCRayHit& ray) {
 
 #endif
 
-}  // namespace gnomon::embree
+}  // namespace gnomon::truth::embree

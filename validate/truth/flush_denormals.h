@@ -4,7 +4,7 @@
 #include <immintrin.h>
 #endif
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// Has the processor treat denormal floats as zero on this thread, as Embree asks of its callers,
 /// and puts the mode back when it goes. Nothing on other processors.
@@ -32,4 +32,4 @@ class FlushDenormals {
 #endif
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -14,7 +14,7 @@
 #include "surface/edge_rings.h"
 #include "surface/face_texels.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 // Embree stores a grid's sides in 16 bits.
@@ -67,7 +67,7 @@ Lines alignedLines(double begin, double end, double step) {
 /// Faces that form a regular grid with affine texture coordinates.
 class Chart {
  public:
-  Chart(const GridChart& grid, Vec2 texelsPerUv)
+  Chart(const surface::GridChart& grid, Vec2 texelsPerUv)
       : grid_(grid), side_(texelsPerUv / Vec2(grid.columns, grid.rows)) {}
 
   /// Without placing a line: an estimate, since lines of texel centres are added.
@@ -91,23 +91,24 @@ class Chart {
   }
 
  private:
-  GridChart grid_;
+  surface::GridChart grid_;
   Vec2 side_;  ///< of a face, texels
 };
 
 /// Faces that form no such grid.
 class Rings {
  public:
-  Rings(const LimitSurface& surface, Vec2 texelsPerUv)
-      : rings_(makeEdgeRings(surface)), texels_(static_cast<std::size_t>(rings_.count), 0.0) {
-    std::vector<FaceTexels> sizes(rings_.faces.size());
+  Rings(const surface::LimitSurface& surface, Vec2 texelsPerUv)
+      : rings_(surface::makeEdgeRings(surface)),
+        texels_(static_cast<std::size_t>(rings_.count), 0.0) {
+    std::vector<surface::FaceTexels> sizes(rings_.faces.size());
     parallelFor(0, sizes.size(), [&](std::size_t face) {
-      sizes[face] = faceTexels(surface, texelsPerUv, static_cast<int>(face));
+      sizes[face] = surface::faceTexels(surface, texelsPerUv, static_cast<int>(face));
     });
     double area = 0;
     int withArea = 0;
     for (std::size_t face = 0; face < sizes.size(); ++face) {
-      const FaceTexels& size = sizes[face];
+      const surface::FaceTexels& size = sizes[face];
       double& s = texels_[static_cast<std::size_t>(rings_.faces[face].s)];
       s = std::max(s, size.s);
       double& t = texels_[static_cast<std::size_t>(rings_.faces[face].t)];
@@ -120,7 +121,7 @@ class Rings {
 
   [[nodiscard]] double triangles(double step) const {
     double quads = 0;
-    for (const EdgeRings::Face& face : rings_.faces)
+    for (const surface::EdgeRings::Face& face : rings_.faces)
       quads += pieces(face.s, step) * pieces(face.t, step);
     return 2 * quads;
   }
@@ -132,11 +133,11 @@ class Rings {
       requireSide(pieces(ring, step), step);
       const int count = static_cast<int>(pieces(ring, step));
       const auto [entry, isNew] = linesOf.try_emplace(count, static_cast<int>(result.lines.size()));
-      if (isNew) result.lines.push_back(evenLines(count));
+      if (isNew) result.lines.push_back(surface::evenLines(count));
       ofRing.push_back(entry->second);
       result.longestTexels = std::max(result.longestTexels, texels(ring) / count);
     }
-    for (const EdgeRings::Face& face : rings_.faces) {
+    for (const surface::EdgeRings::Face& face : rings_.faces) {
       result.faces.push_back(
           {ofRing[static_cast<std::size_t>(face.s)], ofRing[static_cast<std::size_t>(face.t)]});
     }
@@ -150,7 +151,7 @@ class Rings {
     return std::max(1.0, std::ceil(length / step - rounding));
   }
 
-  EdgeRings rings_;
+  surface::EdgeRings rings_;
   std::vector<double> texels_;  ///< the longest edge of each ring
   double averageSide_ = 0;      ///< of a face, if all with an area were squares of one size
 };
@@ -200,7 +201,7 @@ MicroLines place(const Faces& faces, const MicroMeshSettings& settings, double b
 
 }  // namespace
 
-MicroLines placeMicroLines(const LimitSurface& surface, Vec2 texelsPerUv,
+MicroLines placeMicroLines(const surface::LimitSurface& surface, Vec2 texelsPerUv,
                            const MicroMeshSettings& settings, double bytesPerQuad) {
   if (const auto grid = surface.grid()) {
     return place(Chart(*grid, texelsPerUv), settings, bytesPerQuad);
@@ -208,4 +209,4 @@ MicroLines placeMicroLines(const LimitSurface& surface, Vec2 texelsPerUv,
   return place(Rings(surface, texelsPerUv), settings, bytesPerQuad);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -7,7 +7,7 @@
 #include "surface/face_grids.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// How finely the displaced surface is cut.
 struct MicroMeshSettings {
@@ -30,7 +30,7 @@ struct MicroLines {
   double askedTexels = 0;                  ///< the step that lines were placed by
   double longestTexels = 0;                ///< the longest micro-edge along s or t, on the map
   std::vector<std::vector<double>> lines;  ///< rising parameters from 0 to 1
-  std::vector<FaceLines> faces;            ///< which of them cross each face
+  std::vector<surface::FaceLines> faces;   ///< which of them cross each face
 };
 
 /// @param texelsPerUv  as in texelFrame
@@ -38,7 +38,7 @@ struct MicroLines {
 /// @throws MemoryError naming `step` where the mesh cannot fit; InputError for a step that is not
 ///   positive, that needs more lines across a face than Embree's grids can have, or that cannot
 ///   be found
-MicroLines placeMicroLines(const LimitSurface& surface, Vec2 texelsPerUv,
+MicroLines placeMicroLines(const surface::LimitSurface& surface, Vec2 texelsPerUv,
                            const MicroMeshSettings& settings, double bytesPerQuad);
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -13,7 +13,7 @@
 #include "common/system/memory.h"
 #include "displaced/displaced_points.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 // Measured on Embree 3.13: what its grid hierarchy takes beside the vertices.
@@ -31,7 +31,7 @@ std::size_t cellOf(const std::vector<double>& lines, double at) {
   return k;
 }
 
-Vec3 cageCentre(const LimitSurface& surface) {
+Vec3 cageCentre(const surface::LimitSurface& surface) {
   Vec3 low(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
   for (int face = 0; face < surface.faceCount(); ++face) {
@@ -44,14 +44,14 @@ Vec3 cageCentre(const LimitSurface& surface) {
 
 }  // namespace
 
-MicroMesh::MicroMesh(const LimitSurface& surface, const Relief& relief,
+MicroMesh::MicroMesh(const surface::LimitSurface& surface, const relief::Relief& relief,
                      const MicroMeshSettings& settings, const Progress& progress)
     : MicroMesh(placeMicroLines(surface, relief.texelsPerUv(), settings,
                                 bytesPerVertex + hierarchyBytesPerQuad),
                 surface, relief, progress) {}
 
-MicroMesh::MicroMesh(MicroLines lines, const LimitSurface& surface, const Relief& relief,
-                     const Progress& progress)
+MicroMesh::MicroMesh(MicroLines lines, const surface::LimitSurface& surface,
+                     const relief::Relief& relief, const Progress& progress)
     : askedTexels_(lines.askedTexels),
       longestTexels_(lines.longestTexels),
       grids_(std::move(lines.lines), lines.faces) {
@@ -77,7 +77,7 @@ void MicroMesh::reserve() {
   coordinates_[3 * vertexCount()] = 0;
 }
 
-void MicroMesh::displace(const LimitSurface& surface, const Relief& relief,
+void MicroMesh::displace(const surface::LimitSurface& surface, const relief::Relief& relief,
                          const Progress& progress) {
   const auto store = [this](std::size_t first, std::span<const Vec3> points) {
     float* out = &coordinates_[3 * first];
@@ -86,11 +86,11 @@ void MicroMesh::displace(const LimitSurface& surface, const Relief& relief,
       for (int axis = 0; axis < 3; ++axis) *out++ = static_cast<float>(position[axis]);
     }
   };
-  displaceGrids(surface, relief, grids_, store, progress);
+  displaced::displaceGrids(surface, relief, grids_, store, progress);
 }
 
-void MicroMesh::weld(const LimitSurface& surface) {
-  forEachSharedVertex(surface, grids_, [this](std::size_t first, std::size_t vertex) {
+void MicroMesh::weld(const surface::LimitSurface& surface) {
+  surface::forEachSharedVertex(surface, grids_, [this](std::size_t first, std::size_t vertex) {
     std::copy_n(&coordinates_[3 * first], 3, &coordinates_[3 * vertex]);
   });
 }
@@ -121,7 +121,7 @@ Vec3 MicroMesh::vertex(std::size_t index) const {
 }
 
 Facet MicroMesh::facet(int face, double s, double t) const {
-  const FaceGrid& grid = grids_.faces()[static_cast<std::size_t>(face)];
+  const surface::FaceGrid& grid = grids_.faces()[static_cast<std::size_t>(face)];
   const auto cell = [](const std::vector<double>& lines, double at) {
     const std::size_t k = cellOf(lines, at);
     return std::pair{k, std::clamp((at - lines[k]) / (lines[k + 1] - lines[k]), 0.0, 1.0)};
@@ -141,4 +141,4 @@ Facet MicroMesh::facet(int face, double s, double t) const {
           area > 0 ? normal / area : Vec3(0)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -10,7 +10,7 @@
 #include "surface/limit_surface.h"
 #include "truth/micro_lines.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// How far over its facet a shadow ray starts, as a share of the mesh's largest coordinate.
 constexpr double standardRayOffset = 1e-6;
@@ -46,10 +46,10 @@ class MicroMesh {
   /// @param progress  may throw to cancel, see common/progress.h
   /// @throws MemoryError naming `step` where mesh and hierarchy cannot fit; InputError as
   ///   placeMicroLines, and for 2^32 vertices and more
-  MicroMesh(const LimitSurface& surface, const Relief& relief, const MicroMeshSettings& settings,
-            const Progress& progress = {});
+  MicroMesh(const surface::LimitSurface& surface, const relief::Relief& relief,
+            const MicroMeshSettings& settings, const Progress& progress = {});
 
-  [[nodiscard]] const FaceGrids& grids() const { return grids_; }
+  [[nodiscard]] const surface::FaceGrids& grids() const { return grids_; }
   /// x, y, z of each vertex relative to `centre()`, and one float of padding at the end.
   [[nodiscard]] std::span<const float> coordinates() const { return coordinates_; }
   [[nodiscard]] std::size_t vertexCount() const { return grids_.vertexCount(); }
@@ -66,25 +66,26 @@ class MicroMesh {
 
   /// The facet above (s, t) of a face, and the point on it: no search, no ray.
   [[nodiscard]] Facet facet(int face, double s, double t) const;
-  [[nodiscard]] Facet facet(const SurfaceSample& sample) const {
+  [[nodiscard]] Facet facet(const surface::SurfaceSample& sample) const {
     return facet(sample.face, sample.s, sample.t);
   }
 
  private:
-  MicroMesh(MicroLines lines, const LimitSurface& surface, const Relief& relief,
+  MicroMesh(MicroLines lines, const surface::LimitSurface& surface, const relief::Relief& relief,
             const Progress& progress);
   void reserve();
-  void displace(const LimitSurface& surface, const Relief& relief, const Progress& progress);
-  void weld(const LimitSurface& surface);
+  void displace(const surface::LimitSurface& surface, const relief::Relief& relief,
+                const Progress& progress);
+  void weld(const surface::LimitSurface& surface);
   void measureExtent();
   [[nodiscard]] Vec3 vertex(std::size_t index) const;
 
   double askedTexels_;
   double longestTexels_;
-  FaceGrids grids_;
+  surface::FaceGrids grids_;
   RawVector<float> coordinates_;
   Vec3 centre_{0, 0, 0};
   double extent_ = 0;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

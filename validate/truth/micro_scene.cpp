@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "common/parallel.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 bool countBytes(void* counter, ssize_t bytes, bool /*post*/) {
@@ -43,7 +43,7 @@ embree::Geometry makeGrids(RTCDevice device, const MicroMesh& mesh) {
                                                               0, RTC_FORMAT_GRID, sizeof(RTCGrid),
                                                               mesh.grids().faces().size()));
   throwOnError(device, "taking the micro-mesh");
-  for (const FaceGrid& grid : mesh.grids().faces()) {
+  for (const surface::FaceGrid& grid : mesh.grids().faces()) {
     const auto columns = static_cast<unsigned short>(grid.columns);
     *grids++ = {grid.firstVertex, columns, columns, static_cast<unsigned short>(grid.rows)};
   }
@@ -201,4 +201,4 @@ std::string MicroScene::embreeVersion() {
   return RTC_VERSION_STRING;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

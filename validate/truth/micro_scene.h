@@ -11,7 +11,7 @@
 #include "truth/embree.h"
 #include "truth/micro_mesh.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// Up to sixteen shadow rays that share a direction.
 struct RayPacket {
@@ -70,4 +70,4 @@ class MicroScene {
   embree::Scene scene_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

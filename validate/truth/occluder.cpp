@@ -2,11 +2,11 @@
 
 #include "truth/sample_place.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
-std::optional<Occluder> firstOccluder(const LimitSurface& surface, const Relief& relief,
-                                      const MicroMesh& mesh, const MicroScene& scene,
-                                      const OccluderQuery& query) {
+std::optional<Occluder> firstOccluder(const surface::LimitSurface& surface,
+                                      const relief::Relief& relief, const MicroMesh& mesh,
+                                      const MicroScene& scene, const OccluderQuery& query) {
   SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
   const SamplePlace place = placer.place(query.sample);
   if (!place.defined) return std::nullopt;
@@ -20,4 +20,4 @@ std::optional<Occluder> firstOccluder(const LimitSurface& surface, const Relief&
   return Occluder{mesh.centre() + origin + hit->distance * query.light, hit->distance, false};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -9,7 +9,7 @@
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// The point that blocks the light of one sample.
 struct Occluder {
@@ -20,15 +20,15 @@ struct Occluder {
 
 /// The shadow ray that `traceShadows` traces for a sample.
 struct OccluderQuery {
-  SurfaceSample sample;
+  surface::SurfaceSample sample;
   Vec3 light{0, 0, 1};                   ///< unit vector toward the directional light
   double rayOffset = standardRayOffset;  ///< as in TraceSettings
 };
 
 /// The first occluder of a sample's shadow ray; none where it is lit, or has no frame. There is one
 /// exactly where `traceShadows` says shadowed.
-std::optional<Occluder> firstOccluder(const LimitSurface& surface, const Relief& relief,
-                                      const MicroMesh& mesh, const MicroScene& scene,
-                                      const OccluderQuery& query);
+std::optional<Occluder> firstOccluder(const surface::LimitSurface& surface,
+                                      const relief::Relief& relief, const MicroMesh& mesh,
+                                      const MicroScene& scene, const OccluderQuery& query);
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -9,9 +9,9 @@
 #include "common/parallel.h"
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
-SamplePlace SamplePlacer::place(const SurfaceSample& sample) {
+SamplePlace SamplePlacer::place(const surface::SurfaceSample& sample) {
   SamplePlace place{sample, false, {}, {}};
   if (!sample.isOnSurface()) return place;
   if (sample.face != lastFace_) {
@@ -19,13 +19,13 @@ SamplePlace SamplePlacer::place(const SurfaceSample& sample) {
     face_.emplace(surface_, sample.face, std::numeric_limits<std::size_t>::max());
     lastFace_ = sample.face;
   }
-  place.frame = texelFrame(face_->at(sample.s, sample.t), texelsPerUv_);
+  place.frame = surface::texelFrame(face_->at(sample.s, sample.t), texelsPerUv_);
   place.facet = mesh_.facet(sample);
   place.defined = place.frame.defined && place.facet.normal != Vec3(0);
   return place;
 }
 
-std::size_t placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
+std::size_t placeSamples(SamplePlacer& placer, std::span<const surface::SurfaceSample> samples,
                          std::span<RayStart> starts, std::span<TexelAxes> axes) {
   std::size_t undefined = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -37,8 +37,9 @@ std::size_t placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> sa
   return undefined;
 }
 
-PlacedSamples placeSamples(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh,
-                           const SampleGrid& samples, const Progress& progress) {
+PlacedSamples placeSamples(const surface::LimitSurface& surface, Vec2 texelsPerUv,
+                           const MicroMesh& mesh, const surface::SampleGrid& samples,
+                           const Progress& progress) {
   const std::size_t count = samples.samples.size();
   requireMemory(static_cast<double>((sizeof(RayStart) + sizeof(TexelAxes)) * count),
                 fmt::format("the places of {} × {} samples", samples.width, samples.height));
@@ -63,4 +64,4 @@ PlacedSamples placeSamples(const LimitSurface& surface, Vec2 texelsPerUv, const 
   return placed;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

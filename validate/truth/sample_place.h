@@ -11,14 +11,14 @@
 #include "surface/texel_frame.h"
 #include "truth/micro_mesh.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// A sample on the displaced surface, whatever the light: its shadow rays start on `facet`.
 struct SamplePlace {
-  SurfaceSample sample;
+  surface::SurfaceSample sample;
   bool defined = false;  ///< false where the truth has no answer: frame and facet mean nothing then
-  TexelFrame frame;      ///< of the undisplaced limit surface, world coordinates
-  Facet facet;           ///< of the micro-mesh above it, coordinates relative to the mesh's centre
+  surface::TexelFrame frame;  ///< of the undisplaced limit surface, world coordinates
+  Facet facet;  ///< of the micro-mesh above it, coordinates relative to the mesh's centre
 };
 
 /// Finds the places of samples, one after the other, on one thread. It keeps the last sample's face
@@ -27,17 +27,17 @@ class SamplePlacer {
  public:
   /// @param surface, mesh  outlive this
   /// @param texelsPerUv    as in texelFrame
-  SamplePlacer(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh)
+  SamplePlacer(const surface::LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh)
       : surface_(surface), texelsPerUv_(texelsPerUv), mesh_(mesh) {}
 
-  [[nodiscard]] SamplePlace place(const SurfaceSample& sample);
+  [[nodiscard]] SamplePlace place(const surface::SurfaceSample& sample);
 
  private:
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   Vec2 texelsPerUv_;
   const MicroMesh& mesh_;
   int lastFace_ = -1;
-  std::optional<LimitFace> face_;
+  std::optional<surface::LimitFace> face_;
 };
 
 /// The part of a SamplePlace that every shadow ray needs.
@@ -66,13 +66,14 @@ struct PlacedSamples {
 /// Places samples on this thread.
 /// @param starts, axes  as many as there are samples
 /// @returns how many of them lie on the surface but have no answer of the truth
-std::size_t placeSamples(SamplePlacer& placer, std::span<const SurfaceSample> samples,
+std::size_t placeSamples(SamplePlacer& placer, std::span<const surface::SurfaceSample> samples,
                          std::span<RayStart> starts, std::span<TexelAxes> axes);
 
 /// Places samples on a micro-mesh, for lights that come one after the other.
 /// @param progress  may throw to cancel, see common/progress.h
 /// @throws MemoryError for places that cannot be held
-PlacedSamples placeSamples(const LimitSurface& surface, Vec2 texelsPerUv, const MicroMesh& mesh,
-                           const SampleGrid& samples, const Progress& progress = {});
+PlacedSamples placeSamples(const surface::LimitSurface& surface, Vec2 texelsPerUv,
+                           const MicroMesh& mesh, const surface::SampleGrid& samples,
+                           const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

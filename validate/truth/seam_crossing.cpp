@@ -8,7 +8,7 @@
 #include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 constexpr double sameTexel = 1e-3;
@@ -18,8 +18,8 @@ double cross(Vec2 a, Vec2 b) {
 }
 
 /// Whether a difference of texture coordinates leaves the relief as it is.
-bool isPeriod(Vec2 difference, const Relief& relief) {
-  if (relief.field.wrap() == Wrap::repeat) {
+bool isPeriod(Vec2 difference, const relief::Relief& relief) {
+  if (relief.field.wrap() == relief::Wrap::repeat) {
     const Vec2 map(relief.field.width(), relief.field.height());
     difference -= glm::round(difference / map) * map;
   }
@@ -35,7 +35,7 @@ double orientationOf(const std::array<Vec2, 4>& corners) {
 
 }  // namespace
 
-TextureCharts::TextureCharts(const LimitSurface& surface, const Relief& relief) {
+TextureCharts::TextureCharts(const surface::LimitSurface& surface, const relief::Relief& relief) {
   const Vec2 texelsPerUv = relief.texelsPerUv();
   faces_.resize(static_cast<std::size_t>(surface.faceCount()));
   for (int face = 0; face < surface.faceCount(); ++face) {
@@ -47,15 +47,16 @@ TextureCharts::TextureCharts(const LimitSurface& surface, const Relief& relief) 
     }
     own.orientation = orientationOf(own.corners);
   }
-  for (const auto& [first, second] : sharedSides(surface)) {
+  for (const auto& [first, second] : surface::sharedSides(surface)) {
     const Side kind = connect(relief, first, second);
     connect(relief, second, first);
     seams_ += kind == Side::seam ? 1 : 0;
   }
 }
 
-TextureCharts::Side TextureCharts::connect(const Relief& relief, const FaceSide& side,
-                                           const FaceSide& otherSide) {
+TextureCharts::Side TextureCharts::connect(const relief::Relief& relief,
+                                           const surface::FaceSide& side,
+                                           const surface::FaceSide& otherSide) {
   Face& own = faces_[static_cast<std::size_t>(side.face)];
   const Face& other = faces_[static_cast<std::size_t>(otherSide.face)];
   // Neighbours run along their common edge in opposite directions.
@@ -71,7 +72,8 @@ TextureCharts::Side TextureCharts::connect(const Relief& relief, const FaceSide&
   return kind;
 }
 
-bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, double length) const {
+bool TextureCharts::crossesSeam(const surface::SurfaceSample& sample, Vec2 direction,
+                                double length) const {
   const Face* face = &faces_[sample.faceIndex()];
   const auto& [c0, c1, c2, c3] = face->corners;
   const double s = sample.s;
@@ -119,18 +121,18 @@ bool TextureCharts::crossesSeam(const SurfaceSample& sample, Vec2 direction, dou
 }
 
 std::vector<std::vector<std::uint8_t>> seamCrossings(
-    const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
-    const MicroScene& scene, const TextureCharts& charts, const SampleGrid& samples,
+    const surface::LimitSurface& surface, const relief::Relief& relief, const MicroMesh& mesh,
+    const MicroScene& scene, const TextureCharts& charts, const surface::SampleGrid& samples,
     std::span<const Truth> truths, std::span<const TraceSettings> lights) {
   const std::size_t count = samples.samples.size();
   std::vector<std::vector<std::uint8_t>> crosses(lights.size(),
                                                  std::vector<std::uint8_t>(count, 0));
   if (charts.seamCount() == 0) return crosses;
-  const auto pathTexels = [&](const SamplePlace& place, bool lit, const LocalLight& local,
+  const auto pathTexels = [&](const SamplePlace& place, bool lit, const surface::LocalLight& local,
                               const TraceSettings& light) {
     double world = 0;  // on the tangent plane
     if (lit) {
-      const double below = worldPerHeight(relief.space, place.frame) *
+      const double below = relief::worldPerHeight(relief.space, place.frame) *
                            (relief.field.maximum() - relief.field.at(place.frame.texel));
       world = local.slope > 0 ? below / local.slope : std::numeric_limits<double>::infinity();
     } else if (const auto hit = scene.nearest(
@@ -148,7 +150,7 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
       if (!place.defined) continue;
       for (std::size_t l = 0; l < lights.size(); ++l) {
         if (place.facet.facesAwayFrom(lights[l].light)) continue;
-        const LocalLight local = localLight(place.frame, lights[l].light);
+        const surface::LocalLight local = surface::localLight(place.frame, lights[l].light);
         const bool lit = truths[l].mask.samples[i] == Shade::lit;
         const double length = pathTexels(place, lit, local, lights[l]);
         crosses[l][i] = charts.crossesSeam(place.sample, local.direction, length) ? 1 : 0;
@@ -158,4 +160,4 @@ std::vector<std::vector<std::uint8_t>> seamCrossings(
   return crosses;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -14,7 +14,7 @@
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// The name, in reports and thresholds, of the region of samples whose path crosses a seam. It
 /// overlaps the regions of `Region`: such a sample is also lit or shadowed.
@@ -26,7 +26,7 @@ constexpr std::string_view seamRegion = "seam";
 /// without area. Every other shared edge is a *seam*. The border of an open surface is none.
 class TextureCharts {
  public:
-  TextureCharts(const LimitSurface& surface, const Relief& relief);
+  TextureCharts(const surface::LimitSurface& surface, const relief::Relief& relief);
 
   /// Shared edges that are seams.
   [[nodiscard]] std::size_t seamCount() const { return seams_; }
@@ -34,15 +34,16 @@ class TextureCharts {
   /// tables and marches take the relief from.
   /// @param direction  unit vector in the texture plane
   /// @param length     of the line, texels
-  [[nodiscard]] bool crossesSeam(const SurfaceSample& sample, Vec2 direction, double length) const;
+  [[nodiscard]] bool crossesSeam(const surface::SurfaceSample& sample, Vec2 direction,
+                                 double length) const;
 
  private:
   enum class Side : std::uint8_t { border, seam, continued };
   /// What lies across one side of a face.
   struct Neighbour {
     Side kind = Side::border;
-    FaceSide across{-1, -1};  ///< the common side as the neighbour counts it
-    Vec2 shift{0, 0};         ///< the neighbour's texture coordinates less this face's, texels
+    surface::FaceSide across{-1, -1};  ///< the common side as the neighbour counts it
+    Vec2 shift{0, 0};  ///< the neighbour's texture coordinates less this face's, texels
   };
   struct Face {
     std::array<Vec2, 4> corners;  ///< texels
@@ -52,7 +53,8 @@ class TextureCharts {
   };
 
   /// Sets what lies across one side of a face.
-  Side connect(const Relief& relief, const FaceSide& side, const FaceSide& otherSide);
+  Side connect(const relief::Relief& relief, const surface::FaceSide& side,
+               const surface::FaceSide& otherSide);
 
   std::vector<Face> faces_;
   std::size_t seams_ = 0;
@@ -68,8 +70,8 @@ class TextureCharts {
 /// A sample whose own facet is turned from the light has no path, nor has one without a frame.
 /// @param truths  of the same samples, one a light
 std::vector<std::vector<std::uint8_t>> seamCrossings(
-    const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
-    const MicroScene& scene, const TextureCharts& charts, const SampleGrid& samples,
+    const surface::LimitSurface& surface, const relief::Relief& relief, const MicroMesh& mesh,
+    const MicroScene& scene, const TextureCharts& charts, const surface::SampleGrid& samples,
     std::span<const Truth> truths, std::span<const TraceSettings> lights);
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -13,7 +13,7 @@
 #include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 constexpr std::size_t tileSide = 4;
@@ -115,8 +115,9 @@ class BandTracer {
   /// Length of the ray whose trace on the tangent plane is D texels long.
   [[nodiscard]] double rayLengthOfRadius(std::size_t i) const {
     const TexelAxes& axes = band_.axes[i];
-    const TexelFrame frame{Vec3(0), band_.starts[i].normal, axes.px, axes.py, Vec2(0), true};
-    const LocalLight local = localLight(frame, settings_.light);
+    const surface::TexelFrame frame{Vec3(0), band_.starts[i].normal, axes.px, axes.py, Vec2(0),
+                                    true};
+    const surface::LocalLight local = surface::localLight(frame, settings_.light);
     const double cosine =
         1 / std::hypot(1.0, local.slope);  // |L - (L·n) n|; 0 for a light at the zenith
     return cosine > 0 ? settings_.radiusTexels * local.worldPerTexel / cosine
@@ -190,10 +191,10 @@ Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
   return truth;
 }
 
-std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relief,
+std::vector<Truth> traceShadows(const surface::LimitSurface& surface, const relief::Relief& relief,
                                 const MicroMesh& mesh, const MicroScene& scene,
-                                const SampleGrid& samples, std::span<const TraceSettings> lights,
-                                const Progress& progress) {
+                                const surface::SampleGrid& samples,
+                                std::span<const TraceSettings> lights, const Progress& progress) {
   std::vector<Truth> truths(lights.size(), emptyTruth(samples.width, samples.height));
   std::atomic<std::size_t> undefined = 0;
   forEachBand(samples.width, samples.height, progress, [&](std::size_t first, std::size_t count) {
@@ -211,9 +212,10 @@ std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relie
   return truths;
 }
 
-Truth traceShadows(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
-                   const MicroScene& scene, const SampleGrid& samples,
-                   const TraceSettings& settings, const Progress& progress) {
+Truth traceShadows(const surface::LimitSurface& surface, const relief::Relief& relief,
+                   const MicroMesh& mesh, const MicroScene& scene,
+                   const surface::SampleGrid& samples, const TraceSettings& settings,
+                   const Progress& progress) {
   return std::move(
       traceShadows(surface, relief, mesh, scene, samples, std::span(&settings, 1), progress)
           .front());
@@ -233,4 +235,4 @@ double flipRate(const Mask& a, const Mask& b) {
   return compared == 0 ? 0.0 : static_cast<double>(flips) / static_cast<double>(compared);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

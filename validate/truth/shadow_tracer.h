@@ -14,7 +14,7 @@
 #include "truth/micro_scene.h"
 #include "truth/sample_place.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// Why a sample is lit or shadowed. Every sample of a view is in exactly one of these regions; the
 /// region `seam` overlaps them (see seam_crossing.h).
@@ -65,18 +65,20 @@ Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
 /// The same for several lights at once, without holding the samples' places: each is found once,
 /// whatever the number of lights.
 /// @returns one truth a light
-std::vector<Truth> traceShadows(const LimitSurface& surface, const Relief& relief,
+std::vector<Truth> traceShadows(const surface::LimitSurface& surface, const relief::Relief& relief,
                                 const MicroMesh& mesh, const MicroScene& scene,
-                                const SampleGrid& samples, std::span<const TraceSettings> lights,
+                                const surface::SampleGrid& samples,
+                                std::span<const TraceSettings> lights,
                                 const Progress& progress = {});
 
 /// The same for one light.
-Truth traceShadows(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
-                   const MicroScene& scene, const SampleGrid& samples,
-                   const TraceSettings& settings, const Progress& progress = {});
+Truth traceShadows(const surface::LimitSurface& surface, const relief::Relief& relief,
+                   const MicroMesh& mesh, const MicroScene& scene,
+                   const surface::SampleGrid& samples, const TraceSettings& settings,
+                   const Progress& progress = {});
 
 /// Share of the samples that both masks hold and on which they differ: the truth's own error,
 /// where one mask was traced at half the resolution of the other. 0 where there is no sample.
 double flipRate(const Mask& a, const Mask& b);
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

@@ -14,7 +14,7 @@
 #include "surface/texel_frame.h"
 #include "truth/flush_denormals.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 namespace {
 
 constexpr double rise = radians(4);
@@ -129,21 +129,24 @@ class AzimuthSearch {
 
 }  // namespace
 
-AngleTable shootHorizons(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
-                         const MicroScene& scene, const SampleGrid& texels, int azimuths,
-                         double limit, const Progress& progress) {
+horizon::AngleTable shootHorizons(const surface::LimitSurface& surface,
+                                  const relief::Relief& relief, const MicroMesh& mesh,
+                                  const MicroScene& scene, const surface::SampleGrid& texels,
+                                  int azimuths, double limit, const Progress& progress) {
   const std::size_t count = texels.samples.size();
   requireMemory(sizeof(float) * static_cast<double>(count) * azimuths,
                 fmt::format("bake: horizons of {} × {} texels × {} azimuths on the surface",
                             texels.width, texels.height, azimuths));
-  AngleTable table{{texels.width, texels.height, azimuths, Wrap::clamp}, limit, {}};
+  horizon::AngleTable table{
+      {texels.width, texels.height, azimuths, relief::Wrap::clamp}, limit, {}};
   table.angles.assign(table.entries(), static_cast<float>(limit));
   const auto width = static_cast<std::size_t>(texels.width);
   const auto height = static_cast<std::size_t>(texels.height);
   const auto addPlace = [&](std::vector<Place>& places, std::size_t row, std::size_t column) {
-    const SurfaceSample& sample = texels.samples[(height - 1 - row) * width + column];
+    const surface::SurfaceSample& sample = texels.samples[(height - 1 - row) * width + column];
     if (!sample.isOnSurface()) return;
-    const TexelFrame frame = texelFrame(surface.evaluate(sample), relief.texelsPerUv());
+    const surface::TexelFrame frame =
+        surface::texelFrame(surface.evaluate(sample), relief.texelsPerUv());
     const Facet facet = mesh.facet(sample);
     if (!frame.defined || facet.normal == Vec3(0)) return;
     places.push_back({row * width + column, facet, facet.rayOrigin(mesh.rayOffset()), frame.normal,
@@ -173,4 +176,4 @@ AngleTable shootHorizons(const LimitSurface& surface, const Relief& relief, cons
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

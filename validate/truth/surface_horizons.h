@@ -7,7 +7,7 @@
 #include "surface/sample_grid.h"
 #include "truth/micro_scene.h"
 
-namespace gnomon {
+namespace gnomon::truth {
 
 /// Horizon angles of the real displaced geometry, one texel a sample (Sloan & Cohen 2000, §3): from
 /// every texel's displaced point rays are shot toward each azimuth of the texture plane, starting
@@ -23,8 +23,9 @@ namespace gnomon {
 /// @param azimuths  M ≥ 1
 /// @param limit     largest angle off the normal, radians, 0 to π
 /// @throws MemoryError if the table cannot fit
-AngleTable shootHorizons(const LimitSurface& surface, const Relief& relief, const MicroMesh& mesh,
-                         const MicroScene& scene, const SampleGrid& texels, int azimuths,
-                         double limit, const Progress& progress = {});
+horizon::AngleTable shootHorizons(const surface::LimitSurface& surface,
+                                  const relief::Relief& relief, const MicroMesh& mesh,
+                                  const MicroScene& scene, const surface::SampleGrid& texels,
+                                  int azimuths, double limit, const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::truth

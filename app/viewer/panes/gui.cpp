@@ -10,7 +10,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 constexpr float letterHeight = 15;
@@ -98,4 +98,4 @@ void Gui::draw(int width, int height) const {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

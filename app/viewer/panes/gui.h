@@ -4,7 +4,7 @@
 
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// Dear ImGui with Gnomon's letters and colours, drawn by OpenGL: needs the context, in a window or
 /// without one.
@@ -43,4 +43,4 @@ constexpr ImU32 line = IM_COL32(150, 154, 162, 255);
 constexpr ImU32 alarm = IM_COL32(176, 24, 24, 255);
 }  // namespace ink
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 constexpr double panelWidth = 312;
@@ -50,4 +50,4 @@ int paneUnder(const WindowLayout& layout, Vec2 place, double wipe) {
   return -1;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -4,7 +4,7 @@
 
 #include "model/picking.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What a window shows beside one pane.
 struct WindowParts {
@@ -28,4 +28,4 @@ WindowLayout windowLayout(int width, int height, const WindowParts& parts);
 /// @param wipe  where the second of two panes begins, share of the width
 int paneUnder(const WindowLayout& layout, Vec2 place, double wipe);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -9,7 +9,7 @@
 #include "render/gl_objects.h"
 #include "viewer/panes/gui.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 ImTextureID textureOf(GLuint name) {
@@ -75,7 +75,7 @@ std::vector<std::string> labelOf(const ViewSession& session, std::size_t pane, d
   return lines;
 }
 
-ImU32 colourOf(const Rgb& colour) {
+ImU32 colourOf(const image::Rgb& colour) {
   return IM_COL32(colour[0], colour[1], colour[2], 255);
 }
 
@@ -85,8 +85,8 @@ float differenceLegendHeight() {
 
 /// What the colours of a difference mean.
 void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool rightAligned) {
-  constexpr std::array entries = {std::pair(DifferenceColours::falseShadow, "false shadow"),
-                                  std::pair(DifferenceColours::falseLight, "false light")};
+  constexpr std::array entries = {std::pair(image::DifferenceColours::falseShadow, "false shadow"),
+                                  std::pair(image::DifferenceColours::falseLight, "false light")};
   constexpr float square = 11;
   float width = 8;
   for (const auto& [colour, text] : entries) width += square + 18 + ImGui::CalcTextSize(text).x;
@@ -129,7 +129,7 @@ void drawCurvatureLegend(ImDrawList& list, const PaneRectangle& pictures, double
                high.c_str());
 }
 
-std::string percent(const Metric& metric) {
+std::string percent(const compare::Metric& metric) {
   return metric.value ? fmt::format("{:.2f} %", 100 * *metric.value) : "undefined";
 }
 
@@ -152,7 +152,7 @@ void PaneView::upload(const CurvaturePicture& picture) {
   if (width_ != picture.image.width || height_ != picture.image.height) {
     width_ = picture.image.width;
     height_ = picture.image.height;
-    curvature_ = gl::makeTexture(GL_TEXTURE_2D, GL_RGBA8, {width_, height_}, GL_NEAREST);
+    curvature_ = render::gl::makeTexture(GL_TEXTURE_2D, GL_RGBA8, {width_, height_}, GL_NEAREST);
   }
   constexpr std::uint8_t opacity = 165;
   std::vector<std::uint8_t> rgba(4 * picture.defined.size());
@@ -160,7 +160,7 @@ void PaneView::upload(const CurvaturePicture& picture) {
     std::copy_n(&picture.image.rgb[3 * i], 3, &rgba[4 * i]);
     rgba[4 * i + 3] = picture.defined[i] != 0 ? opacity : 0;
   }
-  gl::fill(curvature_, {width_, height_}, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  render::gl::fill(curvature_, {width_, height_}, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
 void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int activePane) {
@@ -200,4 +200,4 @@ void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int 
   if (curvature != nullptr) drawCurvatureLegend(list, layout.pictures, curvature->largest);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -3,7 +3,7 @@
 #include "viewer/panes/layout.h"
 #include "viewer/session/view_session.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// Draws the panes' pictures, overlays and labels behind all panels.
 class PaneView {
@@ -13,7 +13,7 @@ class PaneView {
  private:
   void upload(const CurvaturePicture& picture);
 
-  gl::Texture curvature_;
+  render::gl::Texture curvature_;
   int width_ = 0, height_ = 0;
   std::shared_ptr<const CurvaturePicture> shown_;  ///< what the texture holds
 };
@@ -24,4 +24,4 @@ std::string figuresText(const PaneFigures& figures);
 /// What a pane's label says it shows: "onoue-2004 − truth".
 std::string titleOf(const PaneContent& content);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -8,7 +8,7 @@
 
 #include "viewer/panes/gui.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 constexpr ImU32 reliefColour = IM_COL32(120, 98, 70, 255);
@@ -73,7 +73,7 @@ class Plot {
 std::vector<Vec2> flatRelief(const CrossSection& section) {
   std::vector<Vec2> points;
   points.reserve(section.profile.points.size());
-  for (const ProfilePoint& place : section.profile.points) {
+  for (const horizon::ProfilePoint& place : section.profile.points) {
     points.emplace_back(place.distance * section.worldPerTexel,
                         place.height * section.worldPerHeight);
   }
@@ -81,7 +81,7 @@ std::vector<Vec2> flatRelief(const CrossSection& section) {
 }
 
 /// The part of a curve that is worth showing: somewhat beyond all that happens on it.
-double reachOf(const CrossSection& section, const std::optional<Occluder>& occluder) {
+double reachOf(const CrossSection& section, const std::optional<truth::Occluder>& occluder) {
   double reach =
       std::max(section.horizon.distance * section.worldPerTexel, 12 * section.worldPerTexel);
   if (occluder && !occluder->attached) {
@@ -155,7 +155,7 @@ void drawEntries(ImDrawList& list, ImVec2 at, const std::vector<Entry>& entries)
 }  // namespace
 
 void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, Vec2 cursor) {
-  const SampleGrid* samples = session.samples();
+  const surface::SampleGrid* samples = session.samples();
   const SceneData* scene = session.scene();
   if (samples == nullptr || scene == nullptr) return;
   Key key = key_;
@@ -177,7 +177,7 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
   if (key == key_ || key.face < 0) return;
   if (key.face >= scene->surface->faceCount()) return;
   key_ = key;
-  const SurfaceSample sample{key.face, key.s, key.t};
+  const surface::SurfaceSample sample{key.face, key.s, key.t};
   const Vec3 light = lightSpec(session.state().light).direction();
   const double radius = scene->study->bake.settings.radiusTexels;
   std::optional<SectionTables> tables;
@@ -190,8 +190,8 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
                           tables ? &*tables : nullptr);
   occluder_.reset();
   if (traced != nullptr) {
-    occluder_ = firstOccluder(*scene->surface, scene->study->relief, traced->mesh, traced->scene,
-                              {sample, light, standardRayOffset});
+    occluder_ = truth::firstOccluder(*scene->surface, scene->study->relief, traced->mesh,
+                                     traced->scene, {sample, light, truth::standardRayOffset});
   }
 }
 
@@ -271,4 +271,4 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
           .c_str());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

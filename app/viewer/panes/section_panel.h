@@ -7,7 +7,7 @@
 #include "viewer/panes/layout.h"
 #include "viewer/session/view_session.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// The cross-section through the pixel under the cursor, drawn live: Figures 1 and 2 of Onoue, Max
 /// & Nishita 2004.
@@ -24,13 +24,13 @@ class SectionPanel {
     int face = -1;
     float s = 0, t = 0;
     std::uint64_t serial = 0;
-    std::optional<ContentKey> traced;  ///< of the displaced surface, once it is there
+    std::optional<cache::ContentKey> traced;  ///< of the displaced surface, once it is there
     friend bool operator==(const Key&, const Key&) = default;
   };
   Key key_;
   std::optional<CrossSection> section_;
-  std::optional<Occluder> occluder_;
+  std::optional<truth::Occluder> occluder_;
   Vec2 pixel_{0, 0};  ///< where the sample is, window pixels
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

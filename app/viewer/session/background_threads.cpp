@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// On Linux the "process" of setpriority is a thread. A process without rights may lower it, never
@@ -39,4 +39,4 @@ BackgroundThread::BackgroundThread() : arena_(backgroundCores()), observer_(aren
   lowerPriority();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -3,7 +3,7 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// Makes the calling thread one that computes behind a window: of low priority, as are all threads
 /// that help it, and on one core less than there are, so that drawing always finds one.
@@ -32,4 +32,4 @@ class BackgroundThread {
   LowPriority observer_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -14,7 +14,7 @@
 #include "common/progress.h"
 #include "viewer/session/background_threads.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// Thrown out of a computation that nobody waits for any more.
 struct Cancelled {};
@@ -196,4 +196,4 @@ class BackgroundWorker {
   std::thread thread_;  // last: it uses all of the above
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

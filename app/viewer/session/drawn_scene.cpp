@@ -7,16 +7,16 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
-GpuTable gpuTable(const TableImage& image) {
-  return GpuTable(image.values, image.shape);
+render::GpuTable gpuTable(const TableImage& image) {
+  return render::GpuTable(image.values, image.shape);
 }
 
-std::optional<GpuVolumes> volumesOf(const MeshData& data) {
+std::optional<render::GpuVolumes> volumesOf(const MeshData& data) {
   if (!data.displaced) return std::nullopt;
-  return std::optional<GpuVolumes>(std::in_place, *data.displaced);
+  return std::optional<render::GpuVolumes>(std::in_place, *data.displaced);
 }
 
 /// Keeps the entries of a map whose key is in use.
@@ -28,14 +28,14 @@ void keep(Map& map, const InUse& inUse) {
 }  // namespace
 
 DrawnMeshData::DrawnMeshData(const MeshData& of)
-    : gpu(of.mesh()), volumes(volumesOf(of)), texture(textureView(of.mesh())) {}
+    : gpu(of.mesh()), volumes(volumesOf(of)), texture(render::textureView(of.mesh())) {}
 
 void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
   const bool again = data_ && data_->shaders != scene->shaders;
   if (!faults_ || faultsOf_ != scene->shaders) faults_.emplace(shaders_, noCache_);
   faultsOf_ = scene->shaders;
-  faults_->require(PassKind::cameraSamples);
-  faults_->require(PassKind::pictures);
+  faults_->require(render::PassKind::cameraSamples);
+  faults_->require(render::PassKind::pictures);
   std::swap(data_, scene);
   try {
     heights_.try_emplace(data_->heights, *data_->heights);
@@ -76,8 +76,8 @@ void DrawnScene::compile(const std::string& label, const MethodData& method, boo
   if (!again && found != passes_.end() && found->second.key == key) return;
   try {
     if (!isDrawnRight(label, method)) return;
-    MethodPass pass(shaders_, method.method, data_->heights->wrap(), method.spec.filter,
-                    method.spec.parameters);
+    render::MethodPass pass(shaders_, method.method, data_->heights->wrap(), method.spec.filter,
+                            method.spec.parameters);
     passes_.erase(label);
     passes_.emplace(label, Compiled{key, std::move(pass)});
     errors_.erase(label);
@@ -118,22 +118,24 @@ void DrawnScene::dropUnused() {
   std::erase_if(errors_, [&](const auto& error) { return !data_->methods.contains(error.first); });
 }
 
-ContentKey DrawnScene::anglesKey(const MethodData& method) const {
-  const MeshChoice& mesh = method.mesh;
-  return KeyBuilder("viewed angles")
+cache::ContentKey DrawnScene::anglesKey(const MethodData& method) const {
+  const study::MeshChoice& mesh = method.mesh;
+  return cache::KeyBuilder("viewed angles")
       .add("surface", data_->keys.truth)
       .add("mesh", mesh.kind)
       .add("subdivisions", mesh.base.subdivisions)
-      .add("bake", settingsKey(method.spec.bake, Enters::shotAngles | Enters::codes))
+      .add("bake",
+           study::settingsKey(method.spec.bake, study::Enters::shotAngles | study::Enters::codes))
       .key();
 }
 
-bool DrawnScene::installAngles(const std::string& label, const ContentKey& key,
-                               const AngleTable& table) {
+bool DrawnScene::installAngles(const std::string& label, const cache::ContentKey& key,
+                               const horizon::AngleTable& table) {
   const auto method = data_->methods.find(label);
   if (method == data_->methods.end() || anglesKey(*method->second) != key) return false;
   ownAngles_.erase(label);
-  ownAngles_.emplace(label, OwnAngles{key, GpuAngles(table, method->second->spec.bake.bits)});
+  ownAngles_.emplace(label,
+                     OwnAngles{key, render::GpuAngles(table, method->second->spec.bake.bits)});
   return true;
 }
 
@@ -144,11 +146,11 @@ bool DrawnScene::lacksAngles(const std::string& label) const {
   return found == ownAngles_.end() || found->second.key != anglesKey(*method->second);
 }
 
-const DrawnMeshData& DrawnScene::mesh(MeshChoice choice) const {
+const DrawnMeshData& DrawnScene::mesh(study::MeshChoice choice) const {
   return meshes_.at(data_->meshes.at(choice));
 }
 
-Drawing DrawnScene::drawing(MeshChoice choice, const Vec3& light) const {
+render::Drawing DrawnScene::drawing(study::MeshChoice choice, const Vec3& light) const {
   const DrawnMeshData& drawn = mesh(choice);
   return {drawn.gpu,
           heights_.at(data_->heights),
@@ -166,7 +168,7 @@ std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) co
   const auto pass = passes_.find(label);
   if (found == data_->methods.end() || pass == passes_.end()) return std::nullopt;
   const MethodData& method = *found->second;
-  GpuTables tables;
+  render::GpuTables tables;
   tables.searchRadius = method.spec.bake.settings.radiusTexels;
   if (method.tables) {
     tables.horizon = &pairs_.at(method.tables).horizon;
@@ -182,4 +184,4 @@ std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) co
   return Ready{&method, &pass->second.pass, tables};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

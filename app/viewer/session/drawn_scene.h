@@ -11,14 +11,14 @@
 #include "study/run/driver_faults.h"
 #include "viewer/session/scene_data.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A mesh on the GPU.
 struct DrawnMeshData {
   explicit DrawnMeshData(const MeshData& of);
-  GpuMesh gpu;
-  std::optional<GpuVolumes> volumes;
-  RenderView texture;  ///< the texture's own plane
+  render::GpuMesh gpu;
+  std::optional<render::GpuVolumes> volumes;
+  render::RenderView texture;  ///< the texture's own plane
 };
 
 /// A scene on the GPU. Parts that the next scene has too are kept. All members need the context.
@@ -33,22 +33,23 @@ class DrawnScene {
   ///   the pixels or the pictures wrong that all methods need
   void install(std::shared_ptr<const SceneData> scene);
   /// What the horizons of a method hang on that are shot on the displaced surface.
-  [[nodiscard]] ContentKey anglesKey(const MethodData& method) const;
+  [[nodiscard]] cache::ContentKey anglesKey(const MethodData& method) const;
   /// Gives a method the horizons that were shot for it.
   /// @param key  of what they were shot for; they are dropped where the method asks for others now
   /// @return whether they were taken
-  bool installAngles(const std::string& label, const ContentKey& key, const AngleTable& table);
+  bool installAngles(const std::string& label, const cache::ContentKey& key,
+                     const horizon::AngleTable& table);
 
   [[nodiscard]] const SceneData* data() const { return data_.get(); }
   [[nodiscard]] std::shared_ptr<const SceneData> sharedData() const { return data_; }
-  [[nodiscard]] const DrawnMeshData& mesh(MeshChoice choice) const;
-  [[nodiscard]] Drawing drawing(MeshChoice choice, const Vec3& light) const;
+  [[nodiscard]] const DrawnMeshData& mesh(study::MeshChoice choice) const;
+  [[nodiscard]] render::Drawing drawing(study::MeshChoice choice, const Vec3& light) const;
 
   /// A method with its tables, if all of it is there.
   struct Ready {
     const MethodData* data;
-    const MethodPass* pass;
-    GpuTables tables;
+    const render::MethodPass* pass;
+    render::GpuTables tables;
   };
   [[nodiscard]] std::optional<Ready> method(const std::string& label) const;
   /// The method waits for horizons that are shot on the displaced surface.
@@ -59,16 +60,16 @@ class DrawnScene {
 
  private:
   struct Pair {
-    GpuTable horizon;
-    GpuTable distance;
+    render::GpuTable horizon;
+    render::GpuTable distance;
   };
   struct Compiled {
     std::string key;  ///< file, filter, wrap and parameters
-    MethodPass pass;
+    render::MethodPass pass;
   };
   struct OwnAngles {
-    ContentKey key;  ///< of the surface and the bake that they were shot for
-    GpuAngles angles;
+    cache::ContentKey key;  ///< of the surface and the bake that they were shot for
+    render::GpuAngles angles;
   };
   void compile(const std::string& label, const MethodData& method, bool again);
   /// Whether the driver draws a method right; otherwise it is no longer drawn.
@@ -77,18 +78,20 @@ class DrawnScene {
   void dropUnused();
 
   std::filesystem::path shaders_;
-  Cache noCache_;
-  std::optional<DriverFaults> faults_;
+  cache::Cache noCache_;
+  std::optional<study::DriverFaults> faults_;
   int faultsOf_ = 0;  ///< the shaders that they are of: see SceneRequest
   std::shared_ptr<const SceneData> data_;
-  std::map<std::shared_ptr<const HeightField>, GpuHeights> heights_;
+  std::map<std::shared_ptr<const relief::HeightField>, render::GpuHeights> heights_;
   std::map<std::shared_ptr<const MeshData>, DrawnMeshData> meshes_;
   std::map<std::shared_ptr<const TableImagePair>, Pair> pairs_;
-  std::map<std::shared_ptr<const TableImage>, GpuTable> ellipses_;
-  std::map<std::pair<std::shared_ptr<const AngleTable>, TableBits>, GpuAngles> angles_;
+  std::map<std::shared_ptr<const TableImage>, render::GpuTable> ellipses_;
+  std::map<std::pair<std::shared_ptr<const horizon::AngleTable>, horizon::TableBits>,
+           render::GpuAngles>
+      angles_;
   std::map<std::string, OwnAngles> ownAngles_;
   std::map<std::string, Compiled> passes_;
   std::map<std::string, std::string> errors_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -12,11 +12,11 @@
 #include "study/spec/study_table.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// Half from above, the whole cage in view.
-Camera cameraOn(const Cage& cage) {
+Camera cameraOn(const surface::Cage& cage) {
   Vec3 low(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
   for (const Vec3& position : cage.positions) {
@@ -31,44 +31,44 @@ Camera cameraOn(const Cage& cage) {
   return camera;
 }
 
-Camera firstCamera(const StudySpec& study) {
-  for (const ViewSpec& view : study.views) {
-    if (const Camera* camera = cameraOf(view)) return *camera;
+Camera firstCamera(const study::StudySpec& study) {
+  for (const study::ViewSpec& view : study.views) {
+    if (const Camera* camera = study::cameraOf(view)) return *camera;
   }
   return cameraOn(study.cage);
 }
 
 }  // namespace
 
-StudyOptions optionsOf(const ViewRequest& request) {
-  StudyOptions options = request.options;
-  const toml::table table = studyTable(request.study, request.options);
+study::StudyOptions optionsOf(const cli::ViewRequest& request) {
+  study::StudyOptions options = request.options;
+  const toml::table table = study::studyTable(request.study, request.options);
   std::set<std::string> labels;
   if (const toml::array* methods = table["method"].as_array()) {
     for (const toml::node& method : *methods) {
-      if (method.is_table()) labels.insert(methodLabel(*method.as_table()));
+      if (method.is_table()) labels.insert(study::methodLabel(*method.as_table()));
     }
   }
   // A study without methods is refused by its reader, which says so better.
   if (labels.empty()) return options;
-  for (const std::string& name : methodNames(shaderFolder())) {
+  for (const std::string& name : render::methodNames(render::shaderFolder())) {
     if (labels.insert(name).second) options.addedMethods.push_back(name);
   }
   return options;
 }
 
-StudyNumbers numbersOf(const ViewRequest& request) {
-  const toml::table table = parseToml(request.study, request.options.overrides);
+StudyNumbers numbersOf(const cli::ViewRequest& request) {
+  const toml::table table = study::parseToml(request.study, request.options.overrides);
   return {table["relief"]["height"].value<double>(), table["surface"]["curvature"].value<double>()};
 }
 
-std::vector<std::string> labelsOf(const StudySpec& study) {
+std::vector<std::string> labelsOf(const study::StudySpec& study) {
   std::vector<std::string> labels;
-  for (const MethodSpec& method : study.methods) labels.push_back(method.label);
+  for (const study::MethodSpec& method : study.methods) labels.push_back(method.label);
   return labels;
 }
 
-ViewState firstView(const StudySpec& study, const ViewRequest& request,
+ViewState firstView(const study::StudySpec& study, const cli::ViewRequest& request,
                     const std::vector<std::string>& labels) {
   ViewState state;
   state.camera = firstCamera(study);
@@ -96,4 +96,4 @@ ViewState firstView(const StudySpec& study, const ViewRequest& request,
   return state;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -8,7 +8,7 @@
 #include "image/images.h"
 #include "render/gl_objects.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 Mask emptyMask(const Camera& camera) {
@@ -18,7 +18,7 @@ Mask emptyMask(const Camera& camera) {
               Shade::none)};
 }
 
-const PartialTruth* truthOf(const KnownTruth& known, MeshChoice mesh, const Camera& camera) {
+const PartialTruth* truthOf(const KnownTruth& known, study::MeshChoice mesh, const Camera& camera) {
   const auto found = known.truths.find(mesh);
   if (found == known.truths.end()) return nullptr;
   const Mask& mask = found->second.mask;
@@ -68,14 +68,14 @@ PanePictures::PanePictures(const std::filesystem::path& shaders)
     : shaders_(shaders), samples_(shaders) {}
 
 void PanePictures::reloadShaders(const std::filesystem::path& shaders) {
-  SamplesPass samples(shaders);
+  render::SamplesPass samples(shaders);
   if (programs_) programs_.emplace(Programs(shaders, programs_->wrap));
   samples_ = std::move(samples);
 }
 
-std::optional<MeshChoice> PanePictures::meshOf(const DrawnScene& scene,
-                                               const PaneContent& content) {
-  std::optional<MeshChoice> mesh;
+std::optional<study::MeshChoice> PanePictures::meshOf(const DrawnScene& scene,
+                                                      const PaneContent& content) {
+  std::optional<study::MeshChoice> mesh;
   for (const PaneSource& source : {content.shown, content.against.value_or(tracedTruth)}) {
     if (!source.isMethod()) continue;
     const auto ready = scene.method(source.label);
@@ -85,9 +85,9 @@ std::optional<MeshChoice> PanePictures::meshOf(const DrawnScene& scene,
   return mesh ? mesh : scene.data()->standardMesh();
 }
 
-SampleGrid PanePictures::samplesOf(const DrawnScene& scene, MeshChoice mesh,
-                                   const Camera& camera) const {
-  const RenderView view = cameraView(camera, scene.data()->meshes.at(mesh)->mesh());
+surface::SampleGrid PanePictures::samplesOf(const DrawnScene& scene, study::MeshChoice mesh,
+                                            const Camera& camera) const {
+  const render::RenderView view = render::cameraView(camera, scene.data()->meshes.at(mesh)->mesh());
   return samples_.render(view, scene.mesh(mesh).gpu);
 }
 
@@ -97,8 +97,9 @@ const Mask* PanePictures::methodMask(const DrawnScene& scene, const ViewState& s
   if (found != masks_.end() && found->second.serial == serial) return &found->second.mask;
   const auto ready = scene.method(label);
   if (!ready) return nullptr;
-  const MeshChoice mesh = ready->data->mesh;
-  const RenderView view = cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
+  const study::MeshChoice mesh = ready->data->mesh;
+  const render::RenderView view =
+      render::cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
   Mask mask =
       ready->pass
           ->render(view, scene.drawing(mesh, lightSpec(state.light).direction()), ready->tables)
@@ -109,15 +110,17 @@ const Mask* PanePictures::methodMask(const DrawnScene& scene, const ViewState& s
 }
 
 void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& state,
-                         MeshChoice mesh, const Mask& mask) {
-  const Wrap wrap = scene.data()->heights->wrap();
+                         study::MeshChoice mesh, const Mask& mask) {
+  const relief::Wrap wrap = scene.data()->heights->wrap();
   if (!programs_ || programs_->wrap != wrap) programs_.emplace(shaders_, wrap);
-  const RenderView view = cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
+  const render::RenderView view =
+      render::cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
   if (!pane.target || pane.target->width() != view.width || pane.target->height() != view.height) {
-    pane.target = std::make_unique<Target>(view.width, view.height, std::vector<GLenum>{GL_RGBA8});
+    pane.target =
+        std::make_unique<render::Target>(view.width, view.height, std::vector<GLenum>{GL_RGBA8});
   }
-  const ShadePass& pass =
-      mesh.kind == DrawnMesh::displaced ? programs_->shadeDisplaced : programs_->shadeBase;
+  const render::ShadePass& pass =
+      mesh.kind == render::DrawnMesh::displaced ? programs_->shadeDisplaced : programs_->shadeBase;
   pass.draw(view, scene.drawing(mesh, lightSpec(state.light).direction()), mask, *pane.target);
   if (const auto& lines = scene.data()->lines; lines && state.overlays.directions) {
     programs_->lines.draw(view, endsOf(lines->larger), {0.70F, 0.10F, 0.35F}, *pane.target);
@@ -127,19 +130,19 @@ void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& s
   pane.shown.topDown = false;
 }
 
-void PanePictures::showImage(Pane& pane, const Image& image) {
-  const gl::TextureSize size{image.width, image.height};
+void PanePictures::showImage(Pane& pane, const image::Image& image) {
+  const render::gl::TextureSize size{image.width, image.height};
   if (pane.imageWidth != image.width || pane.imageHeight != image.height) {
-    pane.image = gl::makeTexture(GL_TEXTURE_2D, GL_RGB8, size, GL_NEAREST);
+    pane.image = render::gl::makeTexture(GL_TEXTURE_2D, GL_RGB8, size, GL_NEAREST);
     pane.imageWidth = image.width;
     pane.imageHeight = image.height;
   }
-  gl::fill(pane.image, size, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  render::gl::fill(pane.image, size, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
   pane.shown.texture = pane.image.name();
   pane.shown.topDown = true;
 }
 
-void PanePictures::measure(Pane& pane, const PaneContent& content, MeshChoice mesh,
+void PanePictures::measure(Pane& pane, const PaneContent& content, study::MeshChoice mesh,
                            const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
                            std::uint64_t serial) {
   pane.shown.figures.reset();
@@ -194,7 +197,7 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
     if (!second) return;
     const bool hasTruth = content.shown == tracedTruth || *content.against == tracedTruth;
     const auto [a, b] = comparable(*first, *second, hasTruth);
-    showImage(pane, differenceImage(a, b));
+    showImage(pane, image::differenceImage(a, b));
   } else {
     shade(pane, scene, state, *mesh, *first);
   }
@@ -234,4 +237,4 @@ std::optional<Mask> PanePictures::maskOf(const DrawnScene& scene, const ViewStat
   return mask != nullptr ? std::optional(*mask) : std::nullopt;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

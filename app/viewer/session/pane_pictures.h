@@ -16,14 +16,14 @@
 #include "viewer/session/truth_worker.h"
 #include "viewer/session/view_state.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What is known of the truth for the camera and light shown.
 struct KnownTruth {
-  std::map<MeshChoice, PartialTruth> truths;
-  std::optional<Image> picture;  ///< the displaced surface by its own rays
-  bool stale = false;            ///< of the light before: to look at, not to measure with
-  std::uint64_t serial = 0;      ///< changes whenever any of it does
+  std::map<study::MeshChoice, PartialTruth> truths;
+  std::optional<image::Image> picture;  ///< the displaced surface by its own rays
+  bool stale = false;                   ///< of the light before: to look at, not to measure with
+  std::uint64_t serial = 0;             ///< changes whenever any of it does
 };
 
 /// One pane as it is drawn.
@@ -54,28 +54,29 @@ class PanePictures {
   [[nodiscard]] std::optional<Mask> maskOf(const DrawnScene& scene, const ViewState& state,
                                            const KnownTruth& truth, const PaneContent& content);
   /// The pixels that a mesh shows.
-  [[nodiscard]] SampleGrid samplesOf(const DrawnScene& scene, MeshChoice mesh,
-                                     const Camera& camera) const;
+  [[nodiscard]] surface::SampleGrid samplesOf(const DrawnScene& scene, study::MeshChoice mesh,
+                                              const Camera& camera) const;
   /// The samples at the texel centres of a mesh.
-  [[nodiscard]] SampleGrid texelsOf(const RenderView& plane, const GpuMesh& mesh) const {
+  [[nodiscard]] surface::SampleGrid texelsOf(const render::RenderView& plane,
+                                             const render::GpuMesh& mesh) const {
     return samples_.render(plane, mesh);
   }
 
   /// The mesh whose pixels a pane shows; none where its two methods draw different ones, or one is
   /// not there yet.
-  [[nodiscard]] static std::optional<MeshChoice> meshOf(const DrawnScene& scene,
-                                                        const PaneContent& content);
+  [[nodiscard]] static std::optional<study::MeshChoice> meshOf(const DrawnScene& scene,
+                                                               const PaneContent& content);
 
  private:
   struct Programs {
-    Programs(const std::filesystem::path& shaders, Wrap wrapOfRelief)
+    Programs(const std::filesystem::path& shaders, relief::Wrap wrapOfRelief)
         : wrap(wrapOfRelief),
-          shadeBase(shaders, wrapOfRelief, DrawnMesh::base),
-          shadeDisplaced(shaders, wrapOfRelief, DrawnMesh::displaced),
+          shadeBase(shaders, wrapOfRelief, render::DrawnMesh::base),
+          shadeDisplaced(shaders, wrapOfRelief, render::DrawnMesh::displaced),
           lines(shaders) {}
-    Wrap wrap;
-    ShadePass shadeBase, shadeDisplaced;
-    LinePass lines;
+    relief::Wrap wrap;
+    render::ShadePass shadeBase, shadeDisplaced;
+    render::LinePass lines;
   };
   struct Key {
     PaneContent content;
@@ -86,8 +87,8 @@ class PanePictures {
   };
   struct Pane {
     std::optional<Key> key;
-    std::unique_ptr<Target> target;
-    gl::Texture image;
+    std::unique_ptr<render::Target> target;
+    render::gl::Texture image;
     int imageWidth = 0, imageHeight = 0;
     PanePicture shown;
   };
@@ -98,20 +99,21 @@ class PanePictures {
 
   void drawPane(Pane& pane, const PaneContent& content, const DrawnScene& scene,
                 const ViewState& state, const KnownTruth& truth, std::uint64_t serial);
-  void shade(Pane& pane, const DrawnScene& scene, const ViewState& state, MeshChoice mesh,
+  void shade(Pane& pane, const DrawnScene& scene, const ViewState& state, study::MeshChoice mesh,
              const Mask& mask);
-  static void showImage(Pane& pane, const Image& image);
+  static void showImage(Pane& pane, const image::Image& image);
   const Mask* methodMask(const DrawnScene& scene, const ViewState& state, const std::string& label,
                          std::uint64_t serial);
-  void measure(Pane& pane, const PaneContent& content, MeshChoice mesh, const DrawnScene& scene,
-               const ViewState& state, const KnownTruth& truth, std::uint64_t serial);
+  void measure(Pane& pane, const PaneContent& content, study::MeshChoice mesh,
+               const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
+               std::uint64_t serial);
 
   std::filesystem::path shaders_;
   std::optional<Programs> programs_;
-  SamplesPass samples_;
+  render::SamplesPass samples_;
   std::map<std::string, CachedMask> masks_;
   std::array<Pane, 4> panes_;
   std::uint64_t serial_ = 0;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -13,11 +13,12 @@
 #include "study/run/scene/run_keys.h"
 #include "study/spec/with_keys.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
-TableImage imageOf(std::span<const float> values, const HorizonTables& baked, TableBits bits) {
-  return {storeTable(values, bits), baked};
+TableImage imageOf(std::span<const float> values, const horizon::HorizonTables& baked,
+                   horizon::TableBits bits) {
+  return {horizon::storeTable(values, bits), baked};
 }
 
 /// The entry of a cache, made by `make` where it is not there yet.
@@ -30,28 +31,29 @@ auto cached(Map& map, const typename Map::key_type& key, const Make& make) {
 
 }  // namespace
 
-SceneKeys sceneKeys(const StudySpec& study) {
+SceneKeys sceneKeys(const study::StudySpec& study) {
   SceneKeys keys;
-  keys.surface = surfaceKey(study);
-  keys.relief = reliefKey(study);
-  KeyBuilder truth("viewed truth");
+  keys.surface = study::surfaceKey(study);
+  keys.relief = study::reliefKey(study);
+  cache::KeyBuilder truth("viewed truth");
   truth.add("surface", keys.surface).add("relief", keys.relief);
-  addSettings(truth, study.truth, Enters::scene, 1);
+  study::addSettings(truth, study.truth, study::Enters::scene, 1);
   keys.truth = truth.key();
   return keys;
 }
 
-std::shared_ptr<const HorizonTables> SceneMaker::bake(const HeightField& field,
-                                                      const BakeSettings& settings,
-                                                      const StageProgress& progress) {
+std::shared_ptr<const horizon::HorizonTables> SceneMaker::bake(
+    const relief::HeightField& field, const horizon::BakeSettings& settings,
+    const StageProgress& progress) {
   return cached(tables_.bakes, {settings.azimuths, settings.radiusTexels}, [&] {
-    return std::make_shared<const HorizonTables>(withKeys(
-        "bake", [&] { return bakeHorizons(field, settings, progress("Baking horizons")); }));
+    return std::make_shared<const horizon::HorizonTables>(study::withKeys("bake", [&] {
+      return horizon::bakeHorizons(field, settings, progress("Baking horizons"));
+    }));
   });
 }
 
-std::shared_ptr<const TableImagePair> SceneMaker::pair(const HeightField& field,
-                                                       const BakeSpec& spec,
+std::shared_ptr<const TableImagePair> SceneMaker::pair(const relief::HeightField& field,
+                                                       const study::BakeSpec& spec,
                                                        const StageProgress& progress) {
   const TableKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
   return cached(tables_.pairs, key, [&] {
@@ -62,35 +64,37 @@ std::shared_ptr<const TableImagePair> SceneMaker::pair(const HeightField& field,
   });
 }
 
-std::shared_ptr<const TableImage> SceneMaker::ellipses(const SceneData& scene, const BakeSpec& spec,
+std::shared_ptr<const TableImage> SceneMaker::ellipses(const SceneData& scene,
+                                                       const study::BakeSpec& spec,
                                                        const StageProgress& progress) {
   const TableKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.bits);
   return cached(tables_.ellipses, {key, scene.texelsPerHeight}, [&] {
     const auto baked = bake(*scene.heights, spec.settings, progress);
     progress("Fitting ellipses")(0);
-    const EllipseTable fitted = fitEllipses(*baked, scene.texelsPerHeight);
+    const horizon::EllipseTable fitted = horizon::fitEllipses(*baked, scene.texelsPerHeight);
     return std::make_shared<const TableImage>(
-        TableImage{storeTable(fitted.values, spec.bits), fitted});
+        TableImage{horizon::storeTable(fitted.values, spec.bits), fitted});
   });
 }
 
-std::shared_ptr<const AngleTable> SceneMaker::angles(const SceneData& scene, const BakeSpec& spec,
-                                                     const StageProgress& progress) {
+std::shared_ptr<const horizon::AngleTable> SceneMaker::angles(const SceneData& scene,
+                                                              const study::BakeSpec& spec,
+                                                              const StageProgress& progress) {
   const AngleKey key(spec.settings.azimuths, spec.settings.radiusTexels, spec.angleLimit,
                      scene.texelsPerHeight);
   return cached(tables_.angles, key, [&] {
     const auto baked = bake(*scene.heights, spec.settings, progress);
-    return std::make_shared<const AngleTable>(
-        horizonAngles(*baked, spec.angleLimit, scene.texelsPerHeight));
+    return std::make_shared<const horizon::AngleTable>(
+        horizon::horizonAngles(*baked, spec.angleLimit, scene.texelsPerHeight));
   });
 }
 
-void SceneMaker::requireTried(const MethodSpec& spec, Wrap wrap) {
-  const ContentKey key = KeyBuilder("viewed trial")
-                             .add("method", readFile(spec.file))
-                             .add("filter", spec.filter)
-                             .add("wrap", wrap)
-                             .key();
+void SceneMaker::requireTried(const study::MethodSpec& spec, relief::Wrap wrap) {
+  const cache::ContentKey key = cache::KeyBuilder("viewed trial")
+                                    .add("method", readFile(spec.file))
+                                    .add("filter", spec.filter)
+                                    .add("wrap", wrap)
+                                    .key();
   const std::string refusal = cached(trials_, key, [&]() -> std::string {
     try {
       trial_(spec, wrap);
@@ -102,13 +106,14 @@ void SceneMaker::requireTried(const MethodSpec& spec, Wrap wrap) {
   if (!refusal.empty()) throw InputError(refusal);
 }
 
-std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, const MethodSpec& spec,
+std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene,
+                                                     const study::MethodSpec& spec,
                                                      const StageProgress& progress) {
-  MethodData data{spec, readMethod(spec.file), {}, {}, {}, {}};
+  MethodData data{spec, render::readMethod(spec.file), {}, {}, {}, {}};
   progress("Trying methods")(0);
   requireTried(spec, scene.heights->wrap());
   data.mesh = {data.method.mesh, spec.base};
-  const MethodTables& declared = data.method.tables;
+  const render::MethodTables& declared = data.method.tables;
   if (declared.horizon || declared.distance)
     data.tables = pair(*scene.heights, spec.bake, progress);
   if (declared.angles) data.angles = angles(scene, spec.bake, progress);
@@ -116,7 +121,7 @@ std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene, con
   return std::make_shared<const MethodData>(std::move(data));
 }
 
-void SceneMaker::addMesh(SceneData& scene, MeshChoice choice, const SceneData* previous) {
+void SceneMaker::addMesh(SceneData& scene, study::MeshChoice choice, const SceneData* previous) {
   if (scene.meshes.contains(choice)) return;
   if (previous != nullptr) {
     const auto same = previous->meshes.find(choice);
@@ -125,13 +130,13 @@ void SceneMaker::addMesh(SceneData& scene, MeshChoice choice, const SceneData* p
       return;
     }
   }
-  const Relief& relief = scene.study->relief;
-  MeshData data = withKeys("base", [&] {
+  const relief::Relief& relief = scene.study->relief;
+  MeshData data = study::withKeys("base", [&] {
     const int pieces = choice.base.subdivisions;
-    return choice.kind == DrawnMesh::displaced
-               ? MeshData{{}, makeDisplacedMesh(*scene.surface, relief, pieces)}
-               : MeshData{makeBaseMesh(*scene.surface, relief.texelsPerUv(), pieces,
-                                       choice.base.curvature),
+    return choice.kind == render::DrawnMesh::displaced
+               ? MeshData{{}, displaced::makeDisplacedMesh(*scene.surface, relief, pieces)}
+               : MeshData{surface::makeBaseMesh(*scene.surface, relief.texelsPerUv(), pieces,
+                                                choice.base.curvature),
                           {}};
   });
   scene.meshes.emplace(choice, std::make_shared<const MeshData>(std::move(data)));
@@ -144,7 +149,7 @@ void SceneMaker::forgetUnused(const SceneData& scene) {
   std::erase_if(tables_.angles, isUnused);
   std::erase_if(tables_.bakes, [&](const auto& entry) {
     return std::none_of(scene.methods.begin(), scene.methods.end(), [&](const auto& method) {
-      const BakeSettings& settings = method.second->spec.bake.settings;
+      const horizon::BakeSettings& settings = method.second->spec.bake.settings;
       return entry.first == std::pair(settings.azimuths, settings.radiusTexels);
     });
   });
@@ -155,27 +160,29 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
   auto scene = std::make_shared<SceneData>();
   scene->shaders = request.shaders;
   progress("Reading the study")(0);
-  scene->study = std::make_shared<const StudySpec>(readStudy(file_, request.options));
+  scene->study = std::make_shared<const study::StudySpec>(study::readStudy(file_, request.options));
   scene->keys = sceneKeys(*scene->study);
   const bool sameSurface = last_ && last_->keys.surface == scene->keys.surface;
   const bool sameRelief = last_ && last_->keys.relief == scene->keys.relief;
   progress("Finding the limit surface")(0);
-  scene->surface =
-      sameSurface ? last_->surface : std::make_shared<const LimitSurface>(scene->study->cage);
-  scene->heights =
-      sameRelief ? last_->heights : std::make_shared<const HeightField>(scene->study->relief.field);
-  const Relief& relief = scene->study->relief;
+  scene->surface = sameSurface ? last_->surface
+                               : std::make_shared<const surface::LimitSurface>(scene->study->cage);
+  scene->heights = sameRelief
+                       ? last_->heights
+                       : std::make_shared<const relief::HeightField>(scene->study->relief.field);
+  const relief::Relief& relief = scene->study->relief;
   scene->texelsPerHeight =
       sameSurface && sameRelief
           ? last_->texelsPerHeight
-          : texelsPerHeight(relief.space, texelScale(*scene->surface, relief.texelsPerUv()));
+          : horizon::texelsPerHeight(relief.space,
+                                     horizon::texelScale(*scene->surface, relief.texelsPerUv()));
   if (tablesOf_ != scene->keys.relief) tables_ = {};
   tablesOf_ = scene->keys.relief;
 
   const SceneData* meshes = sameSurface && sameRelief ? last_.get() : nullptr;
   progress("Cutting meshes")(0);
   addMesh(*scene, scene->standardMesh(), meshes);
-  for (const MethodSpec& spec : scene->study->methods) {
+  for (const study::MethodSpec& spec : scene->study->methods) {
     if (std::find(request.shown.begin(), request.shown.end(), spec.label) == request.shown.end()) {
       continue;
     }
@@ -193,4 +200,4 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
   return scene;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -4,7 +4,7 @@
 
 #include "render/shader_files.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace fs = std::filesystem;
 
 ShaderWatch::ShaderWatch(fs::path shaders)
@@ -19,7 +19,7 @@ ShaderWatch::Times ShaderWatch::times() const {
   };
   std::error_code ignored;
   for (const auto& entry : fs::recursive_directory_iterator(shaders_, ignored)) {
-    if (isShader(entry)) add(entry.path());
+    if (render::isShader(entry)) add(entry.path());
   }
   for (const fs::path& file : files_) add(file);
   std::sort(times.begin(), times.end());
@@ -42,4 +42,4 @@ bool ShaderWatch::changed() {
   return differ;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// Notices that a shader's file has changed, by its time, twice a second at most.
 class ShaderWatch {
@@ -27,4 +27,4 @@ class ShaderWatch {
   Clock::time_point looked_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -11,17 +11,19 @@
 #include "truth/shadow_tracer.h"
 #include "truth/surface_horizons.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 constexpr int coarsest = 8;
 
 /// A stretch of the order as a grid of four columns: the tracer's packets are then the order's
 /// tiles.
-SampleGrid packedGrid(const SampleGrid& all, std::span<const std::uint32_t> order) {
+surface::SampleGrid packedGrid(const surface::SampleGrid& all,
+                               std::span<const std::uint32_t> order) {
   constexpr std::size_t columns = 4;
   const std::size_t rows = (order.size() + columns - 1) / columns;
-  SampleGrid grid{columns, static_cast<int>(rows), std::vector<SurfaceSample>(columns * rows)};
+  surface::SampleGrid grid{columns, static_cast<int>(rows),
+                           std::vector<surface::SurfaceSample>(columns * rows)};
   std::transform(order.begin(), order.end(), grid.samples.begin(),
                  [&](std::uint32_t index) { return all.samples[index]; });
   return grid;
@@ -32,7 +34,7 @@ class GrowingTruth {
  public:
   GrowingTruth(const TruthView& view, const ProgressiveOrder& order, const TruthRequest& request)
       : order_(order), request_(request) {
-    const SampleGrid& grid = *view.samples;
+    const surface::SampleGrid& grid = *view.samples;
     truth_ = {view.mesh,
               view.samples,
               {grid.width, grid.height, std::vector<Shade>(grid.samples.size(), Shade::none)},
@@ -62,10 +64,10 @@ class GrowingTruth {
   void add(std::size_t count, const TracedMesh& traced) {
     const SceneData& scene = *request_.scene;
     const auto asked = std::span(order_.samples).subspan(truth_.tracedCount, count);
-    const Truth found =
-        traceShadows(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
-                     packedGrid(*truth_.samples, asked),
-                     {request_.light, scene.study->bake.settings.radiusTexels, standardRayOffset});
+    const truth::Truth found = truth::traceShadows(
+        *scene.surface, scene.study->relief, traced.mesh, traced.scene,
+        packedGrid(*truth_.samples, asked),
+        {request_.light, scene.study->bake.settings.radiusTexels, truth::standardRayOffset});
     for (std::size_t i = 0; i < count; ++i) {
       truth_.mask.samples[asked[i]] = found.mask.samples[i];
       truth_.traced[asked[i]] = 1;
@@ -89,36 +91,39 @@ class GrowingTruth {
   Clock::time_point published_ = Clock::now();
 };
 
-Image seenSurface(const TracedMesh& traced, Camera camera, const Vec3& light, int step,
-                  const Progress& progress) {
+image::Image seenSurface(const TracedMesh& traced, Camera camera, const Vec3& light, int step,
+                         const Progress& progress) {
   camera.width = std::max(1, camera.width / step);
   camera.height = std::max(1, camera.height / step);
-  return displacedImage(camera.width, camera.height,
-                        displacedPicture(traced.mesh, traced.scene, camera, light, progress));
+  return report::displacedImage(
+      camera.width, camera.height,
+      truth::displacedPicture(traced.mesh, traced.scene, camera, light, progress));
 }
 
 std::shared_ptr<const CurvaturePicture> curvaturePicture(const SceneData& scene,
-                                                         const SampleGrid& samples,
+                                                         const surface::SampleGrid& samples,
                                                          const Vec3& light) {
   CurvatureField field = curvatureAlong(*scene.surface, samples, light);
   CurvaturePicture picture{
       {samples.width, samples.height, {}}, std::move(field.defined), field.largest};
   picture.image.rgb.reserve(3 * field.values.size());
   for (const double value : field.values) {
-    const Rgb colour = curvatureColour(value, field.largest);
+    const image::Rgb colour = curvatureColour(value, field.largest);
     picture.image.rgb.insert(picture.image.rgb.end(), colour.begin(), colour.end());
   }
   return std::make_shared<const CurvaturePicture>(std::move(picture));
 }
 
-bool isAsked(const TruthRequest& request, const std::shared_ptr<const SampleGrid>& samples) {
+bool isAsked(const TruthRequest& request,
+             const std::shared_ptr<const surface::SampleGrid>& samples) {
   return std::any_of(request.views.begin(), request.views.end(),
                      [&](const TruthView& view) { return view.samples == samples; });
 }
 
 }  // namespace
 
-const ProgressiveOrder& TruthTracer::orderOf(const std::shared_ptr<const SampleGrid>& samples) {
+const ProgressiveOrder& TruthTracer::orderOf(
+    const std::shared_ptr<const surface::SampleGrid>& samples) {
   for (const auto& [of, order] : orders_) {
     if (of == samples) return order;
   }
@@ -143,9 +148,9 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
     build(scene, job);
     publish(job, {});
     for (const AnglesRequest& asked : request.angles) {
-      AngleTable table = shootHorizons(*scene.surface, scene.study->relief, traced_->mesh,
-                                       traced_->scene, asked.texels, asked.bake.settings.azimuths,
-                                       asked.bake.angleLimit, job.progress("Shooting horizons"));
+      horizon::AngleTable table = truth::shootHorizons(
+          *scene.surface, scene.study->relief, traced_->mesh, traced_->scene, asked.texels,
+          asked.bake.settings.azimuths, asked.bake.angleLimit, job.progress("Shooting horizons"));
       table.originX = asked.origin.x;
       table.originY = asked.origin.y;
       TruthResult result;
@@ -180,4 +185,4 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

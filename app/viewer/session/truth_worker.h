@@ -15,7 +15,7 @@
 #include "viewer/session/background_worker.h"
 #include "viewer/session/scene_data.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// The truth, traced behind the window at rising resolution: see ProgressiveOrder.
 
@@ -25,46 +25,46 @@ struct TracedMesh {
       : key(of.keys.truth),
         mesh(*of.surface, of.study->relief, of.study->truth, meshing),
         scene(mesh, hierarchy) {}
-  ContentKey key;  ///< SceneKeys::truth of what it was made from
-  MicroMesh mesh;
-  MicroScene scene;
+  cache::ContentKey key;  ///< SceneKeys::truth of what it was made from
+  truth::MicroMesh mesh;
+  truth::MicroScene scene;
 };
 
 /// The pixels of one mesh.
 struct TruthView {
-  MeshChoice mesh;
-  std::shared_ptr<const SampleGrid> samples;
+  study::MeshChoice mesh;
+  std::shared_ptr<const surface::SampleGrid> samples;
 };
 
 /// Horizons that must be shot on the displaced surface, for one method.
 struct AnglesRequest {
   std::string label;
-  ContentKey key;  ///< DrawnScene::anglesKey of the method that they are for
-  BakeSpec bake;
-  SampleGrid texels;
+  cache::ContentKey key;  ///< DrawnScene::anglesKey of the method that they are for
+  study::BakeSpec bake;
+  surface::SampleGrid texels;
   glm::ivec2 origin{0, 0};  ///< texel coordinates of the grid's lower left corner
 };
 
 struct TruthRequest {
   std::shared_ptr<const SceneData> scene;
-  Vec3 light{0, 0, 1};                          ///< unit vector toward the light
-  std::vector<TruthView> views;                 ///< whose truth is asked
-  std::optional<Camera> picture;                ///< from where the displaced surface is looked at
-  std::shared_ptr<const SampleGrid> curvature;  ///< where the normal curvature is asked
+  Vec3 light{0, 0, 1};            ///< unit vector toward the light
+  std::vector<TruthView> views;   ///< whose truth is asked
+  std::optional<Camera> picture;  ///< from where the displaced surface is looked at
+  std::shared_ptr<const surface::SampleGrid> curvature;  ///< where the normal curvature is asked
   std::vector<AnglesRequest> angles;
 };
 
 /// The normal curvature along the light, in colours.
 struct CurvaturePicture {
-  Image image;
+  image::Image image;
   std::vector<std::uint8_t> defined;  ///< one a pixel: 1 where there is a curvature
   double largest = 0;                 ///< |κ| that the colours' ends stand for, 1 / world
 };
 
 /// A truth as far as it is traced.
 struct PartialTruth {
-  MeshChoice mesh;
-  std::shared_ptr<const SampleGrid> samples;
+  study::MeshChoice mesh;
+  std::shared_ptr<const surface::SampleGrid> samples;
   Mask mask;                         ///< Shade::none where nothing was traced yet
   Mask preview;                      ///< to look at: every pixel has the nearest answer
   std::vector<std::uint8_t> traced;  ///< one a sample, 1 where it was asked
@@ -79,14 +79,14 @@ struct PartialTruth {
 /// Horizons that were asked for.
 struct ShotAngles {
   std::string label;
-  ContentKey key;  ///< as the request's
-  AngleTable table;
+  cache::ContentKey key;  ///< as the request's
+  horizon::AngleTable table;
 };
 
 /// One of these is there, or several.
 struct TruthResult {
   std::optional<PartialTruth> truth;
-  std::optional<Image> picture;  ///< the displaced surface by its own rays, perhaps smaller
+  std::optional<image::Image> picture;  ///< the displaced surface by its own rays, perhaps smaller
   std::shared_ptr<const CurvaturePicture> curvature;
   std::optional<ShotAngles> angles;
   std::shared_ptr<const TracedMesh> traced;  ///< what it was traced on
@@ -104,10 +104,10 @@ class TruthTracer {
   void publish(const Worker::Job& job, TruthResult result) const;
 
   /// The order in which a view is traced, kept while only the light moves.
-  const ProgressiveOrder& orderOf(const std::shared_ptr<const SampleGrid>& samples);
+  const ProgressiveOrder& orderOf(const std::shared_ptr<const surface::SampleGrid>& samples);
 
   std::shared_ptr<const TracedMesh> traced_;
-  std::vector<std::pair<std::shared_ptr<const SampleGrid>, ProgressiveOrder>> orders_;
+  std::vector<std::pair<std::shared_ptr<const surface::SampleGrid>, ProgressiveOrder>> orders_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

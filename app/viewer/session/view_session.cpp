@@ -8,11 +8,11 @@
 #include "common/error.h"
 #include "render/gl_context.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 std::function<void(const SceneRequest&, const BackgroundWorker<SceneRequest, SceneResult>::Job&)>
-sceneWork(const ViewRequest& asked) {
+sceneWork(const cli::ViewRequest& asked) {
   return [maker = std::make_shared<SceneMaker>(asked.study, asked.tryMethod)](
              const SceneRequest& request, const auto& job) {
     SceneResult result;
@@ -39,10 +39,11 @@ bool sameCamera(const Camera& a, const Camera& b) {
 
 }  // namespace
 
-ViewSession::ViewSession(const ViewRequest& request, const std::function<void()>& wake)
+ViewSession::ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake)
     : request_(request),
-      shaders_(shaderFolder()),
-      opened_(std::make_shared<const StudySpec>(readStudy(request.study, optionsOf(request)))),
+      shaders_(render::shaderFolder()),
+      opened_(std::make_shared<const study::StudySpec>(
+          study::readStudy(request.study, optionsOf(request)))),
       numbers_(numbersOf(request)),
       labels_(labelsOf(*opened_)),
       state_(firstView(*opened_, request_, labels_)),
@@ -64,8 +65,8 @@ void ViewSession::resetView() {
   state_.light = first.light;
 }
 
-StudyOptions ViewSession::shownOptions() const {
-  StudyOptions options = request_.options;
+study::StudyOptions ViewSession::shownOptions() const {
+  study::StudyOptions options = request_.options;
   const std::vector<std::string> changes =
       overridesOf(state_.changes, request_.study, request_.options);
   options.overrides.insert(options.overrides.end(), changes.begin(), changes.end());
@@ -74,7 +75,7 @@ StudyOptions ViewSession::shownOptions() const {
 
 void ViewSession::askForScene() {
   const std::vector<std::string> shown = shownMethods(state_);
-  const StudyOptions options = shownOptions();
+  const study::StudyOptions options = shownOptions();
   const std::string asked =
       fmt::format("{}\n{}\n{}\n{}", fmt::join(options.overrides, "\n"), fmt::join(shown, "\n"),
                   shaderVersion_, state_.overlays.directions);
@@ -153,8 +154,8 @@ std::vector<AnglesRequest> ViewSession::missingAngles() const {
   std::vector<AnglesRequest> missing;
   for (const auto& [label, method] : scene()->methods) {
     if (!scene_.lacksAngles(label)) continue;
-    const RenderView& plane = scene_.mesh(method->mesh).texture;
-    requireTextureView(plane);
+    const render::RenderView& plane = scene_.mesh(method->mesh).texture;
+    render::requireTextureView(plane);
     missing.push_back({label,
                        scene_.anglesKey(*method),
                        method->spec.bake,
@@ -170,16 +171,16 @@ void ViewSession::askForTruth() {
   TruthRequest wanted;
   bool wantsPicture = false;
   std::string asked = scene()->keys.truth.text();
-  std::set<MeshChoice> meshes;
+  std::set<study::MeshChoice> meshes;
   for (int i = 0; i < state_.paneCount; ++i) {
     const PaneContent& content = state_.panes.at(static_cast<std::size_t>(i));
     if (content.shown == displacedSurface) wantsPicture = true;
     const auto mesh = PanePictures::meshOf(scene_, content);
     if (mesh && needsTruth(content)) meshes.insert(*mesh);
   }
-  const MeshChoice standard = scene()->standardMesh();
+  const study::MeshChoice standard = scene()->standardMesh();
   if (state_.overlays.curvature || state_.overlays.section) meshes.insert(standard);
-  for (const MeshChoice& mesh : meshes) {
+  for (const study::MeshChoice& mesh : meshes) {
     asked += fmt::format("\n{} {} {}", static_cast<int>(mesh.kind), mesh.base.subdivisions,
                          static_cast<int>(mesh.base.curvature));
   }
@@ -189,10 +190,11 @@ void ViewSession::askForTruth() {
   }
   if (asked == askedTruth_) return;
   askedTruth_ = asked;
-  for (const MeshChoice& mesh : meshes) {
+  for (const study::MeshChoice& mesh : meshes) {
     auto& grid = grids_[mesh];
     if (!grid) {
-      grid = std::make_shared<const SampleGrid>(pictures_.samplesOf(scene_, mesh, state_.camera));
+      grid = std::make_shared<const surface::SampleGrid>(
+          pictures_.samplesOf(scene_, mesh, state_.camera));
     }
     const auto known = truth_.truths.find(mesh);
     const bool whole = !truth_.stale && known != truth_.truths.end() && known->second.share() == 1;
@@ -254,7 +256,7 @@ bool ViewSession::update() {
   }
   takeTruths();
   const bool drawn = pictures_.draw(scene_, state_, truth_, serial_);
-  throwOnGlError("drawing the panes");
+  render::throwOnGlError("drawing the panes");
   return drawn;
 }
 
@@ -289,7 +291,7 @@ std::optional<Mask> ViewSession::maskOf(std::size_t pane) {
   return pictures_.maskOf(scene_, state_, truth_, state_.panes.at(pane));
 }
 
-const SampleGrid* ViewSession::samples() const {
+const surface::SampleGrid* ViewSession::samples() const {
   if (!hasScene()) return nullptr;
   const auto found = grids_.find(scene()->standardMesh());
   return found == grids_.end() ? nullptr : found->second.get();
@@ -304,4 +306,4 @@ std::vector<std::string> ViewSession::errors() const {
   return lines;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

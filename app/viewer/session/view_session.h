@@ -15,7 +15,7 @@
 #include "viewer/session/truth_worker.h"
 #include "viewer/session/view_state.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A scene that was asked for, or why there is none.
 struct SceneResult {
@@ -30,7 +30,7 @@ class ViewSession {
   /// Reads the study, and waits for nothing else.
   /// @param wake  called from other threads when there is something new
   /// @throws InputError as readStudy, UsageError for contents that are none
-  ViewSession(const ViewRequest& request, const std::function<void()>& wake);
+  ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake);
 
   ViewState& state() { return state_; }
   [[nodiscard]] const ViewState& state() const { return state_; }
@@ -45,15 +45,15 @@ class ViewSession {
   [[nodiscard]] bool hasScene() const { return scene_.data() != nullptr; }
 
   [[nodiscard]] const SceneData* scene() const { return scene_.data(); }
-  [[nodiscard]] const StudySpec& study() const {
+  [[nodiscard]] const study::StudySpec& study() const {
     return hasScene() ? *scene_.data()->study : *opened_;
   }
   /// The study as it was opened, before any slider.
-  [[nodiscard]] const StudySpec& opened() const { return *opened_; }
+  [[nodiscard]] const study::StudySpec& opened() const { return *opened_; }
   [[nodiscard]] const StudyNumbers& numbers() const { return numbers_; }
   /// Back to the camera and light that the window opened with.
   void resetView();
-  [[nodiscard]] const ViewRequest& request() const { return request_; }
+  [[nodiscard]] const cli::ViewRequest& request() const { return request_; }
   [[nodiscard]] const PanePicture& pane(std::size_t index) const { return pictures_.pane(index); }
   /// Share of the truth that is traced for a pane, 0 to 1.
   [[nodiscard]] double tracedShare(std::size_t pane) const;
@@ -66,14 +66,14 @@ class ViewSession {
   /// Labels of all methods, the study's own first.
   [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
   /// The pixels of the study's base mesh, and the curvature there, once the camera rests.
-  [[nodiscard]] const SampleGrid* samples() const;
+  [[nodiscard]] const surface::SampleGrid* samples() const;
   [[nodiscard]] const std::shared_ptr<const CurvaturePicture>& curvature() const {
     return curvature_;
   }
   [[nodiscard]] const TracedMesh* traced() const { return traced_.get(); }
   [[nodiscard]] std::uint64_t serial() const { return serial_; }
   /// The options that read the study as it is shown, sliders included.
-  [[nodiscard]] StudyOptions shownOptions() const;
+  [[nodiscard]] study::StudyOptions shownOptions() const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -88,9 +88,9 @@ class ViewSession {
   void reloadShaders();
   [[nodiscard]] std::vector<AnglesRequest> missingAngles() const;
 
-  ViewRequest request_;
+  cli::ViewRequest request_;
   std::filesystem::path shaders_;
-  std::shared_ptr<const StudySpec> opened_;
+  std::shared_ptr<const study::StudySpec> opened_;
   StudyNumbers numbers_;
   std::vector<std::string> labels_;
   ViewState state_;
@@ -109,7 +109,8 @@ class ViewSession {
   Clock::time_point cameraMoved_;
 
   KnownTruth truth_;
-  std::map<MeshChoice, std::shared_ptr<const SampleGrid>> grids_;  ///< of the camera at rest
+  std::map<study::MeshChoice, std::shared_ptr<const surface::SampleGrid>>
+      grids_;  ///< of the camera at rest
   std::shared_ptr<const CurvaturePicture> curvature_;
   std::shared_ptr<const TracedMesh> traced_;
   std::string askedTruth_;
@@ -120,4 +121,4 @@ class ViewSession {
   BackgroundWorker<TruthRequest, TruthResult> tracer_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

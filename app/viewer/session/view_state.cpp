@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 namespace {
 
@@ -69,4 +69,4 @@ bool needsTruth(const PaneContent& content) {
   return content.shown != displacedSurface;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -10,7 +10,7 @@
 #include "model/light_angles.h"
 #include "model/saved_study.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// All that a person chooses in the window, as a value.
 
@@ -80,4 +80,4 @@ std::vector<std::string> shownMethods(const ViewState& state);
 /// Whether a pane needs the truth.
 bool needsTruth(const PaneContent& content);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -9,7 +9,7 @@
 #include "viewer/panes/gui.h"
 #include "viewer/panes/pane_labels.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 void heading(const char* text) {
@@ -176,7 +176,7 @@ void ControlPanel::surface(ViewSession& session) {
 
 void ControlPanel::tables(ViewSession& session) {
   BakeChange& bake = session.state().changes.bake;
-  const BakeSpec& opened = session.opened().bake;
+  const study::BakeSpec& opened = session.opened().bake;
   heading("Tables");
   int azimuths = bake.azimuths.value_or(opened.settings.azimuths);
   if (slider("azimuths", "bake.azimuths", azimuths, 1, 128)) bake.azimuths = azimuths;
@@ -315,4 +315,4 @@ void drawWaiting(const ViewSession& session, const WindowLayout& layout) {
                                           text.c_str());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -9,7 +9,7 @@
 #include "viewer/session/view_session.h"
 #include "viewer/window/frame_log.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What a person asks to be written.
 struct SaveActions {
@@ -56,4 +56,4 @@ void drawErrors(const ViewSession& session, const WindowLayout& layout);
 /// What is still missing before there is a first picture.
 void drawWaiting(const ViewSession& session, const WindowLayout& layout);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

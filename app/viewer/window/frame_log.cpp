@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gnomon {
+namespace gnomon::app {
 
 void FrameLog::end(bool drawn) {
   const double spent = std::chrono::duration<double, std::milli>(Clock::now() - begin_).count();
@@ -25,4 +25,4 @@ std::string FrameLog::text() const {
                      count_, meanMilliseconds(), 1000 / meanMilliseconds(), longest_);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

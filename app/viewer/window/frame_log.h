@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// How long frames take, from the moment that input is read until the picture is handed over.
 class FrameLog {
@@ -29,4 +29,4 @@ class FrameLog {
   std::size_t count_ = 0;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -12,7 +12,7 @@
 #include "model/orbit.h"
 #include "viewer/panes/gui.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// Keys and what they do.
@@ -192,4 +192,4 @@ void drawKeyList(const WindowLayout& layout) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -4,7 +4,7 @@
 #include "viewer/session/view_session.h"
 #include "viewer/window/controls.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What keys ask for beside changes of the state.
 struct InputActions {
@@ -36,4 +36,4 @@ class Input {
 /// The list of keys, over everything.
 void drawKeyList(const WindowLayout& layout);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

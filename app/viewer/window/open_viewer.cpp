@@ -23,7 +23,7 @@
 #include "viewer/window/status_file.h"
 #include "viewer/window/window.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// Everything that a frame draws, the same in a window and without one.
@@ -72,8 +72,8 @@ SaveActions both(const SaveActions& a, const SaveActions& b) {
 
 /// The frame that Dear ImGui describes, drawn by itself: a window's own pixels may lack the alpha
 /// and round what is blended another way, and a picture must not depend on the window.
-Image pictureOf(const Gui& gui, int width, int height) {
-  const Target target(width, height, {GL_RGBA8});
+image::Image pictureOf(const Gui& gui, int width, int height) {
+  const render::Target target(width, height, {GL_RGBA8});
   target.bind();
   gui.draw(width, height);
   return {width, height, target.read<std::uint8_t>(0, GL_RGB, GL_UNSIGNED_BYTE, 3)};
@@ -100,7 +100,7 @@ std::string answerOf(const Save& save) {
   }
 }
 
-void runWindow(const ViewRequest& request) {
+void runWindow(const cli::ViewRequest& request) {
   Window window(request.width, request.height, "Gnomon");
   const Gui gui;
   const WindowInput windowInput(window);
@@ -144,8 +144,8 @@ void runWindow(const ViewRequest& request) {
   if (request.frames) fmt::print("{}\n", frames.text());
 }
 
-void takeScreenshot(const ViewRequest& request) {
-  const GlContext context;
+void takeScreenshot(const cli::ViewRequest& request) {
+  const render::GlContext context;
   const Gui gui;
   ViewSession session(request, [] {});
   Screen screen(session);
@@ -165,20 +165,20 @@ void takeScreenshot(const ViewRequest& request) {
   }
   session.update();
   const int under = paneUnder(screen.layout(), {cursor.x, cursor.y}, session.state().wipe);
-  Image picture;
+  image::Image picture;
   // Twice: Dear ImGui knows the size of some things only in the second frame.
   for (int frame = 0; frame < 2; ++frame) {
     gui.beginWithoutWindow(request.width, request.height, cursor);
     screen.describe(frames, {}, std::max(0, under));
     picture = pictureOf(gui, request.width, request.height);
   }
-  writePng(*request.screenshot, picture);
+  image::writePng(*request.screenshot, picture);
   StatusFile(request.status).write(session, screen.controls().places(), frames, {});
 }
 
 }  // namespace
 
-ExitStatus openViewer(const ViewRequest& request) {
+ExitStatus openViewer(const cli::ViewRequest& request) {
   if (request.screenshot) {
     takeScreenshot(request);
   } else {
@@ -187,4 +187,4 @@ ExitStatus openViewer(const ViewRequest& request) {
   return ExitStatus::pass;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -2,13 +2,13 @@
 
 #include "cli/view_request.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// Shows a study in a window until it is closed; or, for a screenshot, renders the window's content
 /// without a display and leaves.
 /// @throws NoGlError where there is no display or no OpenGL 4.5, InputError as readStudy,
 /// UsageError
 ///   for contents that are none
-ExitStatus openViewer(const ViewRequest& request);
+ExitStatus openViewer(const cli::ViewRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -10,7 +10,7 @@
 #include "study/spec/file_names.h"
 #include "viewer/window/status_file.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace fs = std::filesystem;
 namespace {
 
@@ -47,9 +47,9 @@ std::string saveStudyView(const ViewSession& session) {
   return fmt::format("saved {}", path.string());
 }
 
-std::string savePicture(const ViewSession& session, const Image& picture) {
+std::string savePicture(const ViewSession& session, const image::Image& picture) {
   const fs::path path = freePath(session, ".png");
-  writePng(path, picture);
+  image::writePng(path, picture);
   return fmt::format("saved {}", path.string());
 }
 
@@ -59,11 +59,12 @@ std::string saveMasks(ViewSession& session) {
     const auto mask = session.maskOf(i);
     if (!mask) continue;
     const std::string shown = sourceText(session.state().panes.at(i).shown);
-    const fs::path path = freePath(session, fmt::format("_{}.png", fileNames({shown}).front()));
-    writePng(path, maskImage(*mask));
+    const fs::path path =
+        freePath(session, fmt::format("_{}.png", study::fileNames({shown}).front()));
+    image::writePng(path, image::maskImage(*mask));
     said += fmt::format("{}saved {}", said.empty() ? "" : "\n", path.string());
   }
   return said.empty() ? "no pane shows a mask" : said;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

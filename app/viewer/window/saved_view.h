@@ -6,7 +6,7 @@
 #include "image/image.h"
 #include "viewer/session/view_session.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What a person saves from the window: `OUT/NAME/view/view-N…`, N the first number that is free.
 
@@ -16,9 +16,9 @@ namespace gnomon {
 std::string saveStudyView(const ViewSession& session);
 
 /// The window's content.
-std::string savePicture(const ViewSession& session, const Image& picture);
+std::string savePicture(const ViewSession& session, const image::Image& picture);
 
 /// The masks of the panes that show one.
 std::string saveMasks(ViewSession& session);
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -5,12 +5,12 @@
 #include "common/files/atomic_file.h"
 #include "report/json/json_values.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 using nlohmann::json;
 
-json valueOf(const Metric& metric) {
+json valueOf(const compare::Metric& metric) {
   return metric.value ? json(*metric.value) : json(nullptr);
 }
 
@@ -59,7 +59,7 @@ json screen(const ViewSession& session) {
 }  // namespace
 
 std::string screenJson(const ViewSession& session) {
-  return jsonText(screen(session));
+  return report::jsonText(screen(session));
 }
 
 void StatusFile::write(const ViewSession& session, const ControlPlaces& places,
@@ -70,12 +70,12 @@ void StatusFile::write(const ViewSession& session, const ControlPlaces& places,
   status["said"] = said;
   status["baking"] = workOf(session.baking());
   status["tracing"] = workOf(session.tracing());
-  const std::string now = jsonText(status);
+  const std::string now = report::jsonText(status);
   if (now == last_) return;
   last_ = now;
   status["frames"] = {{"mean_ms", frames.meanMilliseconds()},
                       {"longest_ms", frames.longestMilliseconds()}};
-  writeTextAtomically(*path_, jsonText(status));
+  writeTextAtomically(*path_, report::jsonText(status));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -9,7 +9,7 @@
 #include "viewer/window/controls.h"
 #include "viewer/window/frame_log.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// What is on the screen, as JSON: panes with their figures, light, camera, what is under way.
 std::string screenJson(const ViewSession& session);
@@ -28,4 +28,4 @@ class StatusFile {
   std::string last_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "common/text/one_line.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 std::string lastError() {
@@ -102,4 +102,4 @@ void Window::wake() {
   glfwPostEmptyEvent();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -6,7 +6,7 @@
 
 struct GLFWwindow;
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A window with an OpenGL 4.5 core context, current on the thread that made it.
 class Window {
@@ -42,4 +42,4 @@ class Window {
   std::vector<int> keys_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

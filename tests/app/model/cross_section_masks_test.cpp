@@ -11,7 +11,7 @@
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 using test::lightToward;
@@ -22,11 +22,11 @@ using test::shareShadowed;
 using LitInSection = std::function<bool(const SectionHorizons&)>;
 
 /// Share of a view's samples where the section and the shader differ.
-double differingShare(const RenderScene& scene, const RenderView& view, const std::string& method,
-                      const LitInSection& verdict) {
+double differingShare(const RenderScene& scene, const render::RenderView& view,
+                      const std::string& method, const LitInSection& verdict) {
   const SectionTables tables{scene.horizon, scene.distance, scene.tables};
   const Vec3 light = lightToward(50, 30);
-  const SampleGrid samples = scene.samples(view);
+  const surface::SampleGrid samples = scene.samples(view);
   const Mask mask = scene.test(method, view, light);
   EXPECT_GT(shareShadowed(mask), 0.1);
   EXPECT_LT(shareShadowed(mask), 0.9);
@@ -54,7 +54,7 @@ bool exact(const SectionHorizons& at) {
 }
 
 /// The base mesh is so fine that its frames are the limit surface's but for rounding.
-void expectAgreement(const RenderScene& scene, const RenderView& view) {
+void expectAgreement(const RenderScene& scene, const render::RenderView& view) {
   EXPECT_LT(differingShare(scene, view, "max-forsyth", flat), 1e-3);
   EXPECT_LT(differingShare(scene, view, "onoue-2003", of2003), 1e-3);
   EXPECT_LT(differingShare(scene, view, "onoue-2004", of2004), 1e-3);
@@ -65,17 +65,19 @@ void expectAgreement(const RenderScene& scene, const RenderView& view) {
 }
 
 TEST(CrossSection, SaysOfEveryPixelWhatTheShaderAnswers) {
-  const GlContext gl;
-  for (const HeightSpace space : {HeightSpace::world, HeightSpace::texture}) {
-    Relief relief = randomRelief(64, 32, 2, 21);
+  const render::GlContext gl;
+  for (const relief::HeightSpace space :
+       {relief::HeightSpace::world, relief::HeightSpace::texture}) {
+    relief::Relief relief = randomRelief(64, 32, 2, 21);
     relief.space = space;
-    const RenderScene scene(makeTorus(30, 10, 96, 66), relief, {16, 6}, TableBits::sixteen, 6);
-    expectAgreement(scene, atlasView(scene.surface, 1));
+    const RenderScene scene(surface::makeTorus(30, 10, 96, 66), relief, {16, 6},
+                            horizon::TableBits::sixteen, 6);
+    expectAgreement(scene, render::atlasView(scene.surface, 1));
   }
 }
 
 /// z = 0.005 (x² + y²), 96 wide: a surface on which the 2003 paper falls back to the flat horizon.
-Cage bowl() {
+surface::Cage bowl() {
   const std::array<double, 4> square = {2304, -768, -768, 2304};  // the blossoms of x²
   std::array<Vec3, 16> points{};
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -83,17 +85,18 @@ Cage bowl() {
                     -48 + 32.0 * static_cast<double>(k / 4),
                     0.005 * (square.at(k % 4) + square.at(k / 4))};
   }
-  return makeBezier(points, 48, 48);
+  return surface::makeBezier(points, 48, 48);
 }
 
 TEST(CrossSection, SaysInABowlWhatTheShaderAnswers) {
-  const GlContext gl;
-  const Relief relief{makeColumns(96, 96, {32, 8, 1}, 8, Wrap::clamp), HeightSpace::world, Vec2(1)};
-  const RenderScene scene(bowl(), relief, {16, 24}, TableBits::sixteen, 4);
-  const RenderView view = atlasView(scene.surface, 1);
+  const render::GlContext gl;
+  const relief::Relief relief{relief::makeColumns(96, 96, {32, 8, 1}, 8, relief::Wrap::clamp),
+                              relief::HeightSpace::world, Vec2(1)};
+  const RenderScene scene(bowl(), relief, {16, 24}, horizon::TableBits::sixteen, 4);
+  const render::RenderView view = render::atlasView(scene.surface, 1);
   expectAgreement(scene, view);
   EXPECT_GT(differingShare(scene, view, "onoue-2003", of2004), 0.01);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

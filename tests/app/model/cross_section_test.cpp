@@ -7,7 +7,7 @@
 
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 using test::flatRelief;
@@ -17,19 +17,19 @@ using test::sampleAt;
 using test::stepRelief;
 
 /// A wall 6 high whose top lies between x = 28.5 and 31.5, on a plane of one world unit a texel.
-Relief wall() {
+relief::Relief wall() {
   return stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; });
 }
 
-CrossSection sectionAt(const LimitSurface& surface, const Relief& relief, Vec2 texel,
-                       const Vec3& light) {
+CrossSection sectionAt(const surface::LimitSurface& surface, const relief::Relief& relief,
+                       Vec2 texel, const Vec3& light) {
   return crossSection(surface, relief, sampleAt(surface, relief, texel), light).value();
 }
 
 /// Figure 1 on a plane: all corrections vanish, and the wall hides the light below 6 / distance.
 TEST(CrossSection, OfAWallOnAPlaneIsFlatAndItsHorizonTheWallsTop) {
-  const LimitSurface surface(makePlane(96, 32, 12, 4));
-  const Relief relief = wall();
+  const surface::LimitSurface surface(surface::makePlane(96, 32, 12, 4));
+  const relief::Relief relief = wall();
   for (const double azimuth : {0.0, 25.0, -40.0}) {
     const double far = (60.25 - 31.5) / std::cos(radians(azimuth));
     const double top = std::atan(6 / far) * 180 / pi;
@@ -54,7 +54,7 @@ TEST(CrossSection, OfAWallOnAPlaneIsFlatAndItsHorizonTheWallsTop) {
       // Bent onto no circle, the profile is itself.
       ASSERT_EQ(section.bentRelief.size(), section.profile.points.size());
       for (std::size_t k = 0; k < section.bentRelief.size(); ++k) {
-        const ProfilePoint& point = section.profile.points[k];
+        const horizon::ProfilePoint& point = section.profile.points[k];
         EXPECT_NEAR(section.bentRelief[k].x, point.distance, 1e-4);
         EXPECT_NEAR(section.bentRelief[k].y, point.height, 1e-6);
       }
@@ -68,9 +68,9 @@ TEST(CrossSection, OfAWallOnAPlaneIsFlatAndItsHorizonTheWallsTop) {
 
 /// Heights in texels: a = σ on an even map, so that slopes in the world are those of the map.
 TEST(CrossSection, MeasuresHeightsInTexelsWhereTheReliefDoes) {
-  const LimitSurface surface(makePlane(48, 16, 12, 4));
-  Relief relief = wall();
-  relief.space = HeightSpace::texture;
+  const surface::LimitSurface surface(surface::makePlane(48, 16, 12, 4));
+  relief::Relief relief = wall();
+  relief.space = relief::HeightSpace::texture;
   const CrossSection section = sectionAt(surface, relief, {60, 16}, lightToward(180, 20));
   EXPECT_NEAR(section.worldPerTexel, 0.5, 1e-6);
   EXPECT_NEAR(section.worldPerHeight, 0.5, 1e-6);
@@ -82,8 +82,8 @@ TEST(CrossSection, MeasuresHeightsInTexelsWhereTheReliefDoes) {
 /// Figure 2 on a sphere, where the osculating circle is the section itself.
 TEST(CrossSection, OnASphereLiesOnTheSphere) {
   constexpr double radius = 80;
-  const LimitSurface surface(makeSphere(radius, 1, 1, 32, 32));
-  const Relief relief = randomRelief(64, 64, 4, 3);
+  const surface::LimitSurface surface(surface::makeSphere(radius, 1, 1, 32, 32));
+  const relief::Relief relief = randomRelief(64, 64, 4, 3);
   for (const Vec3& light : {lightToward(20, 35), lightToward(140, 60), lightToward(290, 20)}) {
     const CrossSection section = sectionAt(surface, relief, {33.3, 35.8}, light);
     EXPECT_NEAR(section.curvature, 1 / radius, 1e-3 / radius);
@@ -119,8 +119,9 @@ TEST(CrossSection, OnASphereLiesOnTheSphere) {
 TEST(CrossSection, FromAPinSeesTheBareSpheresHorizon) {
   constexpr double radius = 60;
   constexpr double height = 5;
-  const LimitSurface surface(makeSphere(radius, 1.35, 1.35, 81, 81));
-  const Relief relief = stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; });
+  const surface::LimitSurface surface(surface::makeSphere(radius, 1.35, 1.35, 81, 81));
+  const relief::Relief relief =
+      stepRelief(81, 81, height, [](int i, int j) { return i == 40 && j == 40; });
   const double dip = std::acos(radius / (radius + height)) * 180 / pi;
   for (const double offset : {-0.05, 0.05}) {
     const CrossSection section =
@@ -135,9 +136,9 @@ TEST(CrossSection, FromAPinSeesTheBareSpheresHorizon) {
 
 TEST(CrossSection, WhereTheSurfaceIsConcaveIsBentUpward) {
   // The inside of a torus' hole is saddle-shaped: concave along one direction.
-  const LimitSurface surface(makeTorus(30, 10, 96, 66));
-  const Relief relief = flatRelief(96, 66);
-  const SurfaceSample inner = sampleAt(surface, relief, {48, 0.5});
+  const surface::LimitSurface surface(surface::makeTorus(30, 10, 96, 66));
+  const relief::Relief relief = flatRelief(96, 66);
+  const surface::SurfaceSample inner = sampleAt(surface, relief, {48, 0.5});
   const auto section = crossSection(surface, relief, inner, lightToward(0, 20)).value();
   ASSERT_LT(section.curvature, 0);
   EXPECT_GT(section.bentGround.back().y, 0);
@@ -146,8 +147,8 @@ TEST(CrossSection, WhereTheSurfaceIsConcaveIsBentUpward) {
 }
 
 TEST(CrossSection, IsAbsentWithoutASampleAndFiniteUnderAZenithLight) {
-  const LimitSurface surface(makePlane(96, 32, 12, 4));
-  const Relief relief = wall();
+  const surface::LimitSurface surface(surface::makePlane(96, 32, 12, 4));
+  const relief::Relief relief = wall();
   EXPECT_FALSE(crossSection(surface, relief, {}, Vec3(0, 0, 1)));
   const CrossSection section = sectionAt(surface, relief, {60, 16}, Vec3(0, 0, 1));
   EXPECT_FALSE(section.here.onoue2004);
@@ -170,4 +171,4 @@ TEST(OsculatingCircle, TendsToTheFlatReliefAndKeepsItsRadius) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

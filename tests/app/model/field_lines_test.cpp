@@ -6,7 +6,7 @@
 
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 using test::lightToward;
@@ -18,7 +18,7 @@ Vec3 directionOf(const LineSegment& line) {
 
 TEST(PrincipalLines, OfACylinderRunRoundAndAlongIt) {
   constexpr double radius = 20;
-  const LimitSurface surface(makeCylinder(radius, 2, 30, 24, 10));
+  const surface::LimitSurface surface(surface::makeCylinder(radius, 2, 30, 24, 10));
   const LineSettings settings{2, 0.5, 0.1};
   const PrincipalLines lines = principalLines(surface, settings);
   ASSERT_EQ(lines.larger.size(), 24U * 10 * 4);
@@ -36,7 +36,7 @@ TEST(PrincipalLines, OfACylinderRunRoundAndAlongIt) {
 }
 
 TEST(PrincipalLines, OfATorusAreOrthogonalAndTangential) {
-  const LimitSurface surface(makeTorus(30, 10, 96, 66));
+  const surface::LimitSurface surface(surface::makeTorus(30, 10, 96, 66));
   const PrincipalLines lines = principalLines(surface, {1, 0.6, 0.02});
   EXPECT_EQ(lines.larger.size(), 96U * 66);
   for (std::size_t k = 0; k < lines.larger.size(); ++k) {
@@ -49,19 +49,21 @@ TEST(PrincipalLines, OfATorusAreOrthogonalAndTangential) {
 }
 
 TEST(PrincipalLines, AreAbsentWhereEveryDirectionIsPrincipal) {
-  EXPECT_TRUE(principalLines(LimitSurface(makePlane(40, 40, 8, 8))).larger.empty());
-  EXPECT_TRUE(principalLines(LimitSurface(makeSphere(30, 1.4, 1.4, 24, 24))).larger.empty());
+  EXPECT_TRUE(
+      principalLines(surface::LimitSurface(surface::makePlane(40, 40, 8, 8))).larger.empty());
+  EXPECT_TRUE(principalLines(surface::LimitSurface(surface::makeSphere(30, 1.4, 1.4, 24, 24)))
+                  .larger.empty());
 }
 
 TEST(CurvatureField, FollowsEulersFormulaOnACylinder) {
   constexpr double radius = 20;
-  const LimitSurface surface(makeCylinder(radius, 2, 30, 24, 10));
-  const SampleGrid samples = samplesOfAllFaces(surface, 2);
+  const surface::LimitSurface surface(surface::makeCylinder(radius, 2, 30, 24, 10));
+  const surface::SampleGrid samples = samplesOfAllFaces(surface, 2);
   const Vec3 light = lightToward(25, 40);
   const CurvatureField field = curvatureAlong(surface, samples, light);
   for (std::size_t i = 0; i < samples.samples.size(); ++i) {
     ASSERT_EQ(field.defined[i], 1);
-    const SurfaceSample& sample = samples.samples[i];
+    const surface::SurfaceSample& sample = samples.samples[i];
     const Vec3 at = surface.evaluate(sample).position;
     const Vec3 round = glm::normalize(Vec3(at.z, 0, -at.x));
     const double along = light.y;
@@ -73,8 +75,8 @@ TEST(CurvatureField, FollowsEulersFormulaOnACylinder) {
 }
 
 TEST(CurvatureField, IsZeroAndSaysSoWhereItHasNoMeaning) {
-  const LimitSurface plane(makePlane(40, 40, 4, 4));
-  SampleGrid samples = samplesOfAllFaces(plane, 1);
+  const surface::LimitSurface plane(surface::makePlane(40, 40, 4, 4));
+  surface::SampleGrid samples = samplesOfAllFaces(plane, 1);
   samples.samples[3].face = -1;
   const CurvatureField zenith = curvatureAlong(plane, samples, Vec3(0, 0, 1));
   const CurvatureField slanted = curvatureAlong(plane, samples, lightToward(10, 45));
@@ -87,7 +89,7 @@ TEST(CurvatureField, IsZeroAndSaysSoWhereItHasNoMeaning) {
 }
 
 /// Relative luminance of linear light (Rec. 709), from sRGB.
-double luminance(const Rgb& colour) {
+double luminance(const image::Rgb& colour) {
   const auto linear = [](std::uint8_t c) {
     const double v = c / 255.0;
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -110,4 +112,4 @@ TEST(CurvatureColours, DivergeFromFlatAndGrowDarkerToBothEnds) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -4,12 +4,12 @@
 
 #include <random>
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 TEST(LightAngles, AreThoseOfTheLight) {
-  const LightSpec light{"evening", radians(165), radians(24)};
-  const LightSpec same = lightSpec(lightAngles(light));
+  const study::LightSpec light{"evening", radians(165), radians(24)};
+  const study::LightSpec same = lightSpec(lightAngles(light));
   EXPECT_EQ(same.azimuth, light.azimuth);
   EXPECT_EQ(same.elevation, light.elevation);
   EXPECT_EQ(same.name, "elevation 24° azimuth 165°");
@@ -41,4 +41,4 @@ TEST(LightDrag, WrapsRoundAndEndsAtThePoles) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

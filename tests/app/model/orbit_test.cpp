@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 Camera someCamera() {
@@ -89,4 +89,4 @@ TEST(Zoom, MultipliesTheDistanceWithinItsRange) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 constexpr int paneWidth = 40;
@@ -38,11 +38,11 @@ TEST(PaneFigures, OfAWholeTruthAreThoseOfTheComparison) {
   const Masks masks = randomMasks();
   const std::vector<std::uint8_t> all(paneSamples, 1);
   const PaneFigures figures = paneFigures(masks.candidate, masks.truth, all);
-  const Counts counts = countSamples(masks.candidate, masks.truth);
-  EXPECT_EQ(figures.errorRate.value, rate(counts, "error_rate").value);
-  EXPECT_EQ(figures.falseShadow.value, rate(counts, "false_shadow").value);
-  EXPECT_EQ(figures.falseLight.value, rate(counts, "false_light").value);
-  EXPECT_EQ(figures.iou.value, rate(counts, "iou").value);
+  const compare::Counts counts = compare::countSamples(masks.candidate, masks.truth);
+  EXPECT_EQ(figures.errorRate.value, compare::rate(counts, "error_rate").value);
+  EXPECT_EQ(figures.falseShadow.value, compare::rate(counts, "false_shadow").value);
+  EXPECT_EQ(figures.falseLight.value, compare::rate(counts, "false_light").value);
+  EXPECT_EQ(figures.iou.value, compare::rate(counts, "iou").value);
   EXPECT_EQ(figures.tracedShare, 1);
   EXPECT_GT(figures.errorRate.value.value(), 0.05);
 }
@@ -58,9 +58,9 @@ TEST(PaneFigures, OfAPartAreThoseOfThatPartAlone) {
     masks.truth.samples[i] = Shade::lit;  // whatever stands there
   }
   const PaneFigures figures = paneFigures(masks.candidate, masks.truth, traced);
-  const Counts counts = countSamples(part.candidate, part.truth);
-  EXPECT_EQ(figures.errorRate.value, rate(counts, "error_rate").value);
-  EXPECT_EQ(figures.iou.value, rate(counts, "iou").value);
+  const compare::Counts counts = compare::countSamples(part.candidate, part.truth);
+  EXPECT_EQ(figures.errorRate.value, compare::rate(counts, "error_rate").value);
+  EXPECT_EQ(figures.iou.value, compare::rate(counts, "iou").value);
   EXPECT_NEAR(figures.tracedShare, 0.25, 0.01);
   EXPECT_NEAR(figures.falseShadow.value.value() + figures.falseLight.value.value(),
               figures.errorRate.value.value(), 1e-15);
@@ -72,7 +72,8 @@ TEST(PaneFigures, CountAreasWhereTheyAreGiven) {
   std::vector<double> areas;
   for (std::size_t i = 0; i < paneSamples; ++i) areas.push_back(static_cast<double>(i % 7));
   EXPECT_EQ(paneFigures(masks.candidate, masks.truth, all, areas).errorRate.value,
-            rate(countSamples(masks.candidate, masks.truth, areas), "error_rate").value);
+            compare::rate(compare::countSamples(masks.candidate, masks.truth, areas), "error_rate")
+                .value);
 }
 
 TEST(PaneFigures, AreUndefinedBeforeAnythingIsTraced) {
@@ -96,4 +97,4 @@ TEST(PaneFigures, LeaveOutWhatTheTruthHasNoFrameForAndRefuseWhatOnlyTheMethodLea
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 TEST(Picking, FindsEveryPixelAtItsMiddle) {
@@ -29,7 +29,7 @@ TEST(Picking, EndsAtTheBorder) {
 }
 
 TEST(Picking, GivesTheSampleOfAPixel) {
-  SampleGrid grid{3, 2, std::vector<SurfaceSample>(6)};
+  surface::SampleGrid grid{3, 2, std::vector<surface::SurfaceSample>(6)};
   grid.samples[4] = {7, 0.25F, 0.75F};
   const auto sample = sampleUnder(grid, {1, 1});
   ASSERT_TRUE(sample);
@@ -42,4 +42,4 @@ TEST(Picking, GivesTheSampleOfAPixel) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

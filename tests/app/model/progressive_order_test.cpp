@@ -8,12 +8,12 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// A disc of samples, background about it.
-SampleGrid disc(int width, int height) {
-  SampleGrid grid{width, height, {}};
+surface::SampleGrid disc(int width, int height) {
+  surface::SampleGrid grid{width, height, {}};
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const double x = 2.0 * column / width - 1;
@@ -27,7 +27,7 @@ SampleGrid disc(int width, int height) {
 TEST(ProgressiveOrder, HasEverySampleOnce) {
   for (const auto& [width, height] : {std::pair{64, 64}, {97, 41}, {5, 3}, {1, 1}, {16, 130}}) {
     for (const int coarsest : {1, 4, 16}) {
-      const SampleGrid grid = disc(width, height);
+      const surface::SampleGrid grid = disc(width, height);
       std::vector<std::uint32_t> expected;
       for (std::uint32_t i = 0; i < grid.samples.size(); ++i) {
         if (grid.samples[i].face >= 0) expected.push_back(i);
@@ -41,7 +41,7 @@ TEST(ProgressiveOrder, HasEverySampleOnce) {
 }
 
 TEST(ProgressiveOrder, RisesInResolutionLevelByLevel) {
-  const SampleGrid grid = disc(90, 70);
+  const surface::SampleGrid grid = disc(90, 70);
   const ProgressiveOrder order = progressiveOrder(grid);
   ASSERT_EQ(order.levelEnds.size(), 5U);
   std::size_t begin = 0;
@@ -64,7 +64,9 @@ TEST(ProgressiveOrder, RisesInResolutionLevelByLevel) {
 /// Sixteen in a row, what a packet of rays takes, lie close together: in at most three tiles beside
 /// each other. Row by row they would span 64 columns.
 TEST(ProgressiveOrder, KeepsNeighboursTogether) {
-  SampleGrid grid{256, 256, std::vector<SurfaceSample>(256 * 256, SurfaceSample{0, 0.5F, 0.5F})};
+  surface::SampleGrid grid{
+      256, 256,
+      std::vector<surface::SurfaceSample>(256 * 256, surface::SurfaceSample{0, 0.5F, 0.5F})};
   const ProgressiveOrder order = progressiveOrder(grid);
   const std::size_t begin = order.levelEnds[3];  // the last level, stride 1
   double width = 0;
@@ -87,10 +89,10 @@ TEST(ProgressiveOrder, RefusesAStrideThatIsNoPowerOfTwo) {
   EXPECT_THROW(progressiveOrder(disc(8, 8), 0), InternalError);
 }
 
-Mask randomTruth(const SampleGrid& grid) {
+Mask randomTruth(const surface::SampleGrid& grid) {
   std::mt19937 random(4);
   Mask truth{grid.width, grid.height, {}};
-  for (const SurfaceSample& sample : grid.samples) {
+  for (const surface::SurfaceSample& sample : grid.samples) {
     truth.samples.push_back(!sample.isOnSurface() ? Shade::none
                             : random() % 2 == 0   ? Shade::lit
                                                   : Shade::shadowed);
@@ -106,7 +108,7 @@ std::vector<std::uint8_t> tracedUpTo(const ProgressiveOrder& order, std::size_t 
 }
 
 TEST(PreviewMask, IsTheTruthWhereTracedAndAllOfItInTheEnd) {
-  const SampleGrid grid = disc(70, 50);
+  const surface::SampleGrid grid = disc(70, 50);
   const Mask truth = randomTruth(grid);
   const ProgressiveOrder order = progressiveOrder(grid);
   for (const std::size_t end : {order.levelEnds[1], order.levelEnds[3] + 17}) {
@@ -127,7 +129,8 @@ TEST(PreviewMask, IsTheTruthWhereTracedAndAllOfItInTheEnd) {
 /// With one level whole, each sample has the answer of the nearest node of its stride, by search
 /// over all of them.
 TEST(PreviewMask, OfAWholeLevelIsTheNearestTracedSample) {
-  const SampleGrid grid{61, 47, std::vector<SurfaceSample>(61 * 47, SurfaceSample{0, 0.5F, 0.5F})};
+  const surface::SampleGrid grid{
+      61, 47, std::vector<surface::SurfaceSample>(61 * 47, surface::SurfaceSample{0, 0.5F, 0.5F})};
   const Mask truth = randomTruth(grid);
   const ProgressiveOrder order = progressiveOrder(grid);
   const auto traced = tracedUpTo(order, order.levelEnds[2], truth.size());  // stride 4
@@ -153,4 +156,4 @@ TEST(PreviewMask, OfAWholeLevelIsTheNearestTracedSample) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -11,27 +11,27 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-bool sameCage(const Cage& a, const Cage& b) {
+bool sameCage(const surface::Cage& a, const surface::Cage& b) {
   return a.positions == b.positions && a.faceVertices == b.faceVertices && a.uvs == b.uvs &&
          a.faceUvs == b.faceUvs && a.creases.size() == b.creases.size() &&
          a.sharpVertices.size() == b.sharpVertices.size() && a.border == b.border &&
          a.scheme == b.scheme && a.grid.has_value() == b.grid.has_value();
 }
 
-bool sameRelief(const Relief& a, const Relief& b) {
+bool sameRelief(const relief::Relief& a, const relief::Relief& b) {
   return a.field.width() == b.field.width() && a.field.height() == b.field.height() &&
          a.field.texels() == b.field.texels() && a.field.wrap() == b.field.wrap() &&
          a.space == b.space && a.repeats == b.repeats;
 }
 
-bool sameBake(const BakeSpec& a, const BakeSpec& b) {
+bool sameBake(const study::BakeSpec& a, const study::BakeSpec& b) {
   return a.settings.azimuths == b.settings.azimuths &&
          a.settings.radiusTexels == b.settings.radiusTexels && a.bits == b.bits &&
          a.angleLimit == b.angleLimit;
@@ -42,23 +42,23 @@ bool sameCamera(const Camera& a, const Camera& b) {
          a.width == b.width && a.height == b.height;
 }
 
-bool sameView(const ViewSpec& a, const ViewSpec& b) {
+bool sameView(const study::ViewSpec& a, const study::ViewSpec& b) {
   if (a.name != b.name || a.kind.index() != b.kind.index()) return false;
-  if (const auto* atlas = std::get_if<AtlasSpec>(&a.kind)) {
-    return atlas->samplesPerSide == std::get<AtlasSpec>(b.kind).samplesPerSide;
+  if (const auto* atlas = std::get_if<study::AtlasSpec>(&a.kind)) {
+    return atlas->samplesPerSide == std::get<study::AtlasSpec>(b.kind).samplesPerSide;
   }
   return sameCamera(std::get<Camera>(a.kind), std::get<Camera>(b.kind));
 }
 
-bool sameMethod(MethodSpec a, MethodSpec b) {
+bool sameMethod(study::MethodSpec a, study::MethodSpec b) {
   // The same file, whatever the way to it.
   a.file = fs::canonical(a.file);
   b.file = fs::canonical(b.file);
-  return a.label == b.label && isSameMethod(a, b);
+  return a.label == b.label && study::isSameMethod(a, b);
 }
 
 /// All that is measured, to the bit.
-void expectSame(const StudySpec& a, const StudySpec& b) {
+void expectSame(const study::StudySpec& a, const study::StudySpec& b) {
   EXPECT_EQ(a.title, b.title);
   EXPECT_EQ(a.source, b.source);
   EXPECT_TRUE(sameCage(a.cage, b.cage));
@@ -92,10 +92,10 @@ TEST_F(SavedStudy, OfEverySceneReadsAsTheScene) {
     if (entry.path().extension() != ".toml") continue;
     SCOPED_TRACE(entry.path().filename().string());
     ++files;
-    const StudyPlan plan = readStudyPlan(entry.path());
+    const study::StudyPlan plan = study::readStudyPlan(entry.path());
     // Of a sweep its last step: one case.
-    StudyOptions options;
-    StudySpec expected = plan.steps.back();
+    study::StudyOptions options;
+    study::StudySpec expected = plan.steps.back();
     if (plan.sweep) {
       options.overrides.push_back(plan.sweep->keys.front().key + "=" +
                                   plan.sweep->cases.back().values.front().written);
@@ -103,7 +103,7 @@ TEST_F(SavedStudy, OfEverySceneReadsAsTheScene) {
     }
     const fs::path target = file(entry.path().filename().string());
     saveStudy({entry.path(), options, {}, {}, {}}, target);
-    const StudyPlan saved = readStudyPlan(target);
+    const study::StudyPlan saved = study::readStudyPlan(target);
     EXPECT_FALSE(saved.sweep);
     expectSame(expected, saved.steps.front());
     EXPECT_EQ(saved.name, entry.path().stem());
@@ -142,17 +142,17 @@ TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
   state.light = LightAngles{123.456, -3.2};
   saveStudy(state, file("a state of mine.toml"));
 
-  const StudySpec saved = readStudy(file("a state of mine.toml"));
+  const study::StudySpec saved = study::readStudy(file("a state of mine.toml"));
   EXPECT_EQ(saved.name, "a-state-of-mine");
   EXPECT_EQ(saved.relief.field.maximum(), 3.3F);
   EXPECT_EQ(saved.bake.settings.azimuths, 24);
   EXPECT_EQ(saved.bake.settings.radiusTexels, 40.5);
-  EXPECT_EQ(saved.bake.bits, TableBits::sixteen);
+  EXPECT_EQ(saved.bake.bits, horizon::TableBits::sixteen);
   EXPECT_EQ(saved.base.subdivisions, 3);
   ASSERT_EQ(saved.methods.size(), 2U);
   EXPECT_EQ(saved.methods[0].label, "onoue-2004");
   EXPECT_EQ(saved.methods[0].bake.settings.azimuths, 12);
-  EXPECT_EQ(saved.methods[0].bake.bits, TableBits::sixteen);
+  EXPECT_EQ(saved.methods[0].bake.bits, horizon::TableBits::sixteen);
   EXPECT_EQ(saved.methods[0].base.subdivisions, 2);
   EXPECT_EQ(saved.methods[1].parameters.at("steps"), 30);
   EXPECT_EQ(saved.methods[1].base.subdivisions, 3);
@@ -164,13 +164,13 @@ TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
   EXPECT_EQ(saved.lights[0].name, lightSpec(*state.light).name);
 
   // What is on the screen is what is saved.
-  StudyOptions options = state.options;
+  study::StudyOptions options = state.options;
   options.methods = state.methods;
-  StudySpec shown = readStudy(state.file, options);
+  study::StudySpec shown = study::readStudy(state.file, options);
   shown.views = saved.views;
   shown.lights = {lightSpec(*state.light)};
   expectSame(shown, saved);
-  EXPECT_FALSE(sameCage(saved.cage, readStudy(state.file).cage));
+  EXPECT_FALSE(sameCage(saved.cage, study::readStudy(state.file).cage));
 }
 
 TEST_F(SavedStudy, FindsItsFilesFromElsewhere) {
@@ -203,14 +203,14 @@ name = "onoue-2004"
   const StudyState state{file("studies/study.toml"), {}, {}, {}, {}};
   const fs::path target = file("saved/deep/state.toml");
   saveStudy(state, target);
-  expectSame(readStudy(state.file), readStudy(target));
+  expectSame(study::readStudy(state.file), study::readStudy(target));
   EXPECT_THAT(savedStudy(state, target), HasSubstr("../../studies/maps/dem.png"));
   EXPECT_THAT(savedStudy(state, target), Not(HasSubstr(folder().string())));
   // An absolute path stays right as it is.
   StudyState absolute = state;
   absolute.options.overrides = {"relief.image=" + file("studies/maps/dem.png").string()};
   saveStudy(absolute, target);
-  expectSame(readStudy(state.file), readStudy(target));
+  expectSame(study::readStudy(state.file), study::readStudy(target));
 }
 
 TEST_F(SavedStudy, KeepsTheMethodsThatTheStudyWasOpenedWith) {
@@ -218,10 +218,10 @@ TEST_F(SavedStudy, KeepsTheMethodsThatTheStudyWasOpenedWith) {
   state.file = scenes / "figure8.toml";
   state.options.methods = {"resampled-horizon", "onoue-2004"};
   saveStudy(state, file("state.toml"));
-  expectSame(readStudy(state.file, state.options), readStudy(file("state.toml")));
+  expectSame(study::readStudy(state.file, state.options), study::readStudy(file("state.toml")));
   state.methods = {"resampled-horizon"};
   saveStudy(state, file("state.toml"));
-  EXPECT_EQ(readStudy(file("state.toml")).methods.size(), 1U);
+  EXPECT_EQ(study::readStudy(file("state.toml")).methods.size(), 1U);
   state.methods = {"no-such"};
   EXPECT_THAT(messageOf<InputError>([&] { saveStudy(state, file("other.toml")); }),
               HasSubstr("\"no-such\" asked for, one of unshadowed"));
@@ -237,9 +237,9 @@ TEST_F(SavedStudy, KeepsAPathThatIsNoText) {
   state.file = odd / "study.toml";
   state.options.overrides = {"surface.mesh=spot.obj"};
   saveStudy(state, file("state.toml"));
-  const StudySpec saved = readStudy(file("state.toml"));
-  EXPECT_EQ(std::get<SurfaceMesh>(saved.surfaceSection).path, "file:not-%FF-text/spot.obj");
-  EXPECT_EQ(saved.cage.positions, readStudy(scenes / "spot-cells.toml").cage.positions);
+  const study::StudySpec saved = study::readStudy(file("state.toml"));
+  EXPECT_EQ(std::get<study::SurfaceMesh>(saved.surfaceSection).path, "file:not-%FF-text/spot.obj");
+  EXPECT_EQ(saved.cage.positions, study::readStudy(scenes / "spot-cells.toml").cage.positions);
 }
 
 TEST(StudyChanges, AreOverridesInPlainText) {
@@ -255,4 +255,4 @@ TEST(StudyChanges, AreOverridesInPlainText) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -7,7 +7,7 @@
 #include "support/temporary_folder.h"
 #include "viewer/session/scene_data.h"
 
-namespace gnomon {
+namespace gnomon::app {
 
 /// A test with a small study on a part of a sphere.
 class ViewedStudy : public TemporaryFolder {
@@ -33,7 +33,7 @@ name = "ellipse"
   }
   [[nodiscard]] std::filesystem::path study() const { return file("ball.toml"); }
 
-  static void tryNone(const MethodSpec& /*method*/, Wrap /*wrap*/) {}
+  static void tryNone(const study::MethodSpec& /*method*/, relief::Wrap /*wrap*/) {}
 
   [[nodiscard]] static std::shared_ptr<const SceneData> made(
       SceneMaker& maker, const std::vector<std::string>& overrides,
@@ -45,4 +45,4 @@ name = "ellipse"
   }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 double unit(std::mt19937_64& generator) {
@@ -66,4 +66,4 @@ TEST(BinnedError, IntervalHoldsTheRatioIn95Of100Cases) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

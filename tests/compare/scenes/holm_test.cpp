@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 std::vector<double> adjusted(const std::vector<double>& probabilities) {
@@ -67,4 +67,4 @@ TEST(Holm, AdjustedAndAllowedAgree) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

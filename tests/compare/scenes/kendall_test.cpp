@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using Ranks = std::vector<double>;
@@ -37,4 +37,4 @@ TEST(Kendall, DependsOnTheOrderAlone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

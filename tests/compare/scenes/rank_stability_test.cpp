@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 TEST(SceneRank, OfMethodsThatNeverMeetIsCertain) {
@@ -51,4 +51,4 @@ TEST(SceneRank, OfEqualMethodsIsTheSame) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

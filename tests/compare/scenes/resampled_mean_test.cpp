@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 /// Normal numbers, the same with every standard library (Box & Muller 1958).
@@ -179,4 +179,4 @@ TEST(ResampledMean, HasNoIntervalForAnErrorThatTheResamplesCannotTell) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 using Errors = std::vector<std::optional<double>>;
@@ -47,4 +47,4 @@ TEST(SceneSpread, LeavesOutWhatWasNotMeasured) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

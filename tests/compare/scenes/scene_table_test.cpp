@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 SceneTable table() {
@@ -43,4 +43,4 @@ TEST(SceneTable, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 TEST(WinShare, CountsWinsAndHalfTheTies) {
@@ -69,4 +69,4 @@ TEST(WinShare, RefusesOtherNumbersOfScenes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -5,10 +5,10 @@
 #include <random>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
-constexpr TableShape shape{5, 4, 6, Wrap::repeat};
+constexpr TableShape shape{5, 4, 6, relief::Wrap::repeat};
 
 std::vector<float> entries(const TableShape& of) {
   std::mt19937 random(3);
@@ -40,7 +40,7 @@ TEST(FilteredTable, IsTheEntryAtATexelCentreInItsAzimuth) {
 
 /// Trilinear: a function that is linear in x, y and azimuth comes back.
 TEST(FilteredTable, IsLinearInAllThreeAxes) {
-  const TableShape clamped{8, 8, 8, Wrap::clamp};
+  const TableShape clamped{8, 8, 8, relief::Wrap::clamp};
   std::vector<float> values;
   for (int m = 0; m < 8; ++m) {
     for (int y = 0; y < 8; ++y) {
@@ -61,4 +61,4 @@ TEST(FilteredTable, IsLinearInAllThreeAxes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -8,7 +8,7 @@
 #include "horizon/horizon_bake.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 using test::randomRelief;
@@ -19,8 +19,8 @@ Vec2 directionOf(double degrees) {
 }
 
 TEST(HeightProfile, IsTheReliefAtItsPointsAndAParabolaBetween) {
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
-    const HeightField field(24, 20, randomRelief(24, 20, 5, 7).field.texels(), wrap);
+  for (const relief::Wrap wrap : {relief::Wrap::repeat, relief::Wrap::clamp}) {
+    const relief::HeightField field(24, 20, randomRelief(24, 20, 5, 7).field.texels(), wrap);
     for (const double azimuth : {0.0, 17.0, 90.0, 131.0, 225.0, 300.0}) {
       for (const Vec2 origin : {Vec2(4.5, 7.5), Vec2(3.2, 9.9), Vec2(0.1, 19.7), Vec2(11.5, 2.2)}) {
         const Vec2 e = directionOf(azimuth);
@@ -49,13 +49,14 @@ TEST(HeightProfile, IsTheReliefAtItsPointsAndAParabolaBetween) {
 /// What the section shows is what the tables hold: at texel centres, in their azimuths.
 TEST(FlatHorizon, IsThatOfTheBakeAtTexelCentres) {
   const std::vector<float> heights = randomRelief(20, 12, 3, 5).field.texels();
-  const Border all{true, true};
-  const Border above{false, true};
-  for (const HeightField& field :
-       {HeightField(20, 12, heights, Wrap::repeat), HeightField(20, 12, heights, Wrap::clamp),
-        HeightField(20, 12, heights, Wrap::clamp, all),
-        HeightField(20, 12, heights, Wrap::repeat, all),
-        HeightField(20, 12, heights, Wrap::repeat, above)}) {
+  const relief::Border all{true, true};
+  const relief::Border above{false, true};
+  for (const relief::HeightField& field :
+       {relief::HeightField(20, 12, heights, relief::Wrap::repeat),
+        relief::HeightField(20, 12, heights, relief::Wrap::clamp),
+        relief::HeightField(20, 12, heights, relief::Wrap::clamp, all),
+        relief::HeightField(20, 12, heights, relief::Wrap::repeat, all),
+        relief::HeightField(20, 12, heights, relief::Wrap::repeat, above)}) {
     const BakeSettings settings{12, 17.3};
     const HorizonTables tables = bakeHorizons(field, settings);
     int attached = 0;
@@ -79,7 +80,7 @@ TEST(FlatHorizon, IsThatOfTheBakeAtTexelCentres) {
 
 /// Nothing past a border is seen from anywhere in the map, also from the half texel before it.
 TEST(FlatHorizon, EndsAtABorder) {
-  const HeightField field = randomRelief(24, 20, 4, 3).field.withBorder({true, true});
+  const relief::HeightField field = randomRelief(24, 20, 4, 3).field.withBorder({true, true});
   for (const double azimuth : {0.0, 33.0, 97.0, 180.0, 271.0}) {
     for (const Vec2 origin : {Vec2(4.5, 7.5), Vec2(0.1, 19.7), Vec2(23.9, 0.2)}) {
       const Vec2 e = directionOf(azimuth);
@@ -97,7 +98,7 @@ TEST(FlatHorizon, EndsAtABorder) {
 
 /// Anywhere, against dense sampling.
 TEST(FlatHorizon, IsTheHighestSlopeAlongTheRay) {
-  const HeightField field = randomRelief(24, 20, 4, 3).field;
+  const relief::HeightField field = randomRelief(24, 20, 4, 3).field;
   int inside = 0;
   for (const double azimuth : {0.0, 33.0, 45.0, 97.0, 180.0, 200.0, 271.0, 315.0}) {
     for (const Vec2 origin : {Vec2(4.5, 7.5), Vec2(3.2, 9.9), Vec2(0.1, 19.7), Vec2(7.501, 2.499),
@@ -127,7 +128,7 @@ TEST(FlatHorizon, IsTheHighestSlopeAlongTheRay) {
 
 /// A wall 6 high whose top begins at x = 28.5: from x the horizon is 6 / (28.5 - x).
 TEST(FlatHorizon, OfAWallIsItsHeightOverItsDistance) {
-  const HeightField field =
+  const relief::HeightField field =
       stepRelief(64, 16, 6, [](int i, int) { return i >= 28 && i < 32; }).field;
   for (const double x : {4.0, 10.5, 20.3}) {
     for (const double azimuth : {0.0, 25.0, -40.0}) {
@@ -143,10 +144,10 @@ TEST(FlatHorizon, OfAWallIsItsHeightOverItsDistance) {
 }
 
 TEST(HeightProfile, TakesPositionsThatNoIntegerHolds) {
-  const HeightField repeated = randomRelief(16, 16, 2, 1).field;
-  const HeightField clamped(16, 16, repeated.texels(), Wrap::clamp);
+  const relief::HeightField repeated = randomRelief(16, 16, 2, 1).field;
+  const relief::HeightField clamped(16, 16, repeated.texels(), relief::Wrap::clamp);
   for (const Vec2 origin : {Vec2(1e12, -1e12), Vec2(-3e15, 4e15)}) {
-    for (const HeightField* field : {&repeated, &clamped}) {
+    for (const relief::HeightField* field : {&repeated, &clamped}) {
       const FlatHorizon found = flatHorizon(*field, origin, Vec2(1, 0), 12);
       EXPECT_TRUE(std::isfinite(found.slope));
       EXPECT_GT(heightProfile(*field, origin, Vec2(0, 1), 12, 3).points.size(), 10U);
@@ -157,4 +158,4 @@ TEST(HeightProfile, TakesPositionsThatNoIntegerHolds) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -13,7 +13,7 @@
 
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
@@ -141,4 +141,4 @@ TEST(BareHorizon, IsTheSupremumOverTheBareCircle) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

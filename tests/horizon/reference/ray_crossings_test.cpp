@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 TEST(AzimuthDirection, IsExactOnAxesAndDiagonals) {
@@ -92,4 +92,4 @@ TEST(RayCrossings, IncludeALineMetAtTheVeryEnd) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::horizon

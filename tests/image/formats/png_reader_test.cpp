@@ -12,7 +12,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 using ::testing::HasSubstr;
@@ -184,4 +184,4 @@ TEST_F(Pngs, TellHowTheyAreTurned) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -18,7 +18,7 @@
 #include "support/replaced.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST(GeometryShaders, IndexTheirInputsByConstants) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -7,14 +7,14 @@
 #include "report/sample_check.h"
 #include "support/lines.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::passedCheck;
 using test::sampleCheck;
 using ::testing::StartsWith;
 
-std::vector<std::string> annotations(const std::vector<CheckRecord>& checks) {
+std::vector<std::string> annotations(const std::vector<study::CheckRecord>& checks) {
   return test::linesOf(githubAnnotations(checks));
 }
 
@@ -44,7 +44,7 @@ TEST(GithubAnnotations, AreALineForEachFaultThenTheNotices) {
 }
 
 TEST(GithubAnnotations, EscapeWhatWouldEndAPropertyOrALine) {
-  CheckRecord check = sampleCheck();
+  study::CheckRecord check = sampleCheck();
   check.file = "a,b:c%d\r\n.toml";
   check.problems.front().message = "x:y,z\r\n::error::%0A";
   const std::vector<std::string> lines = annotations({check});
@@ -56,7 +56,7 @@ TEST(GithubAnnotations, EscapeWhatWouldEndAPropertyOrALine) {
 }
 
 TEST(GithubAnnotations, TakeALineOnlyFromTheStudysOwnFile) {
-  CheckRecord check = sampleCheck();
+  study::CheckRecord check = sampleCheck();
   for (const char* message : {"other.toml:7: x", "scenes/sample.toml: x", "scenes/sample.toml:7",
                               "scenes/sample.toml:7a: x", "scenes/sample.toml:-3: x"}) {
     check.problems.front().message = message;
@@ -66,7 +66,7 @@ TEST(GithubAnnotations, TakeALineOnlyFromTheStudysOwnFile) {
 }
 
 TEST(GithubAnnotations, HoldUtf8Alone) {
-  CheckRecord check = sampleCheck();
+  study::CheckRecord check = sampleCheck();
   check.name = "a\x1b[2J\xff\u202e";
   EXPECT_THAT(annotations({check}).at(0),
               ::testing::HasSubstr("title=a\uFFFD[2J\uFFFD\uFFFD%3A not judged::"));
@@ -87,4 +87,4 @@ TEST(WithoutWorkflowCommands, LeavesAllElse) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,7 +7,7 @@
 
 #include "report/sample_check.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::passedCheck;
@@ -15,7 +15,7 @@ using test::sampleCheck;
 using ::testing::HasSubstr;
 
 /// The document, parsed strictly; a failed expectation where it is no XML.
-pugi::xml_document parsed(const std::vector<CheckRecord>& checks) {
+pugi::xml_document parsed(const std::vector<study::CheckRecord>& checks) {
   const std::string text = junitXml(checks);
   pugi::xml_document document;
   const pugi::xml_parse_result result =
@@ -107,7 +107,7 @@ TEST(JunitXml, SaysWhereWhatAndHowToReproduce) {
 }
 
 TEST(JunitXml, ACasesNameOutlivesItsLimit) {
-  CheckRecord check = passedCheck();
+  study::CheckRecord check = passedCheck();
   const auto nameOf = [&] {
     return std::string(parsed({check}).select_node("//testcase/@name").attribute().value());
   };
@@ -118,7 +118,7 @@ TEST(JunitXml, ACasesNameOutlivesItsLimit) {
 }
 
 TEST(JunitXml, HoldsWhateverBytesNamesHave) {
-  CheckRecord check = sampleCheck();
+  study::CheckRecord check = sampleCheck();
   check.name =
       "a\x01"
       "b\x1b[31m\xff\xc3\x28"
@@ -134,4 +134,4 @@ TEST(JunitXml, HoldsWhateverBytesNamesHave) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -8,7 +8,7 @@
 #include "report/text/text_width.h"
 #include "support/lines.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::passedCheck;
@@ -49,9 +49,9 @@ TEST(CheckTable, HasNoCommandForWhatPassed) {
 }
 
 TEST(CheckTable, FitsATerminalWhateverTheNames) {
-  CheckRecord check = sampleCheck();
-  for (Judgement& judgement : check.judgements) {
-    Gate& gate = judgement.gate;
+  study::CheckRecord check = sampleCheck();
+  for (study::Judgement& judgement : check.judgements) {
+    study::Gate& gate = judgement.gate;
     gate.method = std::string(60, 'm');
     gate.light = std::string(90, 'l');
     gate.metric = "shadow_length_ratio";
@@ -69,7 +69,7 @@ TEST(CheckTable, FitsATerminalWhateverTheNames) {
 }
 
 TEST(CheckTable, FitsATerminalWhateverTheLimit) {
-  CheckRecord check = sampleCheck();
+  study::CheckRecord check = sampleCheck();
   check.judgements.at(0).gate.maximum = 1e308;
   const std::vector<std::string> lines = test::linesOf(checkTable(check, false));
   EXPECT_THAT(lines.at(2), HasSubstr("≤ 1e+308  +1.000e+308  pass"));
@@ -82,15 +82,15 @@ TEST(CheckTable, HasColoursOnlyWhereTheyAreWanted) {
 }
 
 TEST(CheckSummary, CountsAndNamesWhatDidNotPass) {
-  const std::vector<CheckRecord> checks = {passedCheck(), sampleCheck()};
+  const std::vector<study::CheckRecord> checks = {passedCheck(), sampleCheck()};
   const std::string text = checkSummary(checks, ExitStatus::badInput, false);
   EXPECT_THAT(text, HasSubstr("Check of 2 studies: 2 of 6 gates passed, 2 failed, 1 undefined, 1 "
                               "skipped, 1 error."));
   EXPECT_THAT(text, HasSubstr("status 3."));
   EXPECT_THAT(text, HasSubstr("Not passed: sample\n"));
-  const std::vector<CheckRecord> good = {passedCheck()};
+  const std::vector<study::CheckRecord> good = {passedCheck()};
   EXPECT_THAT(checkSummary(good, ExitStatus::pass, false), Not(HasSubstr("Not passed")));
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

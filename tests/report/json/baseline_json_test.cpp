@@ -7,19 +7,19 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-Gate sampleGate(const std::string& metric, const Reference& reference) {
-  Gate row{"a, b", "elevation 30°", "camera", "", metric, {}, {}};
+study::Gate sampleGate(const std::string& metric, const study::Reference& reference) {
+  study::Gate row{"a, b", "elevation 30°", "camera", "", metric, {}, {}};
   row.step = "sample/1";
-  return referenceGate(row, reference);
+  return study::referenceGate(row, reference);
 }
 
-Baseline sampleBaseline() {
+study::Baseline sampleBaseline() {
   return {
       "sample",
       false,
@@ -31,7 +31,7 @@ Baseline sampleBaseline() {
 
 class BaselineFile : public TemporaryFolder {
  protected:
-  Baseline read(const std::string& text) {
+  study::Baseline read(const std::string& text) {
     std::ofstream(file("sample.json"), std::ios::binary) << text;
     return readBaseline(file("sample.json"));
   }
@@ -50,7 +50,7 @@ class BaselineFile : public TemporaryFolder {
 };
 
 TEST_F(BaselineFile, IsReadBackAsItWas) {
-  const Baseline baseline = read(baselineJson(sampleBaseline()));
+  const study::Baseline baseline = read(baselineJson(sampleBaseline()));
   EXPECT_EQ(baselineJson(baseline), baselineJson(sampleBaseline()));
   EXPECT_EQ(baseline.study, "sample");
   EXPECT_FALSE(baseline.quick);
@@ -58,7 +58,7 @@ TEST_F(BaselineFile, IsReadBackAsItWas) {
   ASSERT_EQ(baseline.history.size(), 2U);
   EXPECT_EQ(baseline.history.at(0).text, "first \"values\"\nof all");
   EXPECT_EQ(baseline.gates, sampleBaseline().gates) << "to the last bit";
-  Baseline quick = sampleBaseline();
+  study::Baseline quick = sampleBaseline();
   quick.quick = true;
   EXPECT_TRUE(read(baselineJson(quick)).quick);
 }
@@ -71,7 +71,7 @@ TEST_F(BaselineFile, HasALineForEachValueAndNothingOfTheMachine) {
                         "30°\",\"answer\":\"drawn\",\"metric\":\"error_rate\",\"value\":0.1,"
                         "\"spread\":0.0125,\"tolerance\":0.025},\n"));
   EXPECT_THAT(text, EndsWith("]\n}\n"));
-  Baseline elsewhere = sampleBaseline();
+  study::Baseline elsewhere = sampleBaseline();
   elsewhere.environment.threads = 1;
   elsewhere.environment.cpu = "another";
   elsewhere.environment.frameClock = "GL timer queries";
@@ -118,9 +118,9 @@ TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
   EXPECT_EQ(failureWith("/values/0/value", 3.5),
             "sample.json: values.0.value: 3.5 found, 0 to 1 expected");
   EXPECT_THAT(failureWith("/values/1/value", -0.1), HasSubstr("-0.1 found, 0 to 1 expected"));
-  Baseline lengths = sampleBaseline();
+  study::Baseline lengths = sampleBaseline();
   lengths.gates.at(0) = sampleGate("shadow_length_ratio", {1.5, 0.0125, 0.025});
-  EXPECT_EQ(referenceOf(read(baselineJson(lengths)).gates.at(0)).committed, 1.5);
+  EXPECT_EQ(study::referenceOf(read(baselineJson(lengths)).gates.at(0)).committed, 1.5);
   lengths.gates.at(0) = sampleGate("shadow_length_ratio", {-1, 0.0125, 0.025});
   EXPECT_THAT(failure(baselineJson(lengths)), HasSubstr("-1 found, at least 0 expected"));
   EXPECT_THAT(failureWith("/values/0/spread", -1), HasSubstr("values.0.spread: -1 found"));
@@ -136,11 +136,11 @@ TEST_F(BaselineFile, WithValuesThatMakeNoSenseIsRefused) {
 }
 
 TEST(BaselineJson, RefusesWhatIsNoNumber) {
-  Baseline baseline = sampleBaseline();
+  study::Baseline baseline = sampleBaseline();
   baseline.gates.at(0) =
       sampleGate("error_rate", {std::numeric_limits<double>::quiet_NaN(), 0, 0.001});
   EXPECT_THROW((void)baselineJson(baseline), InternalError);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -10,7 +10,7 @@
 #include "study/judge/gates.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::AllOf;
@@ -32,12 +32,12 @@ MaskComparison sampleComparison() {
 /// With the gates error_rate ≤ 0.1, which fails, and iou ≤ 1, which is undefined.
 MaskComparison judgedComparison() {
   MaskComparison comparison = sampleComparison();
-  for (const Metric& metric : comparison.metrics) {
-    Gate gate;
+  for (const compare::Metric& metric : comparison.metrics) {
+    study::Gate gate;
     gate.metric = metric.name;
     gate.maximum = metric.name == "iou" ? 1 : 0.1;
-    gate.origin = CompareOption{"--max"};
-    comparison.judgements.push_back(judge(gate, metric));
+    gate.origin = study::CompareOption{"--max"};
+    comparison.judgements.push_back(study::judge(gate, metric));
   }
   return comparison;
 }
@@ -47,7 +47,7 @@ TEST(MaskComparison, PassesOnlyWhereEveryGateDoes) {
   EXPECT_FALSE(comparison.passed());
   comparison.judgements.pop_back();
   comparison.judgements[0].gate.maximum = 0.34;
-  comparison.judgements[0] = judge(comparison.judgements[0].gate, comparison.metrics[0]);
+  comparison.judgements[0] = study::judge(comparison.judgements[0].gate, comparison.metrics[0]);
   EXPECT_TRUE(comparison.passed());
   EXPECT_TRUE(sampleComparison().passed()) << "without a gate";
 }
@@ -96,4 +96,4 @@ TEST(MaskComparison, ADifferenceIsNeverRoundedAway) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

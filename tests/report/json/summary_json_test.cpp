@@ -10,15 +10,15 @@
 #include "study/judge/baseline.h"
 #include "study/record/result_metrics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using nlohmann::ordered_json;
 using test::sampleRecord;
 
-StudyRecord recordWithPanel() {
-  StudyRecord record = sampleRecord();
-  using Kind = PictureRecord::Kind;
+study::StudyRecord recordWithPanel() {
+  study::StudyRecord record = sampleRecord();
+  using Kind = study::PictureRecord::Kind;
   record.panels = {{"camera",
                     "elevation 15°",
                     64,
@@ -29,7 +29,7 @@ StudyRecord recordWithPanel() {
   return record;
 }
 
-ordered_json written(const StudyRecord& record) {
+ordered_json written(const study::StudyRecord& record) {
   return ordered_json::parse(summaryJson(record));
 }
 
@@ -91,7 +91,7 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
             (Keys{"kind", "method", "caption", "path", "mask", "test_mask", "truth"}));
   EXPECT_TRUE(json["panels"][0]["pictures"][0]["truth"].is_null());
-  StudyRecord withTruth = recordWithPanel();
+  study::StudyRecord withTruth = recordWithPanel();
   withTruth.panels[0].pictures[0].truth = {"masks/t.png", "regions/t.png", "", ""};
   const ordered_json truth = written(withTruth)["panels"][0]["pictures"][0]["truth"];
   EXPECT_EQ(truth, ordered_json({{"mask", "masks/t.png"},
@@ -102,13 +102,13 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(written(withTruth)["panels"][0]["pictures"][0]["truth"]["weights"], "regions/w.exr");
 
   Keys resultKeys{"method", "light", "view", "answer", "region", "samples", "tp", "fp", "fn", "tn"};
-  for (const std::string_view name : metricNames()) resultKeys.emplace_back(name);
+  for (const std::string_view name : study::metricNames()) resultKeys.emplace_back(name);
   resultKeys.emplace_back("undefined");
   EXPECT_EQ(keysOf(json["results"][0]), resultKeys);
 }
 
 TEST(SummaryJson, ValuesSurviveTheTrip) {
-  const StudyRecord record = recordWithPanel();
+  const study::StudyRecord record = recordWithPanel();
   const ordered_json json = written(record);
   EXPECT_EQ(json["study"]["title"], record.title);
   EXPECT_EQ(json["study"]["command"], record.command);
@@ -148,12 +148,13 @@ TEST(SummaryJson, ValuesSurviveTheTrip) {
 }
 
 TEST(SummaryJson, AClaimTellsHowItFaresOverTheCases) {
-  StudyRecord record = sampleRecord();
-  record.claims[0].spread = ClaimSpread{27,      25,
-                                        1,       1,
-                                        "ratio", Quartiles{0.25, 0.375, 0.5, 0.625, 0.75},
-                                        true,    Verdict::notDistinguishable};
-  record.claims[1].spread = ClaimSpread{2, 0, 1, 1, "value", {}, false};
+  study::StudyRecord record = sampleRecord();
+  record.claims[0].spread =
+      study::ClaimSpread{27,      25,
+                         1,       1,
+                         "ratio", study::Quartiles{0.25, 0.375, 0.5, 0.625, 0.75},
+                         true,    study::Verdict::notDistinguishable};
+  record.claims[1].spread = study::ClaimSpread{2, 0, 1, 1, "value", {}, false};
   const ordered_json claims = written(record)["claims"];
   EXPECT_EQ(
       claims[0]["spread"].dump(),
@@ -167,13 +168,13 @@ TEST(SummaryJson, AClaimTellsHowItFaresOverTheCases) {
 }
 
 TEST(SummaryJson, SettingsAreTheStudysOwnAndInputsHaveTheirHashes) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.reproduction = {
       "sample.toml",
       toml::parse("[relief]\nheight = 0.1\ninvert = false\nrepeats = [2, 1.5]\n[[light]]\nname = "
                   "'a'\n[[light]]\nname = 'b'\n"),
-      {{InputRecord::Kind::mesh, "../cage.obj", "00ff"},
-       {InputRecord::Kind::shader, "shaders/common/mask.frag", "11ee"}}};
+      {{study::InputRecord::Kind::mesh, "../cage.obj", "00ff"},
+       {study::InputRecord::Kind::shader, "shaders/common/mask.frag", "11ee"}}};
   const ordered_json study = written(record)["study"];
   EXPECT_EQ(study["copy"], "sample.toml");
   EXPECT_EQ(study["settings"]["relief"]["height"].get<double>(), 0.1);
@@ -188,14 +189,14 @@ TEST(SummaryJson, SettingsAreTheStudysOwnAndInputsHaveTheirHashes) {
 }
 
 TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.judgements.pop_back();
   EXPECT_EQ(written(record)["status"], "pass");
   EXPECT_TRUE(written(record)["baseline"].is_null());
   record.baseline = "reference/sample.json";
-  const Gate gate = referenceGate({"best", "elevation 15°", "camera", "all", "error_rate", {}, {}},
-                                  {0.004, 0.001, 0.002});
-  record.judgements.push_back(judge(gate, {"error_rate", 0.01, {}}));
+  const study::Gate gate = study::referenceGate(
+      {"best", "elevation 15°", "camera", "all", "error_rate", {}, {}}, {0.004, 0.001, 0.002});
+  record.judgements.push_back(study::judge(gate, {"error_rate", 0.01, {}}));
   const ordered_json json = written(record);
   EXPECT_EQ(json["status"], "fail");
   EXPECT_EQ(json["baseline"], "reference/sample.json");
@@ -214,7 +215,7 @@ TEST(SummaryJson, AReferenceThatFailsFailsTheRun) {
 }
 
 TEST(SummaryJson, ARefinementIsThereWithAllItsLevels) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.truth.wantedUncertainty = 0.001;
   record.truth.refinement = {{1, 61'440, std::nullopt}, {0.5, 245'760, 0.0124}};
   const ordered_json truth = written(record)["truth"];
@@ -234,10 +235,10 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
   EXPECT_EQ(lit["undefined"].value("fnr", ""), "the truth has no shadow");
   EXPECT_FALSE(lit["undefined"].contains("error_rate"));
   const ordered_json& distant = json["results"][2];
-  for (const std::string_view name : metricNames()) {
+  for (const std::string_view name : study::metricNames()) {
     EXPECT_TRUE(distant[std::string(name)].is_null()) << name;
     EXPECT_EQ(distant["undefined"].value(std::string(name), ""),
-              isRate(name) ? "no samples" : "measured over all samples together only")
+              study::isRate(name) ? "no samples" : "measured over all samples together only")
         << name;
   }
   EXPECT_TRUE(json["thresholds"][1]["value"].is_null());
@@ -245,7 +246,7 @@ TEST(SummaryJson, UndefinedIsNullWithAReason) {
 }
 
 TEST(SummaryJson, StatusFollowsTheThresholds) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   EXPECT_EQ(written(record)["status"], "fail");
   record.judgements.pop_back();
   EXPECT_EQ(written(record)["status"], "pass");
@@ -254,7 +255,7 @@ TEST(SummaryJson, StatusFollowsTheThresholds) {
 }
 
 TEST(SummaryJson, EmptyListsAreListsAndNotNull) {
-  const ordered_json json = written(StudyRecord{});
+  const ordered_json json = written(study::StudyRecord{});
   for (const char* key :
        {"methods", "results", "cost", "timings", "thresholds", "claims", "panels"}) {
     EXPECT_TRUE(json[key].is_array()) << key;
@@ -264,7 +265,7 @@ TEST(SummaryJson, EmptyListsAreListsAndNotNull) {
 TEST(SummaryJson, RefusesNumbersThatAreNotFinite) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    StudyRecord record = sampleRecord();
+    study::StudyRecord record = sampleRecord();
     record.truth.uncertainty = bad;
     EXPECT_THROW(summaryJson(record), InternalError);
     record = sampleRecord();
@@ -304,7 +305,7 @@ TEST(SummaryJson, RefusesNumbersThatAreNotFinite) {
 }
 
 TEST(SummaryJson, BytesThatAreNoUtf8DoNotStopIt) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.file = "scenes/\xff.toml";
   EXPECT_EQ(written(record)["study"]["file"], "scenes/\uFFFD.toml");
 }
@@ -314,4 +315,4 @@ TEST(SummaryJson, SameRecordSameBytes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

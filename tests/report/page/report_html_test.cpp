@@ -15,7 +15,7 @@
 #include "report/page/page.h"
 #include "report/sample_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,7 +50,7 @@ std::string fromBase64(const std::string& text) {
   return bytes;
 }
 
-std::string reportText(const StudyRecord& record, const fs::path& folder) {
+std::string reportText(const study::StudyRecord& record, const fs::path& folder) {
   return reportHtml(record, folder).text();
 }
 
@@ -64,18 +64,19 @@ class ReportHtml : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  PictureRecord picture(PictureRecord::Kind kind, const std::string& method) {
+  study::PictureRecord picture(study::PictureRecord::Kind kind, const std::string& method) {
     const std::string path = "images/" + std::to_string(++pictures_) + ".png";
     const auto grey = static_cast<std::uint8_t>(pictures_);
-    writePng(folder_ / path, Image{1, 1, {grey, grey, grey}});
-    const std::string embedded =
-        kind == PictureRecord::Kind::difference ? "" : "picture " + std::to_string(pictures_);
+    image::writePng(folder_ / path, image::Image{1, 1, {grey, grey, grey}});
+    const std::string embedded = kind == study::PictureRecord::Kind::difference
+                                     ? ""
+                                     : "picture " + std::to_string(pictures_);
     return {kind, method, "Caption <" + method + ">", path, "", embedded};
   }
 
-  StudyRecord recordWithPanel() {
-    using Kind = PictureRecord::Kind;
-    StudyRecord record = sampleRecord();
+  study::StudyRecord recordWithPanel() {
+    using Kind = study::PictureRecord::Kind;
+    study::StudyRecord record = sampleRecord();
     record.panels = {
         {"camera",
          "elevation 15°",
@@ -120,12 +121,12 @@ std::vector<std::string> embedded(const std::string& html, const std::string& ty
 }
 
 TEST_F(ReportHtml, EmbedsEveryDifferenceByteForByteAndAnyOtherPictureOnce) {
-  const StudyRecord record = recordWithPanel();
+  const study::StudyRecord record = recordWithPanel();
   const std::string html = reportText(record, folder_);
   const auto exact = embedded(html, "png");
   EXPECT_EQ(exact.size(), 2U);
-  for (const PictureRecord& picture : record.panels[0].pictures) {
-    const bool isDifference = picture.kind == PictureRecord::Kind::difference;
+  for (const study::PictureRecord& picture : record.panels[0].pictures) {
+    const bool isDifference = picture.kind == study::PictureRecord::Kind::difference;
     EXPECT_EQ(std::count(exact.begin(), exact.end(), readFile(folder_ / picture.path)),
               isDifference ? 1 : 0)
         << picture.path;
@@ -135,9 +136,9 @@ TEST_F(ReportHtml, EmbedsEveryDifferenceByteForByteAndAnyOtherPictureOnce) {
 }
 
 TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
-  StudyRecord record = recordWithPanel();
-  PanelRecord& panel = record.panels[0];
-  writePng(folder_ / "shadowed.png", maskImage(Mask{1, 1, {Shade::shadowed}}));
+  study::StudyRecord record = recordWithPanel();
+  study::PanelRecord& panel = record.panels[0];
+  image::writePng(folder_ / "shadowed.png", image::maskImage(Mask{1, 1, {Shade::shadowed}}));
   panel.layers = {{"lit 0", "dark 0"}, {"lit 1", "dark 1"}};
   panel.pictures[0].layers = 0;
   panel.pictures[1].layers = 1;
@@ -184,11 +185,11 @@ TEST_F(ReportHtml, OneLetteredFigureAMethod) {
 }
 
 TEST_F(ReportHtml, LetteringGoesOnAfterZ) {
-  StudyRecord record = sampleRecord(1);
+  study::StudyRecord record = sampleRecord(1);
   record.panels = {{"camera", "elevation 15°", 1, 1, {}}};
   for (int i = 0; i < 28; ++i) {
     record.panels[0].pictures.push_back(
-        picture(PictureRecord::Kind::shaded, "method " + std::to_string(i)));
+        picture(study::PictureRecord::Kind::shaded, "method " + std::to_string(i)));
   }
   const std::string html = reportText(record, folder_);
   EXPECT_TRUE(holds(html, "<b>(z)</b>"));
@@ -197,29 +198,29 @@ TEST_F(ReportHtml, LetteringGoesOnAfterZ) {
 }
 
 TEST_F(ReportHtml, EscapesAllText) {
-  StudyRecord record = recordWithPanel();
+  study::StudyRecord record = recordWithPanel();
   const std::string evil = "<script>'\"&";
   const auto spoil = [&](std::string& text) { text = evil; };
-  for (MethodRecord& m : record.methods) spoil(m.title), spoil(m.citation), spoil(m.name);
-  for (ResultRecord& r : record.results) {
+  for (study::MethodRecord& m : record.methods) spoil(m.title), spoil(m.citation), spoil(m.name);
+  for (study::ResultRecord& r : record.results) {
     spoil(r.light), spoil(r.view);
     r.method += evil;
     if (r.region != "all") r.region += evil;
   }
-  for (CostRecord& c : record.cost) spoil(c.method);
-  for (TimingRecord& t : record.timings) spoil(t.stage);
-  for (Judgement& judgement : record.judgements) {
-    Gate& gate = judgement.gate;
+  for (study::CostRecord& c : record.cost) spoil(c.method);
+  for (study::TimingRecord& t : record.timings) spoil(t.stage);
+  for (study::Judgement& judgement : record.judgements) {
+    study::Gate& gate = judgement.gate;
     spoil(gate.method), spoil(gate.light), spoil(gate.view), spoil(gate.region);
     spoil(gate.metric);
   }
-  for (ClaimRecord& c : record.claims) spoil(c.text), spoil(c.source), spoil(c.detail);
-  for (UncertaintyRecord& f : record.truth.flips) spoil(f.view), spoil(f.light);
-  for (PanelRecord& p : record.panels) {
+  for (study::ClaimRecord& c : record.claims) spoil(c.text), spoil(c.source), spoil(c.detail);
+  for (study::UncertaintyRecord& f : record.truth.flips) spoil(f.view), spoil(f.light);
+  for (study::PanelRecord& p : record.panels) {
     spoil(p.view), spoil(p.light);
-    for (PictureRecord& picture : p.pictures) spoil(picture.method), spoil(picture.caption);
+    for (study::PictureRecord& picture : p.pictures) spoil(picture.method), spoil(picture.caption);
   }
-  EnvironmentRecord& e = record.environment;
+  study::EnvironmentRecord& e = record.environment;
   for (std::string* text : {&record.name, &record.title, &record.source, &record.file,
                             &record.command, &e.gnomonVersion, &e.commit, &e.cpu, &e.glRenderer,
                             &e.glVersion, &e.embreeVersion, &e.openSubdivVersion, &e.frameClock}) {
@@ -237,7 +238,7 @@ TEST_F(ReportHtml, TheTitleOfTheSampleIsEscaped) {
 }
 
 TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   test::addDifferences(record, 1e-6);
   const std::string html = reportText(record, folder_);
   EXPECT_TRUE(
@@ -270,9 +271,9 @@ TEST_F(ReportHtml, TagsAreBalanced) {
 TEST_F(ReportHtml, LegendAndPicturesShareTheirColours) {
   const std::string html = reportText(recordWithPanel(), folder_);
   EXPECT_TRUE(holds(html, "--false-shadow:rgb(230 97 0)"));
-  EXPECT_EQ(DifferenceColours::falseShadow, (Rgb{230, 97, 0}));
+  EXPECT_EQ(image::DifferenceColours::falseShadow, (image::Rgb{230, 97, 0}));
   EXPECT_TRUE(holds(html, "--false-light:rgb(26 133 255)"));
-  EXPECT_EQ(DifferenceColours::falseLight, (Rgb{26, 133, 255}));
+  EXPECT_EQ(image::DifferenceColours::falseLight, (image::Rgb{26, 133, 255}));
 }
 
 TEST_F(ReportHtml, HasBothSchemesAndPrint) {
@@ -283,14 +284,14 @@ TEST_F(ReportHtml, HasBothSchemesAndPrint) {
 }
 
 TEST_F(ReportHtml, SmallRecordsDoNotStopIt) {
-  EXPECT_TRUE(holds(reportText(StudyRecord{}, folder_), "No result has an error rate."));
-  StudyRecord record = recordWithPanel();
+  EXPECT_TRUE(holds(reportText(study::StudyRecord{}, folder_), "No result has an error rate."));
+  study::StudyRecord record = recordWithPanel();
   record.results.clear();
   EXPECT_TRUE(holds(reportText(record, folder_), "<figure"));
 }
 
 TEST_F(ReportHtml, RefusesWhatItCannotShow) {
-  StudyRecord record = recordWithPanel();
+  study::StudyRecord record = recordWithPanel();
   const fs::path difference = folder_ / record.panels[0].pictures[4].path;
   fs::remove(difference);
   EXPECT_THROW(reportText(record, folder_), InputError);
@@ -302,9 +303,9 @@ TEST_F(ReportHtml, RefusesWhatItCannotShow) {
 }
 
 TEST_F(ReportHtml, SameRecordSameBytes) {
-  const StudyRecord record = recordWithPanel();
+  const study::StudyRecord record = recordWithPanel();
   EXPECT_EQ(reportText(record, folder_), reportText(record, folder_));
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -11,7 +11,7 @@
 #include "report/sample_record.h"
 #include "support/lines.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::sampleRecord;
@@ -51,7 +51,7 @@ TEST(TerminalReport, ShowsWhatTheRecordHolds) {
 }
 
 TEST(TerminalReport, TellsWhereTheTimeWent) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.timings.push_back({"compare", 0.004});
   EXPECT_EQ(lineWith(terminalReport(record, false), "Time"),
             "Time 1.75 s: truth 1.50, render 0.25");
@@ -59,7 +59,7 @@ TEST(TerminalReport, TellsWhereTheTimeWent) {
 
 TEST(TerminalReport, MarksWhatTheTruthCannotTellApart) {
   // 1.20 and 1.00 are 0.20 apart: within the second light's 0.40. (The first is at its very limit.)
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   test::addDifferences(record, 1e-6);
   const std::string text = terminalReport(record, false);
   const std::string second = text.substr(text.find("elevation 30°"));
@@ -69,9 +69,9 @@ TEST(TerminalReport, MarksWhatTheTruthCannotTellApart) {
 }
 
 TEST(TerminalReport, UndefinedIsADash) {
-  StudyRecord record = sampleRecord(1);
-  record.results = {{"m", "noon", "camera", "all", Counts{0, 0, 0, 50, 50}},
-                    {"n", "noon", "camera", "all", Counts{}}};
+  study::StudyRecord record = sampleRecord(1);
+  record.results = {{"m", "noon", "camera", "all", compare::Counts{0, 0, 0, 50, 50}},
+                    {"n", "noon", "camera", "all", compare::Counts{}}};
   const std::string text = terminalReport(record, false);
   EXPECT_EQ(lineWith(text, "  m  "),
             "  m        0.00      –          0.00         0.00      –      –       –");
@@ -92,11 +92,11 @@ TEST(TerminalReport, ManyLightsMakeOneBlockAView) {
 
 TEST(TerminalReport, FitsWhateverTheLabels) {
   for (const int lights : {1, 3, 5}) {
-    StudyRecord record = sampleRecord(lights);
+    study::StudyRecord record = sampleRecord(lights);
     std::string label = "影の長さ";
     while (label.size() < 300) label += " 影 and a very long label";
     record.title = record.source = label;
-    for (ResultRecord& result : record.results) {
+    for (study::ResultRecord& result : record.results) {
       if (result.method == "best") result.method = label;
       result.light += label;
       result.view = label;
@@ -108,8 +108,8 @@ TEST(TerminalReport, FitsWhateverTheLabels) {
 }
 
 TEST(TerminalReport, ColumnsStayAlignedUnderWideLabels) {
-  StudyRecord record = sampleRecord(1);
-  for (ResultRecord& result : record.results) {
+  study::StudyRecord record = sampleRecord(1);
+  for (study::ResultRecord& result : record.results) {
     if (result.method == "best") result.method = "影の長さ";
   }
   record.truth.flips[0].flipRate = 0;  // no mark at the line's end
@@ -143,17 +143,17 @@ TEST(TerminalReport, ColoursOnlyWhenAsked) {
 }
 
 TEST(TerminalReport, SmallRecordsDoNotStopIt) {
-  EXPECT_EQ(terminalReport(StudyRecord{}, false), "");
-  StudyRecord record = sampleRecord();
+  EXPECT_EQ(terminalReport(study::StudyRecord{}, false), "");
+  study::StudyRecord record = sampleRecord();
   record.results.clear();
   EXPECT_NE(terminalReport(record, false).find("Claims"), std::string::npos);
 }
 
 TEST(TerminalReport, RefusesCountsThatAreNotFinite) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.results[0].counts.falsePositive = std::numeric_limits<double>::infinity();
   EXPECT_THROW(terminalReport(record, false), InternalError);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

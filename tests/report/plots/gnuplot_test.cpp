@@ -7,7 +7,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(Gnuplot, SvgBearsOurTitleAndNoVersion) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

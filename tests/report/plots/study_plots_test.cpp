@@ -9,21 +9,21 @@
 #include "report/plots/bin_plot.h"
 #include "report/sample_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-BinRecord bin(const std::string& method, const std::string& view, std::optional<double> low,
-              std::optional<double> high, double wrong, std::size_t samples) {
+study::BinRecord bin(const std::string& method, const std::string& view, std::optional<double> low,
+                     std::optional<double> high, double wrong, std::size_t samples) {
   return {method, view, "all", "elevation", low, high, test::countsOf(samples, wrong, 0)};
 }
 
 /// "best" has all four bins, "close" not the first; in the third none has a sample.
-StudyRecord plottedRecord() {
-  StudyRecord made = test::sampleRecord();
+study::StudyRecord plottedRecord() {
+  study::StudyRecord made = test::sampleRecord();
   made.bins = {bin("best", "camera", {}, 0, 5, 100),    bin("best", "camera", 0, 10, 20, 200),
                bin("best", "camera", 20, {}, 7, 700),   bin("close", "camera", 0, 10, 50, 200),
                bin("close", "camera", 20, {}, 70, 700), bin("best", "atlas", 0, 10, 1, 10)};
@@ -55,7 +55,7 @@ TEST(StudyPlots, AreNamedApartAndDrawn) {
     EXPECT_THAT(svgOf(sheet), HasSubstr("</svg>"));
   }
   EXPECT_THAT(names, ElementsAre("error-by-elevation_camera", "error-by-elevation_atlas"));
-  EXPECT_TRUE(studyPlots(StudyRecord{}).empty());
+  EXPECT_TRUE(studyPlots(study::StudyRecord{}).empty());
 }
 
 TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
@@ -110,4 +110,4 @@ TEST(PlotSheet, ErrorsAreGnuplots) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

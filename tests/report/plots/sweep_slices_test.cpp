@@ -8,7 +8,7 @@
 #include "report/plots/sweep_plot.h"
 #include "report/sample_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::countsOf;
@@ -18,8 +18,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A step in which "flat" errs in as many of 1000 samples under each light.
-StudyRecord stepOf(const std::vector<std::pair<std::string, double>>& lights) {
-  StudyRecord record = test::emptyRecord();
+study::StudyRecord stepOf(const std::vector<std::pair<std::string, double>>& lights) {
+  study::StudyRecord record = test::emptyRecord();
   record.methods.push_back({"flat", "flat", "", ""});
   for (const auto& [light, error] : lights) {
     record.results.push_back(result("flat", light, "camera", "all", countsOf(1000, error, 0)));
@@ -29,14 +29,14 @@ StudyRecord stepOf(const std::vector<std::pair<std::string, double>>& lights) {
 
 /// A grid of a × b cases, of which the first key changes slowest; case (i, j) errs in 10 i + j
 /// thousandths.
-SweepRecord gridSweep(const std::vector<double>& a, const std::vector<double>& b) {
-  SweepRecord sweep;
+study::SweepRecord gridSweep(const std::vector<double>& a, const std::vector<double>& b) {
+  study::SweepRecord sweep;
   sweep.name = "grid";
   sweep.keys = {{"relief.height", "height", 0}, {"bake.bits", "bits", 1}};
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
-      sweep.cases.push_back(
-          {std::to_string(sweep.cases.size()), {sweptNumber(a[i]), sweptNumber(b[j])}});
+      sweep.cases.push_back({std::to_string(sweep.cases.size()),
+                             {study::sweptNumber(a[i]), study::sweptNumber(b[j])}});
       sweep.steps.push_back(
           stepOf({{"noon", 10.0 * static_cast<double>(i) + static_cast<double>(j)}}));
     }
@@ -45,8 +45,8 @@ SweepRecord gridSweep(const std::vector<double>& a, const std::vector<double>& b
 }
 
 TEST(SweepSlices, OneDimensionIsOneSliceInTheOrderOfItsValues) {
-  SweepRecord sweep = gridSweep({3, 1, 2}, {8});
-  for (SweepCase& which : sweep.cases) which.values.pop_back();
+  study::SweepRecord sweep = gridSweep({3, 1, 2}, {8});
+  for (study::SweepCase& which : sweep.cases) which.values.pop_back();
   sweep.keys.pop_back();
   const auto slices = slicesOf(sweep);
   ASSERT_EQ(slices.size(), 1U);
@@ -72,12 +72,12 @@ TEST(SweepSlices, OfTwoDimensionsTheOneOfFewerValuesCuts) {
 }
 
 TEST(SweepSlices, KeysThatStepTogetherAreOneAxis) {
-  SweepRecord sweep = gridSweep({1, 2, 3}, {8});
-  for (SweptKey& key : sweep.keys) key.dimension = 0;
+  study::SweepRecord sweep = gridSweep({1, 2, 3}, {8});
+  for (study::SweptKey& key : sweep.keys) key.dimension = 0;
   // The first key repeats a value: the second tells the cases apart.
-  sweep.cases[0].values = {sweptNumber(1), sweptNumber(30)};
-  sweep.cases[1].values = {sweptNumber(1), sweptNumber(10)};
-  sweep.cases[2].values = {sweptNumber(2), sweptNumber(20)};
+  sweep.cases[0].values = {study::sweptNumber(1), study::sweptNumber(30)};
+  sweep.cases[1].values = {study::sweptNumber(1), study::sweptNumber(10)};
+  sweep.cases[2].values = {study::sweptNumber(2), study::sweptNumber(20)};
   const auto slices = slicesOf(sweep);
   ASSERT_EQ(slices.size(), 1U);
   EXPECT_EQ(slices[0].axis, "bits, with height");
@@ -85,7 +85,7 @@ TEST(SweepSlices, KeysThatStepTogetherAreOneAxis) {
 }
 
 TEST(SweepSlices, TextsAreCategories) {
-  SweepRecord sweep = gridSweep({1, 2}, {8});
+  study::SweepRecord sweep = gridSweep({1, 2}, {8});
   sweep.keys.pop_back();
   sweep.cases[0].values = {{"columns", {}, "\"columns\""}};
   sweep.cases[1].values = {{"cells", {}, "\"cells\""}};
@@ -99,23 +99,23 @@ TEST(SweepSlices, TextsAreCategories) {
 }
 
 TEST(SweepSlices, ManyDimensionsAndManyDrawnKeysHaveNone) {
-  SweepRecord sweep = gridSweep({1, 2}, {8, 16});
+  study::SweepRecord sweep = gridSweep({1, 2}, {8, 16});
   sweep.keys.push_back({"bake.azimuths", "azimuths", 2});
-  for (SweepCase& which : sweep.cases) which.values.push_back(sweptNumber(4));
+  for (study::SweepCase& which : sweep.cases) which.values.push_back(study::sweptNumber(4));
   EXPECT_THAT(slicesOf(sweep), IsEmpty());
   EXPECT_FALSE(isGrid(sweep));
-  SweepRecord drawn = gridSweep({1, 2}, {8});
-  for (SweptKey& key : drawn.keys) key = {key.key, key.axis, 0, true};
+  study::SweepRecord drawn = gridSweep({1, 2}, {8});
+  for (study::SweptKey& key : drawn.keys) key = {key.key, key.axis, 0, true};
   EXPECT_THAT(slicesOf(drawn), IsEmpty());
   drawn.keys.pop_back();
-  for (SweepCase& which : drawn.cases) which.values.pop_back();
+  for (study::SweepCase& which : drawn.cases) which.values.pop_back();
   EXPECT_EQ(slicesOf(drawn).size(), 1U);
 }
 
 TEST(SweepMap, HasEachCaseInItsPlace) {
   std::vector<double> values;
   for (int i = 9; i > 0; --i) values.push_back(i);
-  const SweepRecord sweep = gridSweep(values, values);
+  const study::SweepRecord sweep = gridSweep(values, values);
   EXPECT_THAT(slicesOf(sweep), IsEmpty());
   ASSERT_TRUE(isGrid(sweep));
   const SweepGrid grid = gridOf(sweep);
@@ -131,12 +131,13 @@ TEST(SweepMap, HasEachCaseInItsPlace) {
 }
 
 TEST(SweepLights, HasACurveALight) {
-  SweepRecord sweep = gridSweep({2, 1}, {8});
+  study::SweepRecord sweep = gridSweep({2, 1}, {8});
   sweep.keys.pop_back();
-  for (SweepCase& which : sweep.cases) which.values.pop_back();
+  for (study::SweepCase& which : sweep.cases) which.values.pop_back();
   EXPECT_FALSE(sweepLightsPlot(sweep, slicesOf(sweep).at(0))) << "one light";
   sweep.steps = {stepOf({{"noon", 10}, {"dusk", 20}}), stepOf({{"noon", 30}, {"dusk", 40}})};
-  sweep.steps[0].confidence = {{"flat", "camera", "dusk", 0.02, Interval{0.015, 0.03}, "", 9, 8}};
+  sweep.steps[0].confidence = {
+      {"flat", "camera", "dusk", 0.02, compare::Interval{0.015, 0.03}, "", 9, 8}};
   const auto sheet = sweepLightsPlot(sweep, slicesOf(sweep).at(0));
   ASSERT_TRUE(sheet);
   EXPECT_THAT(sheet->commands, HasSubstr("$m0l0 << EOD\n1 3\n2 1\nEOD\n"));
@@ -146,4 +147,4 @@ TEST(SweepLights, HasACurveALight) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -14,7 +14,7 @@
 #include "study/judge/suite/suite_studies.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::drawnStudies;
@@ -22,16 +22,16 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// Twenty-five scenes on which m1 is always better than m0; "hard <scene>" is the hardest.
-std::vector<StudyMeans> studies() {
-  std::vector<StudyMeans> all = drawnStudies(
+std::vector<study::StudyMeans> studies() {
+  std::vector<study::StudyMeans> all = drawnStudies(
       25, 2,
       [](std::size_t s, std::size_t m) {
         return (m == 0 ? 0.004 : 0.002) * static_cast<double>(s + 1);
       },
       0.0005);
   all[24].title = "hard <scene>";
-  for (StudyMeans& study : all) {
-    for (const MethodMeans& method : study.methods) {
+  for (study::StudyMeans& study : all) {
+    for (const study::MethodMeans& method : study.methods) {
       study.bins.push_back({method.label, "elevation", {}, 10, {0.25, *method.errorRate / 2}});
       study.bins.push_back({method.label, "elevation", 10, {}, {0.75, *method.errorRate / 2}});
     }
@@ -39,18 +39,18 @@ std::vector<StudyMeans> studies() {
   return all;
 }
 
-SuiteStatistics statistics() {
-  return suiteStatistics("drawn", studies());
+study::SuiteStatistics statistics() {
+  return study::suiteStatistics("drawn", studies());
 }
 
-std::vector<DrawnPlot> drawn(const SuiteStatistics& of) {
+std::vector<DrawnPlot> drawn(const study::SuiteStatistics& of) {
   std::vector<DrawnPlot> plots;
   for (const PlotSheet& sheet : suitePlots(of)) plots.push_back({sheet, svgOf(sheet)});
   return plots;
 }
 
 TEST(SuiteHtml, SaysWhatWasFound) {
-  const SuiteStatistics found = statistics();
+  const study::SuiteStatistics found = statistics();
   const std::string html = suiteHtml(found, drawn(found), "gnomon run a & b").text();
   for (const char* part : {"drawn: 2 methods over 25 scenes",
                            "<b>m1</b> has the fewest wrong samples: <b>2.60&#8239;%",
@@ -65,9 +65,9 @@ TEST(SuiteHtml, SaysWhatWasFound) {
 }
 
 TEST(SuiteHtml, WithoutAMethodOnEveryScene) {
-  std::vector<StudyMeans> some = studies();
+  std::vector<study::StudyMeans> some = studies();
   some[0].methods.clear();
-  const SuiteStatistics found = suiteStatistics("drawn", some);
+  const study::SuiteStatistics found = study::suiteStatistics("drawn", some);
   const std::string html = suiteHtml(found, drawn(found), "").text();
   EXPECT_THAT(html, HasSubstr("No method was measured on every scene"));
   EXPECT_THAT(html, HasSubstr("on 24 of 25 scenes: no rank"));
@@ -75,7 +75,7 @@ TEST(SuiteHtml, WithoutAMethodOnEveryScene) {
 }
 
 TEST(SuiteJson, HoldsWhatThePageShows) {
-  const SuiteStatistics found = statistics();
+  const study::SuiteStatistics found = statistics();
   const auto json = nlohmann::json::parse(suiteJson(found, "gnomon run"));
   EXPECT_EQ(json["schema"], "gnomon-suite/1");
   EXPECT_EQ(json["suite"], "drawn");
@@ -90,15 +90,15 @@ TEST(SuiteJson, HoldsWhatThePageShows) {
   EXPECT_EQ(json["bins"].size(), 4U);
   EXPECT_EQ(json["scenes"][0]["name"], "scene-024");
   EXPECT_EQ(json["results"].size(), 50U);
-  SuiteStatistics broken = found;
+  study::SuiteStatistics broken = found;
   broken.methods[0].spread.mean = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(suiteJson(broken, ""), InternalError);
 }
 
 TEST(SuiteCsv, HasARowASceneAndMethod) {
-  std::vector<StudyMeans> some = studies();
+  std::vector<study::StudyMeans> some = studies();
   some[1].methods[0].caseErrors.emplace_back();  // m0 lacks a light there
-  const std::string csv = csvTable(suiteResultsTable(suiteStatistics("drawn", some), some));
+  const std::string csv = csvTable(suiteResultsTable(study::suiteStatistics("drawn", some), some));
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "scene,method,error_rate,false_shadow,false_light,uncertainty,rank");
   EXPECT_THAT(csv, HasSubstr("\nscene-000,m0,0.004,0.001,0.003,0.0005,2\n"));
@@ -129,7 +129,7 @@ class SuiteFiles : public TemporaryFolder {};
 TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   RunFolder folder(file("out"), {"ranking.json", {}, "ranking.txt"});
   std::filesystem::create_directories(folder.path());
-  std::vector<StudyMeans> few = studies();
+  std::vector<study::StudyMeans> few = studies();
   few.resize(19);
   EXPECT_FALSE(writeSuiteOf(few, "", folder));
   EXPECT_FALSE(folder.names("suite.html"));
@@ -143,4 +143,4 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

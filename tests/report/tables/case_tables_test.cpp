@@ -12,13 +12,13 @@
 #include "report/tables/formats/csv_format.h"
 #include "study/record/result_metrics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using test::sampleRecord;
 using Lines = std::vector<std::vector<std::string>>;
 
-std::string metricsCsv(const StudyRecord& record) {
+std::string metricsCsv(const study::StudyRecord& record) {
   return csvTable(metricsTable(record));
 }
 
@@ -62,29 +62,29 @@ std::size_t column(const Lines& table, const std::string& name) {
 }
 
 TEST(MetricsCsv, OneRowAResultAndOneCellAColumn) {
-  const StudyRecord record = sampleRecord();
+  const study::StudyRecord record = sampleRecord();
   const Lines table = parse(metricsCsv(record));
   ASSERT_EQ(table.size(), 1 + 3 * 2 * 4U);
-  for (const auto& row : table) EXPECT_EQ(row.size(), 11 + metricNames().size());
+  for (const auto& row : table) EXPECT_EQ(row.size(), 11 + study::metricNames().size());
   EXPECT_EQ(metricsCsv(record).substr(0, 64),
             "study,method,light,view,answer,region,samples,tp,fp,fn,tn,error_");
 }
 
 TEST(MetricsCsv, ValuesReadBackExactly) {
-  const StudyRecord record = sampleRecord();
+  const study::StudyRecord record = sampleRecord();
   const Lines table = parse(metricsCsv(record));
   for (std::size_t i = 0; i < record.results.size(); ++i) {
-    const ResultRecord& result = record.results[i];
+    const study::ResultRecord& result = record.results[i];
     const auto& row = table[i + 1];
     EXPECT_EQ(row[0], record.name);
     EXPECT_EQ(row[1], result.method);
     EXPECT_EQ(row[2], result.light);
     EXPECT_EQ(row[3], result.view);
-    EXPECT_EQ(row[4], answerName(result.answer));
+    EXPECT_EQ(row[4], study::answerName(result.answer));
     EXPECT_EQ(row[5], result.region);
     EXPECT_EQ(row[6], std::to_string(result.counts.samples));
     EXPECT_EQ(std::stod(row[column(table, "fp")]), result.counts.falsePositive);
-    for (const Metric& metric : metricsOf(result)) {
+    for (const compare::Metric& metric : study::metricsOf(result)) {
       const std::string& cell = row[column(table, std::string(metric.name))];
       EXPECT_EQ(cell.empty(), !metric.value.has_value());
       if (metric.value) {
@@ -95,7 +95,7 @@ TEST(MetricsCsv, ValuesReadBackExactly) {
 }
 
 TEST(MetricsCsv, QuotesWhatNeedsIt) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.results.resize(1);
   record.results[0].light = "two\nlines";
   const std::string csv = metricsCsv(record);
@@ -108,16 +108,16 @@ TEST(MetricsCsv, QuotesWhatNeedsIt) {
 }
 
 TEST(MetricsCsv, NumbersAreTheShortestThatReadBack) {
-  StudyRecord record = sampleRecord();
-  record.results = {{"m", "l", "v", "all", Counts{0.1, 1e-7, 0, 0.30000000000000004, 3}}};
+  study::StudyRecord record = sampleRecord();
+  record.results = {{"m", "l", "v", "all", compare::Counts{0.1, 1e-7, 0, 0.30000000000000004, 3}}};
   EXPECT_NE(metricsCsv(record).find("all,3,0.1,1e-07,0,0.30000000000000004,"), std::string::npos);
 }
 
 TEST(MetricsCsv, RefusesNumbersThatAreNotFinite) {
-  StudyRecord record = sampleRecord();
+  study::StudyRecord record = sampleRecord();
   record.results[0].counts.trueNegative = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(metricsCsv(record), InternalError);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

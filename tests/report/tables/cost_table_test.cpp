@@ -14,15 +14,15 @@
 #include "report/sample_record.h"
 #include "report/text/text_width.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// The three of the paper's section 4: 4, 5 and 16 ms a frame.
-StudyRecord threeMethods() {
-  StudyRecord record;
+study::StudyRecord threeMethods() {
+  study::StudyRecord record;
   record.environment.glRenderer = "A <rasteriser>";
   record.methods = {{"flat", "max-forsyth", "", ""},
                     {"onoue-2004", "onoue-2004", "", ""},
@@ -34,7 +34,7 @@ StudyRecord threeMethods() {
 }
 
 TEST(Cost, IsSetAgainstTheMethodOfTheNameWhateverItsLabel) {
-  StudyRecord record = threeMethods();
+  study::StudyRecord record = threeMethods();
   EXPECT_EQ(frameRatio(record, record.cost[0]), 1.0);
   EXPECT_EQ(frameRatio(record, record.cost[1]), 1.25);
   EXPECT_EQ(frameRatio(record, record.cost[2]), 4.0);
@@ -45,7 +45,7 @@ TEST(Cost, IsSetAgainstTheMethodOfTheNameWhateverItsLabel) {
 }
 
 TEST(Cost, HasNoRatioWhereEitherWasNotTimed) {
-  StudyRecord record = threeMethods();
+  study::StudyRecord record = threeMethods();
   record.cost[1].frameMs.reset();
   EXPECT_FALSE(frameRatio(record, record.cost[1]));
   record.cost[0].frameMs = 0;
@@ -58,7 +58,7 @@ TEST(Cost, HasNoRatioWhereEitherWasNotTimed) {
 }
 
 TEST(Cost, RefusesATimeThatIsNotFinite) {
-  StudyRecord record = threeMethods();
+  study::StudyRecord record = threeMethods();
   record.cost[0].frameMs = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)frameRatio(record, record.cost[1]), InternalError);
 }
@@ -72,7 +72,7 @@ TEST(Cost, SaysWhatThePaperSaysAndWhatTheRunGave) {
 
 TEST(Cost, SaysNothingOfThePaperUnlessAllThreeWereTimed) {
   for (std::size_t i = 0; i < 3; ++i) {
-    StudyRecord record = threeMethods();
+    study::StudyRecord record = threeMethods();
     record.cost[i].frameMs.reset();
     EXPECT_EQ(publishedRates(record), "");
     record = threeMethods();
@@ -82,7 +82,7 @@ TEST(Cost, SaysNothingOfThePaperUnlessAllThreeWereTimed) {
 }
 
 TEST(Cost, StandsInEveryReport) {
-  const StudyRecord record = threeMethods();
+  const study::StudyRecord record = threeMethods();
   const auto json = nlohmann::json::parse(summaryJson(record));
   EXPECT_EQ(json["cost"][2]["passes"], 3);
   EXPECT_EQ(json["cost"][2]["frame_ratio"], 4.0);
@@ -99,7 +99,7 @@ TEST(Cost, StandsInEveryReport) {
 }
 
 TEST(Cost, WithoutTheReferenceIsADash) {
-  StudyRecord record = threeMethods();
+  study::StudyRecord record = threeMethods();
   record.methods[0].name = "another";
   const auto json = nlohmann::json::parse(summaryJson(record));
   EXPECT_TRUE(json["cost"][2]["frame_ratio"].is_null());
@@ -110,11 +110,11 @@ TEST(Cost, WithoutTheReferenceIsADash) {
 }
 
 TEST(Cost, FitsATerminal) {
-  StudyRecord record = threeMethods();
+  study::StudyRecord record = threeMethods();
   record.cost[2] = {std::string(200, 'm'), 4'000'000'000, 40'000'000'000, 0, 12'345.6, 100};
   std::istringstream lines(terminalReport(record, false));
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -8,7 +8,7 @@
 #include "report/sample_record.h"
 #include "report/tables/formats/csv_format.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// A study of one light and view: entries of a method, its memory and wrong samples of a thousand.
@@ -18,17 +18,17 @@ struct Entry {
   double wrong;
 };
 
-StudyRecord recordOf(const std::vector<Entry>& entries) {
-  StudyRecord record;
+study::StudyRecord recordOf(const std::vector<Entry>& entries) {
+  study::StudyRecord record;
   for (const Entry& entry : entries) {
     record.methods.push_back({entry.label, entry.name, "", ""});
-    ResultRecord result{entry.label, "one light", "one view", "all", {}};
+    study::ResultRecord result{entry.label, "one light", "one view", "all", {}};
     result.counts.samples = 1000;
     result.counts.truePositive = 400;
     result.counts.trueNegative = 600 - entry.wrong;
     result.counts.falsePositive = entry.wrong;
     record.results.push_back(result);
-    CostRecord cost;
+    study::CostRecord cost;
     cost.method = entry.label;
     cost.tableBytes = entry.tables;
     cost.heightBytes = entry.heights;
@@ -67,7 +67,7 @@ TEST(Frontier, OfEqualMemoryTheBetterOneIsEfficient) {
 
 TEST(Frontier, IsEmptyWhereThereIsNothingToTrade) {
   EXPECT_TRUE(frontier(recordOf({{"a", "a", 800, 0, 50}, {"b", "b", 900, 0, 30}})).empty());
-  EXPECT_TRUE(frontier(StudyRecord{}).empty());
+  EXPECT_TRUE(frontier(study::StudyRecord{}).empty());
   // Without tables there is no memory to draw.
   EXPECT_EQ(
       frontier(recordOf({{"n", "n", 0, 0, 9}, {"a", "a", 8, 0, 5}, {"a2", "a", 9, 0, 4}})).size(),
@@ -76,7 +76,7 @@ TEST(Frontier, IsEmptyWhereThereIsNothingToTrade) {
 
 TEST(Frontier, LeavesOutWhatAnswersInFewerCases) {
   // "a 16" would win, but was asked only under one of two lights.
-  StudyRecord record = recordOf({{"a 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 1}});
+  study::StudyRecord record = recordOf({{"a 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 1}});
   record.methods.push_back({"a 32", "a", "", ""});
   record.cost.push_back({"a 32", 960, 3200, 0, std::nullopt});
   for (const char* light : {"one light", "other light"}) {
@@ -102,4 +102,4 @@ TEST(Frontier, PlotAndRowsHoldEveryEntry) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -14,28 +14,28 @@
 #include "report/tables/formats/markdown_format.h"
 #include "support/lines.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-StudyRecord recordWithIntervals() {
-  StudyRecord made = test::sampleRecord();
+study::StudyRecord recordWithIntervals() {
+  study::StudyRecord made = test::sampleRecord();
   test::addDifferences(made, 1e-6);
-  made.confidence = {{"best", "camera", "all", 0.01, Interval{0.0075, 0.0125}, "", 25, 40},
-                     {"best", "camera", "elevation 15°", 0.01, Interval{0, 1}, "", 25, 40},
+  made.confidence = {{"best", "camera", "all", 0.01, compare::Interval{0.0075, 0.0125}, "", 25, 40},
+                     {"best", "camera", "elevation 15°", 0.01, compare::Interval{0, 1}, "", 25, 40},
                      {"close", "camera", "all", 0.012, std::nullopt, "too few blocks", 25, 40}};
   return made;
 }
 
-std::string tableCsv(const StudyRecord& record) {
-  return csvTable(rankedTable(record, rankMethods(record)));
+std::string tableCsv(const study::StudyRecord& record) {
+  return csvTable(rankedTable(record, study::rankMethods(record)));
 }
 
-std::string tableTex(const StudyRecord& record) {
-  return latexTable(rankedTable(record, rankMethods(record)));
+std::string tableTex(const study::StudyRecord& record) {
+  return latexTable(rankedTable(record, study::rankMethods(record)));
 }
 
 /// The cells of a row, split at ampersands that are not escaped.
@@ -80,8 +80,8 @@ TEST(TableTex, HoldsTheSameInPercent) {
 
 /// "best" lacks the second light: "close" leads, and has 12 of 1000 wrong under the first.
 TEST(TableFiles, KeepAMethodThatAnswersInFewerCasesApart) {
-  StudyRecord record = recordWithIntervals();
-  std::erase_if(record.results, [](const ResultRecord& row) {
+  study::StudyRecord record = recordWithIntervals();
+  std::erase_if(record.results, [](const study::ResultRecord& row) {
     return row.method == "best" && row.light != "elevation 15°";
   });
   const std::vector<std::string> csv = test::linesOf(tableCsv(record));
@@ -96,10 +96,10 @@ TEST(TableFiles, KeepAMethodThatAnswersInFewerCasesApart) {
 
 /// Braces, environments and math are balanced, and nothing special stands alone.
 TEST(TableTex, IsWellFormedWhateverTheText) {
-  StudyRecord evil = recordWithIntervals();
+  study::StudyRecord evil = recordWithIntervals();
   evil.title = "50 % of {it} & $x_1^2$ # ~ \\end{table} é κ ≈ \n";
   evil.name = "a/b_c%";
-  for (ResultRecord& row : evil.results) row.method += "_&%#{";
+  for (study::ResultRecord& row : evil.results) row.method += "_&%#{";
   const std::string tex = tableTex(evil);
   int depth = 0;
   int dollars = 0;
@@ -131,31 +131,32 @@ TEST(TableTex, IsWellFormedWhateverTheText) {
 
 /// The mean over views, all lights together; none unless each view has one.
 TEST(RankedTable, MeansTheIntervalsOfItsViews) {
-  StudyRecord record = test::sampleRecord();
+  study::StudyRecord record = test::sampleRecord();
   const std::size_t rows = record.results.size();
   for (std::size_t i = 0; i < rows; ++i) {
     record.results.push_back(record.results[i]);
     record.results.back().view = "atlas";
   }
-  const auto row = [](const std::string& view, const std::string& light, Interval interval) {
-    return ConfidenceRecord{"best", view, light, 0.01, interval, "", 25, 40};
+  const auto row = [](const std::string& view, const std::string& light,
+                      compare::Interval interval) {
+    return study::ConfidenceRecord{"best", view, light, 0.01, interval, "", 25, 40};
   };
   record.confidence = {row("camera", "all", {0.01, 0.03}),
                        row("camera", "elevation 15°", {0.5, 0.9})};
-  EXPECT_FALSE(rankMethods(record).front().interval) << "the atlas has none";
+  EXPECT_FALSE(study::rankMethods(record).front().interval) << "the atlas has none";
   record.confidence.push_back(row("atlas", "all", {0.02, 0.09}));
-  const auto method = rankMethods(record).front();
+  const auto method = study::rankMethods(record).front();
   ASSERT_TRUE(method.interval);
   EXPECT_EQ(method.label, "best");
   EXPECT_DOUBLE_EQ(method.interval->low, 0.015);
   EXPECT_DOUBLE_EQ(method.interval->high, 0.06);
   record.confidence.back().interval.reset();
-  EXPECT_FALSE(rankMethods(record).front().interval);
+  EXPECT_FALSE(study::rankMethods(record).front().interval);
 }
 
 TEST(RankedTable, DrawsItsBarsInOneScale) {
-  StudyRecord record = recordWithIntervals();
-  const Table table = rankedTable(record, rankMethods(record));
+  study::StudyRecord record = recordWithIntervals();
+  const Table table = rankedTable(record, study::rankMethods(record));
   ASSERT_THAT(table.rows, SizeIs(3));
   for (const Row& row : table.rows) {
     ASSERT_TRUE(row.cells[1].bar);
@@ -166,11 +167,11 @@ TEST(RankedTable, DrawsItsBarsInOneScale) {
 }
 
 TEST(TableMd, HoldsTheSameForAPullRequest) {
-  StudyRecord record = recordWithIntervals();
-  std::erase_if(record.results, [](const ResultRecord& row) {
+  study::StudyRecord record = recordWithIntervals();
+  std::erase_if(record.results, [](const study::ResultRecord& row) {
     return row.method == "best" && row.light != "elevation 15°";
   });
-  const std::string text = markdownTable(rankedTable(record, rankMethods(record)));
+  const std::string text = markdownTable(rankedTable(record, study::rankMethods(record)));
   EXPECT_THAT(text, HasSubstr("**Columns on a sphere \\<script\\>alert\\(\"1\"\\)\\</script\\>**"));
   EXPECT_THAT(text, HasSubstr("| Method | Error | 95 % | Test | False shadow | False light | IoU | "
                               "Memory, MB | Frame, ms |\n| --- | --: |"));
@@ -179,7 +180,7 @@ TEST(TableMd, HoldsTheSameForAPullRequest) {
 }
 
 TEST(TableFiles, RefuseNumbersThatAreNone) {
-  StudyRecord broken = recordWithIntervals();
+  study::StudyRecord broken = recordWithIntervals();
   broken.cost[0].frameMs = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)tableTex(broken), InternalError);
   EXPECT_THROW((void)tableCsv(broken), InternalError);
@@ -193,4 +194,4 @@ TEST(EscapeLatex, EscapesEachOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

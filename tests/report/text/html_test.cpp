@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 // Text that nobody escaped is no HTML: to put it into a page does not compile.
@@ -38,4 +38,4 @@ TEST(Html, APicturesAddressIsItsBytes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 TEST(NumberText, PercentHasTwoDecimals) {
@@ -71,4 +71,4 @@ TEST(NumberText, ThousandsAreApart) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

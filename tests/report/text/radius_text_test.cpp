@@ -8,20 +8,20 @@
 #include "report/text/confidence_text.h"
 #include "report/text/terminal_page.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-ClaimRecord turningClaim() {
-  ClaimRecord claim{"a is better than b", "a test", Verdict::held, "by far"};
-  claim.radius = {Verdict::failed, Verdict::held};
+study::ClaimRecord turningClaim() {
+  study::ClaimRecord claim{"a is better than b", "a test", study::Verdict::held, "by far"};
+  claim.radius = {study::Verdict::failed, study::Verdict::held};
   return claim;
 }
 
 TEST(RadiusText, TerminalPageAndFilesSayTheSame) {
-  const ClaimRecord claim = turningClaim();
+  const study::ClaimRecord claim = turningClaim();
   const std::string note = radiusNote(claim);
   EXPECT_EQ(note, "depends on the radius: failed at half of it, held at twice");
   EXPECT_THAT(htmlClaim(claim).text(), HasSubstr(note));
@@ -35,8 +35,8 @@ TEST(RadiusText, TerminalPageAndFilesSayTheSame) {
 }
 
 TEST(RadiusText, NothingIsSaidOfVerdictsThatStay) {
-  ClaimRecord claim = turningClaim();
-  claim.radius = {Verdict::held, Verdict::held};
+  study::ClaimRecord claim = turningClaim();
+  claim.radius = {study::Verdict::held, study::Verdict::held};
   EXPECT_EQ(radiusNote(claim), "");
   EXPECT_EQ(jsonClaim(claim).at("radius").at("depends"), false);
   EXPECT_THAT(htmlClaim(claim).text(), Not(HasSubstr("radius")));
@@ -46,29 +46,29 @@ TEST(RadiusText, NothingIsSaidOfVerdictsThatStay) {
 }
 
 TEST(RadiusText, ADifferenceSeenFromTheOtherSideTurnsWithItsCheck) {
-  StudyRecord record;
+  study::StudyRecord record;
   for (const char* method : {"a", "b"}) {
-    ConfidenceRecord row;
+    study::ConfidenceRecord row;
     row.method = method;
     row.view = "camera";
-    row.light = allLights;
+    row.light = study::allLights;
     row.rate = method[0] == 'a' ? 0.01 : 0.02;
     record.confidence.push_back(row);
   }
-  DifferenceRecord row;
+  study::DifferenceRecord row;
   row.view = "camera";
-  row.light = allLights;
+  row.light = study::allLights;
   row.first = "a";
   row.second = "b";
   row.difference = -0.01;
-  row.interval = Interval{-0.02, -0.005};
-  row.verdict = DifferenceVerdict::better;
-  row.radius = {DifferenceVerdict::worse, DifferenceVerdict::better};
+  row.interval = compare::Interval{-0.02, -0.005};
+  row.verdict = study::DifferenceVerdict::better;
+  row.radius = {study::DifferenceVerdict::worse, study::DifferenceVerdict::better};
   record.differences = {row};
-  const auto turned = differenceOf(record, "camera", allLights, "b", "a");
+  const auto turned = study::differenceOf(record, "camera", study::allLights, "b", "a");
   ASSERT_TRUE(turned);
-  EXPECT_EQ(turned->radius->atHalf, DifferenceVerdict::better);
-  EXPECT_EQ(turned->radius->atTwice, DifferenceVerdict::worse);
+  EXPECT_EQ(turned->radius->atHalf, study::DifferenceVerdict::better);
+  EXPECT_EQ(turned->radius->atTwice, study::DifferenceVerdict::worse);
   EXPECT_EQ(differenceMark(*turned), std::string(" ") + radiusMark);
   EXPECT_THAT(verdictText(record, "camera"),
               HasSubstr("which depends on the radius: worse at half of it, better at twice."));
@@ -76,4 +76,4 @@ TEST(RadiusText, ADifferenceSeenFromTheOtherSideTurnsWithItsCheck) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

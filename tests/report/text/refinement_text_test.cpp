@@ -7,14 +7,14 @@
 #include "report/tables/formats/html_format.h"
 #include "report/tables/run_tables.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TruthRecord refinedTruth() {
-  TruthRecord truth;
+study::TruthRecord refinedTruth() {
+  study::TruthRecord truth;
   truth.wantedUncertainty = 0.001;
   truth.refinement = {{1, 61'440, std::nullopt}, {0.5, 245'760, 0.0124}, {0.25, 983'040, 0.00083}};
   return truth;
@@ -28,12 +28,12 @@ TEST(RefinementText, NamesEveryLevel) {
 }
 
 TEST(RefinementText, IsEmptyWhereNothingWasAskedFor) {
-  EXPECT_EQ(refinementText(TruthRecord{}), "");
+  EXPECT_EQ(refinementText(study::TruthRecord{}), "");
   EXPECT_THAT(terminalReport(test::sampleRecord(), false), Not(HasSubstr("Refined")));
 }
 
 TEST(RefinementText, StandsInTheTerminalsTable) {
-  StudyRecord record = test::sampleRecord();
+  study::StudyRecord record = test::sampleRecord();
   record.truth.wantedUncertainty = refinedTruth().wantedUncertainty;
   record.truth.refinement = refinedTruth().refinement;
   EXPECT_THAT(terminalReport(record, false), HasSubstr("Refined until at most 0.1 %"));
@@ -52,4 +52,4 @@ TEST(RefinementText, StepsHaveTheDigitsTheyNeed) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

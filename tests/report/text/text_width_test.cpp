@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 TEST(TextWidth, CountsTerminalColumns) {
@@ -45,4 +45,4 @@ TEST(TextWidth, WrapsAtSpaces) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

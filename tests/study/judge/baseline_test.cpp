@@ -5,20 +5,20 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
 
 /// 1000 samples, 300 shadowed in the truth.
-Counts counts(double falseShadow, double falseLight) {
+compare::Counts counts(double falseShadow, double falseLight) {
   return {300 - falseLight, falseShadow, falseLight, 700 - falseShadow, 1000};
 }
 
 ResultRecord row(const std::string& method, double falseShadow, double falseLight,
                  double lengthRatio = 1.1) {
   ResultRecord result{method, "dusk", "camera", "all", counts(falseShadow, falseLight)};
-  result.lengths = ShadowLengths{400, lengthRatio, 0.9, 1.2, 8.0};
+  result.lengths = compare::ShadowLengths{400, lengthRatio, 0.9, 1.2, 8.0};
   return result;
 }
 
@@ -83,7 +83,7 @@ TEST(Baseline, HoldsEveryMetricOfTheWholeRegionWithItsSpread) {
 
 TEST(Baseline, LeavesOutWhatIsUndefinedOrHasNoSpread) {
   StudyRecord study = record({row("a", 20, 30), row("b", 1, 1)});
-  study.results.at(1).counts = Counts{};
+  study.results.at(1).counts = compare::Counts{};
   study.truth.flips.at(0).lengthError.reset();
   const std::vector<Gate> gates = baselineOf({study}).gates;
   ASSERT_EQ(gates.size(), 4U);
@@ -138,7 +138,7 @@ TEST(Baseline, TheTruthsShareOfShadowMayNotMoveAtAll) {
 
 TEST(Baseline, AValueThatIsNoMoreIsNoPass) {
   ResultRecord gone = row("a", 20, 30);
-  gone.counts = Counts{};
+  gone.counts = compare::Counts{};
   EXPECT_EQ(verdict("error_rate", row("a", 20, 30), gone), GateVerdict::undefined);
   ResultRecord without = row("a", 20, 30);
   without.lengths.reset();
@@ -201,4 +201,4 @@ TEST(Baseline, SaysWhereItCouldBeTightened) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

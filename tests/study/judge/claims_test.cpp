@@ -5,7 +5,7 @@
 #include "study/judge/claim_cases.h"
 #include "study/judge/claim_studies.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using test::judgeClaim;
@@ -97,7 +97,7 @@ TEST(Claims, HoldForTheMeanOfAllLightsThoughNotUnderEach) {
   // It may fail on average though under no light by itself.
   StudyRecord wide = study("s", {{0.05, 0.02}, {0.05, 0.02}}, 0.01);
   measureIntervals(wide, 0.04);
-  wide.differences.back().interval = Interval{0.02, 0.04};
+  wide.differences.back().interval = compare::Interval{0.02, 0.04};
   wide.differences.back().verdict = DifferenceVerdict::worse;
   EXPECT_EQ(judgeClaim(newIsBetter(), {wide}).spread->failed, 0U);
   EXPECT_EQ(judgeClaim(newIsBetter(), {wide}).verdict, Verdict::failed);
@@ -110,7 +110,8 @@ TEST(Claims, OfBoundsHoldForTheMeanOfAllLightsThoughNotUnderEach) {
   claim.method = "new";
   claim.below = 0.05;
   StudyRecord record = study("s", {{0.02, 0.1}, {0.045, 0.1}}, 0.01);
-  record.confidence.push_back({"new", "camera", "all", 0.0325, Interval{0.03, 0.04}, "", 81, 12});
+  record.confidence.push_back(
+      {"new", "camera", "all", 0.0325, compare::Interval{0.03, 0.04}, "", 81, 12});
   const ClaimRecord judged = judgeClaim(claim, {record});
   EXPECT_EQ(judged.spread->held, 1U);
   EXPECT_EQ(judged.verdict, Verdict::held);
@@ -231,7 +232,7 @@ StudyRecord lengthStudy(const std::vector<double>& ratios, std::optional<double>
   for (ResultRecord& result : record.results) {
     if (result.method != "new" || result.region != "all") continue;
     const double ratio = ratios[next++];
-    result.lengths = ShadowLengths{100, ratio, ratio - 0.1, ratio + 0.1, 8.0};
+    result.lengths = compare::ShadowLengths{100, ratio, ratio - 0.1, ratio + 0.1, 8.0};
   }
   return record;
 }
@@ -290,7 +291,7 @@ TEST(Claims, MayHaveOneBoundAlone) {
 
 TEST(Claims, SayWhereTheMetricIsNotDefined) {
   StudyRecord record = lengthStudy({1.0, 1.02}, 0.01);
-  record.results.front().lengths = ShadowLengths{};
+  record.results.front().lengths = compare::ShadowLengths{};
   const ClaimRecord judged = judgeClaim(newIsBetween(0.95, 1.05), {record});
   EXPECT_EQ(judged.verdict, Verdict::held);
   EXPECT_THAT(
@@ -324,7 +325,7 @@ TEST(Claims, OrderLengthsByTheTruthsOwnLengths) {
   StudyRecord record = lengthStudy({1.0, 1.02}, 0.01);
   for (ResultRecord& result : record.results) {
     if (result.method == "old" && result.region == "all") {
-      result.lengths = ShadowLengths{100, 1.1, 1.0, 1.2, 8.0};
+      result.lengths = compare::ShadowLengths{100, 1.1, 1.0, 1.2, 8.0};
     }
   }
   ClaimSpec claim = newIsBetter();
@@ -413,4 +414,4 @@ TEST(SweepClaims, OtherClaimsMustHoldAtEveryValue) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

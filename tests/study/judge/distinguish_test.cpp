@@ -2,16 +2,19 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 TEST(Distinguish, NeedsAnIntervalWithoutZeroAndMoreThanTheTruthsError) {
-  EXPECT_EQ(distinguish({-0.02, Interval{-0.03, -0.01}, 0.01}), DifferenceVerdict::better);
-  EXPECT_EQ(distinguish({0.02, Interval{0.01, 0.03}, 0.01}), DifferenceVerdict::worse);
-  EXPECT_EQ(distinguish({0.02, Interval{-0.01, 0.03}, 0}), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(distinguish({0.02, Interval{0, 0.03}, 0}), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(distinguish({0.02, Interval{0.01, 0.03}, 0.02}), DifferenceVerdict::notDistinguishable);
-  EXPECT_EQ(distinguish({-0.02, Interval{-0.03, -0.01}, 0.02}),
+  EXPECT_EQ(distinguish({-0.02, compare::Interval{-0.03, -0.01}, 0.01}), DifferenceVerdict::better);
+  EXPECT_EQ(distinguish({0.02, compare::Interval{0.01, 0.03}, 0.01}), DifferenceVerdict::worse);
+  EXPECT_EQ(distinguish({0.02, compare::Interval{-0.01, 0.03}, 0}),
+            DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish({0.02, compare::Interval{0, 0.03}, 0}),
+            DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish({0.02, compare::Interval{0.01, 0.03}, 0.02}),
+            DifferenceVerdict::notDistinguishable);
+  EXPECT_EQ(distinguish({-0.02, compare::Interval{-0.03, -0.01}, 0.02}),
             DifferenceVerdict::notDistinguishable);
   EXPECT_EQ(distinguish({0.5, std::nullopt, 0}), DifferenceVerdict::notDistinguishable);
 }
@@ -28,8 +31,8 @@ TEST(Distinguish, OnlyTheDistanceFromTheNumberCounts) {
   for (const double number : {-0.5, 0.25, 1.0}) {
     for (const double distance : {-0.0625, 0.0625}) {
       for (const double half : {0.03125, 0.125}) {
-        const Interval around{distance - half, distance + half};
-        const Interval moved{number + distance - half, number + distance + half};
+        const compare::Interval around{distance - half, distance + half};
+        const compare::Interval moved{number + distance - half, number + distance + half};
         const DifferenceVerdict verdict = distinguish({distance, around, 0.03125});
         EXPECT_EQ(distinguish({number + distance, moved, 0.03125}, number), verdict);
         EXPECT_EQ(isDistinguishable({distance, around, 0.03125}), half < 0.0625);
@@ -39,7 +42,7 @@ TEST(Distinguish, OnlyTheDistanceFromTheNumberCounts) {
 }
 
 DifferenceRecord row(const std::string& view, const std::string& light, double difference,
-                     std::optional<Interval> interval, double uncertainty) {
+                     std::optional<compare::Interval> interval, double uncertainty) {
   return {view,
           light,
           "a",
@@ -56,13 +59,14 @@ StudyRecord twoViews() {
   StudyRecord record;
   for (const char* view : {"atlas", "camera"}) {
     for (const char* light : {"all", "noon", "dusk"}) {
-      record.confidence.push_back({"a", view, light, 0.1, Interval{0.08, 0.12}, "", 81, 12});
+      record.confidence.push_back(
+          {"a", view, light, 0.1, compare::Interval{0.08, 0.12}, "", 81, 12});
     }
   }
-  record.differences = {row("atlas", "all", 0.03, Interval{0.02, 0.04}, 0.001),
-                        row("atlas", "noon", 0.05, Interval{0.03, 0.07}, 0.001),
-                        row("atlas", "dusk", 0.01, Interval{-0.01, 0.03}, 0.001),
-                        row("camera", "all", 0.01, Interval{-0.03, 0.05}, 0.003)};
+  record.differences = {row("atlas", "all", 0.03, compare::Interval{0.02, 0.04}, 0.001),
+                        row("atlas", "noon", 0.05, compare::Interval{0.03, 0.07}, 0.001),
+                        row("atlas", "dusk", 0.01, compare::Interval{-0.01, 0.03}, 0.001),
+                        row("camera", "all", 0.01, compare::Interval{-0.03, 0.05}, 0.003)};
   return record;
 }
 
@@ -99,7 +103,7 @@ TEST(DifferenceOverViews, IsTheMeanWithTheMeanOfTheEnds) {
   EXPECT_DOUBLE_EQ(mean->uncertainty, 0.002);
   EXPECT_EQ(mean->verdict, DifferenceVerdict::notDistinguishable);
   EXPECT_DOUBLE_EQ(differenceOverViews(record, "b", "a")->difference, -0.02);
-  record.differences[3] = row("camera", "all", 0.01, Interval{-0.01, 0.03}, 0.003);
+  record.differences[3] = row("camera", "all", 0.01, compare::Interval{-0.01, 0.03}, 0.003);
   EXPECT_EQ(differenceOverViews(record, "a", "b")->verdict, DifferenceVerdict::worse);
   EXPECT_EQ(differenceOverViews(record, "b", "a")->verdict, DifferenceVerdict::better);
   record.differences[3] = row("camera", "all", 0.5, std::nullopt, 0.003);
@@ -110,4 +114,4 @@ TEST(DifferenceOverViews, IsTheMeanWithTheMeanOfTheEnds) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 
 #include "study/judge/claim_studies.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using test::judgeClaim;
@@ -15,12 +15,13 @@ using test::sweepOf;
 using ::testing::HasSubstr;
 
 TEST(GainDifference, HasTheIntervalOfIndependentGains) {
-  const Estimate difference = gainDifference({5, Interval{2, 9}, 0.25}, {1, Interval{-3, 5}, 0.5});
+  const Estimate difference =
+      gainDifference({5, compare::Interval{2, 9}, 0.25}, {1, compare::Interval{-3, 5}, 0.5});
   EXPECT_EQ(difference.value, 4);
   EXPECT_EQ(difference.uncertainty, 0.75);
   EXPECT_DOUBLE_EQ(difference.interval->low, 4 - 5) << "3 below the first, 4 above the second";
   EXPECT_DOUBLE_EQ(difference.interval->high, 4 + std::sqrt(32));
-  EXPECT_FALSE(gainDifference({5, std::nullopt, 0}, {1, Interval{0, 2}, 0}).interval);
+  EXPECT_FALSE(gainDifference({5, std::nullopt, 0}, {1, compare::Interval{0, 2}, 0}).interval);
 }
 
 TEST(Gains, CompareGainsAcrossStudies) {
@@ -114,4 +115,4 @@ TEST(GrowingGains, AGainThatGrowsIsNotEvaluatedInASingleStudy) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,16 +5,16 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
 
 /// 1000 samples of which 20 are falsely shadowed and 30 falsely lit: error_rate 0.05.
-constexpr Counts fivePercent{270, 20, 30, 680, 1000};
-constexpr Counts nothing{};
+constexpr compare::Counts fivePercent{270, 20, 30, 680, 1000};
+constexpr compare::Counts nothing{};
 /// All lit, and so is the truth: error_rate 0, but iou is undefined.
-constexpr Counts allLit{0, 0, 0, 100, 100};
+constexpr compare::Counts allLit{0, 0, 0, 100, 100};
 
 StudyRecord judgedStudy() {
   StudyRecord study;
@@ -168,4 +168,4 @@ TEST(Thresholds, OneThatFailsFailsTheStudy) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include "common/error.h"
 #include "study/spec/study_file_fixture.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 ClaimRecord claimOf(Verdict verdict) {
@@ -62,4 +62,4 @@ TEST_F(RadiusOfStudy, VariesForTheMethodsAlone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

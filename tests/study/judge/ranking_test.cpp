@@ -5,7 +5,7 @@
 #include "report/sample_record.h"
 #include "study/record/cases.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using test::addDifferences;
@@ -112,7 +112,8 @@ TEST(Ranking, WithoutAMeasurementNothingIsCalledEqual) {
 
 TEST(Ranking, UndefinedCasesAreLeftOutAndCounted) {
   StudyRecord record = sampleRecord(1);
-  record.results.push_back(result("best", "noon", "camera", "all", Counts{0, 0, 0, 100, 100}));
+  record.results.push_back(
+      result("best", "noon", "camera", "all", compare::Counts{0, 0, 0, 100, 100}));
   const RankedMethod best = rankMethods(record)[0];
   EXPECT_EQ(best.cases, 2U);
   EXPECT_EQ(best.errorRate.cases, 2U);
@@ -123,7 +124,8 @@ TEST(Ranking, UndefinedCasesAreLeftOutAndCounted) {
 
 TEST(Ranking, AMethodWithoutSamplesComesLast) {
   StudyRecord record = sampleRecord(1);
-  record.results.insert(record.results.begin(), result("none", "l", "camera", "all", Counts{}));
+  record.results.insert(record.results.begin(),
+                        result("none", "l", "camera", "all", compare::Counts{}));
   const std::vector<RankedMethod> ranked = rankMethods(record);
   EXPECT_EQ(ranked.back().label, "none");
   EXPECT_FALSE(ranked.back().errorRate.value);
@@ -144,4 +146,4 @@ TEST(Cases, AnUncertaintyOfZeroIsAMeasurement) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -1,6 +1,6 @@
 #include "study/spec/study_file_fixture.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::AllOf;
@@ -139,4 +139,4 @@ below = 1.05
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

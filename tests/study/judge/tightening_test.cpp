@@ -3,7 +3,7 @@
 #include "study/judge/gates.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -80,4 +80,4 @@ TEST(Tightening, LooksAtAllStepsOfASweep) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include "study/record/check_record.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 Judgement judgementOf(std::optional<double> value, std::optional<double> minimum,
@@ -88,4 +88,4 @@ TEST(CheckRecord, HasTheLargestStatus) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

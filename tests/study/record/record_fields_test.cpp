@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// A record with something in every list, no two members alike.
@@ -15,21 +15,22 @@ StudyRecord sample() {
   record.radius = {12.5, "a rule"};
   record.truth.microTriangles = 1'000'003;
   record.truth.flips = {{"camera", "evening", 0.25, 0.5, {}}};
-  for (const std::string_view name : boundaryMetricNames()) {
+  for (const std::string_view name : compare::boundaryMetricNames()) {
     record.truth.flips[0].boundaries.push_back({name, 0.125, {}});
   }
-  record.truth.flips[0].boundaries[0] = {boundaryMetricNames()[0], {}, boundaryReasons()[0]};
+  record.truth.flips[0].boundaries[0] = {
+      compare::boundaryMetricNames()[0], {}, compare::boundaryReasons()[0]};
   record.truth.refinement = {{0.5, 10, {}}, {0.25, 40, 0.01}};
   record.methods = {{"ours", "onoue-2004", "title", "citation"}};
   record.refused = {{"theirs", "a reason"}};
   ResultRecord result;
   result.method = "ours";
   result.counts = {1, 2, 3, 4, 10};
-  result.lengths = ShadowLengths{100, 1.5, {}, 2.5, 3.5};
+  result.lengths = compare::ShadowLengths{100, 1.5, {}, 2.5, 3.5};
   result.boundaries = record.truth.flips[0].boundaries;
   result.answer = Answer::test;
   record.results = {result, result};
-  record.confidence = {{"ours", "camera", "all", 0.5, Interval{0.25, 0.75}, "", 144, 8}};
+  record.confidence = {{"ours", "camera", "all", 0.5, compare::Interval{0.25, 0.75}, "", 144, 8}};
   record.differences = {
       {"camera",
        "all",
@@ -52,7 +53,7 @@ StudyRecord sample() {
   record.claims = {{"text", "source", Verdict::held, "detail",
                     ClaimSpread{3, 2, 1, 1, "ratio", Quartiles{1, 2, 3, 4, 5}, true, Verdict::held},
                     RadiusCheck<Verdict>{Verdict::held, Verdict::failed}}};
-  const BudgetShare share{0.5, Interval{0, 1}, "none", true};
+  const BudgetShare share{0.5, compare::Interval{0, 1}, "none", true};
   record.budgets = {{"ours",
                      "camera",
                      "all",
@@ -72,18 +73,18 @@ StudyRecord sample() {
   record.panels = {{"camera", "evening", 64, 32, {picture}, {{"lit", "dark"}}}};
   record.notices = {"a notice", ""};
   record.undefinedSamples = 5;
-  record.cache = CacheCounts{1, 2, 3};
+  record.cache = cache::CacheCounts{1, 2, 3};
   return record;
 }
 
 TEST(RecordFields, ComeBackToTheBit) {
   const StudyRecord record = sample();
-  const std::string bytes = bytesOf(record);
-  const auto read = valueOf<StudyRecord>(bytes);
-  EXPECT_EQ(bytesOf(read), bytes);
+  const std::string bytes = cache::bytesOf(record);
+  const auto read = cache::valueOf<StudyRecord>(bytes);
+  EXPECT_EQ(cache::bytesOf(read), bytes);
   EXPECT_EQ(read.name, "small/5");
-  EXPECT_EQ(read.truth.flips[0].boundaries[0].reason, boundaryReasons()[0]);
-  EXPECT_EQ(read.truth.flips[0].boundaries[1].name, boundaryMetricNames()[1]);
+  EXPECT_EQ(read.truth.flips[0].boundaries[0].reason, compare::boundaryReasons()[0]);
+  EXPECT_EQ(read.truth.flips[0].boundaries[1].name, compare::boundaryMetricNames()[1]);
   EXPECT_EQ(read.truth.flips[0].boundaries[1].value, 0.125);
   EXPECT_EQ(read.results[1].lengths, record.results[1].lengths);
   EXPECT_EQ(read.results[1].answer, Answer::test);
@@ -99,11 +100,11 @@ TEST(RecordFields, ComeBackToTheBit) {
 }
 
 TEST(RecordFields, EveryMemberIsInTheBytes) {
-  const std::string bytes = bytesOf(sample());
+  const std::string bytes = cache::bytesOf(sample());
   const auto differs = [&](const auto& change) {
     StudyRecord record = sample();
     change(record);
-    return bytesOf(record) != bytes;
+    return cache::bytesOf(record) != bytes;
   };
   EXPECT_TRUE(differs([](StudyRecord& r) { r.undefinedSamples = 6; }));
   EXPECT_TRUE(differs([](StudyRecord& r) { r.truth.askedStepTexels = 6; }));
@@ -114,17 +115,18 @@ TEST(RecordFields, EveryMemberIsInTheBytes) {
 }
 
 TEST(RecordFields, BytesThatAreCutAreNoRecord) {
-  const std::string bytes = bytesOf(sample());
+  const std::string bytes = cache::bytesOf(sample());
   for (std::size_t size = 0; size < bytes.size(); size += 7) {
-    EXPECT_THROW((void)valueOf<StudyRecord>(std::string_view(bytes).substr(0, size)), DamagedBytes);
+    EXPECT_THROW((void)cache::valueOf<StudyRecord>(std::string_view(bytes).substr(0, size)),
+                 cache::DamagedBytes);
   }
 }
 
 TEST(RecordFields, OnlyThresholdsAreKept) {
   StudyRecord record = sample();
   record.judgements[0].gate.origin = Reference{};
-  EXPECT_THROW((void)bytesOf(record), InternalError);
+  EXPECT_THROW((void)cache::bytesOf(record), InternalError);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,13 +7,13 @@
 #include "common/error.h"
 #include "compare/boundaries.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 ResultRecord measured() {
   ResultRecord result{"m", "l", "v", "all", {270, 20, 30, 680, 1000}};
-  result.lengths = ShadowLengths{40, 1.25, 1.0, 1.5, 8.0};
-  for (const std::string_view name : boundaryMetricNames()) {
+  result.lengths = compare::ShadowLengths{40, 1.25, 1.0, 1.5, 8.0};
+  for (const std::string_view name : compare::boundaryMetricNames()) {
     result.boundaries.push_back({name, 0.25, {}});
   }
   return result;
@@ -22,12 +22,12 @@ ResultRecord measured() {
 TEST(ResultMetrics, AreRatesBoundariesAndLengths) {
   const auto metrics = metricsOf(measured());
   ASSERT_EQ(metrics.size(), metricNames().size());
-  ASSERT_EQ(metrics.size(), rateNames().size() + 8 + 4);
+  ASSERT_EQ(metrics.size(), compare::rateNames().size() + 8 + 4);
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     EXPECT_EQ(metrics[i].name, metricNames()[i]);
     EXPECT_TRUE(metrics[i].value) << metrics[i].name;
     EXPECT_EQ(metricOf(measured(), metrics[i].name).value, metrics[i].value);
-    EXPECT_EQ(isRate(metrics[i].name), i < rateNames().size());
+    EXPECT_EQ(isRate(metrics[i].name), i < compare::rateNames().size());
   }
   EXPECT_EQ(metricOf(measured(), "error_rate").value, 0.05);
   EXPECT_EQ(metricOf(measured(), "assd").value, 0.25);
@@ -43,7 +43,7 @@ TEST(ResultMetrics, OfRegionsAreRatesAloneAndSayWhy) {
   region.boundaries.clear();
   for (const std::string_view name : metricNames()) {
     if (isRate(name)) continue;
-    const Metric metric = metricOf(region, name);
+    const compare::Metric metric = metricOf(region, name);
     EXPECT_EQ(metric.name, name);
     EXPECT_EQ(metric.value, std::nullopt);
     EXPECT_EQ(metric.reason, "measured over all samples together only");
@@ -53,7 +53,7 @@ TEST(ResultMetrics, OfRegionsAreRatesAloneAndSayWhy) {
 
 TEST(ResultMetrics, AreUncertainByWhatTheCoarserTruthIsOff) {
   UncertaintyRecord truth{"v", "l", 0.5, 0.125, {}};
-  for (const std::string_view name : boundaryMetricNames()) {
+  for (const std::string_view name : compare::boundaryMetricNames()) {
     EXPECT_EQ(metricUncertainty(truth, name), std::numeric_limits<double>::infinity());
   }
   truth.boundaries = measured().boundaries;
@@ -71,4 +71,4 @@ TEST(ResultMetrics, RefuseOtherNames) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include "study/spec/study_file_fixture.h"
 #include "surface/cage/shapes.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -72,14 +72,14 @@ TEST(Notices, PiecesLongerThanTwoTexelsAreTooCoarse) {
 }
 
 /// A torus, or the same with its inside out.
-LimitSurface torus(bool isInsideOut) {
-  Cage cage = makeTorus(30, 10, 66, 58);
+surface::LimitSurface torus(bool isInsideOut) {
+  surface::Cage cage = surface::makeTorus(30, 10, 66, 58);
   for (std::size_t corner = 0; isInsideOut && corner < cage.faceVertices.size(); corner += 4) {
     std::swap(cage.faceVertices[corner + 1], cage.faceVertices[corner + 3]);
     std::swap(cage.faceUvs[corner + 1], cage.faceUvs[corner + 3]);
   }
   if (isInsideOut) cage.grid.reset();
-  return LimitSurface(cage);
+  return surface::LimitSurface(cage);
 }
 
 TEST(Notices, AClosedSurfaceInsideOutIsToldOnlyWhereAllIsDark) {
@@ -89,9 +89,9 @@ TEST(Notices, AClosedSurfaceInsideOutIsToldOnlyWhereAllIsDark) {
   EXPECT_THAT(*notice, HasSubstr("99.9 %"));
   EXPECT_EQ(insideOutNotice(torus(true), 0.9), std::nullopt) << "someone looks at its inside";
   EXPECT_EQ(insideOutNotice(torus(false), 1), std::nullopt) << "it is night";
-  const LimitSurface open(makePlane(8, 8, 4, 4));
+  const surface::LimitSurface open(surface::makePlane(8, 8, 4, 4));
   EXPECT_EQ(insideOutNotice(open, 1), std::nullopt);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -11,7 +11,7 @@
 
 // A study whose map is resampled is the same study: surface, shadows and lengths in the world.
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -60,15 +60,15 @@ TEST_F(ResampledStudy, IsTheSameSurface) {
       const std::string change = fmt::format("relief.height_space={}", space);
       const StudySpec coarse = sphereStudy(1, change);
       const StudySpec fine = sphereStudy(factor, change);
-      const LimitSurface surface(coarse.cage);
+      const surface::LimitSurface surface(coarse.cage);
       std::mt19937 random(11);
       std::uniform_real_distribution<double> share(0, 1);
       double moved = 0;
       for (int i = 0; i < 5000; ++i) {
-        const TangentPoint point =
+        const surface::TangentPoint point =
             surface.tangentPoint(i % surface.faceCount(), share(random), share(random));
-        const auto place = [&](const Relief& of) {
-          return displaced(of, texelFrame(point, of.texelsPerUv()));
+        const auto place = [&](const relief::Relief& of) {
+          return relief::displaced(of, surface::texelFrame(point, of.texelsPerUv()));
         };
         ASSERT_LT(glm::length(place(coarse.relief) - place(fine.relief)), 1e-6) << space;
         moved = std::max(moved, glm::length(place(coarse.relief) - point.position));
@@ -80,20 +80,20 @@ TEST_F(ResampledStudy, IsTheSameSurface) {
 
 /// The truth of a study at fixed points of its surface.
 Mask truthOf(const StudySpec& study, double coarser = 1) {
-  const LimitSurface surface(study.cage);
-  SampleGrid samples{200, 150, {}};
+  const surface::LimitSurface surface(study.cage);
+  surface::SampleGrid samples{200, 150, {}};
   std::mt19937 random(5);
   std::uniform_real_distribution<float> share(0, 1);
   for (int i = 0; i < samples.width * samples.height; ++i) {
     samples.samples.push_back({i % surface.faceCount(), share(random), share(random)});
   }
-  MicroMeshSettings settings = study.truth;
+  truth::MicroMeshSettings settings = study.truth;
   settings.stepTexels = coarser * settings.stepTexels.value();
-  const MicroMesh mesh(surface, study.relief, settings);
-  const MicroScene scene(mesh);
-  return traceShadows(
-             surface, study.relief, mesh, scene, samples,
-             {test::lightToward(20, 25), study.bake.settings.radiusTexels, standardRayOffset})
+  const truth::MicroMesh mesh(surface, study.relief, settings);
+  const truth::MicroScene scene(mesh);
+  return truth::traceShadows(surface, study.relief, mesh, scene, samples,
+                             {test::lightToward(20, 25), study.bake.settings.radiusTexels,
+                              truth::standardRayOffset})
       .mask;
 }
 
@@ -107,7 +107,7 @@ TEST_F(ResampledStudy, HasTheSameTruthWhereTheMicroMeshIsTheSame) {
   // A sixth of a texel: half a texel of the map three times as fine, where all lines fall again.
   const Mask coarse = truthOf(sphereStudy(1, "truth.step=0.1667"));
   const Mask fine = truthOf(sphereStudy(3, "truth.step=0.1667"));
-  EXPECT_EQ(flipRate(coarse, fine), 0);
+  EXPECT_EQ(truth::flipRate(coarse, fine), 0);
   EXPECT_GT(shadowedShare(coarse), 0.1);
   EXPECT_LT(shadowedShare(coarse), 0.9);
 }
@@ -115,17 +115,18 @@ TEST_F(ResampledStudy, HasTheSameTruthWhereTheMicroMeshIsTheSame) {
 TEST_F(ResampledStudy, HasTheSameTruthWithinItsUncertaintyElsewhere) {
   const StudySpec study = sphereStudy(1, "truth.step=0.125");
   const Mask coarse = truthOf(study);
-  const double uncertainty = flipRate(coarse, truthOf(study, 2));
+  const double uncertainty = truth::flipRate(coarse, truthOf(study, 2));
   EXPECT_GT(uncertainty, 0);
   for (const int factor : {3, 5}) {
-    EXPECT_LE(flipRate(coarse, truthOf(sphereStudy(factor, "truth.step=0.125"))), uncertainty);
+    EXPECT_LE(truth::flipRate(coarse, truthOf(sphereStudy(factor, "truth.step=0.125"))),
+              uncertainty);
   }
   // The control: heights that are not scaled with the map are another surface.
   StudySpec lower = sphereStudy(3, "truth.step=0.125");
   std::vector<float> texels = lower.relief.field.texels();
   for (float& texel : texels) texel /= 3;
-  lower.relief.field = HeightField(108, 108, texels, Wrap::clamp);
-  EXPECT_GT(flipRate(coarse, truthOf(lower)), 10 * uncertainty);
+  lower.relief.field = relief::HeightField(108, 108, texels, relief::Wrap::clamp);
+  EXPECT_GT(truth::flipRate(coarse, truthOf(lower)), 10 * uncertainty);
 }
 
 TEST_F(ResampledStudy, TakesOddFactorsThatFitAlone) {
@@ -140,4 +141,4 @@ TEST_F(ResampledStudy, TakesOddFactorsThatFitAlone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

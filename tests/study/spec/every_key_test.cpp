@@ -5,7 +5,7 @@
 #include "study/spec/toml/nearest_name.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::AllOf;
@@ -299,4 +299,4 @@ TEST_F(EveryKey, NoListHasAnEntryPastItsEnd) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

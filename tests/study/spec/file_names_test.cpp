@@ -4,7 +4,7 @@
 
 #include "study/spec/file_names.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -38,4 +38,4 @@ TEST(FileNames, AreShortEnoughForAFileSystem) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

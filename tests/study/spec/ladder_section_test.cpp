@@ -4,7 +4,7 @@
 
 #include "study/spec/study_file_fixture.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::AllOf;
@@ -143,4 +143,4 @@ TEST_F(LadderSection, OfTheErrorBudgetIsWhole) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 const std::set<std::string, std::less<>> reliefKeys = {"height", "height_space", "radius", "wall",
@@ -32,4 +32,4 @@ TEST(NearestName, FindsNothingThatIsFarAway) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -14,7 +14,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -202,4 +202,4 @@ TEST_F(ResolvedStudy, InputsAreAllFilesWithTheirHashes) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

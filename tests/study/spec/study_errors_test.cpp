@@ -1,6 +1,6 @@
 #include "study/spec/study_file_fixture.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -165,4 +165,4 @@ TEST_F(StudyErrors, NamesFilesThatAreMissing) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -12,7 +12,7 @@
 #include "support/replaced.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A study to change one thing of.
 inline const std::string plainStudy = test::planeStudy("plain") + R"(
@@ -61,4 +61,4 @@ class StudyFile : public TemporaryFolder {
   }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

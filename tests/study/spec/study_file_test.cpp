@@ -7,7 +7,7 @@
 #include "image/channel_image.h"
 #include "study/spec/study_file_fixture.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,7 +23,7 @@ TEST_F(StudyFile, HoldsWhatItSays) {
   EXPECT_EQ(study.source, "a test");
   EXPECT_EQ(study.relief.field.width(), 64);
   EXPECT_EQ(study.relief.field.height(), 32);
-  EXPECT_EQ(study.relief.space, HeightSpace::world);
+  EXPECT_EQ(study.relief.space, relief::HeightSpace::world);
   ASSERT_EQ(study.views.size(), 2U);
   const Camera& camera = std::get<Camera>(study.views[0].kind);
   EXPECT_EQ(study.views[0].name, "camera");
@@ -41,27 +41,28 @@ TEST_F(StudyFile, SearchesOccludersAsFarAsTheLongestShadowUnlessTold) {
   const StudySpec study = read(plainStudy);
   EXPECT_EQ(study.bake.settings.radiusTexels, std::ceil(4 / std::tan(radians(30.0))));
   EXPECT_EQ(study.methods[0].bake.settings.radiusTexels, study.bake.settings.radiusTexels);
-  EXPECT_EQ(study.radius.bound, RadiusBound::leaves);
+  EXPECT_EQ(study.radius.bound, horizon::RadiusBound::leaves);
   // The longest of all lights.
   EXPECT_EQ(readWith({"light.0.elevation=[60, 15]"}).bake.settings.radiusTexels,
             std::ceil(4 / std::tan(radians(15.0))));
   const StudySpec stated = readWith({"bake.radius=12.5"});
   EXPECT_EQ(stated.bake.settings.radiusTexels, 12.5);
-  EXPECT_EQ(stated.radius.bound, RadiusBound::stated);
+  EXPECT_EQ(stated.radius.bound, horizon::RadiusBound::stated);
   EXPECT_EQ(stated.radius.texels, 12.5);
 }
 
 TEST_F(StudyFile, EndsAMapWithAnOpenPatch) {
-  EXPECT_EQ(read(plainStudy).relief.field.border(), (Border{true, true}));
-  EXPECT_EQ(readWith({"relief.repeats=[2, 1]"}).relief.field.border(), (Border{false, true}));
+  EXPECT_EQ(read(plainStudy).relief.field.border(), (relief::Border{true, true}));
+  EXPECT_EQ(readWith({"relief.repeats=[2, 1]"}).relief.field.border(),
+            (relief::Border{false, true}));
 }
 
 TEST_F(StudyFile, WrapsAndRepeatsOnceUnlessTold) {
   const StudySpec standard = read(plainStudy);
-  EXPECT_EQ(standard.relief.field.wrap(), Wrap::repeat);
+  EXPECT_EQ(standard.relief.field.wrap(), relief::Wrap::repeat);
   EXPECT_EQ(standard.relief.repeats, Vec2(1));
   const StudySpec told = readWith({"relief.wrap=clamp", "relief.repeats=[2, 3.5]"});
-  EXPECT_EQ(told.relief.field.wrap(), Wrap::clamp);
+  EXPECT_EQ(told.relief.field.wrap(), relief::Wrap::clamp);
   EXPECT_EQ(told.relief.repeats, Vec2(2, 3.5));
 }
 
@@ -88,7 +89,7 @@ TEST_F(StudyFile, EveryShapeAndPatternCanBeAskedFor) {
 }
 
 TEST_F(StudyFile, ReadsAHeightImageBesideIt) {
-  writeExr(file("map.exr"), ChannelImage{2, 1, {"Y"}, {0.25F, 1.0F}});
+  image::writeExr(file("map.exr"), image::ChannelImage{2, 1, {"Y"}, {0.25F, 1.0F}});
   const StudySpec study = readWith({R"(relief={image="map.exr", height=8, height_space="world"})"});
   EXPECT_EQ(study.relief.field.width(), 2);
   EXPECT_EQ(study.relief.field.texel(0, 0), 2);
@@ -133,18 +134,18 @@ TEST_F(StudyFile, MethodsOverrideTheStudysBakeAndBase) {
        "method.1.parameters.steps=7", "base.curvature=vertices", "method.1.base.curvature=limit"});
   const MethodSpec& first = study.methods[0];
   EXPECT_EQ(first.bake.settings.azimuths, 16);
-  EXPECT_EQ(first.bake.bits, TableBits::sixteen);
+  EXPECT_EQ(first.bake.bits, horizon::TableBits::sixteen);
   EXPECT_EQ(first.base.subdivisions, 3);
-  EXPECT_EQ(first.base.curvature, CurvatureSource::vertices);
-  EXPECT_EQ(first.filter, TableFilter::exact);
+  EXPECT_EQ(first.base.curvature, surface::CurvatureSource::vertices);
+  EXPECT_EQ(first.filter, render::TableFilter::exact);
   EXPECT_TRUE(first.parameters.empty());
   const MethodSpec& second = study.methods[1];
   EXPECT_EQ(second.bake.settings.azimuths, 4);
   EXPECT_EQ(second.bake.settings.radiusTexels, 20);
-  EXPECT_EQ(second.bake.bits, TableBits::sixteen);
+  EXPECT_EQ(second.bake.bits, horizon::TableBits::sixteen);
   EXPECT_EQ(second.base.subdivisions, 2);
-  EXPECT_EQ(second.base.curvature, CurvatureSource::limit);
-  EXPECT_EQ(second.filter, TableFilter::hardware);
+  EXPECT_EQ(second.base.curvature, surface::CurvatureSource::limit);
+  EXPECT_EQ(second.filter, render::TableFilter::hardware);
   EXPECT_EQ(second.parameters, (std::map<std::string, double>{{"steps", 7}}));
 }
 
@@ -232,4 +233,4 @@ TEST(Scenes, CanAllBeRead) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

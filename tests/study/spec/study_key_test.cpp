@@ -5,7 +5,7 @@
 #include "common/error.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -141,7 +141,7 @@ TEST(StudyKey, RefusesWhatItsDeclarationDoesNotAllow) {
 /// What no declaration leaves out, the cache cannot miss.
 TEST(StudyKey, EveryValueEntersTheCachesKeyUnlessItsDeclarationSaysOtherwise) {
   const auto keyOf = [](const Section& section, Enters result) {
-    KeyBuilder key("test");
+    cache::KeyBuilder key("test");
     addSettings(key, section, result);
     return key.key();
   };
@@ -181,4 +181,4 @@ TEST(StudyKey, SaysItsTypeAndDefault) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

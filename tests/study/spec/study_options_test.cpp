@@ -9,7 +9,7 @@
 // What the command line changes in a study: which methods and gates are left, and what stands in a
 // method's place.
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::ElementsAre;
@@ -168,4 +168,4 @@ TEST_F(StudyOptionsTest, ReplacementsThatMakeNoSenseAreRefused) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 #include "study/spec/study_text.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,4 +66,4 @@ TEST(StudyFolder, IsTheFilesOrTheWorkingDirectory) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

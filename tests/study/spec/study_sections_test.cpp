@@ -6,7 +6,7 @@
 
 #include "common/files/atomic_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -26,4 +26,4 @@ TEST(StudySections, EverySectionHasATable) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

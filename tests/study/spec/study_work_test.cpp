@@ -5,7 +5,7 @@
 #include "study/spec/study_file_fixture.h"
 #include "truth/micro_lines.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 class StudyWorkOf : public StudyFile {};
@@ -36,10 +36,11 @@ TEST_F(StudyWorkOf, GrowsWithEveryKeyThatMakesARunLonger) {
 TEST_F(StudyWorkOf, FindsTheMicroTrianglesOfAGrid) {
   for (const char* change : {"truth.step=0.25", "truth.triangles=1e6", "truth.triangles=5e5"}) {
     const StudySpec study = readWith({change});
-    const LimitSurface surface(study.cage);
-    const MicroLines lines = placeMicroLines(surface, study.relief.texelsPerUv(), study.truth, 1);
+    const surface::LimitSurface surface(study.cage);
+    const truth::MicroLines lines =
+        truth::placeMicroLines(surface, study.relief.texelsPerUv(), study.truth, 1);
     double quads = 0;
-    for (const FaceLines& face : lines.faces) {
+    for (const surface::FaceLines& face : lines.faces) {
       const auto pieces = [&](int line) {
         return static_cast<double>(lines.lines[static_cast<std::size_t>(line)].size()) - 1;
       };
@@ -73,4 +74,4 @@ TEST_F(StudyWorkOf, IsCountedBySpeeds) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -13,7 +13,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::AllOf;
@@ -382,4 +382,4 @@ gain_grows = true
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

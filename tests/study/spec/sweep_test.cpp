@@ -11,7 +11,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::AllOf;
@@ -211,4 +211,4 @@ TEST_F(SweepFile, RecordHoldsThePlanAndItsSteps) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using ::testing::HasSubstr;
@@ -413,4 +413,4 @@ TEST_F(TomlFile, AFaultOfSyntaxIsOneLineEvenAtTheEndOfOne) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

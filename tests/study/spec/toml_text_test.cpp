@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 TEST(TomlText, HasSectionsInOrderAndShortNumbers) {
@@ -56,4 +56,4 @@ TEST(TomlText, RefusesWhatTomlCannotHold) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 TEST(WithKeys, ReturnsWhatTheWorkReturns) {
@@ -30,4 +30,4 @@ TEST(WithKeys, LeavesErrorsAloneThatNameNoParameter) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

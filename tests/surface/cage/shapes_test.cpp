@@ -8,7 +8,7 @@
 #include "surface/limit_surface.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -372,4 +372,4 @@ TEST(ShapeErrors, TooCoarseAnArcSaysHowManyFacesItNeeds) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -12,7 +12,7 @@
 #include "surface/limit_surface.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 namespace Bfr = OpenSubdiv::Bfr;
@@ -420,4 +420,4 @@ TEST(ReadObjErrors, DamagedFilesNeverDoWorseThanAnInputError) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

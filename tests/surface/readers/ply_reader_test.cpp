@@ -14,7 +14,7 @@
 #include "surface/readers/obj_reader.h"
 #include "surface/test_surfaces.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 const char* const spotPath = GNOMON_SCENES "/meshes/spot_control_mesh.obj";
@@ -435,4 +435,4 @@ TEST(ReadPlyErrors, Endings) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::surface

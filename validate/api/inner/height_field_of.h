@@ -8,7 +8,7 @@ inline namespace api {
 
 /// A copy of a height map, checked.
 /// @throws InputError as HeightField
-HeightField heightFieldOf(const HeightMap& map);
+relief::HeightField heightFieldOf(const HeightMap& map);
 
 }  // namespace api
 }  // namespace gnomon

@@ -9,10 +9,10 @@ inline namespace api {
 
 /// What a Surface holds.
 struct Surface::Data {
-  explicit Data(Cage of) : cage(std::move(of)), limit(cage) {}
+  explicit Data(surface::Cage of) : cage(std::move(of)), limit(cage) {}
 
-  Cage cage;
-  LimitSurface limit;
+  surface::Cage cage;
+  surface::LimitSurface limit;
 };
 
 }  // namespace api

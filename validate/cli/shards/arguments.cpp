@@ -3,7 +3,7 @@
 #include "cli/run_command.h"
 #include "common/text/shell_quote.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 constexpr std::string_view outOption = "--out";
@@ -54,4 +54,4 @@ Arguments withOut(const Arguments& arguments, const std::string& out) {
   return result;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// The words of a command line behind the program's name, as they were typed.
 using Arguments = std::vector<std::string>;
@@ -20,4 +20,4 @@ Arguments withoutOption(const Arguments& arguments, std::string_view name);
 /// unless it is the folder that holds without the option.
 Arguments withOut(const Arguments& arguments, const std::string& out);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -21,16 +21,21 @@
 #include "common/system/memory.h"
 #include "report/plots/gnuplot.h"
 
-namespace gnomon {
-namespace fs = std::filesystem;
+/// Where the streams look it up.
+namespace gnomon::cache {
 
-template <typename Stream, SameAs<WorkSpeed> T>
+template <typename Stream, SameAs<study::WorkSpeed> T>
 void fields(Stream& stream, T& speed) {
   auto& [microTriangle, ray, frame, horizon, start] = speed;
   stream(microTriangle, ray, frame, horizon, start);
 }
 
-template <typename Stream, SameAs<Calibration> T>
+}  // namespace gnomon::cache
+
+namespace gnomon::cli {
+namespace fs = std::filesystem;
+
+template <typename Stream, cache::SameAs<Calibration> T>
 void fields(Stream& stream, T& calibration) {
   auto& [speed, held, perTriangle, perRay, name, seconds, threads, day, isKept] = calibration;
   stream(speed, held, perTriangle, perRay, name, seconds, threads, day, isKept);
@@ -39,7 +44,7 @@ void fields(Stream& stream, T& calibration) {
 namespace {
 
 /// The part of the work that a stage's time grows with.
-double WorkSpeed::*partOf(std::string_view stage) {
+double study::WorkSpeed::*partOf(std::string_view stage) {
   constexpr std::array<std::string_view, 3> ofMesh = {"surface", "micro-mesh", "hierarchy"};
   constexpr std::array<std::string_view, 4> ofRays = {"samples", "truth", "displaced picture",
                                                       "bins"};
@@ -47,11 +52,12 @@ double WorkSpeed::*partOf(std::string_view stage) {
   const auto isIn = [&](const auto& list) {
     return std::find(list.begin(), list.end(), stage) != list.end();
   };
-  if (isIn(ofMesh)) return &WorkSpeed::microTriangle;
-  if (isIn(ofTables)) return &WorkSpeed::horizon;
+  if (isIn(ofMesh)) return &study::WorkSpeed::microTriangle;
+  if (isIn(ofTables)) return &study::WorkSpeed::horizon;
   // Half of it is a coarser mesh, half its rays; the mesh is the larger where it matters.
-  if (stage == "uncertainty" || stage.starts_with("refine")) return &WorkSpeed::microTriangle;
-  return isIn(ofRays) ? &WorkSpeed::ray : &WorkSpeed::frame;
+  if (stage == "uncertainty" || stage.starts_with("refine"))
+    return &study::WorkSpeed::microTriangle;
+  return isIn(ofRays) ? &study::WorkSpeed::ray : &study::WorkSpeed::frame;
 }
 
 /// A part that the case does not have tells nothing: then the standard speed holds.
@@ -95,12 +101,13 @@ class WorkFolder {
   fs::path path_;
 };
 
-Calibration measured(const StudyPlan& plan, const StudySpec& step, RunRequest request) {
+Calibration measured(const study::StudyPlan& plan, const study::StudySpec& step,
+                     RunRequest request) {
   const WorkFolder folder;
   request.out = folder.path();
-  Cache none;
-  askGnuplotVersion();
-  const GlContext gl;
+  cache::Cache none;
+  report::askGnuplotVersion();
+  const render::GlContext gl;
   requirePlots();
   MeasuredCases cases(gl, request, none, 1);
   cases.prepare(step);
@@ -112,8 +119,8 @@ Calibration measured(const StudyPlan& plan, const StudySpec& step, RunRequest re
   const auto begin = std::chrono::steady_clock::now();
   runStep(plan, step, cases, request, none, records);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const StudyWork work = workOf(step);
-  const TruthRecord& truth = records.all.front().truth;
+  const study::StudyWork work = study::workOf(step);
+  const study::TruthRecord& truth = records.all.front().truth;
   const auto ofMesh = static_cast<double>(truth.bvhBytes.value_or(0) + truth.meshBytes);
   result.speed = speedOf(work, records.all.front().timings, result.seconds);
   result.bytesPerTriangle = ofMesh / std::max(1.0, work.microTriangles);
@@ -127,28 +134,29 @@ Calibration measured(const StudyPlan& plan, const StudySpec& step, RunRequest re
 
 }  // namespace
 
-double expectedBytes(const StudyWork& work, const Calibration& calibration) {
+double expectedBytes(const study::StudyWork& work, const Calibration& calibration) {
   return calibration.heldBytes + work.microTriangles * calibration.bytesPerTriangle +
          work.rays * calibration.bytesPerRay;
 }
 
-WorkSpeed speedOf(const StudyWork& work, const std::vector<TimingRecord>& timings, double seconds) {
-  WorkSpeed sums;
+study::WorkSpeed speedOf(const study::StudyWork& work,
+                         const std::vector<study::TimingRecord>& timings, double seconds) {
+  study::WorkSpeed sums;
   double inStages = 0;
-  for (const TimingRecord& timing : timings) {
+  for (const study::TimingRecord& timing : timings) {
     sums.*partOf(timing.stage) += timing.seconds;
     inStages += timing.seconds;
   }
-  const WorkSpeed& standard = standardSpeed;
+  const study::WorkSpeed& standard = study::standardSpeed;
   return {
       perUnit(sums.microTriangle, work.microTriangles, standard.microTriangle),
       perUnit(sums.ray, work.rays, standard.ray), perUnit(sums.frame, work.frames, standard.frame),
       perUnit(sums.horizon, work.horizons, standard.horizon), std::max(0.0, seconds - inStages)};
 }
 
-Calibration calibrate(const StudyPlan& plan, const StudySpec& step, const RunRequest& request,
-                      Cache& cache) {
-  KeyBuilder key("calibration");
+Calibration calibrate(const study::StudyPlan& plan, const study::StudySpec& step,
+                      const RunRequest& request, cache::Cache& cache) {
+  cache::KeyBuilder key("calibration");
   key.add("case", caseHash(step)).add("host", hostName()).add("threads", threadCount());
   key.add("half and twice", request.varyRadius);
   if (std::optional<Calibration> kept = cache.find<Calibration>(key.key())) {
@@ -160,4 +168,4 @@ Calibration calibrate(const StudyPlan& plan, const StudySpec& step, const RunReq
   return found;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

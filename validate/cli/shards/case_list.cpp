@@ -6,9 +6,9 @@
 #include "cli/shards/division.h"
 #include "study/spec/study_work.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
-std::vector<CasePlace> allCases(const std::vector<StudyPlan>& plans) {
+std::vector<CasePlace> allCases(const std::vector<study::StudyPlan>& plans) {
   std::vector<CasePlace> places;
   for (std::size_t p = 0; p < plans.size(); ++p) {
     for (std::size_t s = 0; s < plans[p].steps.size(); ++s) places.push_back({p, s});
@@ -16,12 +16,13 @@ std::vector<CasePlace> allCases(const std::vector<StudyPlan>& plans) {
   return places;
 }
 
-std::vector<std::vector<CasePlace>> casesOfShards(const std::vector<StudyPlan>& plans, int count) {
+std::vector<std::vector<CasePlace>> casesOfShards(const std::vector<study::StudyPlan>& plans,
+                                                  int count) {
   const std::vector<CasePlace> all = allCases(plans);
   std::vector<std::uint64_t> costs;
   costs.reserve(all.size());
   for (const CasePlace& place : all) {
-    costs.push_back(standardCost(plans[place.plan].steps[place.step]));
+    costs.push_back(study::standardCost(plans[place.plan].steps[place.step]));
   }
   const std::vector<std::size_t> begins = dividedByCost(costs, count);
   std::vector<std::vector<CasePlace>> parts;
@@ -32,8 +33,8 @@ std::vector<std::vector<CasePlace>> casesOfShards(const std::vector<StudyPlan>& 
   return parts;
 }
 
-std::vector<CasePlace> casesOf(const std::vector<StudyPlan>& plans, const Shard& shard) {
+std::vector<CasePlace> casesOf(const std::vector<study::StudyPlan>& plans, const Shard& shard) {
   return std::move(casesOfShards(plans, shard.count).at(static_cast<std::size_t>(shard.index - 1)));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -6,7 +6,7 @@
 #include "cli/shards/shard.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// A case of a command: a study, or a step of a sweep.
 struct CasePlace {
@@ -15,13 +15,14 @@ struct CasePlace {
 };
 
 /// All cases, in the order in which a run without shards measures them.
-std::vector<CasePlace> allCases(const std::vector<StudyPlan>& plans);
+std::vector<CasePlace> allCases(const std::vector<study::StudyPlan>& plans);
 
 /// Those that a shard measures: neighbours of the list, by their cost as the studies alone tell it
 /// (standardCost, dividedByCost).
-std::vector<CasePlace> casesOf(const std::vector<StudyPlan>& plans, const Shard& shard);
+std::vector<CasePlace> casesOf(const std::vector<study::StudyPlan>& plans, const Shard& shard);
 
 /// All shards' cases, the first shard's first.
-std::vector<std::vector<CasePlace>> casesOfShards(const std::vector<StudyPlan>& plans, int count);
+std::vector<std::vector<CasePlace>> casesOfShards(const std::vector<study::StudyPlan>& plans,
+                                                  int count);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -4,7 +4,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 std::vector<std::size_t> dividedByCost(std::span<const std::uint64_t> costs, int count) {
   if (count < 1) throw InternalError("a division into no part");
@@ -27,4 +27,4 @@ std::vector<std::size_t> dividedByCost(std::span<const std::uint64_t> costs, int
   return begins;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Divides a list of cases into parts of about the same cost, each of neighbours: those of one
 /// sweep share what does not change between them. Whole numbers alone decide, so that every machine
@@ -19,4 +19,4 @@ namespace gnomon {
 /// @throws InternalError for a count below 1
 std::vector<std::size_t> dividedByCost(std::span<const std::uint64_t> costs, int count);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

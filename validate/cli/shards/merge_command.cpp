@@ -17,7 +17,7 @@
 #include "report/ci/github_annotations.h"
 #include "report/plots/gnuplot.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
@@ -26,9 +26,9 @@ class KeptCases final : public CaseSource {
  public:
   explicit KeptCases(std::map<std::string, FoundCase> cases) : cases_(std::move(cases)) {}
 
-  void prepare(const StudySpec&) override {}
+  void prepare(const study::StudySpec&) override {}
 
-  StudyRecord measure(const StudySpec& study, RunFolder& folder) override {
+  study::StudyRecord measure(const study::StudySpec& study, report::RunFolder& folder) override {
     FoundCase& found = cases_.at(study.name);
     for (const KeptFile& file : found.kept.files) {
       folder.write(file.name, readKept(found.folder, file));
@@ -36,11 +36,11 @@ class KeptCases final : public CaseSource {
     return std::move(found.kept.record);
   }
 
-  StudyRecord measureFigures(const StudySpec& study) override {
+  study::StudyRecord measureFigures(const study::StudySpec& study) override {
     return std::move(cases_.at(study.name).kept.record);
   }
 
-  StudyRecord measureAt(const StudySpec& study, double radiusFactor) override {
+  study::StudyRecord measureAt(const study::StudySpec& study, double radiusFactor) override {
     KeptCase& kept = cases_.at(study.name).kept;
     return std::move((radiusFactor < 1 ? kept.half : kept.twice).value());
   }
@@ -62,7 +62,7 @@ ExitStatus refuse(const std::vector<Defect>& defects) {
   for (const Defect& defect : defects) {
     printFailure({ExitStatus::badInput, defect.what});
     if (defect.command.empty()) continue;
-    printError(withoutWorkflowCommands("  " + defect.command + "\n"));
+    printError(report::withoutWorkflowCommands("  " + defect.command + "\n"));
   }
   return ExitStatus::badInput;
 }
@@ -83,13 +83,13 @@ ExitStatus mergeShards(const MergeRequest& request) {
   RunRequest run = request.readRun(arguments);
   run.out = request.out;
   run.command = commandText(arguments);
-  const std::vector<StudyPlan> plans = readPlans(run.studies, run.options);
+  const std::vector<study::StudyPlan> plans = readPlans(run.studies, run.options);
   std::map<std::string, FoundCase> found = findCases(shards, common, plans, defects);
   if (!defects.empty()) return refuse(defects);
   if (!run.metricsOnly) requirePlots();
-  const std::unique_ptr<Cache> cache = openCache(run.noCache || request.noCache);
+  const std::unique_ptr<cache::Cache> cache = openCache(run.noCache || request.noCache);
   KeptCases cases(std::move(found));
   return runPlans(plans, cases, run, *cache);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -8,7 +8,7 @@
 #include "cli/shards/arguments.h"
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon merge` was asked for.
 struct MergeRequest {
@@ -32,4 +32,4 @@ struct MergeRequest {
 /// @throws InputError and UsageError as readPlans; UsageError for an `out` that is a shard's
 ExitStatus mergeShards(const MergeRequest& request);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -22,7 +22,7 @@
 #include "report/text/terminal_page.h"
 #include "study/spec/study_work.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -31,15 +31,15 @@ using Json = nlohmann::ordered_json;
 struct Estimate {
   std::string name;
   std::size_t cases = 1;
-  StudyWork work;  ///< of several the sum
+  study::StudyWork work;  ///< of several the sum
   std::size_t lights = 0;
   double seconds = 0;
   double bytes = 0;  ///< of several the largest
 };
 
 /// Half and twice the radius measure the methods again, without pictures.
-StudyWork workOf(const StudySpec& step, bool varyRadius) {
-  StudyWork work = workOf(step);
+study::StudyWork workOf(const study::StudySpec& step, bool varyRadius) {
+  study::StudyWork work = study::workOf(step);
   if (varyRadius) {
     work.frames *= 3;
     work.horizons *= 3;
@@ -47,13 +47,13 @@ StudyWork workOf(const StudySpec& step, bool varyRadius) {
   return work;
 }
 
-Estimate estimateOf(const StudySpec& step, const Calibration& calibration, bool varyRadius) {
-  const StudyWork work = workOf(step, varyRadius);
+Estimate estimateOf(const study::StudySpec& step, const Calibration& calibration, bool varyRadius) {
+  const study::StudyWork work = workOf(step, varyRadius);
   return {step.name,
           1,
           work,
           step.lights.size(),
-          expectedSeconds(work, calibration.speed),
+          study::expectedSeconds(work, calibration.speed),
           expectedBytes(work, calibration)};
 }
 
@@ -83,32 +83,32 @@ std::string durationText(double seconds) {
 
 /// Large numbers are told to three digits.
 std::string roundText(double value) {
-  return value < 1e6 ? groupedText(static_cast<std::uint64_t>(std::llround(value)))
+  return value < 1e6 ? report::groupedText(static_cast<std::uint64_t>(std::llround(value)))
                      : fmt::format("{:.3g} M", value / 1e6);
 }
 
-Row rowOf(const Estimate& one, bool isOfStudies) {
-  std::vector<Cell> cells = {textCell(one.name)};
-  if (isOfStudies) cells.push_back(countCell(one.cases));
+report::Row rowOf(const Estimate& one, bool isOfStudies) {
+  std::vector<report::Cell> cells = {report::textCell(one.name)};
+  if (isOfStudies) cells.push_back(report::countCell(one.cases));
   for (const double value : {one.work.microTriangles, one.work.samples}) {
-    cells.push_back(textCell(roundText(value)));
+    cells.push_back(report::textCell(roundText(value)));
   }
-  cells.push_back(countCell(one.lights));
+  cells.push_back(report::countCell(one.lights));
   for (const double value : {one.work.frames, one.work.horizons}) {
-    cells.push_back(textCell(roundText(value)));
+    cells.push_back(report::textCell(roundText(value)));
   }
-  cells.push_back(textCell(durationText(one.seconds)));
-  cells.push_back(textCell(formatBytes(one.bytes)));
+  cells.push_back(report::textCell(durationText(one.seconds)));
+  cells.push_back(report::textCell(formatBytes(one.bytes)));
   return {std::move(cells)};
 }
 
-Table tableOf(const std::vector<Estimate>& estimates, bool isOfStudies) {
-  Table table{"plan", {}, {}, {}, {{"Case", {}, Quantity::name}}};
+report::Table tableOf(const std::vector<Estimate>& estimates, bool isOfStudies) {
+  report::Table table{"plan", {}, {}, {}, {{"Case", {}, report::Quantity::name}}};
   if (isOfStudies) table.columns.front().name = "Study";
-  if (isOfStudies) table.columns.push_back({"Cases", {}, Quantity::count});
+  if (isOfStudies) table.columns.push_back({"Cases", {}, report::Quantity::count});
   for (const char* name :
        {"Triangles", "Samples", "Lights", "Shaded", "Horizons", "Time", "Memory"}) {
-    table.columns.push_back({name, {}, Quantity::count});
+    table.columns.push_back({name, {}, report::Quantity::count});
   }
   for (const Estimate& one : estimates) table.rows.push_back(rowOf(one, isOfStudies));
   return table;
@@ -139,14 +139,14 @@ std::string slurmCommand(const Plan& plan, const RunRequest& run) {
 }
 
 void print(const Plan& plan, const PlanRequest& request) {
-  TerminalPage page(coloursWanted());
+  report::TerminalPage page(coloursWanted());
   const bool isShort = plan.cases.size() <= mostCaseLines;
   page.paragraph(calibrationText(plan.calibration));
   page.blank();
-  appendTable(page, tableOf(isShort ? plan.cases : plan.studies, !isShort));
+  report::appendTable(page, tableOf(isShort ? plan.cases : plan.studies, !isShort));
   page.blank();
   page.line(fmt::format("{} cases: {} one after the other, at most {} of memory",
-                        groupedText(plan.all.cases), durationText(plan.all.seconds),
+                        report::groupedText(plan.all.cases), durationText(plan.all.seconds),
                         formatBytes(plan.all.bytes)));
   if (!plan.shards.empty()) {
     const auto longest =
@@ -161,7 +161,7 @@ void print(const Plan& plan, const PlanRequest& request) {
   if (!plan.shards.empty()) printLine("  " + slurmCommand(plan, request.run));
 }
 
-Json jsonOf(const Estimate& one, const WorkSpeed& speed) {
+Json jsonOf(const Estimate& one, const study::WorkSpeed& speed) {
   return {{"name", one.name},
           {"cases", one.cases},
           {"seconds", one.seconds},
@@ -200,10 +200,10 @@ Json jsonOf(const Plan& plan) {
 }
 
 /// The case of median cost: what most are like.
-CasePlace medianCase(const std::vector<StudyPlan>& plans) {
+CasePlace medianCase(const std::vector<study::StudyPlan>& plans) {
   std::vector<CasePlace> places = allCases(plans);
   const auto cost = [&](const CasePlace& place) {
-    return standardCost(plans[place.plan].steps[place.step]);
+    return study::standardCost(plans[place.plan].steps[place.step]);
   };
   std::stable_sort(places.begin(), places.end(),
                    [&](const auto& a, const auto& b) { return cost(a) < cost(b); });
@@ -213,15 +213,15 @@ CasePlace medianCase(const std::vector<StudyPlan>& plans) {
 }  // namespace
 
 ExitStatus planStudies(const PlanRequest& request) {
-  const std::vector<StudyPlan> plans = readPlans(request.run.studies, request.run.options);
+  const std::vector<study::StudyPlan> plans = readPlans(request.run.studies, request.run.options);
   const CasePlace median = medianCase(plans);
-  const StudySpec& measured = plans[median.plan].steps[median.step];
-  const std::unique_ptr<Cache> cache = openCache(request.run.noCache);
+  const study::StudySpec& measured = plans[median.plan].steps[median.step];
+  const std::unique_ptr<cache::Cache> cache = openCache(request.run.noCache);
   Plan plan;
   plan.calibration = calibrate(plans[median.plan], measured, request.run, *cache);
-  for (const StudyPlan& study : plans) {
+  for (const study::StudyPlan& study : plans) {
     std::vector<Estimate> steps;
-    for (const StudySpec& step : study.steps) {
+    for (const study::StudySpec& step : study.steps) {
       steps.push_back(estimateOf(step, plan.calibration, request.run.varyRadius));
     }
     plan.studies.push_back(sumOf(study.name, steps));
@@ -245,4 +245,4 @@ ExitStatus planStudies(const PlanRequest& request) {
   return ExitStatus::pass;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

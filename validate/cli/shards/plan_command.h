@@ -5,7 +5,7 @@
 #include "cli/run_command.h"
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What `gnomon plan` was asked for.
 struct PlanRequest {
@@ -23,4 +23,4 @@ ExitStatus planStudies(const PlanRequest& request);
 
 constexpr std::size_t mostCaseLines = 50;
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace {
 
 /// A whole number and nothing else.
@@ -85,4 +85,4 @@ std::optional<Shard> shardOfEnvironment() {
   return std::nullopt;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

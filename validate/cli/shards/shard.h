@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// One of the parts that the cases of a command are divided into.
 struct Shard {
@@ -31,4 +31,4 @@ Shard parseShard(std::string_view text);
 ///   number that it may; InputError where the file cannot be made
 std::optional<Shard> shardOfEnvironment();
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -13,7 +13,7 @@
 #include "report/text/number_text.h"
 #include "study/run/scene/environment.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
@@ -44,10 +44,10 @@ std::string foreignness(const ShardManifest& manifest, const ShardManifest& comm
     return fmt::format("is of `{}`, of `{}` expected", commandText(settingsOf(manifest)),
                        commandText(settingsOf(common)));
   }
-  if (manifest.version != programVersion() || manifest.commit != programCommit()) {
+  if (manifest.version != study::programVersion() || manifest.commit != study::programCommit()) {
     return fmt::format("was made by Gnomon {}, by this one, {}, expected",
                        programText(manifest.version, manifest.commit),
-                       programText(programVersion(), programCommit()));
+                       programText(study::programVersion(), study::programCommit()));
   }
   return "";
 }
@@ -71,7 +71,7 @@ std::string mergeWithout(const std::vector<ShardFolder>& shards, const ShardFold
 }
 
 /// What the shard's studies have that differs from the files as they are now.
-std::string studyChange(const ShardManifest& manifest, const std::vector<StudyPlan>& plans) {
+std::string studyChange(const ShardManifest& manifest, const std::vector<study::StudyPlan>& plans) {
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const ShardManifest::Study expected = manifestStudy(plans[i]);
     if (i < manifest.studies.size() && manifest.studies[i] == expected) continue;
@@ -81,11 +81,11 @@ std::string studyChange(const ShardManifest& manifest, const std::vector<StudyPl
 }
 
 /// The cases that a shard must have, as the studies are now.
-std::vector<ShardManifest::Case> expectedCases(const std::vector<StudyPlan>& plans,
+std::vector<ShardManifest::Case> expectedCases(const std::vector<study::StudyPlan>& plans,
                                                const std::vector<CasePlace>& places) {
   std::vector<ShardManifest::Case> cases(places.size());
   parallelFor(0, places.size(), [&](std::size_t i) {
-    const StudySpec& step = plans[places[i].plan].steps[places[i].step];
+    const study::StudySpec& step = plans[places[i].plan].steps[places[i].step];
     cases[i] = {step.name, inStudy(step, [&] { return caseHash(step); })};
   });
   return cases;
@@ -125,7 +125,7 @@ std::string addCases(const ShardFolder& shard, std::map<std::string, FoundCase>&
                       : fmt::format(
                             "is not whole: {} of its {} cases are missing or damaged, the "
                             "first is {}",
-                            groupedText(missing), groupedText(cases.size()), first);
+                            report::groupedText(missing), report::groupedText(cases.size()), first);
 }
 
 }  // namespace
@@ -188,7 +188,7 @@ std::vector<ShardFolder> checkedShards(const std::vector<ShardFolder>& shards,
 
 std::map<std::string, FoundCase> findCases(const std::vector<ShardFolder>& shards,
                                            const ShardManifest& common,
-                                           const std::vector<StudyPlan>& plans,
+                                           const std::vector<study::StudyPlan>& plans,
                                            std::vector<Defect>& defects) {
   const auto places = casesOfShards(plans, common.shard.count);
   std::map<std::string, FoundCase> found;
@@ -205,4 +205,4 @@ std::map<std::string, FoundCase> findCases(const std::vector<ShardFolder>& shard
   return found;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -9,7 +9,7 @@
 #include "cli/shards/shard_manifest.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// A shard's folder of results, and what it says of itself.
 struct ShardFolder {
@@ -50,7 +50,7 @@ struct FoundCase {
 /// @return by their names
 std::map<std::string, FoundCase> findCases(const std::vector<ShardFolder>& shards,
                                            const ShardManifest& common,
-                                           const std::vector<StudyPlan>& plans,
+                                           const std::vector<study::StudyPlan>& plans,
                                            std::vector<Defect>& defects);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

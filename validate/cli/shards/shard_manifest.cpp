@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
@@ -93,4 +93,4 @@ std::string commandOf(const ShardManifest& manifest, const Shard& shard, const s
   return commandText(arguments);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

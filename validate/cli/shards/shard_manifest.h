@@ -7,7 +7,7 @@
 #include "cli/shards/arguments.h"
 #include "cli/shards/shard.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// What a shard was asked for, and what of it is there: `shard.json` in its folder of results.
 struct ShardManifest {
@@ -52,4 +52,4 @@ Arguments settingsOf(const ShardManifest& manifest);
 /// The command that makes a shard.
 std::string commandOf(const ShardManifest& manifest, const Shard& shard, const std::string& out);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

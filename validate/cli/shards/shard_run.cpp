@@ -25,11 +25,11 @@
 #include "study/run/scene/environment.h"
 #include "study/spec/resolved_study.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 namespace fs = std::filesystem;
 namespace {
 
-const FolderKind shardKind{"", {manifestFile}, "shard.txt"};
+const report::FolderKind shardKind{"", {manifestFile}, "shard.txt"};
 
 void refuseStreams(const RunRequest& request) {
   for (const fs::path& study : request.studies) {
@@ -41,28 +41,29 @@ void refuseStreams(const RunRequest& request) {
 }
 
 /// The plans that have some of the cases, with these alone, whole.
-std::vector<StudyPlan> readParts(const RunRequest& request, const std::vector<CasePlace>& cases) {
+std::vector<study::StudyPlan> readParts(const RunRequest& request,
+                                        const std::vector<CasePlace>& cases) {
   std::map<std::size_t, std::set<std::size_t>> steps;
   for (const CasePlace& place : cases) steps[place.plan].insert(place.step);
-  std::vector<StudyPlan> parts;
+  std::vector<study::StudyPlan> parts;
   for (const auto& [plan, wanted] : steps) {
-    parts.push_back(readStudyPlan(request.studies[plan], request.options,
-                                  [&](std::size_t step) { return wanted.contains(step); }));
+    parts.push_back(study::readStudyPlan(request.studies[plan], request.options,
+                                         [&](std::size_t step) { return wanted.contains(step); }));
   }
   return parts;
 }
 
-ShardManifest manifestOf(const RunRequest& request, const std::vector<StudyPlan>& outlines,
-                         const std::vector<StudyPlan>& parts) {
-  ShardManifest manifest{programVersion(),
-                         programCommit(),
+ShardManifest manifestOf(const RunRequest& request, const std::vector<study::StudyPlan>& outlines,
+                         const std::vector<study::StudyPlan>& parts) {
+  ShardManifest manifest{study::programVersion(),
+                         study::programCommit(),
                          *request.shard,
                          withoutOption(request.arguments, "--shard"),
                          {},
                          {}};
-  for (const StudyPlan& plan : outlines) manifest.studies.push_back(manifestStudy(plan));
-  for (const StudyPlan& part : parts) {
-    for (const StudySpec& step : part.steps) {
+  for (const study::StudyPlan& plan : outlines) manifest.studies.push_back(manifestStudy(plan));
+  for (const study::StudyPlan& part : parts) {
+    for (const study::StudySpec& step : part.steps) {
       manifest.cases.push_back({step.name, inStudy(step, [&] { return caseHash(step); })});
     }
   }
@@ -90,14 +91,14 @@ bool asksForTheSame(ShardManifest a, ShardManifest b) {
 /// One shard being run.
 class ShardRun {
  public:
-  ShardRun(const RunRequest& request, const std::vector<StudyPlan>& outlines)
+  ShardRun(const RunRequest& request, const std::vector<study::StudyPlan>& outlines)
       : request_(request),
         parts_(readParts(request, casesOf(outlines, *request.shard))),
         manifest_(manifestOf(request, outlines, parts_)),
         allCases_(allCases(outlines).size()),
         folder_(request.out, shardKind),
         lock_(lockFolder(folder_)) {
-    folder_ = RunFolder(request.out, shardKind);  // as it is now that it is locked
+    folder_ = report::RunFolder(request.out, shardKind);  // as it is now that it is locked
   }
 
   ExitStatus run() {
@@ -127,21 +128,21 @@ class ShardRun {
         if (found) kept.insert(one.name);
       }
     }
-    for (const StudyPlan& part : parts_) records_.folders.claim(part, request_.out);
+    for (const study::StudyPlan& part : parts_) records_.folders.claim(part, request_.out);
     records_.folders.clear(request_.out, kept);
     if (!former) folder_.clear();
     folder_.write(manifestFile, manifestText(manifest_));
   }
 
   void measureAll() {
-    if (!request_.metricsOnly) askGnuplotVersion();  // which it tells while OpenGL starts
-    const GlContext gl;
+    if (!request_.metricsOnly) report::askGnuplotVersion();  // which it tells while OpenGL starts
+    const render::GlContext gl;
     if (!request_.metricsOnly) requirePlots();
-    const std::unique_ptr<Cache> cache = openCache(request_.noCache);
+    const std::unique_ptr<cache::Cache> cache = openCache(request_.noCache);
     MeasuredCases cases(gl, request_, *cache, manifest_.cases.size());
     auto next = manifest_.cases.begin();
-    for (const StudyPlan& part : parts_) {
-      for (const StudySpec& step : part.steps) {
+    for (const study::StudyPlan& part : parts_) {
+      for (const study::StudySpec& step : part.steps) {
         ShardManifest::Case& one = *next++;
         if (one.isWhole) continue;
         one.isWhole = failures_.attempt([&] { measure(part, step, one.sha256, cases, *cache); });
@@ -151,13 +152,13 @@ class ShardRun {
     }
   }
 
-  void measure(const StudyPlan& part, const StudySpec& step, const std::string& hash,
-               CaseSource& cases, Cache& cache) {
+  void measure(const study::StudyPlan& part, const study::StudySpec& step, const std::string& hash,
+               CaseSource& cases, cache::Cache& cache) {
     cases.prepare(step);
-    RunFolder& folder = records_.folders.of(step.name);
+    report::RunFolder& folder = records_.folders.of(step.name);
     std::set<std::string> before = folder.names();
-    before.insert(studyCopyName(step.name));  // which tells where it lies
-    const auto keep = [&](StudyRecord& record) {
+    before.insert(study::studyCopyName(step.name));  // which tells where it lies
+    const auto keep = [&](study::StudyRecord& record) {
       KeptCase kept{record, {}, {}, filesSince(folder, before)};
       if (request_.varyRadius) kept.half = records_.half.back();
       if (request_.varyRadius) kept.twice = records_.twice.back();
@@ -174,17 +175,18 @@ class ShardRun {
   void report() const {
     const auto whole = std::count_if(manifest_.cases.begin(), manifest_.cases.end(),
                                      [](const auto& one) { return one.isWhole; });
-    printLine(fmt::format(
-        "Shard {}: {} of its {} cases are whole in {} ({} in all shards)",
-        shardText(manifest_.shard), groupedText(static_cast<std::uint64_t>(whole)),
-        groupedText(manifest_.cases.size()), request_.out.string(), groupedText(allCases_)));
+    printLine(fmt::format("Shard {}: {} of its {} cases are whole in {} ({} in all shards)",
+                          shardText(manifest_.shard),
+                          report::groupedText(static_cast<std::uint64_t>(whole)),
+                          report::groupedText(manifest_.cases.size()), request_.out.string(),
+                          report::groupedText(allCases_)));
   }
 
   const RunRequest& request_;
-  std::vector<StudyPlan> parts_;
+  std::vector<study::StudyPlan> parts_;
   ShardManifest manifest_;
   std::size_t allCases_;
-  RunFolder folder_;
+  report::RunFolder folder_;
   FileLock lock_;
   Records records_;
   Failures failures_;
@@ -193,8 +195,8 @@ class ShardRun {
 
 }  // namespace
 
-ShardManifest::Study manifestStudy(const StudyPlan& plan) {
-  const StudySpec& first = plan.steps.front();
+ShardManifest::Study manifestStudy(const study::StudyPlan& plan) {
+  const study::StudySpec& first = plan.steps.front();
   return {first.file.string(), plan.name, sha256(first.text)};
 }
 
@@ -203,4 +205,4 @@ ExitStatus runShard(const RunRequest& request) {
   return ShardRun(request, readOutlines(request.studies, request.options)).run();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -5,7 +5,7 @@
 #include "common/error.h"
 #include "study/spec/sweep.h"
 
-namespace gnomon {
+namespace gnomon::cli {
 
 /// Runs the part of a command's cases that is the shard's: each case's folder is that of a run
 /// without shards, and holds besides what merge reads (kept_case.h). What is over several cases (a
@@ -21,6 +21,6 @@ namespace gnomon {
 ExitStatus runShard(const RunRequest& request);
 
 /// The manifest's entry of a plan.
-ShardManifest::Study manifestStudy(const StudyPlan& plan);
+ShardManifest::Study manifestStudy(const study::StudyPlan& plan);
 
-}  // namespace gnomon
+}  // namespace gnomon::cli

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 
 std::optional<BinnedError> binnedError(std::span<const SceneShare> shares,
                                        const SceneResamples& resamples) {
@@ -30,4 +30,4 @@ std::optional<BinnedError> binnedError(std::span<const SceneShare> shares,
   return bin;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

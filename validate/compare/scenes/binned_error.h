@@ -7,7 +7,7 @@
 #include "compare/confidence_interval.h"
 #include "compare/scenes/resampled_mean.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// What a scene gives to a bin: of its samples, those whose value on an axis lies there.
 struct SceneShare {
@@ -34,4 +34,4 @@ constexpr std::size_t leastBinScenes = 10;
 std::optional<BinnedError> binnedError(std::span<const SceneShare> shares,
                                        const SceneResamples& resamples);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

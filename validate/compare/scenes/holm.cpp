@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace gnomon {
+namespace gnomon::compare {
 
 bool isRejected(double probability, double allowed) {
   return probability <= allowed * (1 + 1e-9);
@@ -29,4 +29,4 @@ std::vector<HolmStep> holmSteps(const std::vector<double>& probabilities) {
   return steps;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

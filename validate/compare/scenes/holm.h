@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// What Holm's procedure (1979) makes of one of several comparisons. Decided by it, at most 5 of
 /// 100 such families have any wrong rejection at all, however their comparisons depend on each
@@ -24,4 +24,4 @@ std::vector<HolmStep> holmSteps(const std::vector<double>& probabilities);
 /// Whether a p is small enough for an allowed error, both computed with rounding.
 bool isRejected(double probability, double allowed);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

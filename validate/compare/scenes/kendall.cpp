@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 int orderOf(double a, double b) {
@@ -37,4 +37,4 @@ std::optional<double> kendallTau(std::span<const double> first, std::span<const 
   return agreement / std::sqrt(untiedFirst * untiedSecond);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

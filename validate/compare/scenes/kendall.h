@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// Kendall's τ-b of two rankings of the same things, -1 (opposite) to 1 (the same): of all pairs,
 /// those in the same order less those in the opposite order, over √((n - t₁)(n - t₂)), where n is
@@ -13,4 +13,4 @@ namespace gnomon {
 /// @throws InternalError where the numbers of values differ
 std::optional<double> kendallTau(std::span<const double> first, std::span<const double> second);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 /// One a method.
@@ -71,4 +71,4 @@ std::vector<SceneRank> ranksOver(const std::vector<std::vector<double>>& errors,
   return ranked;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -5,7 +5,7 @@
 
 #include "compare/scenes/resampled_mean.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// A method's rank by its mean error, and how much of it the draw of the scenes decides.
 struct SceneRank {
@@ -19,4 +19,4 @@ struct SceneRank {
 std::vector<SceneRank> ranksOver(const std::vector<std::vector<double>>& errors,
                                  const SceneResamples& resamples);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

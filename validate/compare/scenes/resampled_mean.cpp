@@ -11,7 +11,7 @@
 #include "common/counted_random.h"
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 /// Shares of resamples are compared with levels such as 0.05 / 190: what rounding makes of both
@@ -102,4 +102,4 @@ std::optional<Interval> ResampledMean::interval(double error) const {
   return Interval{mean_ - half, mean_ + half};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

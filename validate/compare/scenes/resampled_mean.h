@@ -9,7 +9,7 @@
 
 #include "compare/confidence_interval.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// Fewer scenes than this give no interval.
 constexpr std::size_t leastScenes = 20;
@@ -69,4 +69,4 @@ class ResampledMean {
   std::vector<double> largest_;  ///< of the t*, falling; as many as `largestError` asks for
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

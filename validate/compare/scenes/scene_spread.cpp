@@ -6,7 +6,7 @@
 
 #include "common/quantile.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 std::optional<SceneSpread> spreadOver(std::span<const std::optional<double>> errors) {
   std::vector<double> sorted;
@@ -35,4 +35,4 @@ std::optional<SceneSpread> spreadOver(std::span<const std::optional<double>> err
   return spread;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

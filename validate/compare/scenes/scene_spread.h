@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// How one method's errors are spread over the scenes on which it was measured.
 struct SceneSpread {
@@ -26,4 +26,4 @@ struct SceneSpread {
 /// @returns none where no scene has an error
 std::optional<SceneSpread> spreadOver(std::span<const std::optional<double>> errors);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

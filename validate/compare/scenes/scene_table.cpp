@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 std::vector<std::size_t> orderOf(const std::vector<std::string>& names) {
@@ -76,4 +76,4 @@ std::vector<std::size_t> sharedScenes(const SceneTable& table,
   return shared;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// Statistics over scenes: the scenes are drawn from one population, each independently of the
 /// others, and the scene is the unit. An interval speaks of further scenes of that population.
@@ -31,4 +31,4 @@ SceneTable sortedByName(const SceneTable& table);
 std::vector<std::size_t> sharedScenes(const SceneTable& table,
                                       const std::vector<std::size_t>& methods);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 namespace {
 
 WinShare withProbability(WinShare share) {
@@ -51,4 +51,4 @@ WinShare swapped(const WinShare& share) {
   return withProbability({share.scenes, share.scenes - share.wins - share.ties, share.ties});
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

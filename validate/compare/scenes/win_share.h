@@ -5,7 +5,7 @@
 
 #include "compare/confidence_interval.h"
 
-namespace gnomon {
+namespace gnomon::compare {
 
 /// How often the first of two methods beats the second.
 struct WinShare {
@@ -34,4 +34,4 @@ Interval wilsonInterval(double share, std::size_t count);
 /// The same of the second method.
 WinShare swapped(const WinShare& share);
 
-}  // namespace gnomon
+}  // namespace gnomon::compare

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 constexpr std::size_t groupTaps = AzimuthPlan::groupTaps;
@@ -111,4 +111,4 @@ double azimuthPlanBytes(double radius) {
   return (sizeof(Crossing) + sizeof(Tap) + sizeof(CellPath)) * (1.5 * radius + 2 + groupTaps);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

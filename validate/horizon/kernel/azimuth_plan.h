@@ -7,7 +7,7 @@
 #include "horizon/kernel/padded_map.h"
 #include "horizon/reference/ray_crossings.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// A crossing for the inner loop of the bake: floats, and offsets into the padded map from the
 /// texel where the ray starts. The slope at it is (h(from) + share · (h(to) - h(from)) - h0) / r.
@@ -64,4 +64,4 @@ AzimuthPlan planAzimuth(Vec2 direction, double radius, const PaddedMap& map);
 /// Upper bound on the memory of one plan, bytes.
 double azimuthPlanBytes(double radius);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

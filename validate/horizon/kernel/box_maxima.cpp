@@ -7,7 +7,7 @@
 
 #include "common/parallel.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 void raise(float* to, const float* from, std::size_t count) {
@@ -24,7 +24,8 @@ std::ptrdiff_t columnIn(const PaddedMap& map, std::ptrdiff_t x) {
 /// The same for rows.
 std::ptrdiff_t rowIn(const PaddedMap& map, std::ptrdiff_t y) {
   if (!map.repeatsY) return y < map.rows ? y : -1;
-  return map.marginY + wrappedIndex(static_cast<int>(y - map.marginY), map.height, Wrap::repeat);
+  return map.marginY +
+         relief::wrappedIndex(static_cast<int>(y - map.marginY), map.height, relief::Wrap::repeat);
 }
 
 /// Maxima of `to` neighbours in a row from those of `from` neighbours.
@@ -84,4 +85,4 @@ BoxMaxima boxMaxima(const PaddedMap& map, const BoxMaxima& from, BoxSize box, in
   return grow(map, from.highest.data(), from.box, box, rowShift);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -5,7 +5,7 @@
 #include "common/raw_vector.h"
 #include "horizon/kernel/padded_map.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// Width and height of a rectangle of nodes.
 struct BoxSize {
@@ -29,4 +29,4 @@ struct BoxMaxima {
 BoxMaxima boxMaxima(const PaddedMap& map, BoxSize box, int rowShift);
 BoxMaxima boxMaxima(const PaddedMap& map, const BoxMaxima& from, BoxSize box, int rowShift);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

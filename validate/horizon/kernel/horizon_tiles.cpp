@@ -20,7 +20,7 @@
 #include "horizon/kernel/tile_kernel.h"
 #include "horizon/reference/ray_crossings.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 /// A padded map with the boxes that bound rays, and what making them takes, over the map alone.
@@ -38,7 +38,7 @@ void checkSettings(const BakeSettings& settings) {
   }
 }
 
-void checkHeights(const HeightField& field) {
+void checkHeights(const relief::HeightField& field) {
   // Differences of differences of heights are taken in floats, and past a border of thousands of
   // times the range.
   const double range = static_cast<double>(field.maximum()) - field.minimum();
@@ -110,7 +110,7 @@ struct BakeScratch {
 
 }  // namespace
 
-void checkBake(const HeightField& field, const BakeSettings& settings, double tableBytes) {
+void checkBake(const relief::HeightField& field, const BakeSettings& settings, double tableBytes) {
   checkSettings(settings);
   checkHeights(field);
   const double bytes = tableBytes + boundedMapBytes * paddedMapBytes(field, settings.radiusTexels) +
@@ -122,7 +122,7 @@ void checkBake(const HeightField& field, const BakeSettings& settings, double ta
                 "azimuths");
 }
 
-void bakeTiles(const HeightField& field, const BakeSettings& settings, const TileSink& sink,
+void bakeTiles(const relief::HeightField& field, const BakeSettings& settings, const TileSink& sink,
                const Progress& progress) {
   const PaddedMap map = padMap(field, settings.radiusTexels);
   std::vector<AzimuthPlan> plans(static_cast<std::size_t>(settings.azimuths));
@@ -157,4 +157,4 @@ void bakeTiles(const HeightField& field, const BakeSettings& settings, const Til
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -9,7 +9,7 @@
 #include "horizon/kernel/tile_scratch.h"
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// The horizons of a tile of texels for one azimuth: the unit of work of a thread.
 struct HorizonTile {
@@ -37,11 +37,11 @@ using TileSink = std::function<void(const HorizonTile&)>;
 /// Refuses a bake that is out of range or cannot fit, before anything is allocated.
 /// @param tableBytes  what the sink will hold
 /// @throws InputError, MemoryError as `bakeHorizons`
-void checkBake(const HeightField& field, const BakeSettings& settings, double tableBytes);
+void checkBake(const relief::HeightField& field, const BakeSettings& settings, double tableBytes);
 
 /// Bakes a map tile by tile: beside what the sink holds, the memory grows with the map and the
 /// radius alone, not with the azimuths.
-void bakeTiles(const HeightField& field, const BakeSettings& settings, const TileSink& sink,
+void bakeTiles(const relief::HeightField& field, const BakeSettings& settings, const TileSink& sink,
                const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

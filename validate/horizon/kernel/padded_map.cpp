@@ -7,7 +7,7 @@
 
 #include "common/parallel.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 /// Texels that a row is longer than it need be, so that whole vectors can be read at its end.
@@ -19,18 +19,18 @@ constexpr float depth = 0x1p12F;
 /// One axis of a map.
 struct Axis {
   int side;
-  Wrap wrap;
+  relief::Wrap wrap;
   bool border;
-  [[nodiscard]] bool repeats() const { return wrap == Wrap::repeat && !border; }
+  [[nodiscard]] bool repeats() const { return wrap == relief::Wrap::repeat && !border; }
   /// Whether a node is past what is known.
   [[nodiscard]] bool isUnknown(int node) const { return border && (node < -1 || node > side); }
 };
 
-Axis axisX(const HeightField& field) {
+Axis axisX(const relief::HeightField& field) {
   return {field.width(), field.wrap(), field.border().x};
 }
 
-Axis axisY(const HeightField& field) {
+Axis axisY(const relief::HeightField& field) {
   return {field.height(), field.wrap(), field.border().y};
 }
 
@@ -44,10 +44,10 @@ double marginOf(const Axis& axis, double radius) {
 /// The representative of an offset, modulo a side, from -side/2 on.
 int foldedOffset(int offset, int side) {
   const int half = side / 2;
-  return wrappedIndex(offset + half, side, Wrap::repeat) - half;
+  return relief::wrappedIndex(offset + half, side, relief::Wrap::repeat) - half;
 }
 
-void fillHeights(const HeightField& field, double middle, PaddedMap& map) {
+void fillHeights(const relief::HeightField& field, double middle, PaddedMap& map) {
   const Axis across = axisX(field);
   const Axis up = axisY(field);
   const float unknown = -map.maximum - depth * 2 * map.maximum;
@@ -57,7 +57,7 @@ void fillHeights(const HeightField& field, double middle, PaddedMap& map) {
   std::size_t endKnown = 0;
   for (std::size_t x = 0; x < stride; ++x) {
     const int i = static_cast<int>(static_cast<std::ptrdiff_t>(x) - map.marginX);
-    columns[x] = static_cast<std::size_t>(wrappedIndex(i, across.side, across.wrap));
+    columns[x] = static_cast<std::size_t>(relief::wrappedIndex(i, across.side, across.wrap));
     if (across.isUnknown(i)) continue;
     firstKnown = std::min(firstKnown, x);
     endKnown = x + 1;
@@ -69,7 +69,7 @@ void fillHeights(const HeightField& field, double middle, PaddedMap& map) {
       std::fill_n(out, stride, unknown);
       return;
     }
-    const auto j = static_cast<std::size_t>(wrappedIndex(node, up.side, up.wrap));
+    const auto j = static_cast<std::size_t>(relief::wrappedIndex(node, up.side, up.wrap));
     const float* row = field.texels().data() + j * static_cast<std::size_t>(across.side);
     std::fill(out, out + firstKnown, unknown);
     for (std::size_t x = firstKnown; x < endKnown; ++x) {
@@ -121,7 +121,7 @@ Node PaddedMap::folded(Node node) const {
           repeatsY ? foldedOffset(node.y, height) : node.y};
 }
 
-PaddedMap padMap(const HeightField& field, double radius) {
+PaddedMap padMap(const relief::HeightField& field, double radius) {
   const double highest = field.maximum();
   const double lowest = field.minimum();
   const double middle = 0.5 * (lowest + highest);
@@ -144,10 +144,10 @@ PaddedMap padMap(const HeightField& field, double radius) {
   return map;
 }
 
-double paddedMapBytes(const HeightField& field, double radius) {
+double paddedMapBytes(const relief::HeightField& field, double radius) {
   const double width = field.width() + 2 * marginOf(axisX(field), radius);
   const double height = field.height() + 2 * marginOf(axisY(field), radius);
   return 2 * sizeof(float) * (width + overhang) * (height + 1);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

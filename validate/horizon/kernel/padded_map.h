@@ -6,7 +6,7 @@
 #include "horizon/reference/ray_crossings.h"
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// A height map with margins that the wrap rule filled, so that every node of a ray of length D
 /// from any texel lies in it at one and the same offset from that texel. Texel (i, j) of the map
@@ -49,9 +49,9 @@ struct PaddedMap {
 };
 
 /// @param radius  D > 0, texels
-PaddedMap padMap(const HeightField& field, double radius);
+PaddedMap padMap(const relief::HeightField& field, double radius);
 
 /// Memory that `padMap` takes, bytes.
-double paddedMapBytes(const HeightField& field, double radius);
+double paddedMapBytes(const relief::HeightField& field, double radius);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -20,7 +20,7 @@
 #include "horizon/kernel/tile_vectors_inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace gnomon {
+namespace gnomon::horizon {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -333,11 +333,11 @@ const char* instructionSet() {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace gnomon
+}  // namespace gnomon::horizon
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace gnomon {
+namespace gnomon::horizon {
 HWY_EXPORT(bakeTile);
 HWY_EXPORT(instructionSet);
 
@@ -350,5 +350,5 @@ const char* bakeInstructionSet() {
   return HWY_DYNAMIC_DISPATCH(instructionSet)();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon
 #endif

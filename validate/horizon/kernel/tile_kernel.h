@@ -7,7 +7,7 @@
 #include "horizon/kernel/padded_map.h"
 #include "horizon/kernel/tile_scratch.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// The map, the ray and the bounds for one azimuth.
 struct AzimuthBake {
@@ -33,4 +33,4 @@ void bakeTile(const AzimuthBake& bake, const TexelTile& tile, TileScratch& scrat
 /// The instruction set that `bakeTile` uses here, as Google Highway names it: "AVX3" is AVX-512.
 const char* bakeInstructionSet();
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -15,7 +15,7 @@
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace gnomon {
+namespace gnomon::horizon {
 namespace HWY_NAMESPACE {
 namespace {
 
@@ -130,6 +130,6 @@ HWY_INLINE void offerPeaks(Tile& at) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace gnomon
+}  // namespace gnomon::horizon
 HWY_AFTER_NAMESPACE();
 #endif

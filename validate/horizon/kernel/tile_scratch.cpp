@@ -2,7 +2,7 @@
 
 #include "horizon/kernel/azimuth_plan.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 double tileScratchBytes(double radius) {
   // A ray crosses at most √2 D lattice lines. Of each, a texel may keep the slope, a peak and its
@@ -15,4 +15,4 @@ double tileScratchBytes(double radius) {
              (2 * sizeof(Visit) + sizeof(float) + sizeof(std::uint32_t));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

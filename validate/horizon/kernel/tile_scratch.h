@@ -7,7 +7,7 @@
 
 #include "common/raw_vector.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// A rectangle of texels of the map: columns [left, right), rows [bottom, top).
 struct TexelTile {
@@ -59,4 +59,4 @@ struct TileScratch {
 /// @param radius  D, texels
 double tileScratchBytes(double radius);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

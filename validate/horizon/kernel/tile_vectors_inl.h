@@ -18,7 +18,7 @@
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace gnomon {
+namespace gnomon::horizon {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace {
@@ -108,6 +108,6 @@ HWY_INLINE void offer(Floats slope, Floats r, Floats least, Floats& distance) {
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
-}  // namespace gnomon
+}  // namespace gnomon::horizon
 HWY_AFTER_NAMESPACE();
 #endif

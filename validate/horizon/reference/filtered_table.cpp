@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 double layerValue(const StoredTable& table, const TableShape& shape, Vec2 texel, int azimuth) {
-  const Neighbours column =
-      neighbours(texel.x, shape.width, shape.border.x ? Wrap::clamp : shape.wrap);
-  const Neighbours row =
-      neighbours(texel.y, shape.height, shape.border.y ? Wrap::clamp : shape.wrap);
+  const relief::Neighbours column =
+      relief::neighbours(texel.x, shape.width, shape.border.x ? relief::Wrap::clamp : shape.wrap);
+  const relief::Neighbours row =
+      relief::neighbours(texel.y, shape.height, shape.border.y ? relief::Wrap::clamp : shape.wrap);
   const auto entry = [&](int x, int y) {
     return static_cast<double>(table.value(shape.entry(azimuth, x, y)));
   };
@@ -32,4 +32,4 @@ double filteredValue(const StoredTable& table, const TableShape& shape, Vec2 tex
          share * layerValue(table, shape, texel, (below + 1) % shape.layers);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -4,7 +4,7 @@
 #include "horizon/stored_table.h"
 #include "horizon/table_shape.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// A table's value as shaders filter it (`filter = "exact"`): linear between texel centres in x and
 /// y and between azimuths, in double.
@@ -12,4 +12,4 @@ namespace gnomon {
 /// @param azimuth  radians, any finite angle
 double filteredValue(const StoredTable& table, const TableShape& shape, Vec2 texel, double azimuth);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 /// A position as a node and an offset from it in [0, 1), the node where nodes are counted in ints.
@@ -13,12 +13,12 @@ struct LatticePlace {
 };
 
 /// A coordinate beyond all that a ray of this radius can tell apart, brought near.
-double broughtNear(double x, int size, Wrap wrap, double radius) {
-  if (wrap == Wrap::repeat) return x - size * std::floor(x / size);
+double broughtNear(double x, int size, relief::Wrap wrap, double radius) {
+  if (wrap == relief::Wrap::repeat) return x - size * std::floor(x / size);
   return std::clamp(x, -radius - 2, size + radius + 2);
 }
 
-LatticePlace placeOf(const HeightField& field, Vec2 origin, double radius) {
+LatticePlace placeOf(const relief::HeightField& field, Vec2 origin, double radius) {
   const Vec2 near(broughtNear(origin.x, field.width(), field.wrap(), radius),
                   broughtNear(origin.y, field.height(), field.wrap(), radius));
   Vec2 corner = glm::floor(near - 0.5);
@@ -35,7 +35,8 @@ LatticePlace placeOf(const HeightField& field, Vec2 origin, double radius) {
 /// A ray over the relief, with heights at its crossings.
 class ReliefRay {
  public:
-  ReliefRay(const HeightField& field, const LatticePlace& place, Vec2 direction, double radius)
+  ReliefRay(const relief::HeightField& field, const LatticePlace& place, Vec2 direction,
+            double radius)
       : field_(field), place_(place), ray_(cutRay(direction, radius, place.offset)) {}
 
   [[nodiscard]] const RayCrossings& ray() const { return ray_; }
@@ -83,7 +84,7 @@ class ReliefRay {
     return field_.texel(place_.node.x + node.x, place_.node.y + node.y);
   }
 
-  const HeightField& field_;
+  const relief::HeightField& field_;
   LatticePlace place_;
   RayCrossings ray_;
 };
@@ -123,8 +124,8 @@ void offerInside(const CellStretch& stretch, double start, Highest& highest) {
 
 }  // namespace
 
-HeightProfile heightProfile(const HeightField& field, Vec2 origin, Vec2 direction, double radius,
-                            double behind) {
+HeightProfile heightProfile(const relief::HeightField& field, Vec2 origin, Vec2 direction,
+                            double radius, double behind) {
   HeightProfile profile{origin, direction, {}};
   const LatticePlace place = placeOf(field, origin, std::max(radius, behind));
   if (behind > 0) {
@@ -148,7 +149,8 @@ HeightProfile heightProfile(const HeightField& field, Vec2 origin, Vec2 directio
   return profile;
 }
 
-FlatHorizon flatHorizon(const HeightField& field, Vec2 origin, Vec2 direction, double radius) {
+FlatHorizon flatHorizon(const relief::HeightField& field, Vec2 origin, Vec2 direction,
+                        double radius) {
   radius = std::min(radius, field.knownLength(origin, direction));
   const ReliefRay ahead(field, placeOf(field, origin, radius), direction, radius);
   const double start = ahead.heightIn(ahead.firstCell(), 0);
@@ -170,4 +172,4 @@ FlatHorizon flatHorizon(const HeightField& field, Vec2 origin, Vec2 direction, d
   return highest.best();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

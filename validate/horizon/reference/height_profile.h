@@ -6,7 +6,7 @@
 #include "horizon/reference/ray_crossings.h"
 #include "relief/height_field.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// One point of a profile.
 struct ProfilePoint {
@@ -26,8 +26,8 @@ struct HeightProfile {
 /// @param origin     any finite position, texels
 /// @param direction  unit
 /// @param radius     D > 0, texels ahead; @param behind  texels backward, at least 0
-HeightProfile heightProfile(const HeightField& field, Vec2 origin, Vec2 direction, double radius,
-                            double behind = 0);
+HeightProfile heightProfile(const relief::HeightField& field, Vec2 origin, Vec2 direction,
+                            double radius, double behind = 0);
 
 /// A horizon of the flat relief.
 struct FlatHorizon {
@@ -40,6 +40,7 @@ struct FlatHorizon {
 /// what counts as greater. Agrees with a bake up to its float rounding.
 /// @param origin     any finite position, texels
 /// @param direction  unit; @param radius  D > 0, texels
-FlatHorizon flatHorizon(const HeightField& field, Vec2 origin, Vec2 direction, double radius);
+FlatHorizon flatHorizon(const relief::HeightField& field, Vec2 origin, Vec2 direction,
+                        double radius);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

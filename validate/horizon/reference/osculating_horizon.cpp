@@ -6,7 +6,7 @@
 
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
@@ -48,4 +48,4 @@ double bareHorizon(double curvature, double height) {
   return -std::sqrt(rise * (rise + 2));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// What a curvature-aware horizon method knows at one point in one direction. Lengths in the world.
 struct HorizonLookups {
@@ -35,4 +35,4 @@ double osculatingHorizon(const HorizonLookups& at);
 /// has such a horizon.
 double bareHorizon(double curvature, double height);
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gnomon {
+namespace gnomon::horizon {
 namespace {
 
 /// cos and sin of (π/2) · numerator/denominator, 0 ≤ numerator < denominator, from the first octant
@@ -83,4 +83,4 @@ RayCrossings cutRay(Vec2 direction, double radius, Vec2 offset) {
   return ray;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

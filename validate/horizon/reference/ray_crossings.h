@@ -5,7 +5,7 @@
 
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::horizon {
 
 /// Unit vector of azimuth φ_m = 2πm/M, exact where it lies on an axis, with equal components on a
 /// diagonal, and with the same digits in every quadrant.
@@ -43,4 +43,4 @@ struct RayCrossings {
 /// centre
 RayCrossings cutRay(Vec2 direction, double radius, Vec2 offset = Vec2(0));
 
-}  // namespace gnomon
+}  // namespace gnomon::horizon

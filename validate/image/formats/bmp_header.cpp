@@ -7,7 +7,7 @@
 
 #include "image/image_reader.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 void requireSoundBmpHeader(const std::filesystem::path& path) {
   constexpr std::uint32_t fileHeader = 14;
@@ -38,4 +38,4 @@ void requireSoundBmpHeader(const std::filesystem::path& path) {
   if (end > std::filesystem::file_size(path)) throw ImageError("it ends in its header");
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

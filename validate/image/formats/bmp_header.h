@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// Looks through a BMP's header before OpenImageIO does, which takes what a file that ends in its
 /// header or its palette does not hold from wherever its memory was. (BITMAPFILEHEADER of 14 bytes,
@@ -10,4 +10,4 @@ namespace gnomon {
 /// @throws ImageError where the file ends before its palette does
 void requireSoundBmpHeader(const std::filesystem::path& path);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

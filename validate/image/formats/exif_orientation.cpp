@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 /// Numbers of a TIFF structure; 0 past its end.
@@ -45,4 +45,4 @@ int exifOrientation(std::span<const std::uint8_t> exif) {
   return 1;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

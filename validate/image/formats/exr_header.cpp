@@ -10,7 +10,7 @@
 
 #include "image/image_reader.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 constexpr std::streamoff fileStart = 8;  // magic and version
@@ -161,4 +161,4 @@ void requireSoundExrHeader(const std::filesystem::path& path) {
   Header(path).check();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// Looks through an EXR's header before OpenEXR does, which takes memory for whatever length an
 /// attribute states, and for an index of all tiles that a picture would have: gigabytes for a
@@ -13,4 +13,4 @@ namespace gnomon {
 /// need, is longer than the file
 void requireSoundExrHeader(const std::filesystem::path& path);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 constexpr int endOfFile = std::char_traits<char>::eof();
@@ -55,4 +55,4 @@ std::optional<JpegFrame> jpegFrame(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

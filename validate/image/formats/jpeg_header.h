@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// What the frame header of a JPEG states (ITU-T T.81, B.2.2).
 struct JpegFrame {
@@ -16,4 +16,4 @@ struct JpegFrame {
 /// which takes memory for all coefficients of a progressive picture before it decodes any.
 std::optional<JpegFrame> jpegFrame(const std::filesystem::path& path);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

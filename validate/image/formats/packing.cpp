@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 constexpr double unpacked = 2;
@@ -47,4 +47,4 @@ double mostBytesAByteHolds(ImageFormat format, const std::string& coding) {
   return unbounded;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

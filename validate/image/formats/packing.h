@@ -4,7 +4,7 @@
 
 #include "image/image_format.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// The most bytes of pixels that a byte of a file can hold, by format and coding: infinite where a
 /// coding has no bound. A header that promises more is damaged, and nothing is decoded for it.
@@ -17,4 +17,4 @@ namespace gnomon {
 /// @param coding  as OpenImageIO names it in `compression`; empty where a format has but one
 double mostBytesAByteHolds(ImageFormat format, const std::string& coding);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "image/images.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 constexpr std::size_t channels = 3;
@@ -90,4 +90,4 @@ std::string pngOf(const Image& image) {
   return std::move(writer.bytes);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -12,7 +12,7 @@
 #include "common/raw_vector.h"
 #include "image/formats/exif_orientation.h"
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 struct CloseFile {
@@ -178,4 +178,4 @@ std::unique_ptr<ImageReader> openPng(const std::filesystem::path& path) {
   return std::make_unique<PngReader>(path);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::image

@@ -5,7 +5,7 @@
 
 #include "image/image_reader.h"
 
-namespace gnomon {
+namespace gnomon::image {
 
 /// Opens a PNG by libspng, which answers with a status where libpng leaves functions by longjmp.
 /// (OpenImageIO's reader lets libpng do so past its destructors, and print its errors to standard
@@ -13,4 +13,4 @@ namespace gnomon {
 /// @throws ImageError
 std::unique_ptr<ImageReader> openPng(const std::filesystem::path& path);
 
-}  // namespace gnomon
+}  // namespace gnomon::image

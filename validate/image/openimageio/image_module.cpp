@@ -16,7 +16,7 @@
 #include <system_error>
 #include <utility>
 
-namespace gnomon {
+namespace gnomon::image {
 namespace {
 
 OIIO::TypeDesc typeDesc(NumberType type) {
@@ -188,12 +188,13 @@ std::string writeExrFile(std::optional<int> file, const ExrDescription& descript
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::image
 
 /// Named by gnomon::imageModuleSymbol and gnomon::imageModuleVersionSymbol.
 extern "C" {
-extern const gnomon::ImageModule gnomonImageModule;
+extern const gnomon::image::ImageModule gnomonImageModule;
 extern const char gnomonImageModuleVersion[];
 }
-const gnomon::ImageModule gnomonImageModule = {gnomon::openFile, gnomon::writeExrFile};
+const gnomon::image::ImageModule gnomonImageModule = {gnomon::image::openFile,
+                                                      gnomon::image::writeExrFile};
 const char gnomonImageModuleVersion[] = GNOMON_IMAGE_MODULE_VERSION;

@@ -1,6 +1,6 @@
 #include "render/check/box_scene.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 namespace {
 
 Camera boxCamera(const Vec3& eye, const Vec3& target, double fov) {
@@ -20,7 +20,7 @@ BoxScene::BoxScene()
     : mesh_(boxOverFloorMesh()),
       gpu_(mesh_.mesh),
       volumes_(mesh_),
-      heights_(HeightField(2, 2, {0, 0, 0, 0}, Wrap::repeat)) {}
+      heights_(relief::HeightField(2, 2, {0, 0, 0, 0}, relief::Wrap::repeat)) {}
 
 const std::array<Camera, 2>& BoxScene::cameras() {
   static const std::array cameras = {boxCamera({-10, -9, 10}, {-2, 1, 1.5}, 42),
@@ -33,4 +33,4 @@ const Vec3& BoxScene::light() {
   return light;
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -6,7 +6,7 @@
 #include "render/check/rectangles.h"
 #include "render/passes/drawing.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 
 /// The box over the floor (rectangles.h) on the GPU, without relief, under one light.
 class BoxScene {
@@ -22,11 +22,12 @@ class BoxScene {
     return cameraView(camera, mesh_.mesh);
   }
   [[nodiscard]] Drawing drawing() const {
-    return {gpu_, heights_, Wrap::repeat, HeightSpace::world, 1, light(), &volumes_};
+    return {gpu_,    heights_, relief::Wrap::repeat, relief::HeightSpace::world, 1,
+            light(), &volumes_};
   }
 
  private:
-  DisplacedMesh mesh_;
+  displaced::DisplacedMesh mesh_;
   GpuMesh gpu_;
   GpuVolumes volumes_;
   GpuHeights heights_;
@@ -34,7 +35,7 @@ class BoxScene {
 
 /// What a camera of the scene sees, in closed form.
 inline std::vector<SeenPoint> seenPoints(const Camera& camera) {
-  return gnomon::seenPoints(camera, BoxScene::light());
+  return render::seenPoints(camera, BoxScene::light());
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -2,7 +2,7 @@
 #include "render/check/pass_faults.h"
 #include "render/check/tally.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 namespace {
 
 /// Compares both answers of a method: `test` says hidden, unless it is not asked; `drawn` dark.
@@ -10,7 +10,7 @@ enum class Asked { both, drawnAlone };
 
 void compareBox(Tally& tally, const Shaders& shaders, const Method& method, const BoxScene& box,
                 const Camera& camera, Asked asked) {
-  const MethodPass pass(shaders, method, Wrap::repeat, TableFilter::exact, {});
+  const MethodPass pass(shaders, method, relief::Wrap::repeat, TableFilter::exact, {});
   const MethodAnswers answers = pass.render(box.view(camera), box.drawing(), {});
   const std::vector<SeenPoint> points = seenPoints(camera);
   const bool castsShadows = method.passes.lightDepth || method.passes.shadowVolumes;
@@ -70,4 +70,4 @@ std::string volumeFault(const Shaders& shaders) {
   return tally.fault();
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -6,7 +6,7 @@
 #include "common/error.h"
 #include "render/check/pass_faults.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 /// A kind of pass with its name and its check.
@@ -69,4 +69,4 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter) {
   return kinds;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

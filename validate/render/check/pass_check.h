@@ -7,7 +7,7 @@
 
 #include "render/passes/method_pass.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The kinds of passes, each of which a driver may draw wrongly.
 enum class PassKind {
@@ -48,4 +48,4 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter);
 /// @throws InputError for a shader that does not compile
 std::string passFault(PassKind kind, const std::filesystem::path& shaders);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -7,7 +7,7 @@
 
 // One function a kind of pass: see passFault for what each compares.
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 
 using Shaders = std::filesystem::path;
 
@@ -31,4 +31,4 @@ std::string volumeFault(const Shaders& shaders);
 // picture_check.cpp
 std::string pictureFault(const Shaders& shaders);
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -6,7 +6,7 @@
 #include "render/check/tally.h"
 #include "render/passes/passes.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 
 std::string pictureFault(const Shaders& shaders) {
   const BoxScene box;
@@ -17,8 +17,8 @@ std::string pictureFault(const Shaders& shaders) {
     const bool isDark = (i % view.width / 4 + i / view.width / 4) % 2 == 0;
     mask.samples.push_back(isDark ? Shade::shadowed : Shade::lit);
   }
-  const auto picture =
-      ShadePass(shaders, Wrap::repeat, DrawnMesh::displaced).render(view, box.drawing(), mask);
+  const auto picture = ShadePass(shaders, relief::Wrap::repeat, DrawnMesh::displaced)
+                           .render(view, box.drawing(), mask);
   const std::vector<SeenPoint> points = seenPoints(camera);
   constexpr int white = 255;
   // As shade.frag has it: ambient light alone, and with it a cosine of at least 0.02.
@@ -41,4 +41,4 @@ std::string pictureFault(const Shaders& shaders) {
   return tally.fault();
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -8,7 +8,7 @@
 
 #include "surface/face_grids.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 constexpr int texelsPerSide = 8;
@@ -74,7 +74,7 @@ SeenPoint seenFrom(const Vec3& eye, const Vec3& direction, const Vec3& light) {
   return seen;
 }
 
-BaseVertex vertexOf(const Rectangle& r, int face, Vec2 st) {
+surface::BaseVertex vertexOf(const Rectangle& r, int face, Vec2 st) {
   constexpr double texels = texelsPerSide;
   return {{r.corner + st.x * r.along + st.y * r.across, outside(r), r.along / texels,
            r.across / texels, texels * st, true},
@@ -90,14 +90,14 @@ const std::array<Rectangle, 7>& boxOverFloor() {
   return rectangles;
 }
 
-DisplacedMesh boxOverFloorMesh() {
+displaced::DisplacedMesh boxOverFloorMesh() {
   // The floor has four pieces a side, the box's sides have two.
-  std::vector<FaceLines> lines(boxOverFloor().size(), FaceLines{1, 1});
+  std::vector<surface::FaceLines> lines(boxOverFloor().size(), surface::FaceLines{1, 1});
   lines.front() = {0, 0};
-  const FaceGrids grids({evenLines(4), evenLines(2)}, lines);
-  DisplacedMesh result;
+  const surface::FaceGrids grids({surface::evenLines(4), surface::evenLines(2)}, lines);
+  displaced::DisplacedMesh result;
   for (std::size_t k = 0; k < boxOverFloor().size(); ++k) {
-    const FaceGrid& grid = grids.faces()[k];
+    const surface::FaceGrid& grid = grids.faces()[k];
     for (const double t : grids.tLines(grid)) {
       for (const double s : grids.sLines(grid)) {
         result.mesh.vertices.push_back(
@@ -105,16 +105,16 @@ DisplacedMesh boxOverFloorMesh() {
       }
     }
   }
-  result.mesh.triangles = gridTriangles(grids, Diagonal::fromOrigin);
+  result.mesh.triangles = surface::gridTriangles(grids, surface::Diagonal::fromOrigin);
   std::map<std::tuple<double, double, double>, std::uint32_t> places;
   std::vector<std::uint32_t> shared;
-  for (const BaseVertex& vertex : result.mesh.vertices) {
+  for (const surface::BaseVertex& vertex : result.mesh.vertices) {
     const Vec3& p = vertex.frame.position;
     shared.push_back(
         places.emplace(std::tuple(p.x, p.y, p.z), static_cast<std::uint32_t>(shared.size()))
             .first->second);
   }
-  result.adjacency = triangleAdjacency(result.mesh, shared);
+  result.adjacency = displaced::triangleAdjacency(result.mesh, shared);
   return result;
 }
 
@@ -142,4 +142,4 @@ std::vector<SeenPoint> seenPoints(const Camera& camera, const Vec3& light) {
   return points;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

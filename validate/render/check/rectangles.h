@@ -6,7 +6,7 @@
 #include "common/camera.h"
 #include "displaced/displaced_mesh.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 // A flat scene whose picture is known in closed form: a floor, and a box that floats over it.
 
@@ -21,7 +21,7 @@ const std::array<Rectangle, 7>& boxOverFloor();
 
 /// Its triangles: every rectangle cut into some quadrilaterals a side, as makeBaseMesh cuts a face,
 /// with the neighbours across the box's edges.
-DisplacedMesh boxOverFloorMesh();
+displaced::DisplacedMesh boxOverFloorMesh();
 
 /// The surface point that a pixel shows.
 struct SeenPoint {
@@ -39,4 +39,4 @@ struct SeenPoint {
 /// @param light  unit vector toward the light
 std::vector<SeenPoint> seenPoints(const Camera& camera, const Vec3& light);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

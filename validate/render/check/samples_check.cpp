@@ -7,7 +7,7 @@
 #include "render/check/tile_scene.h"
 #include "render/passes/passes.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 
 std::string cameraFault(const Shaders& shaders) {
   const BoxScene box;
@@ -15,11 +15,11 @@ std::string cameraFault(const Shaders& shaders) {
   constexpr double nearEnough = 1e-3;
   Tally tally;
   for (const Camera& camera : BoxScene::cameras()) {
-    const SampleGrid grid = pass.render(box.view(camera), box.drawing().mesh);
+    const surface::SampleGrid grid = pass.render(box.view(camera), box.drawing().mesh);
     const std::vector<SeenPoint> points = seenPoints(camera);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!points[i].isClear) continue;
-      const SurfaceSample& found = grid.samples.at(i);
+      const surface::SurfaceSample& found = grid.samples.at(i);
       const Vec2 off = Vec2(found.s, found.t) - points[i].st;
       tally.add(found.face == points[i].face &&
                 (found.face < 0 || std::max(std::abs(off.x), std::abs(off.y)) < nearEnough));
@@ -31,12 +31,13 @@ std::string cameraFault(const Shaders& shaders) {
 std::string atlasFault(const Shaders& shaders) {
   using tile::columns;
   using tile::side;
-  const SampleGrid grid = SamplesPass(shaders).render(tileView(), GpuMesh(tileMesh()));
+  const surface::SampleGrid grid = SamplesPass(shaders).render(tileView(), GpuMesh(tileMesh()));
   constexpr double nearEnough = 1e-6;
   Tally tally;
   for (int row = 0; row < side; ++row) {
     for (int x = 0; x < columns; ++x) {
-      const SurfaceSample& found = grid.samples.at(static_cast<std::size_t>(row * columns + x));
+      const surface::SurfaceSample& found =
+          grid.samples.at(static_cast<std::size_t>(row * columns + x));
       tally.add(found.face == x / side &&
                 std::abs(found.s - (x % side + 0.5) / side) < nearEnough &&
                 std::abs(found.t - (side - 1 - row + 0.5) / side) < nearEnough);
@@ -45,4 +46,4 @@ std::string atlasFault(const Shaders& shaders) {
   return tally.fault();
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -7,7 +7,7 @@
 #include "render/check/tally.h"
 #include "render/check/tile_scene.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 namespace {
 
 /// Both sides mix bits by the same rule, of which each and their order count.
@@ -43,7 +43,7 @@ const Probe ellipseProbe = {
     "  hash = mixed(hash, ellipse.spread[1][1] > 0.5);\n",
     [](const TileValues& tiles, int x, int y, int) {
       std::uint32_t hash = 0;
-      for (int layer = 0; layer < EllipseTable::numbers; ++layer) {
+      for (int layer = 0; layer < horizon::EllipseTable::numbers; ++layer) {
         hash = mixed(hash, TileValues::bit(tiles.ellipse, layer, x, y));
       }
       return hash;
@@ -109,4 +109,4 @@ std::string angleFault(const Shaders& shaders) {
   return probeFault(shaders, angleProbe, tables, TableFilter::exact);
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "render/method.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 
 /// Counts pixels that are as they must be, and others.
 class Tally {
@@ -39,4 +39,4 @@ inline Method methodOf(DrawnMesh mesh, const std::string& glsl) {
   return method;
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -2,7 +2,7 @@
 #include "render/check/tally.h"
 #include "render/check/tile_scene.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 
 std::string textureFault(const Shaders& shaders) {
   Method method = methodOf(DrawnMesh::base,
@@ -17,4 +17,4 @@ std::string textureFault(const Shaders& shaders) {
   });
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

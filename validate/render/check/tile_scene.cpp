@@ -8,7 +8,7 @@
 #include "render/check/tally.h"
 #include "surface/face_grids.h"
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 namespace {
 
 using tile::azimuths;
@@ -28,33 +28,34 @@ std::vector<float> randomBits(int layers, unsigned seed) {
 /// The maps on the GPU, in one number of bits.
 class TileScene {
  public:
-  TileScene(const TileValues& tiles, TableBits bits)
+  TileScene(const TileValues& tiles, horizon::TableBits bits)
       : mesh_(tileMesh()),
         gpu_(mesh_),
         texture_(textureView(mesh_)),
-        heights_(HeightField(columns, side, tiles.heights, Wrap::repeat)),
+        heights_(relief::HeightField(columns, side, tiles.heights, relief::Wrap::repeat)),
         horizon_(table(tiles.horizon, azimuths, bits)),
         distance_(table(tiles.distance, azimuths, bits)),
-        ellipse_(table(tiles.ellipse, EllipseTable::numbers, bits)),
+        ellipse_(table(tiles.ellipse, horizon::EllipseTable::numbers, bits)),
         angles_(angleTable(tiles.angles), bits) {}
 
   [[nodiscard]] MethodAnswers answers(const MethodPass& pass) const {
-    const Drawing drawing{gpu_, heights_,  Wrap::repeat, HeightSpace::world,
-                          1,    tileLight, nullptr,      &texture_};
+    const Drawing drawing{
+        gpu_,    heights_, relief::Wrap::repeat, relief::HeightSpace::world, 1, tileLight,
+        nullptr, &texture_};
     return pass.render(tileView(), drawing, {&horizon_, &distance_, &angles_, &ellipse_});
   }
 
  private:
-  static GpuTable table(const std::vector<float>& values, int layers, TableBits bits) {
-    return {storeTable(values, bits), {columns, side, layers, Wrap::repeat}};
+  static GpuTable table(const std::vector<float>& values, int layers, horizon::TableBits bits) {
+    return {horizon::storeTable(values, bits), {columns, side, layers, relief::Wrap::repeat}};
   }
-  static AngleTable angleTable(const std::vector<float>& shares) {
-    AngleTable table{{columns, side, 2 * azimuths}, pi / 2, shares};
+  static horizon::AngleTable angleTable(const std::vector<float>& shares) {
+    horizon::AngleTable table{{columns, side, 2 * azimuths}, pi / 2, shares};
     for (float& angle : table.angles) angle *= static_cast<float>(table.limit);
     return table;
   }
 
-  BaseMesh mesh_;
+  surface::BaseMesh mesh_;
   GpuMesh gpu_;
   RenderView texture_;
   GpuHeights heights_;
@@ -84,7 +85,7 @@ TileValues::TileValues()
     : heights(randomBits(1, 1)),
       horizon(randomBits(azimuths, 2)),
       distance(randomBits(azimuths, 3)),
-      ellipse(randomBits(EllipseTable::numbers, 4)),
+      ellipse(randomBits(horizon::EllipseTable::numbers, 4)),
       angles(randomBits(2 * azimuths, 5)) {}
 
 double TileValues::cosine(int x, int y) const {
@@ -97,12 +98,12 @@ double TileValues::cosine(int x, int y) const {
                   Vec3(-between(h10 - h00, h11 - h01), -between(h01 - h00, h11 - h10), 1));
 }
 
-BaseMesh tileMesh() {
+surface::BaseMesh tileMesh() {
   constexpr double beyond = 0.25;
-  const FaceGrids grids = FaceGrids::even(2, 1);
+  const surface::FaceGrids grids = surface::FaceGrids::even(2, 1);
   const Vec3 x(1, 0, 0);
   const Vec3 y(0, 1, 0);
-  BaseMesh mesh;
+  surface::BaseMesh mesh;
   for (int face = 0; face < 2; ++face) {
     for (const Vec2& st : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
       const Vec2 place = static_cast<double>(side) * (st + Vec2(face, 0));
@@ -110,7 +111,7 @@ BaseMesh tileMesh() {
           {{Vec3(place, 0), Vec3(0, 0, 1), x, y, place + beyond, true}, {0, 0, x, y}, face, st});
     }
   }
-  mesh.triangles = gridTriangles(grids, Diagonal::fromOrigin);
+  mesh.triangles = surface::gridTriangles(grids, surface::Diagonal::fromOrigin);
   return mesh;
 }
 
@@ -125,13 +126,14 @@ RenderView tileView() {
 std::string tileFault(const std::filesystem::path& shaders, const Method& method,
                       TableFilter filter,
                       const std::function<bool(const TileValues&, int x, int y)>& isDark) {
-  const MethodPass pass(shaders, method, Wrap::repeat, filter, {});
+  const MethodPass pass(shaders, method, relief::Wrap::repeat, filter, {});
   const TileValues tiles;
   Tally tally;
-  for (const TableBits bits : {TableBits::eight, TableBits::sixteen, TableBits::thirtyTwo}) {
+  for (const horizon::TableBits bits :
+       {horizon::TableBits::eight, horizon::TableBits::sixteen, horizon::TableBits::thirtyTwo}) {
     compareTiles(tally, TileScene(tiles, bits).answers(pass), tiles, isDark);
   }
   return tally.fault();
 }
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -9,7 +9,7 @@
 
 // Two faces side by side with maps of random zeros and ones, of which one sample a texel is drawn.
 
-namespace gnomon::check {
+namespace gnomon::render::check {
 
 namespace tile {
 constexpr int side = 8;            ///< samples, and texels, of a face's side
@@ -35,7 +35,7 @@ struct TileValues {
 
 /// The two faces. Samples lie a quarter of a texel beyond texel centres: of the four texels that
 /// are mixed, that one has more than half of the weight.
-BaseMesh tileMesh();
+surface::BaseMesh tileMesh();
 
 /// One sample a texel.
 RenderView tileView();
@@ -47,4 +47,4 @@ std::string tileFault(const std::filesystem::path& shaders, const Method& method
                       TableFilter filter,
                       const std::function<bool(const TileValues&, int x, int y)>& isDark);
 
-}  // namespace gnomon::check
+}  // namespace gnomon::render::check

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-namespace gnomon {
+namespace gnomon::render {
 
 gl::Program makeSurfaceProgram(const std::filesystem::path& shaders,
                                const std::vector<ShaderPiece>& fragment,
@@ -10,9 +10,9 @@ gl::Program makeSurfaceProgram(const std::filesystem::path& shaders,
   return makeProgram({{readShader(shaders / "common/surface.vert")}, {}, fragment}, defines);
 }
 
-std::vector<std::string> surfaceDefines(Wrap wrap, DrawnMesh mesh) {
+std::vector<std::string> surfaceDefines(relief::Wrap wrap, DrawnMesh mesh) {
   std::vector<std::string> defines;
-  if (wrap == Wrap::repeat) defines.emplace_back("WRAP_REPEAT");
+  if (wrap == relief::Wrap::repeat) defines.emplace_back("WRAP_REPEAT");
   if (mesh == DrawnMesh::displaced) defines.emplace_back("MESH_DISPLACED");
   return defines;
 }
@@ -61,10 +61,11 @@ void setView(GLuint program, const RenderView& view) {
 
 void setDrawing(GLuint program, const Drawing& drawing) {
   setUniform(program, "lightDirection", drawing.light);
-  setUniform(program, "heightInTexels", drawing.heightSpace == HeightSpace::texture ? 1 : 0);
+  setUniform(program, "heightInTexels",
+             drawing.heightSpace == relief::HeightSpace::texture ? 1 : 0);
   setUniform(program, "texelsPerHeight", drawing.texelsPerHeight);
   setUniform(program, "heightBounds", drawing.heights.bounds());
-  const Border border = drawing.heights.border();
+  const relief::Border border = drawing.heights.border();
   setUniform(program, "reliefBorder", glm::ivec2(border.x ? 1 : 0, border.y ? 1 : 0));
   bindTexture(program, TextureUnit::heights, drawing.heights.texture(), "heightMap");
 }
@@ -89,4 +90,4 @@ void drawMesh(const Target& target, GLuint program, const RenderView& view, cons
   mesh.draw();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -11,14 +11,14 @@
 #include "render/target.h"
 #include "render/view.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// A mesh with its relief and light: the input of a pass.
 struct Drawing {
   const GpuMesh& mesh;
   const GpuHeights& heights;
-  Wrap wrap;
-  HeightSpace heightSpace;
+  relief::Wrap wrap;
+  relief::HeightSpace heightSpace;
   double texelsPerHeight;               ///< of the frame of angles (texel_scale.h)
   Vec3 light{0, 0, 1};                  ///< unit vector toward the light, world
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
@@ -46,7 +46,7 @@ gl::Program makeSurfaceProgram(const std::filesystem::path& shaders,
                                const std::vector<std::string>& defines);
 
 /// The defines that wrap.glsl, pixel.glsl and shading.glsl read.
-std::vector<std::string> surfaceDefines(Wrap wrap, DrawnMesh mesh);
+std::vector<std::string> surfaceDefines(relief::Wrap wrap, DrawnMesh mesh);
 
 void bindTexture(GLuint program, TextureUnit unit, GLuint texture, const char* sampler);
 // A uniform that the program does not use is left out.
@@ -73,4 +73,4 @@ void beginPass(const Target& target, GLuint program, Sides sides);
 void drawMesh(const Target& target, GLuint program, const RenderView& view, const GpuMesh& mesh,
               Sides sides = Sides::front);
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -1,6 +1,6 @@
 #include "render/passes/light_depth_pass.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 LightDepthPass::LightDepthPass(const std::filesystem::path& shaders)
     : program_(makeSurfaceProgram(shaders, {readShader(shaders / "common/nothing.frag")}, {})) {}
@@ -12,4 +12,4 @@ void LightDepthPass::draw(const RenderView& light, const GpuMesh& mesh,
   drawMesh(target, program_.name(), light, mesh, Sides::both);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

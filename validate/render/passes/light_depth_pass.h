@@ -5,7 +5,7 @@
 #include "render/passes/drawing.h"
 #include "render/target.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The depth map of Williams 1978: a mesh as the light sees it.
 class LightDepthPass {
@@ -19,4 +19,4 @@ class LightDepthPass {
   gl::Program program_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::render

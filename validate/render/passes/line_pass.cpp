@@ -7,7 +7,7 @@
 #include "render/passes/drawing.h"
 #include "render/program.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 LinePass::LinePass(const std::filesystem::path& shaders)
     : program_(makeProgram({{readShader(shaders / "common/line.vert")},
@@ -29,4 +29,4 @@ void LinePass::draw(const RenderView& view, std::span<const Vec3> ends, const gl
   glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(ends.size()));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -9,7 +9,7 @@
 #include "render/target.h"
 #include "render/view.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// Draws lines into a picture, hidden where the surface that was drawn before is nearer.
 class LinePass {
@@ -26,4 +26,4 @@ class LinePass {
   gl::Program program_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -12,7 +12,7 @@
 #include "render/shared_names.h"
 #include "render/target.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
 
@@ -64,7 +64,8 @@ std::map<std::string, double> parameterValues(const Method& method,
   return all;
 }
 
-std::vector<std::string> methodDefines(const Method& method, Wrap wrap, TableFilter filter) {
+std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap,
+                                       TableFilter filter) {
   std::vector<std::string> defines = surfaceDefines(wrap, method.mesh);
   if (method.tables.height) defines.emplace_back("TABLE_HEIGHT");
   if (method.tables.horizon) defines.emplace_back("TABLE_HORIZON");
@@ -116,23 +117,23 @@ gl::Program makeMethodProgram(const fs::path& shaders, const Method& method, con
 }
 
 /// A texture pass keeps its values in the bits of the angles that it reads; without any, in floats.
-TableBits resolvedBits(const GpuTables& tables) {
-  return tables.angles != nullptr ? tables.angles->bits() : TableBits::thirtyTwo;
+horizon::TableBits resolvedBits(const GpuTables& tables) {
+  return tables.angles != nullptr ? tables.angles->bits() : horizon::TableBits::thirtyTwo;
 }
 
-GLenum resolvedFormat(TableBits bits) {
-  if (bits == TableBits::eight) return GL_RG8;
-  return bits == TableBits::sixteen ? GL_RG16 : GL_RG32F;
+GLenum resolvedFormat(horizon::TableBits bits) {
+  if (bits == horizon::TableBits::eight) return GL_RG8;
+  return bits == horizon::TableBits::sixteen ? GL_RG16 : GL_RG32F;
 }
 
-int bytesPerResolved(TableBits bits) {
+int bytesPerResolved(horizon::TableBits bits) {
   return 2 * static_cast<int>(bits) / 8;
 }
 
 }  // namespace
 
-MethodPass::MethodPass(const fs::path& shaders, const Method& method, Wrap wrap, TableFilter filter,
-                       const std::map<std::string, double>& values)
+MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
+                       TableFilter filter, const std::map<std::string, double>& values)
     : name_(method.name),
       tables_(method.tables),
       passes_(method.passes),
@@ -312,4 +313,4 @@ double MethodPass::frameMilliseconds(const RenderView& view, const Drawing& draw
   return medianFrameMilliseconds([&] { frame.draw(); }, frames, first, clock);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -14,7 +14,7 @@
 #include "render/passes/light_depth_pass.h"
 #include "render/passes/shadow_volume_pass.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// How tables are filtered.
 enum class TableFilter {
@@ -46,7 +46,7 @@ class MethodPass {
  public:
   /// @param values  of the method's parameters; others have the authors' values
   /// @throws InputError for a shader that does not compile, or an unknown or out-of-range parameter
-  MethodPass(const std::filesystem::path& shaders, const Method& method, Wrap wrap,
+  MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values);
 
   /// The method's answers for every sample of the view.
@@ -78,4 +78,4 @@ class MethodPass {
   std::optional<ShadowVolumePass> volumes_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::render

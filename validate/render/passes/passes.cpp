@@ -5,7 +5,7 @@
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
 
@@ -34,7 +34,7 @@ SamplesPass::SamplesPass(const fs::path& shaders)
           {readShader(shaders / "common/pixel.glsl"), readShader(shaders / "common/samples.frag")},
           {})) {}
 
-SampleGrid SamplesPass::render(const RenderView& view, const GpuMesh& mesh) const {
+surface::SampleGrid SamplesPass::render(const RenderView& view, const GpuMesh& mesh) const {
   const Target target(view.width, view.height, {GL_R32I, GL_RG32F});
   const std::array<GLint, 4> nothing = {-1, 0, 0, 0};
   glClearNamedFramebufferiv(target.framebuffer(), GL_COLOR, 0, nothing.data());
@@ -44,14 +44,15 @@ SampleGrid SamplesPass::render(const RenderView& view, const GpuMesh& mesh) cons
   const auto faces = target.read<std::int32_t>(0, GL_RED_INTEGER, GL_INT, 1);
   const auto parameters = target.read<glm::vec2>(1, GL_RG, GL_FLOAT, 1);
   throwOnGlError("reading the samples of a view");
-  SampleGrid grid{view.width, view.height, std::vector<SurfaceSample>(faces.size())};
+  surface::SampleGrid grid{view.width, view.height,
+                           std::vector<surface::SurfaceSample>(faces.size())};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (faces[i] >= 0) grid.samples[i] = {faces[i], parameters[i].x, parameters[i].y};
   }
   return grid;
 }
 
-ShadePass::ShadePass(const fs::path& shaders, Wrap wrap, DrawnMesh mesh)
+ShadePass::ShadePass(const fs::path& shaders, relief::Wrap wrap, DrawnMesh mesh)
     : program_(makeSurfaceProgram(
           shaders,
           {readShader(shaders / "common/pixel.glsl"), readShader(shaders / "common/wrap.glsl"),
@@ -80,4 +81,4 @@ void ShadePass::draw(const RenderView& view, const Drawing& drawing, const Mask&
   drawMesh(target, program_.name(), view, drawing.mesh);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

@@ -9,14 +9,14 @@
 #include "render/target.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// The G-buffer pass: which sample each pixel shows.
 class SamplesPass {
  public:
   explicit SamplesPass(const std::filesystem::path& shaders);
   /// @throws InputError if the view is larger than GL's largest texture
-  [[nodiscard]] SampleGrid render(const RenderView& view, const GpuMesh& mesh) const;
+  [[nodiscard]] surface::SampleGrid render(const RenderView& view, const GpuMesh& mesh) const;
 
  private:
   gl::Program program_;
@@ -28,7 +28,7 @@ class SamplesPass {
 class ShadePass {
  public:
   /// @param mesh  whether the drawn mesh is bump-mapped, or displaced and shaded facet by facet
-  ShadePass(const std::filesystem::path& shaders, Wrap wrap, DrawnMesh mesh);
+  ShadePass(const std::filesystem::path& shaders, relief::Wrap wrap, DrawnMesh mesh);
   [[nodiscard]] std::vector<std::uint8_t> render(const RenderView& view, const Drawing& drawing,
                                                  const Mask& mask) const;
   /// The same, drawn into a target's first attachment.
@@ -40,4 +40,4 @@ class ShadePass {
   gl::Program program_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::render

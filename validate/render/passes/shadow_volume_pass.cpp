@@ -2,7 +2,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::render {
 namespace {
 
 gl::Program makeVolumeProgram(const std::filesystem::path& shaders, const char* geometry) {
@@ -52,4 +52,4 @@ void ShadowVolumePass::draw(const RenderView& view, const Drawing& drawing,
   glDepthMask(GL_TRUE);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::render

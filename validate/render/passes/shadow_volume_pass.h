@@ -5,7 +5,7 @@
 #include "render/passes/drawing.h"
 #include "render/target.h"
 
-namespace gnomon {
+namespace gnomon::render {
 
 /// Shadow volumes (Crow 1977) of a displaced mesh, counted in the stencil behind what the camera
 /// sees (z-fail), so that a camera inside a shadow counts right.
@@ -27,4 +27,4 @@ class ShadowVolumePass {
   gl::Program volumes_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::render

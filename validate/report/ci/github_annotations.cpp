@@ -8,7 +8,7 @@
 #include "report/text/gate_text.h"
 #include "report/text/utf8_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 std::string escaped(std::string_view text, bool property) {
@@ -40,9 +40,9 @@ int lineOf(std::string_view message, const std::string& file) {
   return whole ? line : 0;
 }
 
-std::string gateAnnotation(const CheckRecord& check, const Judgement& judgement) {
+std::string gateAnnotation(const study::CheckRecord& check, const study::Judgement& judgement) {
   const auto [file, line] = gatePlace(check, judgement.gate);
-  const char* outcome = judgement.verdict == GateVerdict::failed ? "failed" : "undefined";
+  const char* outcome = judgement.verdict == study::GateVerdict::failed ? "failed" : "undefined";
   return command("error", file, line,
                  fmt::format("{}: {} {}", check.name, gateOriginName(judgement.gate), outcome),
                  fmt::format("{}\n{}", gateFaultText(judgement), check.command));
@@ -50,20 +50,20 @@ std::string gateAnnotation(const CheckRecord& check, const Judgement& judgement)
 
 }  // namespace
 
-std::string githubAnnotations(std::span<const CheckRecord> checks) {
+std::string githubAnnotations(std::span<const study::CheckRecord> checks) {
   std::string text;
-  for (const CheckRecord& check : checks) {
-    for (const ProblemRecord& problem : check.problems) {
+  for (const study::CheckRecord& check : checks) {
+    for (const study::ProblemRecord& problem : check.problems) {
       text += command("error", check.file, lineOf(problem.message, check.file),
                       fmt::format("{}: not judged", check.name),
                       fmt::format("{}\n{}", problem.message, check.command));
     }
-    for (const Judgement& judgement : check.judgements) {
+    for (const study::Judgement& judgement : check.judgements) {
       if (judgement.isFault()) text += gateAnnotation(check, judgement);
     }
   }
-  for (const CheckRecord& check : checks) {
-    for (const NoticeRecord& notice : check.notices) {
+  for (const study::CheckRecord& check : checks) {
+    for (const study::NoticeRecord& notice : check.notices) {
       text += command("notice", check.file, notice.line, fmt::format("{}: notice", check.name),
                       notice.text);
     }
@@ -90,4 +90,4 @@ std::string withoutWorkflowCommands(std::string_view text) {
   return plain;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,7 +6,7 @@
 
 #include "study/record/check_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A check as GitHub's workflow commands, one a line, that mark the study's file in a pull request:
 /// `::error file=F,line=N,title=T::MESSAGE` for each gate that does not hold and each problem, then
@@ -14,11 +14,11 @@ namespace gnomon {
 /// What `xmlText` refuses becomes U+FFFD; in properties `%`, CR, LF, `:` and `,` are escaped, in
 /// messages `%`, CR and LF, as GitHub's "Workflow commands" say. A problem's line is that of its
 /// message, where it opens with `FILE:LINE:`.
-std::string githubAnnotations(std::span<const CheckRecord> checks);
+std::string githubAnnotations(std::span<const study::CheckRecord> checks);
 
 /// Text of any number of lines in which GitHub's runner finds no command. It takes a line that
 /// begins with `::`, behind spaces too, and whatever follows `##[` anywhere in a line: names that
 /// stand there get a space inside these signs.
 std::string withoutWorkflowCommands(std::string_view text);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

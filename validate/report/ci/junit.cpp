@@ -8,7 +8,7 @@
 #include "report/text/gate_text.h"
 #include "report/text/utf8_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 struct Tally {
@@ -46,7 +46,7 @@ pugi::xml_node addCase(pugi::xml_node suite, const std::string& group, const std
 
 /// `failure` or `error`.
 void addFault(pugi::xml_node testCase, const char* kind, const std::string& type,
-              const std::string& message, const CheckRecord& check) {
+              const std::string& message, const study::CheckRecord& check) {
   pugi::xml_node fault = testCase.append_child(kind);
   set(fault, "type", type);
   set(fault, "message", message);
@@ -54,29 +54,30 @@ void addFault(pugi::xml_node testCase, const char* kind, const std::string& type
   fault.append_child(pugi::node_pcdata).set_value(xmlText(text).c_str());
 }
 
-std::string placeOf(const CheckRecord& check, const Gate& gate) {
+std::string placeOf(const study::CheckRecord& check, const study::Gate& gate) {
   const auto [file, line] = gatePlace(check, gate);
   return line > 0 ? fmt::format("{}:{}", file, line) : file;
 }
 
-Tally addGate(pugi::xml_node suite, const CheckRecord& check, const Judgement& judgement) {
-  const Gate& gate = judgement.gate;
+Tally addGate(pugi::xml_node suite, const study::CheckRecord& check,
+              const study::Judgement& judgement) {
+  const study::Gate& gate = judgement.gate;
   const std::string kind = gateOriginName(gate);
   pugi::xml_node node = addCase(suite, fmt::format("{}.{}", check.name, kind), gateTitle(gate));
   Tally counts{1, 0, 0, 0};
   const std::string message = fmt::format("{}: {}", placeOf(check, gate), gateFaultText(judgement));
   switch (judgement.verdict) {
-    case GateVerdict::passed:
+    case study::GateVerdict::passed:
       break;
-    case GateVerdict::failed:
+    case study::GateVerdict::failed:
       addFault(node, "failure", kind, message, check);
       counts.failures = 1;
       break;
-    case GateVerdict::undefined:
+    case study::GateVerdict::undefined:
       addFault(node, "error", "undefined", message, check);
       counts.errors = 1;
       break;
-    case GateVerdict::skipped:
+    case study::GateVerdict::skipped:
       set(node.append_child("skipped"), "message", judgement.reason);
       counts.skipped = 1;
       break;
@@ -101,18 +102,19 @@ const char* statusName(ExitStatus status) {
   throw InternalError("check: a status that has no name");
 }
 
-Tally addSuite(pugi::xml_node root, const CheckRecord& check) {
+Tally addSuite(pugi::xml_node root, const study::CheckRecord& check) {
   pugi::xml_node suite = root.append_child("testsuite");
   Tally counts;
   pugi::xml_node property = suite.append_child("properties").append_child("property");
   set(property, "name", "command");
   set(property, "value", check.command);
-  for (const ProblemRecord& problem : check.problems) {
+  for (const study::ProblemRecord& problem : check.problems) {
     addFault(addCase(suite, check.name, problem.part), "error", statusName(problem.status),
              problem.message, check);
     counts += {1, 0, 1, 0};
   }
-  for (const Judgement& judgement : check.judgements) counts += addGate(suite, check, judgement);
+  for (const study::Judgement& judgement : check.judgements)
+    counts += addGate(suite, check, judgement);
   describe(suite, check.name, counts, check.seconds);
   set(suite, "file", check.file);
   return counts;
@@ -120,7 +122,7 @@ Tally addSuite(pugi::xml_node root, const CheckRecord& check) {
 
 }  // namespace
 
-std::string junitXml(std::span<const CheckRecord> checks) {
+std::string junitXml(std::span<const study::CheckRecord> checks) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   set(declaration, "version", "1.0");
@@ -128,7 +130,7 @@ std::string junitXml(std::span<const CheckRecord> checks) {
   pugi::xml_node root = document.append_child("testsuites");
   Tally counts;
   double seconds = 0;
-  for (const CheckRecord& check : checks) {
+  for (const study::CheckRecord& check : checks) {
     counts += addSuite(root, check);
     seconds += check.seconds;
   }
@@ -138,4 +140,4 @@ std::string junitXml(std::span<const CheckRecord> checks) {
   return std::move(text).str();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

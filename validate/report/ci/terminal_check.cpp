@@ -13,7 +13,7 @@
 #include "report/text/text_width.h"
 #include "study/record/cases.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 constexpr std::size_t mostMethod = 24;
@@ -27,11 +27,12 @@ std::string anyOr(const std::string& name) {
   return name.empty() ? "any" : name;
 }
 
-std::string placeText(const Gate& gate) {
+std::string placeText(const study::Gate& gate) {
   std::string text = fmt::format("{}, {}", anyOr(gate.view), anyOr(gate.light));
-  if (gate.region != wholeRegion) text += ", " + gate.region;
-  if (gate.answer != Answer::drawn) text += fmt::format(", {}", answerName(gate.answer));
-  const std::string value = stepValue(gate.step);
+  if (gate.region != study::wholeRegion) text += ", " + gate.region;
+  if (gate.answer != study::Answer::drawn)
+    text += fmt::format(", {}", study::answerName(gate.answer));
+  const std::string value = study::stepValue(gate.step);
   return value.empty() ? text : value + ", " + text;
 }
 
@@ -40,8 +41,8 @@ std::string marginText(double margin) {
   return std::abs(margin) < 1e4 ? fmt::format("{:+.4f}", margin) : fmt::format("{:+.3e}", margin);
 }
 
-Cells cellsOf(const Judgement& judgement) {
-  const Gate& gate = judgement.gate;
+Cells cellsOf(const study::Judgement& judgement) {
+  const study::Gate& gate = judgement.gate;
   const auto margin = judgement.margin();
   return {anyOr(gate.method),
           gate.metric,
@@ -78,22 +79,22 @@ std::string rowText(const Cells& cells, const CheckWidths& widths) {
   return row;
 }
 
-const char* verdictColour(GateVerdict verdict) {
-  if (verdict == GateVerdict::passed) return "32";
-  return verdict == GateVerdict::skipped ? "33" : "31";
+const char* verdictColour(study::GateVerdict verdict) {
+  if (verdict == study::GateVerdict::passed) return "32";
+  return verdict == study::GateVerdict::skipped ? "33" : "31";
 }
 
-std::size_t countOf(std::span<const Judgement> judgements, GateVerdict verdict) {
-  return static_cast<std::size_t>(
-      std::count_if(judgements.begin(), judgements.end(),
-                    [&](const Judgement& judgement) { return judgement.verdict == verdict; }));
+std::size_t countOf(std::span<const study::Judgement> judgements, study::GateVerdict verdict) {
+  return static_cast<std::size_t>(std::count_if(
+      judgements.begin(), judgements.end(),
+      [&](const study::Judgement& judgement) { return judgement.verdict == verdict; }));
 }
 
-void appendTable(TerminalPage& page, const std::vector<Judgement>& judgements) {
+void appendTable(TerminalPage& page, const std::vector<study::Judgement>& judgements) {
   if (judgements.empty()) return;
   std::vector<Cells> rows = {
       {"method", "metric", "view, light", "value", "limit", "margin", "verdict"}};
-  for (const Judgement& judgement : judgements) rows.push_back(cellsOf(judgement));
+  for (const study::Judgement& judgement : judgements) rows.push_back(cellsOf(judgement));
   const CheckWidths widths = widthsOf(rows);
   page.line(rowText(rows.front(), widths) + rows.front()[CheckColumn::verdict]);
   for (std::size_t i = 0; i < judgements.size(); ++i) {
@@ -104,29 +105,29 @@ void appendTable(TerminalPage& page, const std::vector<Judgement>& judgements) {
 }
 
 void appendReferences(TerminalPage& page, const std::string& file,
-                      std::vector<Judgement> references) {
+                      std::vector<study::Judgement> references) {
   if (references.empty()) return;
-  const std::size_t skipped = countOf(references, GateVerdict::skipped);
-  page.paragraph(
-      fmt::format("{}: {} of {} references hold{}", file, countOf(references, GateVerdict::passed),
-                  references.size(), skipped > 0 ? fmt::format(", {} skipped", skipped) : ""),
-      terminalIndent);
-  std::erase_if(references, [](const Judgement& judgement) { return !judgement.isFault(); });
+  const std::size_t skipped = countOf(references, study::GateVerdict::skipped);
+  page.paragraph(fmt::format("{}: {} of {} references hold{}", file,
+                             countOf(references, study::GateVerdict::passed), references.size(),
+                             skipped > 0 ? fmt::format(", {} skipped", skipped) : ""),
+                 terminalIndent);
+  std::erase_if(references, [](const study::Judgement& judgement) { return !judgement.isFault(); });
   appendTable(page, references);
 }
 
 /// Each fault in full, since a table cuts names.
-void appendFaults(TerminalPage& page, const CheckRecord& check) {
-  for (const ProblemRecord& problem : check.problems) page.fault("error", problem.message);
-  for (const Judgement& judgement : check.judgements) {
+void appendFaults(TerminalPage& page, const study::CheckRecord& check) {
+  for (const study::ProblemRecord& problem : check.problems) page.fault("error", problem.message);
+  for (const study::Judgement& judgement : check.judgements) {
     if (!judgement.isFault()) continue;
-    const bool failed = judgement.verdict == GateVerdict::failed;
+    const bool failed = judgement.verdict == study::GateVerdict::failed;
     page.fault(failed ? "failed" : "undefined", gateFaultText(judgement));
   }
 }
 
-void appendNotices(TerminalPage& page, const CheckRecord& check) {
-  for (const NoticeRecord& notice : check.notices) {
+void appendNotices(TerminalPage& page, const study::CheckRecord& check) {
+  for (const study::NoticeRecord& notice : check.notices) {
     const std::string place =
         notice.line > 0 ? fmt::format("{}:{}", check.file, notice.line) : check.file;
     page.paragraph(fmt::format("Notice: {}: {}", place, notice.text), terminalIndent);
@@ -135,10 +136,10 @@ void appendNotices(TerminalPage& page, const CheckRecord& check) {
 
 }  // namespace
 
-std::string checkTable(const CheckRecord& check, bool colours) {
+std::string checkTable(const study::CheckRecord& check, bool colours) {
   TerminalPage page(colours);
   page.heading(fmt::format("{} ({})", check.name, check.file));
-  const auto [thresholds, references, options] = byOrigin(check.judgements);
+  const auto [thresholds, references, options] = study::byOrigin(check.judgements);
   appendTable(page, thresholds);
   appendReferences(page, check.baseline, references);
   appendFaults(page, check);
@@ -150,11 +151,12 @@ std::string checkTable(const CheckRecord& check, bool colours) {
   return page.text();
 }
 
-std::string checkSummary(std::span<const CheckRecord> checks, ExitStatus status, bool colours) {
-  std::vector<Judgement> gates;
+std::string checkSummary(std::span<const study::CheckRecord> checks, ExitStatus status,
+                         bool colours) {
+  std::vector<study::Judgement> gates;
   std::size_t problems = 0;
   std::string bad;
-  for (const CheckRecord& check : checks) {
+  for (const study::CheckRecord& check : checks) {
     gates.insert(gates.end(), check.judgements.begin(), check.judgements.end());
     problems += check.problems.size();
     if (check.status() != ExitStatus::pass) bad += (bad.empty() ? "" : ", ") + check.name;
@@ -163,12 +165,13 @@ std::string checkSummary(std::span<const CheckRecord> checks, ExitStatus status,
   page.paragraph(fmt::format(
       "Check of {} {}: {} of {} gates passed, {} failed, {} undefined, {} skipped, {} {}. Exit "
       "status {}.",
-      checks.size(), checks.size() == 1 ? "study" : "studies", countOf(gates, GateVerdict::passed),
-      gates.size(), countOf(gates, GateVerdict::failed), countOf(gates, GateVerdict::undefined),
-      countOf(gates, GateVerdict::skipped), problems, problems == 1 ? "error" : "errors",
+      checks.size(), checks.size() == 1 ? "study" : "studies",
+      countOf(gates, study::GateVerdict::passed), gates.size(),
+      countOf(gates, study::GateVerdict::failed), countOf(gates, study::GateVerdict::undefined),
+      countOf(gates, study::GateVerdict::skipped), problems, problems == 1 ? "error" : "errors",
       static_cast<int>(status)));
   if (!bad.empty()) page.paragraph("Not passed: " + bad);
   return page.text();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -12,7 +12,7 @@
 #include "report/json/json_reader.h"
 #include "report/json/json_values.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace fs = std::filesystem;
 namespace {
 
@@ -20,24 +20,24 @@ std::string compact(const Json& json) {
   return plainJson(json, -1);
 }
 
-Json environmentJson(const EnvironmentRecord& environment) {
+Json environmentJson(const study::EnvironmentRecord& environment) {
   Json json = jsonEnvironment(environment);
   for (const char* key : {"threads", "cpu", "frame_clock"}) json.erase(key);
   return json;
 }
 
-Json reasonJson(const BaselineReason& reason) {
+Json reasonJson(const study::BaselineReason& reason) {
   return {
       {"reason", reason.text}, {"gnomon_version", reason.gnomonVersion}, {"commit", reason.commit}};
 }
 
-Json valueJson(const Gate& gate) {
-  const Reference& reference = referenceOf(gate);
+Json valueJson(const study::Gate& gate) {
+  const study::Reference& reference = study::referenceOf(gate);
   return {{"study", gate.step},
           {"method", gate.method},
           {"view", gate.view},
           {"light", gate.light},
-          {"answer", answerName(gate.answer)},
+          {"answer", study::answerName(gate.answer)},
           {"metric", gate.metric},
           {"value", jsonNumber(reference.committed, "values.value")},
           {"spread", jsonNumber(reference.spread, "values.spread")},
@@ -53,8 +53,8 @@ std::string lines(const Entries& entries, const ToJson& toJson) {
   return text.empty() ? "[]" : "[" + text + "\n  ]";
 }
 
-EnvironmentRecord readEnvironment(const JsonReader& reader) {
-  EnvironmentRecord environment;
+study::EnvironmentRecord readEnvironment(const JsonReader& reader) {
+  study::EnvironmentRecord environment;
   environment.gnomonVersion = reader.text("gnomon_version");
   environment.commit = reader.text("commit");
   environment.glRenderer = reader.text("gl_renderer");
@@ -65,9 +65,10 @@ EnvironmentRecord readEnvironment(const JsonReader& reader) {
 }
 
 /// @throws InputError for numbers that the metric cannot have, or a tolerance that is too large
-void requireSense(const JsonReader& reader, const std::string& metric, const Reference& reference) {
+void requireSense(const JsonReader& reader, const std::string& metric,
+                  const study::Reference& reference) {
   const auto [value, spread, tolerance] = reference;
-  const bool isShare = !isLengthMetric(metric);
+  const bool isShare = !study::isLengthMetric(metric);
   if (!(value >= 0) || (isShare && value > 1)) {
     reader.fail("value",
                 fmt::format("{} found, {} expected", value, isShare ? "0 to 1" : "at least 0"));
@@ -80,34 +81,34 @@ void requireSense(const JsonReader& reader, const std::string& metric, const Ref
                 fmt::format("{} found, more than the spread {} expected", tolerance, spread));
   }
   // One more digit than a file that was rounded by hand.
-  const double most = toleranceOf(metric, spread) * (1 + 1e-6);
+  const double most = study::toleranceOf(metric, spread) * (1 + 1e-6);
   if (!(tolerance <= most)) {
     reader.fail("tolerance",
                 fmt::format("{} found, at most {:.6g} expected: twice the spread, or {:.6g}",
-                            tolerance, most, toleranceOf(metric, 0)));
+                            tolerance, most, study::toleranceOf(metric, 0)));
   }
 }
 
-Gate readGate(const JsonReader& reader) {
-  Gate row;
+study::Gate readGate(const JsonReader& reader) {
+  study::Gate row;
   row.step = reader.text("study");
   row.method = reader.text("method");
   row.light = reader.text("light");
   row.view = reader.text("view");
   row.metric = reader.text("metric");
-  const Reference reference{reader.number("value"), reader.number("spread"),
-                            reader.number("tolerance")};
+  const study::Reference reference{reader.number("value"), reader.number("spread"),
+                                   reader.number("tolerance")};
   const std::string answer = reader.text("answer");
-  if (!answerOfName(answer)) {
+  if (!study::answerOfName(answer)) {
     reader.fail("answer", fmt::format("\"{}\" found, drawn or test expected", answer));
   }
-  row.answer = *answerOfName(answer);
-  if (!contains(baselineMetrics(row.answer), row.metric)) {
+  row.answer = *study::answerOfName(answer);
+  if (!contains(study::baselineMetrics(row.answer), row.metric)) {
     reader.fail("metric", fmt::format("\"{}\" found, a metric of baselines expected", row.metric));
   }
   requireSense(reader, row.metric, reference);
-  Gate gate = referenceGate(std::move(row), reference);
-  if (!canFail(gate)) {
+  study::Gate gate = study::referenceGate(std::move(row), reference);
+  if (!study::canFail(gate)) {
     reader.fail("tolerance", fmt::format("{} found, but with it no value of {} could be too bad",
                                          reference.tolerance, gate.metric));
   }
@@ -116,7 +117,7 @@ Gate readGate(const JsonReader& reader) {
 
 }  // namespace
 
-std::string baselineJson(const Baseline& baseline) {
+std::string baselineJson(const study::Baseline& baseline) {
   const Json head = {{"schema", baselineSchema},
                      {"study", baseline.study},
                      {"form", baseline.quick ? "quick" : "full"},
@@ -129,14 +130,14 @@ std::string baselineJson(const Baseline& baseline) {
   return text + fmt::format("\n  \"values\": {}\n}}\n", lines(baseline.gates, valueJson));
 }
 
-Baseline readBaseline(const fs::path& path) {
+study::Baseline readBaseline(const fs::path& path) {
   const Json json = readJson(path);
   const JsonReader root(json, path.string(), "");
   const std::string schema = root.text("schema");
   if (schema != baselineSchema) {
     root.fail("schema", fmt::format("\"{}\" found, \"{}\" expected", schema, baselineSchema));
   }
-  Baseline baseline;
+  study::Baseline baseline;
   baseline.study = root.text("study");
   const std::string form = root.text("form");
   if (form != "full" && form != "quick") {
@@ -150,12 +151,12 @@ Baseline readBaseline(const fs::path& path) {
   }
   const std::vector<JsonReader> values = root.list("values");
   for (const JsonReader& value : values) baseline.gates.push_back(readGate(value));
-  std::set<decltype(valueKey(Gate()))> seen;
+  std::set<decltype(study::valueKey(study::Gate()))> seen;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (seen.insert(valueKey(baseline.gates[i])).second) continue;
+    if (seen.insert(study::valueKey(baseline.gates[i])).second) continue;
     values[i].fail("metric", "a second value of the same row and metric found, one expected");
   }
   return baseline;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

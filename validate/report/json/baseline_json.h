@@ -6,7 +6,7 @@
 
 #include "study/judge/baseline.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The version of a baseline's file; readers refuse another.
 constexpr std::string_view baselineSchema = "gnomon-baseline/2";
@@ -18,13 +18,13 @@ constexpr std::string_view baselineSchema = "gnomon-baseline/2";
 /// tolerance. The environment has neither threads nor cpu: values do not depend on them. No date:
 /// the same run gives the same bytes.
 /// @throws InternalError naming the key for a number that is not finite
-std::string baselineJson(const Baseline& baseline);
+std::string baselineJson(const study::Baseline& baseline);
 
 /// Reads it back.
 /// @throws InputError naming the file and, for what is no JSON, the line, else the key: another
 ///   schema, a key that is missing or of another type, a value twice, a metric that baselines do
 ///   not hold, a value that its metric cannot have, or a tolerance that is not larger than the
 ///   spread, larger than toleranceOf it, or so large that nothing could fail
-Baseline readBaseline(const std::filesystem::path& path);
+study::Baseline readBaseline(const std::filesystem::path& path);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -9,7 +9,7 @@
 #include "common/files/atomic_file.h"
 #include "common/text/one_line.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 JsonReader::JsonReader(const Json& json, std::string file, std::string path)
     : json_(&json), file_(std::move(file)), path_(std::move(path)) {}
@@ -71,4 +71,4 @@ Json readJson(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

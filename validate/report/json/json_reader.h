@@ -7,7 +7,7 @@
 
 #include "report/json/json_values.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A JSON object with its place in a file, so that errors can name it: "FILE: results.3.tp: null
 /// found, a number expected". It does not own the JSON.
@@ -41,4 +41,4 @@ class JsonReader {
 /// @throws InputError for a file that cannot be read or is no JSON, naming the line
 Json readJson(const std::filesystem::path& path);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -9,10 +9,10 @@
 #include "report/text/names.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Json flipJson(const UncertaintyRecord& flip) {
+Json flipJson(const study::UncertaintyRecord& flip) {
   Json boundaries = Json::object();
   addMetrics(boundaries, flip.boundaries);
   return {{"view", flip.view},
@@ -38,18 +38,18 @@ Json tomlJson(const toml::node& node) {
   return jsonNumber(*number, "study.settings");
 }
 
-Json inputJson(const InputRecord& input) {
+Json inputJson(const study::InputRecord& input) {
   return {{"kind", inputKindName(input.kind)}, {"file", input.file}, {"sha256", input.sha256}};
 }
 
-Json refinementJson(const RefinementRecord& level) {
+Json refinementJson(const study::RefinementRecord& level) {
   return {{"step_texels", jsonNumber(level.stepTexels, "truth.refinement.step_texels")},
           {"micro_triangles", level.microTriangles},
           {"flip_rate", jsonNumber(level.flipRate, "truth.refinement.flip_rate")}};
 }
 
-Json spreadJson(const ClaimSpread& spread) {
-  const auto quartile = [&](double Quartiles::*which) {
+Json spreadJson(const study::ClaimSpread& spread) {
+  const auto quartile = [&](double study::Quartiles::*which) {
     return jsonNumber(spread.quartiles ? std::optional((*spread.quartiles).*which) : std::nullopt,
                       "claims.spread");
   };
@@ -60,11 +60,11 @@ Json spreadJson(const ClaimSpread& spread) {
           {"intervals", spread.hasIntervals},
           {"together", spread.together ? Json(verdictName(*spread.together)) : Json(nullptr)},
           {"quantity", spread.quantity},
-          {"least", quartile(&Quartiles::least)},
-          {"quartile_1", quartile(&Quartiles::first)},
-          {"median", quartile(&Quartiles::median)},
-          {"quartile_3", quartile(&Quartiles::third)},
-          {"most", quartile(&Quartiles::most)}};
+          {"least", quartile(&study::Quartiles::least)},
+          {"quartile_1", quartile(&study::Quartiles::first)},
+          {"median", quartile(&study::Quartiles::median)},
+          {"quartile_3", quartile(&study::Quartiles::third)},
+          {"most", quartile(&study::Quartiles::most)}};
 }
 
 template <typename Row, typename NameOf>
@@ -89,9 +89,9 @@ Json jsonReason(const std::string& reason) {
   return reason.empty() ? Json(nullptr) : Json(reason);
 }
 
-void addMetrics(Json& json, const std::vector<Metric>& metrics) {
+void addMetrics(Json& json, const std::vector<compare::Metric>& metrics) {
   Json undefined = Json::object();
-  for (const Metric& metric : metrics) {
+  for (const compare::Metric& metric : metrics) {
     const std::string name(metric.name);
     json[name] = jsonNumber(metric.value, name);
     if (!metric.value) undefined[name] = metric.reason;
@@ -99,7 +99,7 @@ void addMetrics(Json& json, const std::vector<Metric>& metrics) {
   json["undefined"] = std::move(undefined);
 }
 
-Json jsonEnvironment(const EnvironmentRecord& environment) {
+Json jsonEnvironment(const study::EnvironmentRecord& environment) {
   return {{"gnomon_version", environment.gnomonVersion},
           {"commit", environment.commit},
           {"cpu", environment.cpu},
@@ -113,14 +113,14 @@ Json jsonEnvironment(const EnvironmentRecord& environment) {
 
 Json jsonRegionColours() {
   Json colours = Json::object();
-  for (const Region region : reportedRegions) {
-    colours[std::string(regionName(region))] = regionColour(region);
+  for (const truth::Region region : truth::reportedRegions) {
+    colours[std::string(truth::regionName(region))] = regionColour(region);
   }
-  colours[std::string(regionName(Region::none))] = regionColour(Region::none);
+  colours[std::string(truth::regionName(truth::Region::none))] = regionColour(truth::Region::none);
   return colours;
 }
 
-Json jsonStudy(const StudyRecord& record) {
+Json jsonStudy(const study::StudyRecord& record) {
   return {{"name", record.name},
           {"title", record.title},
           {"source", record.source},
@@ -131,11 +131,11 @@ Json jsonStudy(const StudyRecord& record) {
           {"inputs", jsonList(record.reproduction.inputs, inputJson)}};
 }
 
-Json jsonRadius(const RadiusRecord& radius) {
+Json jsonRadius(const study::RadiusRecord& radius) {
   return {{"texels", jsonNumber(radius.texels, "search_radius.texels")}, {"reason", radius.reason}};
 }
 
-Json jsonTruth(const TruthRecord& truth) {
+Json jsonTruth(const study::TruthRecord& truth) {
   Json json = {{"micro_triangles", truth.microTriangles},
                {"step_texels", jsonNumber(truth.stepTexels, "truth.step_texels")},
                {"uncertainty", jsonNumber(truth.uncertainty, "truth.uncertainty")},
@@ -149,7 +149,7 @@ Json jsonTruth(const TruthRecord& truth) {
   return json;
 }
 
-Json jsonClaim(const ClaimRecord& claim) {
+Json jsonClaim(const study::ClaimRecord& claim) {
   return {{"text", claim.text},
           {"source", claim.source},
           {"verdict", verdictName(claim.verdict)},
@@ -158,15 +158,15 @@ Json jsonClaim(const ClaimRecord& claim) {
           {"radius", jsonRadiusCheck(claim)}};
 }
 
-Json jsonRadiusCheck(const ClaimRecord& claim) {
+Json jsonRadiusCheck(const study::ClaimRecord& claim) {
   return radiusJson(claim, verdictName);
 }
 
-Json jsonRadiusCheck(const DifferenceRecord& difference) {
+Json jsonRadiusCheck(const study::DifferenceRecord& difference) {
   return radiusJson(difference, differenceVerdictName);
 }
 
-Json jsonMeans(const MethodMeans& means) {
+Json jsonMeans(const study::MethodMeans& means) {
   return {{"method", means.label},
           {"error_rate", jsonNumber(means.errorRate, "results.error_rate")},
           {"false_shadow", jsonNumber(means.falseShadow, "results.false_shadow")},
@@ -176,26 +176,26 @@ Json jsonMeans(const MethodMeans& means) {
           {"all_cases", means.caseErrors.size()}};
 }
 
-Json jsonStatus(RunStatus status) {
+Json jsonStatus(study::RunStatus status) {
   return runStatusName(status);
 }
 
-Json jsonJudgement(const Judgement& judgement) {
-  const Gate& gate = judgement.gate;
-  const bool passed = judgement.verdict == GateVerdict::passed;
+Json jsonJudgement(const study::Judgement& judgement) {
+  const study::Gate& gate = judgement.gate;
+  const bool passed = judgement.verdict == study::GateVerdict::passed;
   Json json = Json::object();
   const auto addRow = [&] {
     json["method"] = gate.method;
     json["light"] = gate.light;
     json["view"] = gate.view;
-    json["answer"] = answerName(gate.answer);
+    json["answer"] = study::answerName(gate.answer);
   };
   const auto addValue = [&](const std::string& list) {
     json["value"] = jsonNumber(judgement.value, list + ".value");
     json["minimum"] = jsonNumber(gate.minimum, list + ".minimum");
     json["maximum"] = jsonNumber(gate.maximum, list + ".maximum");
   };
-  std::visit(Overloaded{[&](const Threshold&) {
+  std::visit(Overloaded{[&](const study::Threshold&) {
                           addRow();
                           json["region"] = gate.region;
                           json["metric"] = gate.metric;
@@ -203,7 +203,7 @@ Json jsonJudgement(const Judgement& judgement) {
                           json["passed"] = passed;
                           json["reason"] = jsonReason(judgement.reason);
                         },
-                        [&](const Reference& reference) {
+                        [&](const study::Reference& reference) {
                           addRow();
                           json["metric"] = gate.metric;
                           json["committed"] =
@@ -212,7 +212,7 @@ Json jsonJudgement(const Judgement& judgement) {
                           json["verdict"] = gateVerdictName(judgement.verdict);
                           json["reason"] = jsonReason(judgement.reason);
                         },
-                        [&](const CompareOption&) {
+                        [&](const study::CompareOption&) {
                           json["metric"] = gate.metric;
                           addValue("gates");
                           json["passed"] = passed;
@@ -221,7 +221,7 @@ Json jsonJudgement(const Judgement& judgement) {
   return json;
 }
 
-Json jsonProblem(const ProblemRecord& problem) {
+Json jsonProblem(const study::ProblemRecord& problem) {
   return {{"part", problem.part}, {"message", problem.message}};
 }
 
@@ -250,4 +250,4 @@ std::string jsonText(const Json& json) {
   return plainJson(json, 2) + "\n";
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

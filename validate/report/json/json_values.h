@@ -10,7 +10,7 @@
 #include "study/judge/study_ranking.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Parts that the JSON files of a run share. Keys stay in the order in which they were set.
 using Json = nlohmann::ordered_json;
@@ -26,7 +26,7 @@ Json jsonNumber(std::optional<double> value, std::string_view key);
 Json jsonReason(const std::string& reason);
 
 /// Adds each value by its name, and under `undefined` why there is none.
-void addMetrics(Json& json, const std::vector<Metric>& metrics);
+void addMetrics(Json& json, const std::vector<compare::Metric>& metrics);
 
 template <typename Records, typename Convert>
 Json jsonList(const Records& records, const Convert& convert) {
@@ -36,37 +36,37 @@ Json jsonList(const Records& records, const Convert& convert) {
 }
 
 /// How far occluders are searched: texels, and reason.
-Json jsonRadius(const RadiusRecord& radius);
+Json jsonRadius(const study::RadiusRecord& radius);
 /// The colours of a picture of regions, by the regions' names.
 Json jsonRegionColours();
 
-Json jsonEnvironment(const EnvironmentRecord& environment);
+Json jsonEnvironment(const study::EnvironmentRecord& environment);
 /// name, title, source, file, command, copy, settings, inputs.
-Json jsonStudy(const StudyRecord& record);
+Json jsonStudy(const study::StudyRecord& record);
 /// micro_triangles, step_texels, uncertainty, bvh_bytes, mesh_bytes, and `flips` by view and light;
 /// where an uncertainty was asked for, also wanted_uncertainty and the levels of `refinement`.
-Json jsonTruth(const TruthRecord& truth);
+Json jsonTruth(const study::TruthRecord& truth);
 /// text, source, verdict, detail; `spread` over the study's cases, or null: cases, held, failed,
 /// not_distinguishable (numbers of cases), intervals (false: judged by the truth's uncertainty
 /// alone), together (the verdict on the mean of all cases), quantity ("ratio", `less` over `than`;
 /// or "value"), and its least, quartile_1, median, quartile_3, most (null where no case has it);
 /// and `radius` (jsonRadiusCheck).
-Json jsonClaim(const ClaimRecord& claim);
+Json jsonClaim(const study::ClaimRecord& claim);
 /// A verdict at other search radii. half, twice: the verdicts there; depends: whether either
 /// differs from the verdict at the study's radius. Null where the radius was not varied.
-Json jsonRadiusCheck(const ClaimRecord& claim);
-Json jsonRadiusCheck(const DifferenceRecord& difference);
+Json jsonRadiusCheck(const study::ClaimRecord& claim);
+Json jsonRadiusCheck(const study::DifferenceRecord& difference);
 /// method, error_rate, false_shadow, false_light, uncertainty, cases, all_cases.
-Json jsonMeans(const MethodMeans& means);
+Json jsonMeans(const study::MethodMeans& means);
 /// The status of a run by its name.
-Json jsonStatus(RunStatus status);
+Json jsonStatus(study::RunStatus status);
 /// The result of a gate, with the keys of its origin. Of a threshold: method, light, view, answer,
 /// region, metric, value, minimum, maximum, passed, reason. Of a reference: method, light, view,
 /// answer, metric, committed, value, minimum, maximum, verdict, reason. Of an option of `compare`:
 /// metric, value, minimum, maximum, passed.
-Json jsonJudgement(const Judgement& judgement);
+Json jsonJudgement(const study::Judgement& judgement);
 /// part, message.
-Json jsonProblem(const ProblemRecord& problem);
+Json jsonProblem(const study::ProblemRecord& problem);
 
 /// JSON as UTF-8 (bytes that are not become U+FFFD). Characters that would move a terminal's cursor
 /// or turn the direction of text, and the [ of `##[`, which GitHub's runner would take for a
@@ -77,4 +77,4 @@ std::string plainJson(const Json& json, int indent);
 /// The file's text, as plainJson: two spaces of indent, a last LF.
 std::string jsonText(const Json& json);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

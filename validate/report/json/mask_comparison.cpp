@@ -10,7 +10,7 @@
 #include "report/text/number_text.h"
 #include "report/text/terminal_page.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 std::size_t countOf(const Mask& mask, Shade shade) {
@@ -44,7 +44,7 @@ std::string pixelsLine(const MaskComparison& c) {
   return text;
 }
 
-std::string countsLine(const Counts& counts) {
+std::string countsLine(const compare::Counts& counts) {
   const auto pixels = [](double cell) { return groupedText(static_cast<std::uint64_t>(cell)); };
   return fmt::format("shadowed in both {}, false shadow {}, false light {}, lit in both {}",
                      pixels(counts.truePositive), pixels(counts.falsePositive),
@@ -57,14 +57,14 @@ std::string figureText(double value) {
   return text == "1" && value != 1 ? exactText(value) : text;
 }
 
-Table metricsFound(const std::vector<Metric>& metrics) {
+Table metricsFound(const std::vector<compare::Metric>& metrics) {
   Table table{.kind = "metrics",
               .columns = {{"Metric", "metric", Quantity::name},
                           {"Value", "value", Quantity::exact},
                           {"", "reason"}}};
   table.columns[0].width = 18;
   table.columns[1].width = 12;
-  for (const Metric& metric : metrics) {
+  for (const compare::Metric& metric : metrics) {
     Row row{{textCell(std::string(metric.name)), metricCell(metric),
              textCell(std::string(metric.reason))}};
     if (metric.value) row.cells[1].text = figureText(*metric.value);
@@ -73,8 +73,8 @@ Table metricsFound(const std::vector<Metric>& metrics) {
   return table;
 }
 
-std::string failureText(const Judgement& judgement) {
-  const Gate& gate = judgement.gate;
+std::string failureText(const study::Judgement& judgement) {
+  const study::Gate& gate = judgement.gate;
   std::string text =
       fmt::format("{} is {}", gate.metric,
                   judgement.value ? exactText(*judgement.value) : "undefined: " + judgement.reason);
@@ -83,9 +83,9 @@ std::string failureText(const Judgement& judgement) {
   return text;
 }
 
-std::vector<std::string> failureTexts(const std::vector<Judgement>& judgements) {
+std::vector<std::string> failureTexts(const std::vector<study::Judgement>& judgements) {
   std::vector<std::string> texts;
-  for (const Judgement& judgement : judgements) {
+  for (const study::Judgement& judgement : judgements) {
     if (judgement.isFault()) texts.push_back(failureText(judgement));
   }
   return texts;
@@ -102,12 +102,12 @@ MaskFileRecord::MaskFileRecord(std::string name, const Mask& mask, std::size_t s
 
 bool MaskComparison::passed() const {
   return std::none_of(judgements.begin(), judgements.end(),
-                      [](const Judgement& judgement) { return judgement.isFault(); });
+                      [](const study::Judgement& judgement) { return judgement.isFault(); });
 }
 
 std::string maskComparisonJson(const MaskComparison& c) {
   Json json = {{"schema", "gnomon-comparison/1"},
-               {"status", jsonStatus(c.passed() ? RunStatus::pass : RunStatus::fail)},
+               {"status", jsonStatus(c.passed() ? study::RunStatus::pass : study::RunStatus::fail)},
                {"command", c.command},
                {"candidate", fileJson(c.candidate)},
                {"truth", fileJson(c.truth)},
@@ -139,4 +139,4 @@ std::string maskComparisonTable(const MaskComparison& c, bool colours) {
   return page.text();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -10,7 +10,7 @@
 #include "compare/rates.h"
 #include "study/record/gate.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A picture of a mask, as it was read.
 struct MaskFileRecord {
@@ -30,9 +30,9 @@ struct MaskComparison {
   int height = 0;
   std::size_t withoutSample = 0;  ///< pixels left out: the truth has no sample
   std::size_t outsideRoi = 0;     ///< pixels left out: outside the region of interest
-  Counts counts = {};
-  std::vector<Metric> metrics = {};
-  std::vector<Judgement> judgements = {};  ///< of the command's options
+  compare::Counts counts = {};
+  std::vector<compare::Metric> metrics = {};
+  std::vector<study::Judgement> judgements = {};  ///< of the command's options
 
   /// True unless a gate failed.
   [[nodiscard]] bool passed() const;
@@ -46,4 +46,4 @@ std::string maskComparisonJson(const MaskComparison& comparison);
 /// @param colours  ANSI colours and bold face; without them the text is plain
 std::string maskComparisonTable(const MaskComparison& comparison, bool colours);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -2,17 +2,17 @@
 
 #include "report/json/json_values.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Json studyJson(const StudyMeans& study) {
+Json studyJson(const study::StudyMeans& study) {
   return {{"name", study.name},
           {"title", study.title},
           {"status", jsonStatus(study.status)},
           {"report", study.name + "/report.html"}};
 }
 
-Json rankedMethodJson(const RankedOverStudies& method) {
+Json rankedMethodJson(const study::RankedOverStudies& method) {
   return {{"rank", method.rank ? Json(*method.rank) : Json(nullptr)},
           {"label", method.label},
           {"names", method.names},
@@ -26,10 +26,10 @@ Json rankedMethodJson(const RankedOverStudies& method) {
           {"leader_error_rate", jsonNumber(method.leaderError, "methods.leader_error_rate")}};
 }
 
-Json resultsJson(std::span<const StudyMeans> studies) {
+Json resultsJson(std::span<const study::StudyMeans> studies) {
   Json results = Json::array();
-  for (const StudyMeans& study : studies) {
-    for (const MethodMeans& method : study.methods) {
+  for (const study::StudyMeans& study : studies) {
+    for (const study::MethodMeans& method : study.methods) {
       Json row = {{"study", study.name}};
       row.update(jsonMeans(method));
       results.push_back(std::move(row));
@@ -38,10 +38,10 @@ Json resultsJson(std::span<const StudyMeans> studies) {
   return results;
 }
 
-Json claimsJson(std::span<const StudyMeans> studies) {
+Json claimsJson(std::span<const study::StudyMeans> studies) {
   Json claims = Json::array();
-  for (const StudyMeans& study : studies) {
-    for (const ClaimRecord& claim : study.claims) {
+  for (const study::StudyMeans& study : studies) {
+    for (const study::ClaimRecord& claim : study.claims) {
       Json json = {{"study", study.name}};
       json.update(jsonClaim(claim));
       claims.push_back(std::move(json));
@@ -52,15 +52,15 @@ Json claimsJson(std::span<const StudyMeans> studies) {
 
 }  // namespace
 
-std::string rankingJson(std::span<const StudyMeans> studies, std::string_view command) {
+std::string rankingJson(std::span<const study::StudyMeans> studies, std::string_view command) {
   const Json json = {{"schema", rankingSchema},
-                     {"status", jsonStatus(statusOf(studies))},
+                     {"status", jsonStatus(study::statusOf(studies))},
                      {"command", command},
                      {"studies", jsonList(studies, studyJson)},
-                     {"methods", jsonList(rankOverStudies(studies), rankedMethodJson)},
+                     {"methods", jsonList(study::rankOverStudies(studies), rankedMethodJson)},
                      {"results", resultsJson(studies)},
                      {"claims", claimsJson(studies)}};
   return jsonText(json);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

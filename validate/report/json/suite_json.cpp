@@ -5,7 +5,7 @@
 
 #include "common/text/sha256.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -18,24 +18,24 @@ Json jsonOf(const toml::table& facts) {
 
 }  // namespace
 
-std::string suiteManifest(const DrawnSuite& suite) {
+std::string suiteManifest(const study::DrawnSuite& suite) {
   Json manifest = {{"schema", 1},
                    {"suite", suite.suite},
-                   {"split", splitName(suite.split)},
+                   {"split", study::splitName(suite.split)},
                    {"seed", suite.seed},
                    {"sha256", suite.sha256}};
   manifest["studies"] = Json::array();
-  for (const SuiteStudy& study : suite.studies) {
+  for (const study::SuiteStudy& study : suite.studies) {
     manifest["studies"].push_back({{"file", study.file},
                                    {"sha256", sha256(study.text)},
                                    {"scene_sha256", sha256(study.scene)},
                                    {"drawn", jsonOf(study.facts)}});
   }
   manifest["files"] = Json::array();
-  for (const SuiteCopy& copy : suite.copies) {
+  for (const study::SuiteCopy& copy : suite.copies) {
     manifest["files"].push_back({{"file", copy.file}, {"sha256", sha256(copy.bytes)}});
   }
   return manifest.dump(1) + "\n";
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

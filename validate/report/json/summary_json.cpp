@@ -7,34 +7,34 @@
 #include "study/record/result_metrics.h"
 #include "study/run/stages/budget.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Json methodJson(const MethodRecord& method) {
+Json methodJson(const study::MethodRecord& method) {
   return {{"label", method.label},
           {"name", method.name},
           {"title", method.title},
           {"citation", method.citation}};
 }
 
-Json resultJson(const ResultRecord& result) {
-  const Counts& counts = result.counts;
+Json resultJson(const study::ResultRecord& result) {
+  const compare::Counts& counts = result.counts;
   Json json = {{"method", result.method},
                {"light", result.light},
                {"view", result.view},
-               {"answer", answerName(result.answer)},
+               {"answer", study::answerName(result.answer)},
                {"region", result.region},
                {"samples", counts.samples},
                {"tp", jsonNumber(counts.truePositive, "results.tp")},
                {"fp", jsonNumber(counts.falsePositive, "results.fp")},
                {"fn", jsonNumber(counts.falseNegative, "results.fn")},
                {"tn", jsonNumber(counts.trueNegative, "results.tn")}};
-  addMetrics(json, metricsOf(result));
+  addMetrics(json, study::metricsOf(result));
   return json;
 }
 
 /// A bin without an end has null there. Its rates are over its own samples.
-Json binJson(const BinRecord& bin) {
+Json binJson(const study::BinRecord& bin) {
   Json json = {{"method", bin.method},
                {"view", bin.view},
                {"light", bin.light},
@@ -47,12 +47,12 @@ Json binJson(const BinRecord& bin) {
                {"fn", jsonNumber(bin.counts.falseNegative, "bins.fn")},
                {"tn", jsonNumber(bin.counts.trueNegative, "bins.tn")}};
   for (const char* name : {"error_rate", "false_shadow", "false_light"}) {
-    json[name] = jsonNumber(rate(bin.counts, name).value, name);
+    json[name] = jsonNumber(compare::rate(bin.counts, name).value, name);
   }
   return json;
 }
 
-Json costJson(const StudyRecord& record, const CostRecord& cost) {
+Json costJson(const study::StudyRecord& record, const study::CostRecord& cost) {
   return {{"method", cost.method},
           {"polygons", cost.polygons},
           {"table_bytes", cost.tableBytes},
@@ -63,16 +63,16 @@ Json costJson(const StudyRecord& record, const CostRecord& cost) {
           {"frame_kept_since", cost.keptSince.empty() ? Json(nullptr) : Json(cost.keptSince)}};
 }
 
-Json cacheJson(const std::optional<CacheCounts>& cache) {
+Json cacheJson(const std::optional<cache::CacheCounts>& cache) {
   if (!cache) return nullptr;
   return {{"hits", cache->hits}, {"misses", cache->misses}, {"damaged", cache->damaged}};
 }
 
-Json timingJson(const TimingRecord& timing) {
+Json timingJson(const study::TimingRecord& timing) {
   return {{"stage", timing.stage}, {"seconds", jsonNumber(timing.seconds, "timings.seconds")}};
 }
 
-Json truthFilesJson(const std::optional<TruthFilesRecord>& truth) {
+Json truthFilesJson(const std::optional<study::TruthFilesRecord>& truth) {
   if (!truth) return nullptr;
   return {{"mask", truth->mask},
           {"regions", truth->regions},
@@ -80,7 +80,7 @@ Json truthFilesJson(const std::optional<TruthFilesRecord>& truth) {
           {"weights", truth->weights.empty() ? Json(nullptr) : Json(truth->weights)}};
 }
 
-Json pictureJson(const PictureRecord& picture) {
+Json pictureJson(const study::PictureRecord& picture) {
   return {{"kind", pictureKindName(picture.kind)},
           {"method", picture.method},
           {"caption", picture.caption},
@@ -90,7 +90,7 @@ Json pictureJson(const PictureRecord& picture) {
           {"truth", truthFilesJson(picture.truth)}};
 }
 
-Json panelJson(const PanelRecord& panel) {
+Json panelJson(const study::PanelRecord& panel) {
   return {{"view", panel.view},
           {"light", panel.light},
           {"width", panel.width},
@@ -98,7 +98,7 @@ Json panelJson(const PanelRecord& panel) {
           {"pictures", jsonList(panel.pictures, pictureJson)}};
 }
 
-Json confidenceJson(const ConfidenceRecord& confidence) {
+Json confidenceJson(const study::ConfidenceRecord& confidence) {
   return {{"method", confidence.method},
           {"view", confidence.view},
           {"light", confidence.light},
@@ -110,7 +110,7 @@ Json confidenceJson(const ConfidenceRecord& confidence) {
           {"block_side", confidence.blockSide}};
 }
 
-Json differenceJson(const DifferenceRecord& difference) {
+Json differenceJson(const study::DifferenceRecord& difference) {
   return {{"view", difference.view},
           {"light", difference.light},
           {"first", difference.first},
@@ -124,7 +124,7 @@ Json differenceJson(const DifferenceRecord& difference) {
           {"radius", jsonRadiusCheck(difference)}};
 }
 
-Json shareJson(const BudgetShare& share) {
+Json shareJson(const study::BudgetShare& share) {
   return {{"share", jsonNumber(share.value, "budget.share")},
           {"low", jsonNumber(lowOf(share.interval), "budget.low")},
           {"high", jsonNumber(highOf(share.interval), "budget.high")},
@@ -132,38 +132,39 @@ Json shareJson(const BudgetShare& share) {
           {"distinguishable", share.distinguishable}};
 }
 
-Json causeJson(const BudgetCause& cause) {
+Json causeJson(const study::BudgetCause& cause) {
   return {{"cause", cause.name},
           {"change", cause.change},
           {"forward", shareJson(cause.forward)},
           {"backward", shareJson(cause.backward)}};
 }
 
-Json stateJson(const BudgetState& state) {
+Json stateJson(const study::BudgetState& state) {
   return {{"error_rate", jsonNumber(state.errorRate, "budget.error_rate")},
           {"false_shadow", jsonNumber(state.falseShadow, "budget.false_shadow")},
           {"false_light", jsonNumber(state.falseLight, "budget.false_light")}};
 }
 
-Json budgetJson(const BudgetRecord& budget) {
-  return {{"method", budget.method},
-          {"view", budget.view},
-          {"light", budget.light},
-          {"uncertainty", jsonNumber(budget.uncertainty, "budget.uncertainty")},
-          {"blocks", budget.blocks},
-          {"order_dependence", jsonNumber(orderDependence(budget), "budget.order_dependence")},
-          {"total", shareJson(budget.total)},
-          {"causes", jsonList(budget.causes, causeJson)},
-          {"distant", shareJson(budget.distant)},
-          {"other", shareJson(budget.other)},
-          {"forward_states", jsonList(budget.forward, stateJson)},
-          {"backward_states", jsonList(budget.backward, stateJson)}};
+Json budgetJson(const study::BudgetRecord& budget) {
+  return {
+      {"method", budget.method},
+      {"view", budget.view},
+      {"light", budget.light},
+      {"uncertainty", jsonNumber(budget.uncertainty, "budget.uncertainty")},
+      {"blocks", budget.blocks},
+      {"order_dependence", jsonNumber(study::orderDependence(budget), "budget.order_dependence")},
+      {"total", shareJson(budget.total)},
+      {"causes", jsonList(budget.causes, causeJson)},
+      {"distant", shareJson(budget.distant)},
+      {"other", shareJson(budget.other)},
+      {"forward_states", jsonList(budget.forward, stateJson)},
+      {"backward_states", jsonList(budget.backward, stateJson)}};
 }
 
 }  // namespace
 
-std::string summaryJson(const StudyRecord& record) {
-  const auto [thresholds, references, options] = byOrigin(record.judgements);
+std::string summaryJson(const study::StudyRecord& record) {
+  const auto [thresholds, references, options] = study::byOrigin(record.judgements);
   const Json json = {
       {"schema", summarySchema},
       {"status", jsonStatus(record.status())},
@@ -176,8 +177,8 @@ std::string summaryJson(const StudyRecord& record) {
       {"confidence", jsonList(record.confidence, confidenceJson)},
       {"differences", jsonList(record.differences, differenceJson)},
       {"bins", jsonList(record.bins, binJson)},
-      {"cost",
-       jsonList(record.cost, [&](const CostRecord& cost) { return costJson(record, cost); })},
+      {"cost", jsonList(record.cost,
+                        [&](const study::CostRecord& cost) { return costJson(record, cost); })},
       {"timings", jsonList(record.timings, timingJson)},
       {"thresholds", jsonList(thresholds, jsonJudgement)},
       {"baseline", record.baseline.empty() ? Json(nullptr) : Json(record.baseline)},
@@ -193,4 +194,4 @@ std::string summaryJson(const StudyRecord& record) {
   return jsonText(json);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

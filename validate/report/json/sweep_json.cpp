@@ -7,27 +7,27 @@
 #include "report/text/gate_text.h"
 #include "study/judge/study_ranking.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Json sweptStudyJson(const SweepRecord& sweep) {
+Json sweptStudyJson(const study::SweepRecord& sweep) {
   return {{"name", sweep.name}, {"title", sweep.title},     {"source", sweep.source},
           {"file", sweep.file}, {"command", sweep.command}, {"copy", sweep.copy}};
 }
 
-Json keyJson(const SweptKey& key) {
+Json keyJson(const study::SweptKey& key) {
   return {
       {"key", key.key}, {"axis", key.axis}, {"dimension", key.dimension}, {"drawn", key.isDrawn}};
 }
 
-Json sweptValueJson(const SweptValue& value) {
+Json sweptValueJson(const study::SweptValue& value) {
   return value.number ? jsonNumber(*value.number, "steps.values") : Json(value.text);
 }
 
-Json stepsJson(const SweepRecord& sweep) {
+Json stepsJson(const study::SweepRecord& sweep) {
   Json steps = Json::array();
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    const SweepCase& which = sweep.cases.at(i);
+    const study::SweepCase& which = sweep.cases.at(i);
     steps.push_back(
         {{"case", i + 1},
          {"name", which.name},
@@ -38,19 +38,19 @@ Json stepsJson(const SweepRecord& sweep) {
   return steps;
 }
 
-Json resultsJson(const SweepRecord& sweep) {
+Json resultsJson(const study::SweepRecord& sweep) {
   Json results = Json::array();
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    for (const MethodMeans& method : studyMeans(sweep.steps[i]).methods) {
+    for (const study::MethodMeans& method : study::studyMeans(sweep.steps[i]).methods) {
       Json row = {{"case", i + 1}};
       row.update(jsonMeans(method));
-      const auto end = [&](double Interval::*which) {
+      const auto end = [&](double compare::Interval::*which) {
         return method.interval ? jsonNumber((*method.interval).*which, "results.interval")
                                : Json(nullptr);
       };
-      row["low"] = end(&Interval::low);
-      row["high"] = end(&Interval::high);
-      const CostRecord* cost = costOf(sweep.steps[i], method.label);
+      row["low"] = end(&compare::Interval::low);
+      row["high"] = end(&compare::Interval::high);
+      const study::CostRecord* cost = costOf(sweep.steps[i], method.label);
       row["bytes"] = cost != nullptr ? Json(memoryBytes(*cost)) : Json(nullptr);
       row["frame_ms"] =
           jsonNumber(cost != nullptr ? cost->frameMs : std::nullopt, "results.frame_ms");
@@ -61,10 +61,10 @@ Json resultsJson(const SweepRecord& sweep) {
 }
 
 /// Thresholds and references that do not hold.
-Json faultsJson(const SweepRecord& sweep) {
+Json faultsJson(const study::SweepRecord& sweep) {
   Json faults = Json::array();
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    for (const Judgement& judgement : sweep.steps[i].judgements) {
+    for (const study::Judgement& judgement : sweep.steps[i].judgements) {
       if (!judgement.isFault()) continue;
       faults.push_back({{"case", i + 1},
                         {"origin", gateOriginName(judgement.gate)},
@@ -75,10 +75,10 @@ Json faultsJson(const SweepRecord& sweep) {
 }
 
 /// Each once, as a check tells them.
-Json problemsJson(const SweepRecord& sweep) {
+Json problemsJson(const study::SweepRecord& sweep) {
   Json problems = Json::array();
-  for (const StudyRecord& step : sweep.steps) {
-    for (const ProblemRecord& problem : step.problems) {
+  for (const study::StudyRecord& step : sweep.steps) {
+    for (const study::ProblemRecord& problem : step.problems) {
       Json json = jsonProblem(problem);
       if (std::find(problems.begin(), problems.end(), json) == problems.end()) {
         problems.push_back(std::move(json));
@@ -90,9 +90,9 @@ Json problemsJson(const SweepRecord& sweep) {
 
 }  // namespace
 
-std::string sweepJson(const SweepRecord& sweep) {
-  const EnvironmentRecord environment =
-      sweep.steps.empty() ? EnvironmentRecord{} : sweep.steps.front().environment;
+std::string sweepJson(const study::SweepRecord& sweep) {
+  const study::EnvironmentRecord environment =
+      sweep.steps.empty() ? study::EnvironmentRecord{} : sweep.steps.front().environment;
   const Json json = {{"schema", sweepSchema},
                      {"status", jsonStatus(sweep.status())},
                      {"study", sweptStudyJson(sweep)},
@@ -107,4 +107,4 @@ std::string sweepJson(const SweepRecord& sweep) {
   return jsonText(json);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

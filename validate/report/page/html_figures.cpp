@@ -13,7 +13,7 @@
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,17 +23,17 @@ constexpr std::string_view truthMethod = "truth";
 /// The pictures that share one caption, the shading first.
 struct Figure {
   std::string method;
-  std::vector<const PictureRecord*> pictures;
+  std::vector<const study::PictureRecord*> pictures;
 };
 
-bool has(const Figure& figure, PictureRecord::Kind kind) {
+bool has(const Figure& figure, study::PictureRecord::Kind kind) {
   return std::any_of(figure.pictures.begin(), figure.pictures.end(),
-                     [&](const PictureRecord* picture) { return picture->kind == kind; });
+                     [&](const study::PictureRecord* picture) { return picture->kind == kind; });
 }
 
-std::vector<Figure> figuresOf(const PanelRecord& panel) {
+std::vector<Figure> figuresOf(const study::PanelRecord& panel) {
   std::vector<Figure> figures;
-  for (const PictureRecord& picture : panel.pictures) {
+  for (const study::PictureRecord& picture : panel.pictures) {
     const auto home = std::find_if(figures.begin(), figures.end(), [&](const Figure& figure) {
       return figure.method == picture.method && !has(figure, picture.kind);
     });
@@ -56,14 +56,15 @@ std::string letters(std::size_t index) {
   return index < 26 ? last : letters(index / 26 - 1) + last;
 }
 
-std::string alternativeText(const PictureRecord& picture) {
-  const bool difference = picture.kind == PictureRecord::Kind::difference;
+std::string alternativeText(const study::PictureRecord& picture) {
+  const bool difference = picture.kind == study::PictureRecord::Kind::difference;
   return difference ? picture.method + ": signed difference from the truth" : picture.caption;
 }
 
 /// A difference is embedded as it is, since the viewer reads masks from it.
-Html pictureHtml(const PictureRecord& picture, const PanelRecord& panel, const fs::path& folder) {
-  const bool isDifference = picture.kind == PictureRecord::Kind::difference;
+Html pictureHtml(const study::PictureRecord& picture, const study::PanelRecord& panel,
+                 const fs::path& folder) {
+  const bool isDifference = picture.kind == study::PictureRecord::Kind::difference;
   const bool isWhole = !isDifference && !picture.layers;
   const Html address = isDifference ? pngAddress(folder / picture.path)
                                     : pictureAddress("image/webp", picture.embedded);
@@ -78,14 +79,14 @@ struct Rate {
   std::string reason;  ///< where it is not defined
 };
 
-Rate rateOf(const StudyRecord& record, const Case& which, const std::string& method) {
+Rate rateOf(const study::StudyRecord& record, const study::Case& which, const std::string& method) {
   if (method == truthMethod) {
-    const auto uncertainty = uncertaintyOf(record, which);
+    const auto uncertainty = study::uncertaintyOf(record, which);
     return uncertainty ? Rate{"uncertain by " + percentText(uncertainty) + "\u202f%", ""} : Rate{};
   }
-  const ResultRecord* row = findResult(record, method, which);
+  const study::ResultRecord* row = study::findResult(record, method, which);
   if (row == nullptr) return {};
-  const Metric error = rate(row->counts, "error_rate");
+  const compare::Metric error = compare::rate(row->counts, "error_rate");
   return {"error " + percentText(error.value) + "\u202f%", std::string(error.reason)};
 }
 
@@ -99,19 +100,19 @@ Html captionHtml(const Figure& figure, std::size_t index, const Rate& rate) {
       html("<b>({})</b> {} {}", letters(index), figure.pictures.front()->caption, rateHtml(rate));
   for (std::size_t i = 1; i < figure.pictures.size(); ++i) {
     // The legend explains all differences at once.
-    if (figure.pictures[i]->kind == PictureRecord::Kind::difference) continue;
+    if (figure.pictures[i]->kind == study::PictureRecord::Kind::difference) continue;
     caption += html("<small>Below: {}</small>", figure.pictures[i]->caption);
   }
   return html("<figcaption>{}</figcaption>\n", caption);
 }
 
-Html figureHtml(const StudyRecord& record, const PanelRecord& panel, const Figure& figure,
-                std::size_t index, const fs::path& folder) {
+Html figureHtml(const study::StudyRecord& record, const study::PanelRecord& panel,
+                const Figure& figure, std::size_t index, const fs::path& folder) {
   const Rate rate = rateOf(record, {panel.view, panel.light}, figure.method);
-  const PictureRecord& first = *figure.pictures.front();
+  const study::PictureRecord& first = *figure.pictures.front();
   const Html layers = first.layers ? html(" data-mesh=\"{}\"", *first.layers) : Html();
   Html pictures;
-  for (const PictureRecord* picture : figure.pictures) {
+  for (const study::PictureRecord* picture : figure.pictures) {
     pictures += pictureHtml(*picture, panel, folder);
   }
   return html(
@@ -126,9 +127,9 @@ Html layerHtml(std::string_view kind, std::size_t mesh, const Html& address) {
 }
 
 /// What shadings are composed of: the layers, and the truth's mask.
-Html layersHtml(const PanelRecord& panel, const fs::path& folder) {
+Html layersHtml(const study::PanelRecord& panel, const fs::path& folder) {
   Html layers;
-  for (const PictureRecord& picture : panel.pictures) {
+  for (const study::PictureRecord& picture : panel.pictures) {
     if (picture.method != truthMethod || !picture.layers) continue;
     layers += layerHtml("truth", *picture.layers, pngAddress(folder / picture.mask));
   }
@@ -139,7 +140,7 @@ Html layersHtml(const PanelRecord& panel, const fs::path& folder) {
   return layers.empty() ? Html() : html("<div class=\"layers\" hidden>\n{}</div>\n", layers);
 }
 
-std::string cssColour(const Rgb& colour) {
+std::string cssColour(const image::Rgb& colour) {
   return fmt::format("rgb({} {} {})", colour[0], colour[1], colour[2]);
 }
 
@@ -166,14 +167,15 @@ Html pngAddress(const fs::path& path) {
   return pictureAddress("image/png", bytes);
 }
 
-Html panelFigures(const StudyRecord& record, const PanelRecord& panel, const fs::path& folder) {
+Html panelFigures(const study::StudyRecord& record, const study::PanelRecord& panel,
+                  const fs::path& folder) {
   const std::vector<Figure> figures = figuresOf(panel);
   Html content;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     content += figureHtml(record, panel, figures[i], i, folder);
   }
   const bool signedOnes = std::any_of(figures.begin(), figures.end(), [](const Figure& figure) {
-    return has(figure, PictureRecord::Kind::difference);
+    return has(figure, study::PictureRecord::Kind::difference);
   });
   return html(
       "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n{}{}"
@@ -184,8 +186,10 @@ Html panelFigures(const StudyRecord& record, const PanelRecord& panel, const fs:
 
 Html differenceProperties() {
   return html(":root{{--false-shadow:{};--false-light:{};--both-lit:{};--both-shadowed:{}}}\n",
-              cssColour(DifferenceColours::falseShadow), cssColour(DifferenceColours::falseLight),
-              cssColour(DifferenceColours::bothLit), cssColour(DifferenceColours::bothShadowed));
+              cssColour(image::DifferenceColours::falseShadow),
+              cssColour(image::DifferenceColours::falseLight),
+              cssColour(image::DifferenceColours::bothLit),
+              cssColour(image::DifferenceColours::bothShadowed));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 #include "report/text/html.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The pictures of one case as lettered figures, one a method, in the order of the record: the
 /// shading, under it the signed difference (or, for the truth, the displaced surface as one sees
@@ -13,7 +13,7 @@ namespace gnomon {
 /// mean. Pictures are embedded as base64; `folder` is where their paths start.
 /// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
 ///   PNG
-Html panelFigures(const StudyRecord& record, const PanelRecord& panel,
+Html panelFigures(const study::StudyRecord& record, const study::PanelRecord& panel,
                   const std::filesystem::path& folder);
 
 /// A picture's file as an address that a page embeds, byte for byte.
@@ -24,4 +24,4 @@ Html pngAddress(const std::filesystem::path& path);
 /// difference pictures hold.
 Html differenceProperties();
 
-}  // namespace gnomon
+}  // namespace gnomon::report

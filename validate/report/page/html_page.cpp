@@ -5,13 +5,13 @@
 #include "report/text/names.h"
 #include "report/text/radius_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Html verdictTag(Verdict verdict) {
-  const char* kind = verdict == Verdict::held     ? "held"
-                     : verdict == Verdict::failed ? "failed"
-                                                  : "open";
+Html verdictTag(study::Verdict verdict) {
+  const char* kind = verdict == study::Verdict::held     ? "held"
+                     : verdict == study::Verdict::failed ? "failed"
+                                                         : "open";
   return html("<span class=\"tag {}\">{}</span>", kind, verdictName(verdict));
 }
 
@@ -58,14 +58,14 @@ std::string plural(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-Html htmlStatus(RunStatus status) {
-  const char* kind = status == RunStatus::pass   ? "held"
-                     : status == RunStatus::fail ? "failed"
-                                                 : "open";
+Html htmlStatus(study::RunStatus status) {
+  const char* kind = status == study::RunStatus::pass   ? "held"
+                     : status == study::RunStatus::fail ? "failed"
+                                                        : "open";
   return html("<span class=\"tag {}\">{}</span>", kind, runStatusName(status));
 }
 
-Html htmlClaim(const ClaimRecord& claim, const Html& study) {
+Html htmlClaim(const study::ClaimRecord& claim, const Html& study) {
   const std::string radius = radiusNote(claim);
   return html(
       "<li>{}<div><p>{}{}</p>{}<p class=\"note\">{}</p><p class=\"note\">{}</p></div></li>\n",
@@ -92,4 +92,4 @@ Html htmlReproduction(std::string_view command, const Html& facts) {
                      html("<pre><code>{}</code></pre>\n{}", command, facts));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

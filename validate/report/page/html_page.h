@@ -10,7 +10,7 @@
 #include "study/record/gate.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Parts that the pages of a run share.
 
@@ -37,11 +37,11 @@ Html htmlFact(std::string_view term, std::string_view text);
 std::string plural(std::size_t count, std::string_view noun);
 
 /// The tag that names the status of a run.
-Html htmlStatus(RunStatus status);
+Html htmlStatus(study::RunStatus status);
 
 /// One claim with its verdict, for the list of a section of claims.
 /// @param study  whose claim it is; empty where that is clear
-Html htmlClaim(const ClaimRecord& claim, const Html& study = {});
+Html htmlClaim(const study::ClaimRecord& claim, const Html& study = {});
 
 /// A section of claims as htmlClaim makes them; nothing, if there are none.
 Html htmlClaims(const Html& claims);
@@ -52,4 +52,4 @@ Html htmlNotices(const std::vector<std::string>& notices);
 /// How a run is done again: its command, and facts about it.
 Html htmlReproduction(std::string_view command, const Html& facts = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::report

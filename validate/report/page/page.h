@@ -2,7 +2,7 @@
 
 #include "report/text/html.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The parts of a report page that are written in their own languages, in the folder `page`.
 
@@ -18,4 +18,4 @@ Html viewerScript();
 /// The script's SHA-256 as a content policy names it: 'sha256-…'.
 Html viewerScriptHash();
 
-}  // namespace gnomon
+}  // namespace gnomon::report

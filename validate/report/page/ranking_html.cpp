@@ -8,38 +8,38 @@
 #include "report/tables/ranked_table.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-using Ranking = std::vector<RankedOverStudies>;
+using Ranking = std::vector<study::RankedOverStudies>;
 
-Html studiesStatus(std::span<const StudyMeans> studies) {
-  const auto count = [&](RunStatus status) {
+Html studiesStatus(std::span<const study::StudyMeans> studies) {
+  const auto count = [&](study::RunStatus status) {
     return std::count_if(studies.begin(), studies.end(),
-                         [&](const StudyMeans& study) { return study.status == status; });
+                         [&](const study::StudyMeans& study) { return study.status == status; });
   };
-  return html("{} of {} studies {} passed, {} failed, {} not judged", htmlStatus(statusOf(studies)),
-              studies.size(), count(RunStatus::pass), count(RunStatus::fail),
-              count(RunStatus::notJudged));
+  return html("{} of {} studies {} passed, {} failed, {} not judged",
+              htmlStatus(study::statusOf(studies)), studies.size(), count(study::RunStatus::pass),
+              count(study::RunStatus::fail), count(study::RunStatus::notJudged));
 }
 
 Html bestOverStudies(const Ranking& ranking, std::size_t studies) {
   if (ranking.empty() || !ranking.front().rank) {
     return html("No method was measured in every case of every study, so none is ranked.");
   }
-  const RankedOverStudies& best = ranking.front();
+  const study::RankedOverStudies& best = ranking.front();
   return html(
       "Compared with ray tracing the displaced surface in {} studies, <b>{}</b> has the fewest "
       "wrong "
       "samples: <b>{}&#8239;%</b> on average, {}&#8239;% in its worst study, {}.",
-      studies, labelWithName(best), percentText(best.meanError), percentText(best.worstError),
-      best.worstStudy);
+      studies, study::labelWithName(best), percentText(best.meanError),
+      percentText(best.worstError), best.worstStudy);
 }
 
-Html claimsOfStudies(std::span<const StudyMeans> studies) {
+Html claimsOfStudies(std::span<const study::StudyMeans> studies) {
   Html claims;
-  for (const StudyMeans& study : studies) {
-    for (const ClaimRecord& claim : study.claims) {
+  for (const study::StudyMeans& study : studies) {
+    for (const study::ClaimRecord& claim : study.claims) {
       claims += htmlClaim(claim, html("<a href=\"{0}/report.html\" title=\"{1}\">{0}</a>",
                                       study.name, study.title));
     }
@@ -49,10 +49,10 @@ Html claimsOfStudies(std::span<const StudyMeans> studies) {
 
 }  // namespace
 
-Html rankingHtml(std::span<const StudyMeans> studies, std::string_view command) {
-  const Ranking ranking = rankOverStudies(studies);
+Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view command) {
+  const Ranking ranking = study::rankOverStudies(studies);
   std::vector<std::string> labels;
-  for (const RankedOverStudies& method : ranking) labels.push_back(method.label);
+  for (const study::RankedOverStudies& method : ranking) labels.push_back(method.label);
   const Html header = html(
       "<h1>Methods over {} studies</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"lead\">{}</p>\n",
       studies.size(), studiesStatus(studies), bestOverStudies(ranking, studies.size()));
@@ -73,4 +73,4 @@ Html rankingHtml(std::span<const StudyMeans> studies, std::string_view command) 
           claimsOfStudies(studies) + htmlReproduction(command));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -8,7 +8,7 @@
 #include "report/tables/formats/html_format.h"
 #include "report/tables/gate_table.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 Html changePicture(const std::string& path, std::string_view title,
@@ -18,7 +18,7 @@ Html changePicture(const std::string& path, std::string_view title,
               pngAddress(folder / path), title);
 }
 
-Html changePictures(const ReferencePictures& row, const std::filesystem::path& folder) {
+Html changePictures(const study::ReferencePictures& row, const std::filesystem::path& folder) {
   return html("<h3>{}, {}, {}</h3>\n<div class=\"changes\">\n{}{}{}</div>\n{}", row.method,
               row.view, row.light,
               changePicture(row.before, "as committed, against its truth", folder),
@@ -28,35 +28,36 @@ Html changePictures(const ReferencePictures& row, const std::filesystem::path& f
 }
 
 /// "3 of 4 thresholds met", or nothing without any.
-std::string passedText(std::span<const Judgement> judgements, const char* noun, const char* verb) {
+std::string passedText(std::span<const study::Judgement> judgements, const char* noun,
+                       const char* verb) {
   if (judgements.empty()) return "";
   const auto passed = std::count_if(judgements.begin(), judgements.end(), [](const auto& one) {
-    return one.verdict == GateVerdict::passed;
+    return one.verdict == study::GateVerdict::passed;
   });
   return fmt::format("{} of {} {}", passed, plural(judgements.size(), noun), verb);
 }
 
 }  // namespace
 
-Html referenceSection(const StudyRecord& record, const std::filesystem::path& folder) {
+Html referenceSection(const study::StudyRecord& record, const std::filesystem::path& folder) {
   Html content;
-  for (const ProblemRecord& problem : record.problems) {
+  for (const study::ProblemRecord& problem : record.problems) {
     if (problem.part == "method") continue;  // a notice names it
     content += html("<p><span class=\"tag failed\">error</span> {}</p>\n", problem.message);
   }
-  const std::vector<Judgement> references = byOrigin(record.judgements).references;
+  const std::vector<study::Judgement> references = study::byOrigin(record.judgements).references;
   if (!references.empty()) {
-    std::vector<Judgement> faults;
-    std::vector<Judgement> others;
+    std::vector<study::Judgement> faults;
+    std::vector<study::Judgement> others;
     std::partition_copy(references.begin(), references.end(), std::back_inserter(faults),
                         std::back_inserter(others),
-                        [](const Judgement& judgement) { return judgement.isFault(); });
+                        [](const study::Judgement& judgement) { return judgement.isFault(); });
     content += html(
         "<p class=\"note\">Committed values in <code>{}</code>, which may not have become worse by "
         "more than their tolerance.</p>\n",
         record.baseline);
     if (!faults.empty()) content += htmlTable(gateTable(faults));
-    for (const ReferencePictures& row : record.referencePictures) {
+    for (const study::ReferencePictures& row : record.referencePictures) {
       content += changePictures(row, folder);
     }
     if (!others.empty()) {
@@ -67,10 +68,10 @@ Html referenceSection(const StudyRecord& record, const std::filesystem::path& fo
   return htmlSection("references", "References", content);
 }
 
-Html statusHtml(RunStatus status, std::span<const Judgement> judgements, std::size_t problems,
-                const std::string& more) {
+Html statusHtml(study::RunStatus status, std::span<const study::Judgement> judgements,
+                std::size_t problems, const std::string& more) {
   if (judgements.empty() && problems == 0) return html("{} no thresholds set", htmlStatus(status));
-  const auto [thresholds, references, options] = byOrigin(judgements);
+  const auto [thresholds, references, options] = study::byOrigin(judgements);
   std::string text;
   for (const std::string& part :
        {passedText(thresholds, "threshold", "met"),
@@ -81,4 +82,4 @@ Html statusHtml(RunStatus status, std::span<const Judgement> judgements, std::si
   return html("{} {}", htmlStatus(status), text);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -24,18 +24,18 @@
 #include "report/text/refinement_text.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// The method with the fewest wrong samples, and the truth's uncertainty.
-Html bestOfStudy(const std::vector<RankedMethod>& ranked) {
+Html bestOfStudy(const std::vector<study::RankedMethod>& ranked) {
   if (ranked.empty() || ranked.front().allCases == 0) return html("No result has an error rate.");
   const auto inAllCases = static_cast<std::size_t>(std::count_if(
       ranked.begin(), ranked.end(), [](const auto& method) { return method.rank.has_value(); }));
   if (inAllCases == 0) {
     return html("No method answers in every case, so none is ranked.");
   }
-  const RankedMethod& best = ranked.front();
+  const study::RankedMethod& best = ranked.front();
   const Html text = html(
       "Compared with ray tracing the displaced surface in {} (a view under a light), <b>{}</b> has "
       "the fewest wrong samples of {}: <b>{}&#8239;%</b>.",
@@ -44,14 +44,15 @@ Html bestOfStudy(const std::vector<RankedMethod>& ranked) {
   if (!best.uncertainty) {
     return html("{} The truth’s own uncertainty was not measured.", text);
   }
-  const bool isNone = !isDistinguishable({*best.errorRate.value, best.interval, *best.uncertainty});
+  const bool isNone =
+      !study::isDistinguishable({*best.errorRate.value, best.interval, *best.uncertainty});
   return html("{} The truth itself is uncertain by {}&#8239;%{}.", text,
               percentText(best.uncertainty),
               isNone ? ": so small an error is not distinguishable from none" : "");
 }
 
 /// What the best method of each view is better than, and by how much.
-Html comparedMethods(const StudyRecord& record) {
+Html comparedMethods(const study::StudyRecord& record) {
   const std::vector<std::string> views = confidenceViews(record);
   Html paragraphs;
   for (const std::string& view : views) {
@@ -63,7 +64,7 @@ Html comparedMethods(const StudyRecord& record) {
   return paragraphs;
 }
 
-Html studyHeader(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
+Html studyHeader(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked) {
   return html(
       "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
       "<p class=\"lead\">{}</p>\n{}{}",
@@ -72,7 +73,8 @@ Html studyHeader(const StudyRecord& record, const std::vector<RankedMethod>& ran
       comparedMethods(record), htmlNotices(record.notices));
 }
 
-Html rankingSection(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
+Html rankingSection(const study::StudyRecord& record,
+                    const std::vector<study::RankedMethod>& ranked) {
   if (ranked.empty()) return {};
   return htmlSection(
       "ranking", "Methods, best first",
@@ -88,21 +90,21 @@ Html rankingSection(const StudyRecord& record, const std::vector<RankedMethod>& 
           intervalMeaning, htmlTable(rankedTable(record, ranked))));
 }
 
-Html thresholdSection(const StudyRecord& record) {
-  const std::vector<Judgement> thresholds = byOrigin(record.judgements).thresholds;
+Html thresholdSection(const study::StudyRecord& record) {
+  const std::vector<study::Judgement> thresholds = study::byOrigin(record.judgements).thresholds;
   if (thresholds.empty()) return {};
   return htmlSection("thresholds", "Thresholds", htmlTable(gateTable(thresholds)));
 }
 
-std::vector<Case> casesWithPictures(const StudyRecord& record) {
-  std::vector<Case> cases = casesOf(record);
-  for (const PanelRecord& panel : record.panels) {
-    appendOnce(cases, Case{panel.view, panel.light});
+std::vector<study::Case> casesWithPictures(const study::StudyRecord& record) {
+  std::vector<study::Case> cases = study::casesOf(record);
+  for (const study::PanelRecord& panel : record.panels) {
+    appendOnce(cases, study::Case{panel.view, panel.light});
   }
   return cases;
 }
 
-Html caseTables(const StudyRecord& record, const Case& which) {
+Html caseTables(const study::StudyRecord& record, const study::Case& which) {
   Html content;
   const Table metrics = caseTable(record, std::array{which});
   if (!metrics.rows.empty()) {
@@ -123,11 +125,11 @@ Html caseTables(const StudyRecord& record, const Case& which) {
   return content;
 }
 
-Html caseSection(const StudyRecord& record, const Case& which, std::size_t number,
+Html caseSection(const study::StudyRecord& record, const study::Case& which, std::size_t number,
                  const std::filesystem::path& folder) {
   Html content;
-  for (const PanelRecord& panel : record.panels) {
-    if (Case{panel.view, panel.light} != which) continue;
+  for (const study::PanelRecord& panel : record.panels) {
+    if (study::Case{panel.view, panel.light} != which) continue;
     content += panelFigures(record, panel, folder);
   }
   content += caseTables(record, which);
@@ -135,7 +137,7 @@ Html caseSection(const StudyRecord& record, const Case& which, std::size_t numbe
                      html("{} <span class=\"light\">{}</span>", which.view, which.light), content);
 }
 
-Html costSection(const StudyRecord& record) {
+Html costSection(const study::StudyRecord& record) {
   if (record.cost.empty()) return {};
   const std::string rates = publishedRates(record);
   return htmlSection(
@@ -151,8 +153,8 @@ std::string bytesText(std::uint64_t bytes) {
   return formatBytes(static_cast<double>(bytes));
 }
 
-Html truthSection(const StudyRecord& record) {
-  const TruthRecord& truth = record.truth;
+Html truthSection(const study::StudyRecord& record) {
+  const study::TruthRecord& truth = record.truth;
   const bool measured = !truth.flips.empty() || truth.uncertainty > 0;
   const Html facts =
       htmlFact("Micro-triangles", groupedText(truth.microTriangles)) +
@@ -172,14 +174,14 @@ Html truthSection(const StudyRecord& record) {
   return htmlSection("truth", "The truth", content);
 }
 
-Html timingSection(const std::vector<TimingRecord>& timings) {
+Html timingSection(const std::vector<study::TimingRecord>& timings) {
   if (timings.empty()) return {};
   return htmlSection("timings", "Where the time went", htmlTable(timingTable(timings)));
 }
 
-Html citations(const std::vector<MethodRecord>& methods) {
+Html citations(const std::vector<study::MethodRecord>& methods) {
   Html items;
-  for (const MethodRecord& method : methods) {
+  for (const study::MethodRecord& method : methods) {
     items += html("<dt>{}</dt><dd>{}{}<code>{}</code><small>{}</small></dd>\n", method.label,
                   method.title, method.title.empty() ? "" : " ", method.name, method.citation);
   }
@@ -188,14 +190,14 @@ Html citations(const std::vector<MethodRecord>& methods) {
 }
 
 /// Each file that the run was made of, folded away.
-Html inputFiles(const std::vector<InputRecord>& inputs) {
+Html inputFiles(const std::vector<study::InputRecord>& inputs) {
   if (inputs.empty()) return {};
   return html("<details><summary>{} of the run, with their SHA-256</summary>\n{}</details>\n",
               plural(inputs.size(), "file"), htmlTable(inputTable(inputs)));
 }
 
-Html reproduceSection(const StudyRecord& record) {
-  const EnvironmentRecord& e = record.environment;
+Html reproduceSection(const study::StudyRecord& record) {
+  const study::EnvironmentRecord& e = record.environment;
   const std::string cpu =
       e.threads > 0
           ? fmt::format("{}, {}", e.cpu, plural(static_cast<std::size_t>(e.threads), "thread"))
@@ -225,7 +227,7 @@ Html plotSection(std::span<const DrawnPlot> plots) {
 }
 
 /// Links to the cases: with many lights a reader needs them.
-Html navigation(const std::vector<Case>& cases) {
+Html navigation(const std::vector<study::Case>& cases) {
   if (cases.size() < 2) return {};
   Html links;
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -236,7 +238,7 @@ Html navigation(const std::vector<Case>& cases) {
 
 }  // namespace
 
-Html confidenceSection(const StudyRecord& record) {
+Html confidenceSection(const study::StudyRecord& record) {
   Html content;
   for (const std::string& view : confidenceViews(record)) {
     const Table table = confidenceTable(record, view);
@@ -247,7 +249,7 @@ Html confidenceSection(const StudyRecord& record) {
   return htmlSection("confidence", "How sure the error rates are", content);
 }
 
-Html budgetSection(const StudyRecord& record, std::span<const DrawnPlot> plots) {
+Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> plots) {
   if (record.budgets.empty()) return {};
   std::vector<const DrawnPlot*> own;  // one a light
   for (const DrawnPlot& plot : plots) {
@@ -257,7 +259,7 @@ Html budgetSection(const StudyRecord& record, std::span<const DrawnPlot> plots) 
   const std::vector<std::string> lights = budgetLights(record);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     Html part = i < own.size() ? htmlPlot(*own[i]) : Html();
-    for (const BudgetRecord& budget : budgetsOf(record, lights[i])) {
+    for (const study::BudgetRecord& budget : budgetsOf(record, lights[i])) {
       part += html("<h3>{}</h3>\n{}{}", budget.method, htmlNote(orderText(budget)),
                    htmlTable(budgetTable(budget)));
     }
@@ -267,13 +269,13 @@ Html budgetSection(const StudyRecord& record, std::span<const DrawnPlot> plots) 
   return htmlSection("budget", "Where the error comes from", content);
 }
 
-Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
+Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots) {
-  const std::vector<RankedMethod> ranked = rankMethods(record);
-  const std::vector<Case> cases = casesWithPictures(record);
+  const std::vector<study::RankedMethod> ranked = study::rankMethods(record);
+  const std::vector<study::Case> cases = casesWithPictures(record);
   const bool hasPictures = !record.panels.empty();
   Html claims;
-  for (const ClaimRecord& claim : record.claims) claims += htmlClaim(claim);
+  for (const study::ClaimRecord& claim : record.claims) claims += htmlClaim(claim);
   Html main = rankingSection(record, ranked) + htmlClaims(claims) + thresholdSection(record) +
               referenceSection(record, folder) + (hasPictures ? viewerMarkup() : Html()) +
               navigation(cases);
@@ -287,4 +289,4 @@ Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
                   hasPictures ? viewerScript() : Html());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

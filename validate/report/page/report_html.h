@@ -7,7 +7,7 @@
 #include "report/text/html.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A run as one page that needs nothing beside it: style and pictures are inside, and its own
 /// content policy forbids it to load anything. In the order of a reader's questions: is it right
@@ -17,16 +17,16 @@ namespace gnomon {
 /// @param plots   embedded, in this order
 /// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no
 ///   PNG, or for a number that is not finite
-Html reportHtml(const StudyRecord& record, const std::filesystem::path& folder,
+Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots = {});
 
 /// Its section on intervals: for each view its verdict and a table of its methods, ranked with
 /// their intervals. Empty if the record has no intervals.
-Html confidenceSection(const StudyRecord& record);
+Html confidenceSection(const study::StudyRecord& record);
 
 /// Its section "Where the error comes from": the plots and tables of the study's error budgets, all
 /// lights together, then folded away each light; nothing, if it has none.
 /// @param plots  of the run; those of other sections are passed over
-Html budgetSection(const StudyRecord& record, std::span<const DrawnPlot> plots);
+Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> plots);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -14,51 +14,51 @@
 #include "report/tables/sweep_tables.h"
 #include "study/judge/study_ranking.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Html sweepStatus(const SweepRecord& sweep) {
-  std::vector<Judgement> judgements;
+Html sweepStatus(const study::SweepRecord& sweep) {
+  std::vector<study::Judgement> judgements;
   std::size_t problems = 0;
-  for (const StudyRecord& step : sweep.steps) {
+  for (const study::StudyRecord& step : sweep.steps) {
     judgements.insert(judgements.end(), step.judgements.begin(), step.judgements.end());
     problems += step.problems.size();
   }
   return statusHtml(sweep.status(), judgements, problems, "over all values");
 }
 
-Html sweepHeader(const SweepRecord& sweep) {
+Html sweepHeader(const study::SweepRecord& sweep) {
   return html(
       "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
       "<p class=\"lead\">One study {} of <code>{}</code>.</p>\n{}",
       sweep.heading(), sweep.source, sweepStatus(sweep),
       sweep.keys.size() == 1 ? "at " + plural(sweep.cases.size(), "value")
                              : "in " + plural(sweep.cases.size(), "case"),
-      keysText(sweep.keys), htmlNotices(sweep.notices()));
+      study::keysText(sweep.keys), htmlNotices(sweep.notices()));
 }
 
 /// What kept a check from judging the values, and where the references that do not hold are.
-Html faultyReferences(const SweepRecord& sweep) {
+Html faultyReferences(const study::SweepRecord& sweep) {
   Html content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    const StudyRecord& step = sweep.steps[i];
-    const std::vector<Judgement> references = byOrigin(step.judgements).references;
-    if (runStatus(references, step.problems) != RunStatus::fail) continue;
+    const study::StudyRecord& step = sweep.steps[i];
+    const std::vector<study::Judgement> references = study::byOrigin(step.judgements).references;
+    if (study::runStatus(references, step.problems) != study::RunStatus::fail) continue;
     content += html("<p>{}</p>\n<p><a href=\"{}/report.html#references\">{}</a></p>\n",
-                    statusHtml(RunStatus::fail, references, step.problems.size()),
-                    sweep.cases.at(i).name, caseText(sweep.keys, sweep.cases.at(i)));
+                    statusHtml(study::RunStatus::fail, references, step.problems.size()),
+                    sweep.cases.at(i).name, study::caseText(sweep.keys, sweep.cases.at(i)));
   }
   return htmlSection("references", "References that do not hold", content);
 }
 
 /// The gates that failed, a table a value.
-Html failedThresholds(const SweepRecord& sweep) {
+Html failedThresholds(const study::SweepRecord& sweep) {
   Html content;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    std::vector<Judgement> failed = byOrigin(sweep.steps[i].judgements).thresholds;
-    std::erase_if(failed, [](const Judgement& judgement) { return !judgement.isFault(); });
+    std::vector<study::Judgement> failed = study::byOrigin(sweep.steps[i].judgements).thresholds;
+    std::erase_if(failed, [](const study::Judgement& judgement) { return !judgement.isFault(); });
     if (failed.empty()) continue;
-    content += html("<h3>{}</h3>\n{}", caseText(sweep.keys, sweep.cases.at(i)),
+    content += html("<h3>{}</h3>\n{}", study::caseText(sweep.keys, sweep.cases.at(i)),
                     htmlTable(gateTable(failed)));
   }
   return htmlSection("thresholds", "Thresholds that failed", content);
@@ -79,7 +79,7 @@ Html plotsOf(const std::vector<DrawnPlot>& plots, std::string_view section) {
 }
 
 /// The plots, or why there are none.
-Html errorPlots(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
+Html errorPlots(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
   const Html drawn = plotsOf(plots, sweepErrorSection);
   if (drawn.text().empty()) {
     return html(
@@ -94,23 +94,23 @@ Html errorPlots(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
          drawn;
 }
 
-std::string plotHeading(const SweepRecord& sweep) {
+std::string plotHeading(const study::SweepRecord& sweep) {
   return "Error against " +
-         (sweep.keys.size() == 1 ? sweep.keys.front().axis : keysText(sweep.keys));
+         (sweep.keys.size() == 1 ? sweep.keys.front().axis : study::keysText(sweep.keys));
 }
 
-Html valuesNote(const SweepRecord& sweep) {
+Html valuesNote(const study::SweepRecord& sweep) {
   const char* one = sweep.keys.size() == 1 ? "value" : "case";
   return html("<p class=\"note\">The stronger the tint, the larger the error. {}{}</p>\n",
               sweep.hasStepReports ? fmt::format("Each {} leads to its own report.", one) : "",
-              fewerCasesNote(std::array{studyMeans(sweep)}));
+              fewerCasesNote(std::array{study::studyMeans(sweep)}));
 }
 
 }  // namespace
 
-Html sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
+Html sweepHtml(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
   Html claims;
-  for (const ClaimRecord& claim : sweep.claims) claims += htmlClaim(claim);
+  for (const study::ClaimRecord& claim : sweep.claims) claims += htmlClaim(claim);
   constexpr std::size_t mostColumns = 24;
   constexpr std::size_t mostRows = 1000;
   const Html values =
@@ -128,4 +128,4 @@ Html sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots) {
           htmlReproduction(sweep.command, facts));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

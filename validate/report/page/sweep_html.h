@@ -6,7 +6,7 @@
 #include "report/text/html.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The sections of a sweep's page that show plots, by PlotSheet::section.
 constexpr const char* sweepErrorSection = "plots";
@@ -18,6 +18,6 @@ constexpr const char* sweepCostSection = "cost";
 /// folders lie beside it.
 /// @param plots  by their sections: embedded. Without any the page says why
 /// @throws InternalError for a number that is not finite
-Html sweepHtml(const SweepRecord& sweep, const std::vector<DrawnPlot>& plots);
+Html sweepHtml(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& plots);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -21,12 +21,12 @@
 #include "report/text/refinement_text.h"
 #include "report/text/terminal_page.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 constexpr std::size_t lightsInOwnBlocks = 3;
 
-void appendConfidence(TerminalPage& page, const StudyRecord& record) {
+void appendConfidence(TerminalPage& page, const study::StudyRecord& record) {
   const std::vector<std::string> views = confidenceViews(record);
   if (!views.empty()) page.blank();
   for (const std::string& view : views) {
@@ -45,22 +45,23 @@ std::string uncertaintyText(std::optional<double> uncertainty) {
 }
 
 /// A block of its own for each light.
-void appendLightBlocks(TerminalPage& page, const StudyRecord& record,
-                       const std::vector<Case>& cases) {
-  for (const Case& which : cases) {
+void appendLightBlocks(TerminalPage& page, const study::StudyRecord& record,
+                       const std::vector<study::Case>& cases) {
+  for (const study::Case& which : cases) {
     page.blank();
     page.heading(fmt::format("{} · {} ({})", which.view, which.light,
-                             uncertaintyText(uncertaintyOf(record, which))));
+                             uncertaintyText(study::uncertaintyOf(record, which))));
     appendTable(page, caseTable(record, std::array{which}));
   }
 }
 
 /// One block for all lights of a view.
-void appendViewBlock(TerminalPage& page, const StudyRecord& record,
-                     const std::vector<Case>& cases) {
+void appendViewBlock(TerminalPage& page, const study::StudyRecord& record,
+                     const std::vector<study::Case>& cases) {
   std::optional<double> largest;
-  for (const Case& which : cases) {
-    if (const auto u = uncertaintyOf(record, which)) largest = std::max(largest.value_or(0), *u);
+  for (const study::Case& which : cases) {
+    if (const auto u = study::uncertaintyOf(record, which))
+      largest = std::max(largest.value_or(0), *u);
   }
   page.blank();
   page.heading(fmt::format("{} · {} lights ({}{})", cases.front().view, cases.size(),
@@ -68,8 +69,8 @@ void appendViewBlock(TerminalPage& page, const StudyRecord& record,
   appendTable(page, caseTable(record, cases));
 }
 
-void appendResults(TerminalPage& page, const StudyRecord& record) {
-  std::vector<Case> left = casesOf(record);
+void appendResults(TerminalPage& page, const study::StudyRecord& record) {
+  std::vector<study::Case> left = study::casesOf(record);
   if (left.empty()) return;
   page.paragraph(
       "Rates in percent of the samples, of the drawn picture: shadow test and shading. Test: the "
@@ -78,8 +79,8 @@ void appendResults(TerminalPage& page, const StudyRecord& record) {
   while (!left.empty()) {
     const std::string view = left.front().view;
     const auto rest = std::stable_partition(left.begin(), left.end(),
-                                            [&](const Case& c) { return c.view == view; });
-    const std::vector<Case> ofView(left.begin(), rest);
+                                            [&](const study::Case& c) { return c.view == view; });
+    const std::vector<study::Case> ofView(left.begin(), rest);
     left.erase(left.begin(), rest);
     if (ofView.size() > lightsInOwnBlocks) {
       appendViewBlock(page, record, ofView);
@@ -89,13 +90,13 @@ void appendResults(TerminalPage& page, const StudyRecord& record) {
   }
 }
 
-void appendBudgets(TerminalPage& page, const StudyRecord& record) {
+void appendBudgets(TerminalPage& page, const study::StudyRecord& record) {
   if (record.budgets.empty()) return;
-  const BudgetRecord& first = record.budgets.front();
+  const study::BudgetRecord& first = record.budgets.front();
   page.blank();
   page.heading("Where the error comes from");
   page.paragraph(budgetNote(first));
-  for (const BudgetRecord& budget : budgetsOf(record, first.light)) {
+  for (const study::BudgetRecord& budget : budgetsOf(record, first.light)) {
     page.blank();
     page.paragraph(budget.method + ": " + orderText(budget));
     appendTable(page, budgetTable(budget));
@@ -104,20 +105,21 @@ void appendBudgets(TerminalPage& page, const StudyRecord& record) {
 
 /// What became of a record's thresholds that are not met.
 /// @param study  named as the one that was judged; of a sweep, whose value is told already
-std::vector<std::string> thresholdFaults(const StudyRecord& record, const std::string& study) {
+std::vector<std::string> thresholdFaults(const study::StudyRecord& record,
+                                         const std::string& study) {
   std::vector<std::string> faults;
-  for (Judgement& judgement : byOrigin(record.judgements).thresholds) {
+  for (study::Judgement& judgement : study::byOrigin(record.judgements).thresholds) {
     judgement.gate.step = study;
     if (judgement.isFault()) faults.push_back(gateFaultText(judgement));
   }
   return faults;
 }
 
-std::size_t thresholdsOf(const StudyRecord& record) {
-  return byOrigin(record.judgements).thresholds.size();
+std::size_t thresholdsOf(const study::StudyRecord& record) {
+  return study::byOrigin(record.judgements).thresholds.size();
 }
 
-void appendCost(TerminalPage& page, const StudyRecord& record) {
+void appendCost(TerminalPage& page, const study::StudyRecord& record) {
   if (record.cost.empty()) return;
   page.blank();
   page.heading(record.environment.frameClock.empty()
@@ -128,14 +130,14 @@ void appendCost(TerminalPage& page, const StudyRecord& record) {
 }
 
 /// How far tables and marches look.
-void appendRadius(TerminalPage& page, const StudyRecord& record) {
+void appendRadius(TerminalPage& page, const study::StudyRecord& record) {
   if (record.methods.empty()) return;
   page.blank();
   page.paragraph("Search radius " + radiusText(record.radius));
 }
 
 /// How the truth's resolution was found, where the study asks for an uncertainty.
-void appendRefinement(TerminalPage& page, const StudyRecord& record) {
+void appendRefinement(TerminalPage& page, const study::StudyRecord& record) {
   const std::string text = refinementText(record.truth);
   if (text.empty()) return;
   page.blank();
@@ -144,11 +146,11 @@ void appendRefinement(TerminalPage& page, const StudyRecord& record) {
 }
 
 /// Where the time went: the stages that took a hundredth of a second or more.
-void appendTimings(TerminalPage& page, const StudyRecord& record) {
+void appendTimings(TerminalPage& page, const study::StudyRecord& record) {
   if (record.timings.empty()) return;
   double total = 0;
   std::string stages;
-  for (const TimingRecord& timing : record.timings) {
+  for (const study::TimingRecord& timing : record.timings) {
     total += timing.seconds;
     if (timing.seconds < 0.01) continue;
     stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", timing.stage, timing.seconds);
@@ -158,9 +160,9 @@ void appendTimings(TerminalPage& page, const StudyRecord& record) {
 }
 
 /// What the run did not have to compute.
-void appendCache(TerminalPage& page, const StudyRecord& record) {
+void appendCache(TerminalPage& page, const study::StudyRecord& record) {
   if (!record.cache) return;
-  const CacheCounts& cache = *record.cache;
+  const cache::CacheCounts& cache = *record.cache;
   page.paragraph(fmt::format(
       "Cache: {} results of earlier runs, {} computed{}", cache.hits, cache.misses,
       cache.damaged > 0 ? fmt::format(" ({} of them were damaged there)", cache.damaged) : ""));
@@ -168,7 +170,7 @@ void appendCache(TerminalPage& page, const StudyRecord& record) {
 
 }  // namespace
 
-std::string terminalReport(const StudyRecord& record, bool colours) {
+std::string terminalReport(const study::StudyRecord& record, bool colours) {
   TerminalPage page(colours);
   page.heading(record.heading());
   page.paragraph(record.source);
@@ -186,7 +188,7 @@ std::string terminalReport(const StudyRecord& record, bool colours) {
   return page.text();
 }
 
-std::string terminalReport(const SweepRecord& sweep, bool colours) {
+std::string terminalReport(const study::SweepRecord& sweep, bool colours) {
   TerminalPage page(colours);
   page.heading(sweep.heading());
   page.paragraph(sweep.source);
@@ -195,33 +197,34 @@ std::string terminalReport(const SweepRecord& sweep, bool colours) {
       "Error rate in percent, mean over lights and views, {}",
       sweep.keys.size() == 1
           ? "by " + sweep.keys.front().axis
-          : fmt::format("over {} cases of {}", sweep.cases.size(), keysText(sweep.keys))));
+          : fmt::format("over {} cases of {}", sweep.cases.size(), study::keysText(sweep.keys))));
   page.blank();
   constexpr std::size_t mostColumns = 50;
   constexpr std::size_t mostRows = 24;
   appendTable(page, readableSweepTable(sweep, mostColumns, mostRows));
-  page.paragraph(fewerCasesNote(std::array{studyMeans(sweep)}), terminalIndent);
+  page.paragraph(fewerCasesNote(std::array{study::studyMeans(sweep)}), terminalIndent);
   page.claims(sweep.claims);
   std::size_t thresholds = 0;
   std::vector<std::string> faults;
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
     thresholds += thresholdsOf(sweep.steps[i]);
     for (const std::string& fault : thresholdFaults(sweep.steps[i], sweep.name)) {
-      faults.push_back(fmt::format("{}: {}", caseText(sweep.keys, sweep.cases.at(i)), fault));
+      faults.push_back(
+          fmt::format("{}: {}", study::caseText(sweep.keys, sweep.cases.at(i)), fault));
     }
   }
   page.met("Thresholds", thresholds, faults);
   return page.text();
 }
 
-std::string terminalReport(std::span<const StudyMeans> studies, bool colours) {
+std::string terminalReport(std::span<const study::StudyMeans> studies, bool colours) {
   TerminalPage page(colours);
   page.heading(fmt::format("Methods over {} studies", studies.size()));
   page.paragraph(
       "Error rate in percent, each study with the same weight. ≈ not distinguishable from the "
       "best.");
-  appendTable(page, rankedOverStudiesTable(studies, rankOverStudies(studies)));
+  appendTable(page, rankedOverStudiesTable(studies, study::rankOverStudies(studies)));
   return page.text();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 
 #include "common/parallel.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 // As shade.frag shades the base mesh.
@@ -20,8 +20,8 @@ std::uint8_t shadedByte(float reflectance, float light) {
 
 }  // namespace
 
-Image displacedImage(int width, int height, const std::vector<float>& light) {
-  Image image{width, height, std::vector<std::uint8_t>(albedo.size() * light.size(), 255)};
+image::Image displacedImage(int width, int height, const std::vector<float>& light) {
+  image::Image image{width, height, std::vector<std::uint8_t>(albedo.size() * light.size(), 255)};
   parallelFor(
       0, light.size(),
       [&](std::size_t i) {
@@ -34,4 +34,4 @@ Image displacedImage(int width, int height, const std::vector<float>& light) {
   return image;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

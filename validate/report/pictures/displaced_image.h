@@ -4,11 +4,11 @@
 
 #include "image/image.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The picture of the displaced surface by its own rays, shaded as the base mesh is, so that both
 /// can be held side by side; background white.
 /// @param light  as displacedPicture gives it, one a pixel, row 0 at the top
-Image displacedImage(int width, int height, const std::vector<float>& light);
+image::Image displacedImage(int width, int height, const std::vector<float>& light);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -2,34 +2,34 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
-Rgb regionColour(Region region) {
+image::Rgb regionColour(truth::Region region) {
   switch (region) {
-    case Region::none:
-      return MaskColours::none;
-    case Region::lit:
+    case truth::Region::none:
+      return image::MaskColours::none;
+    case truth::Region::lit:
       return {255, 255, 255};
-    case Region::attached:
+    case truth::Region::attached:
       return {0, 63, 92};
-    case Region::cast:
+    case truth::Region::cast:
       return {26, 133, 255};
-    case Region::distant:
+    case truth::Region::distant:
       return {230, 97, 0};
-    case Region::beyondTerminator:
+    case truth::Region::beyondTerminator:
       return {0, 0, 0};
   }
   throw InternalError("a region without a colour");
 }
 
-Image regionImage(const Truth& truth) {
-  Image image{truth.mask.width, truth.mask.height, {}};
+image::Image regionImage(const truth::Truth& truth) {
+  image::Image image{truth.mask.width, truth.mask.height, {}};
   image.rgb.reserve(3 * truth.regions.size());
-  for (const Region region : truth.regions) {
-    const Rgb colour = regionColour(region);
+  for (const truth::Region region : truth.regions) {
+    const image::Rgb colour = regionColour(region);
     image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
   }
   return image;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

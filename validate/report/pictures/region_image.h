@@ -4,12 +4,12 @@
 #include "image/images.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The colour of a region in a picture of regions. Exact, so that the picture can be read back.
-Rgb regionColour(Region region);
+image::Rgb regionColour(truth::Region region);
 
 /// In which region each sample of a truth lies.
-Image regionImage(const Truth& truth);
+image::Image regionImage(const truth::Truth& truth);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

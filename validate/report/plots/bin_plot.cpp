@@ -14,34 +14,34 @@
 #include "study/record/confidence_record.h"
 #include "study/run/scene/sample_axes.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using Ends = std::pair<std::optional<double>, std::optional<double>>;
 
 /// The bins of one axis and view, all lights together.
-std::vector<const BinRecord*> binsOf(const StudyRecord& record, std::string_view axis,
-                                     std::string_view view) {
-  std::vector<const BinRecord*> bins;
-  for (const BinRecord& bin : record.bins) {
-    if (bin.axis == axis && bin.view == view && bin.light == allLights) bins.push_back(&bin);
+std::vector<const study::BinRecord*> binsOf(const study::StudyRecord& record, std::string_view axis,
+                                            std::string_view view) {
+  std::vector<const study::BinRecord*> bins;
+  for (const study::BinRecord& bin : record.bins) {
+    if (bin.axis == axis && bin.view == view && bin.light == study::allLights) bins.push_back(&bin);
   }
   return bins;
 }
 
 /// All bins that any method has, rising; the one without a lower end first.
-std::vector<Ends> endsOf(const std::vector<const BinRecord*>& bins) {
+std::vector<Ends> endsOf(const std::vector<const study::BinRecord*>& bins) {
   std::vector<Ends> ends;
   ends.reserve(bins.size());
-  for (const BinRecord* bin : bins) ends.emplace_back(bin->low, bin->high);
+  for (const study::BinRecord* bin : bins) ends.emplace_back(bin->low, bin->high);
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return ends;
 }
 
-const BinRecord* findBin(const std::vector<const BinRecord*>& bins, const std::string& method,
-                         const Ends& ends) {
-  const auto found = std::find_if(bins.begin(), bins.end(), [&](const BinRecord* bin) {
+const study::BinRecord* findBin(const std::vector<const study::BinRecord*>& bins,
+                                const std::string& method, const Ends& ends) {
+  const auto found = std::find_if(bins.begin(), bins.end(), [&](const study::BinRecord* bin) {
     return bin->method == method && Ends{bin->low, bin->high} == ends;
   });
   return found == bins.end() ? nullptr : *found;
@@ -56,10 +56,10 @@ std::string edgeText(const Ends& left, const Ends& right) {
 }
 
 /// Ticks at the edges between the bins, and over each bin its share of the samples.
-std::string ticks(const std::vector<const BinRecord*>& bins, const std::vector<Ends>& ends,
+std::string ticks(const std::vector<const study::BinRecord*>& bins, const std::vector<Ends>& ends,
                   const std::string& method) {
   const auto samplesIn = [&](const Ends& bin) {
-    const BinRecord* found = findBin(bins, method, bin);
+    const study::BinRecord* found = findBin(bins, method, bin);
     return found == nullptr ? 0 : static_cast<double>(found->counts.samples);
   };
   double all = 0;
@@ -78,22 +78,23 @@ std::string ticks(const std::vector<const BinRecord*>& bins, const std::vector<E
   return fmt::format("set xtics ({})\nset x2tics ({})\n", edges, shares);
 }
 
-std::string lineData(const std::vector<const BinRecord*>& bins, const std::vector<Ends>& ends,
-                     const std::string& method) {
+std::string lineData(const std::vector<const study::BinRecord*>& bins,
+                     const std::vector<Ends>& ends, const std::string& method) {
   std::string rows;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const BinRecord* bin = findBin(bins, method, ends[i]);
-    const auto error = bin == nullptr ? std::nullopt : rate(bin->counts, "error_rate").value;
+    const study::BinRecord* bin = findBin(bins, method, ends[i]);
+    const auto error =
+        bin == nullptr ? std::nullopt : compare::rate(bin->counts, "error_rate").value;
     rows += fmt::format("{} {}\n", i, error ? exactText(100 * *error) : "NaN");
   }
   return rows;
 }
 
 /// The truth's uncertainty in a view, mean over its lights; 0 where it was not measured.
-double uncertaintyIn(const StudyRecord& record, std::string_view view) {
+double uncertaintyIn(const study::StudyRecord& record, std::string_view view) {
   double sum = 0;
   double lights = 0;
-  for (const UncertaintyRecord& flip : record.truth.flips) {
+  for (const study::UncertaintyRecord& flip : record.truth.flips) {
     if (flip.view != view) continue;
     sum += flip.flipRate;
     ++lights;
@@ -104,7 +105,7 @@ double uncertaintyIn(const StudyRecord& record, std::string_view view) {
 }  // namespace
 
 std::string axisTitle(std::string_view axis) {
-  for (const SampleAxis& known : sampleAxes()) {
+  for (const study::SampleAxis& known : study::sampleAxes()) {
     if (known.name != axis) continue;
     return known.unit.empty() ? std::string(known.title)
                               : fmt::format("{}, {}", known.title, known.unit);
@@ -112,25 +113,25 @@ std::string axisTitle(std::string_view axis) {
   return std::string(axis);
 }
 
-std::vector<std::string> binAxes(const StudyRecord& record) {
+std::vector<std::string> binAxes(const study::StudyRecord& record) {
   std::vector<std::string> axes;
-  for (const BinRecord& bin : record.bins) appendOnce(axes, bin.axis);
+  for (const study::BinRecord& bin : record.bins) appendOnce(axes, bin.axis);
   return axes;
 }
 
-std::vector<std::string> binViews(const StudyRecord& record, std::string_view axis) {
+std::vector<std::string> binViews(const study::StudyRecord& record, std::string_view axis) {
   std::vector<std::string> views;
-  for (const BinRecord& bin : record.bins) {
-    if (bin.axis == axis && bin.light == allLights) appendOnce(views, bin.view);
+  for (const study::BinRecord& bin : record.bins) {
+    if (bin.axis == axis && bin.light == study::allLights) appendOnce(views, bin.view);
   }
   return views;
 }
 
-PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_view view) {
-  const std::vector<const BinRecord*> bins = binsOf(record, axis, view);
+PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view) {
+  const std::vector<const study::BinRecord*> bins = binsOf(record, axis, view);
   const std::vector<Ends> ends = endsOf(bins);
   std::vector<std::string> methods;
-  for (const BinRecord* bin : bins) appendOnce(methods, bin->method);
+  for (const study::BinRecord* bin : bins) appendOnce(methods, bin->method);
   const std::string uncertainty = exactText(100 * uncertaintyIn(record, view));
   std::string data =
       plotData("$truth", fmt::format("-0.5 {0}\n{1} {0}\n", uncertainty,
@@ -167,4 +168,4 @@ PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_
               plot + "\n"};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,21 +6,21 @@
 #include "report/plots/plot_sheet.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// "elevation of the light, degrees", or the name of an axis that is not known here.
 std::string axisTitle(std::string_view axis);
 
 /// The views of a record that have bins on an axis, and the axes that have bins, in the record's
 /// order.
-std::vector<std::string> binAxes(const StudyRecord& record);
-std::vector<std::string> binViews(const StudyRecord& record, std::string_view axis);
+std::vector<std::string> binAxes(const study::StudyRecord& record);
+std::vector<std::string> binViews(const study::StudyRecord& record, std::string_view axis);
 
 /// The methods' error rates in the bins of one axis and view, all lights together: one line a
 /// method, its bins at equal distances between ticks at their edges, over each its share of the
 /// samples (of the first method's); the truth's uncertainty as a grey band. A method without
 /// samples in a bin has a gap there.
 /// @throws InternalError for a number that is not finite
-PlotSheet binPlot(const StudyRecord& record, std::string_view axis, std::string_view view);
+PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

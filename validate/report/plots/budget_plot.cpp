@@ -11,7 +11,7 @@
 #include "report/text/budget_text.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// Paul Tol's "muted" scheme in an order that sets light beside dark, and one of his oranges: the
@@ -33,10 +33,10 @@ BudgetPart& partNamed(std::vector<BudgetPart>& parts, const std::string& name) {
 }
 
 /// The causes in the order in which they first appear, then what is left.
-std::vector<BudgetPart> partsOf(std::span<const BudgetRecord> budgets) {
+std::vector<BudgetPart> partsOf(std::span<const study::BudgetRecord> budgets) {
   std::vector<BudgetPart> parts;
-  for (const BudgetRecord& budget : budgets) {
-    for (const BudgetCause& cause : budget.causes) {
+  for (const study::BudgetRecord& budget : budgets) {
+    for (const study::BudgetCause& cause : budget.causes) {
       const bool isThere = std::any_of(parts.begin(), parts.end(), [&](const BudgetPart& part) {
         return part.name == cause.name;
       });
@@ -51,8 +51,8 @@ std::vector<BudgetPart> partsOf(std::span<const BudgetRecord> budgets) {
 
 /// Adds the bar of one order at a height: shares above 0 stand to the right of zero one after the
 /// other, those below it to its left.
-void addBar(std::vector<BudgetPart>& parts, const BudgetRecord& budget,
-            BudgetShare BudgetCause::*way, double y) {
+void addBar(std::vector<BudgetPart>& parts, const study::BudgetRecord& budget,
+            study::BudgetShare study::BudgetCause::*way, double y) {
   double below = 0;
   double above = 0;
   const auto add = [&](const std::string& name, double share) {
@@ -65,21 +65,21 @@ void addBar(std::vector<BudgetPart>& parts, const BudgetRecord& budget,
         "{} {} {} {} {} {}\n", exactText(50 * (from + to)), exactText(y), exactText(100 * from),
         exactText(100 * to), exactText(y - 0.4), exactText(y + 0.4));
   };
-  for (const BudgetCause& cause : budget.causes) add(cause.name, (cause.*way).value);
+  for (const study::BudgetCause& cause : budget.causes) add(cause.name, (cause.*way).value);
   add(distantName, budget.distant.value);
   add(otherName, budget.other.value);
 }
 
 }  // namespace
 
-PlotSheet budgetPlot(std::span<const BudgetRecord> budgets) {
+PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
   std::vector<BudgetPart> parts = partsOf(budgets);
   std::string names;
   std::string totals;
   double y = 0;
-  for (const BudgetRecord& budget : budgets) {
-    addBar(parts, budget, &BudgetCause::forward, y);
-    addBar(parts, budget, &BudgetCause::backward, y + 1);
+  for (const study::BudgetRecord& budget : budgets) {
+    addBar(parts, budget, &study::BudgetCause::forward, y);
+    addBar(parts, budget, &study::BudgetCause::backward, y + 1);
     names += fmt::format("{}{} {}, 'backward' {}", names.empty() ? "" : ", ",
                          plotLegend(budget.method + ", forward"), exactText(y), exactText(y + 1));
     // A mark at the method's error over both of its bars.
@@ -118,4 +118,4 @@ PlotSheet budgetPlot(std::span<const BudgetRecord> budgets) {
           "budget"};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,13 +5,13 @@
 #include "report/plots/plot_sheet.h"
 #include "study/record/budget_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Error budgets as bars, two a budget, forward and backward, in percent of the samples: shares
 /// above 0 stand to the right of the zero line one after the other, those below it to its left, and
 /// a mark where both together end, at the method's error.
 /// @param budgets  of one light, at least one
 /// @throws InternalError for a number that is not finite
-PlotSheet budgetPlot(std::span<const BudgetRecord> budgets);
+PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

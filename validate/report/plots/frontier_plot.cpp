@@ -9,7 +9,7 @@
 #include "report/plots/plot_style.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// A third more room on every side, in the logarithm.
@@ -69,4 +69,4 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points) {
           commands};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

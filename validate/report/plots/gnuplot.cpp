@@ -21,7 +21,7 @@
 #include "common/text/one_line.h"
 #include "report/text/html.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 struct FileCloser {
@@ -262,4 +262,4 @@ std::string cleanSvg(const std::string& svg, const std::string& title) {
   return clean;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

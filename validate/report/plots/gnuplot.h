@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// What gnuplot writes for a script, given to it on its standard input, without the user's own
 /// settings, be they in files or in variables of the environment.
@@ -41,4 +41,4 @@ std::string gnuplotText(const std::string& text);
 /// hold.
 std::string cleanSvg(const std::string& svg, const std::string& title);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,7 +7,7 @@
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 constexpr std::size_t mostColumns = 3;
@@ -60,4 +60,4 @@ std::string PanelGrid::panel(std::size_t index) const {
   return text;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

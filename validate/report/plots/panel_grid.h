@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Panels of one size in rows, with the legend of the first beside them at the right: the frame of
 /// a sheet that has a panel a method.
@@ -30,4 +30,4 @@ class PanelGrid {
   double right_;  ///< where the panels end, as a share of the page
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -8,7 +8,7 @@
 
 #include "report/plots/gnuplot.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 constexpr const char* encoding = "set encoding utf8\n";
@@ -57,4 +57,4 @@ std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
   return pdfs;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

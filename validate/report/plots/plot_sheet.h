@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A plot, before it is drawn in one of the formats.
 struct PlotSheet {
@@ -26,4 +26,4 @@ std::string svgOf(const PlotSheet& sheet);
 /// @throws InternalError as runGnuplot
 std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

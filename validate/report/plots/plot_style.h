@@ -10,7 +10,7 @@
 #include "report/plots/gnuplot.h"
 #include "report/text/text_width.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 // What the plots share.
 
@@ -68,4 +68,4 @@ inline std::string plotLegend(const std::string& label) {
   return gnuplotText(displayWidth(label) > longestLegend ? fitLeft(label, longestLegend) : label);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,13 +6,13 @@
 #include "report/text/budget_text.h"
 #include "study/spec/file_names.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-void addBins(std::vector<PlotSheet>& plots, const StudyRecord& record) {
+void addBins(std::vector<PlotSheet>& plots, const study::StudyRecord& record) {
   for (const std::string& axis : binAxes(record)) {
     const std::vector<std::string> views = binViews(record, axis);
-    const std::vector<std::string> files = fileNames(views);
+    const std::vector<std::string> files = study::fileNames(views);
     for (std::size_t i = 0; i < views.size(); ++i) {
       plots.push_back(binPlot(record, axis, views[i]));
       plots.back().name += "_" + files[i];
@@ -21,9 +21,9 @@ void addBins(std::vector<PlotSheet>& plots, const StudyRecord& record) {
 }
 
 /// A plot for all lights together, then one for each of several.
-void addBudgets(std::vector<PlotSheet>& plots, const StudyRecord& record) {
+void addBudgets(std::vector<PlotSheet>& plots, const study::StudyRecord& record) {
   const std::vector<std::string> lights = budgetLights(record);
-  const std::vector<std::string> files = fileNames(lights);
+  const std::vector<std::string> files = study::fileNames(lights);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     plots.push_back(budgetPlot(budgetsOf(record, lights[i])));
     if (i > 0) plots.back().name += "_" + files[i];
@@ -32,7 +32,7 @@ void addBudgets(std::vector<PlotSheet>& plots, const StudyRecord& record) {
 
 }  // namespace
 
-std::vector<PlotSheet> studyPlots(const StudyRecord& record) {
+std::vector<PlotSheet> studyPlots(const study::StudyRecord& record) {
   std::vector<PlotSheet> plots;
   addBins(plots, record);
   const std::vector<FrontierPoint> points = frontier(record);
@@ -41,4 +41,4 @@ std::vector<PlotSheet> studyPlots(const StudyRecord& record) {
   return plots;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

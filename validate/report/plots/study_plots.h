@@ -5,7 +5,7 @@
 #include "report/plots/plot_sheet.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A plot as a report embeds it.
 struct DrawnPlot {
@@ -17,6 +17,6 @@ struct DrawnPlot {
 /// of every axis in every view; the error budgets of all lights together and of each of several.
 /// Names are distinct.
 /// @throws InternalError as the plots
-std::vector<PlotSheet> studyPlots(const StudyRecord& record);
+std::vector<PlotSheet> studyPlots(const study::StudyRecord& record);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -12,7 +12,7 @@
 #include "report/text/number_text.h"
 #include "study/judge/study_ranking.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// One value of a method; none where it was not measured, an error none either where it lacks a
@@ -27,12 +27,12 @@ struct Line {
   std::vector<Point> points;  ///< by value
 };
 
-Point pointOf(const StudyRecord& step, double value, const std::string& label) {
+Point pointOf(const study::StudyRecord& step, double value, const std::string& label) {
   Point point{value, {}, {}, {}};
-  const StudyMeans study = studyMeans(step);
-  const MethodMeans* means = findMeans(study, label);
+  const study::StudyMeans study = study::studyMeans(step);
+  const study::MethodMeans* means = study::findMeans(study, label);
   if (means != nullptr && means->isInEveryCase()) point.errorRate = means->errorRate;
-  if (const CostRecord* cost = costOf(step, label)) {
+  if (const study::CostRecord* cost = costOf(step, label)) {
     point.frameMs = cost->frameMs;
     const std::uint64_t bytes = memoryBytes(*cost);
     if (bytes > 0) point.megabytes = static_cast<double>(bytes) / 1e6;
@@ -40,9 +40,9 @@ Point pointOf(const StudyRecord& step, double value, const std::string& label) {
   return point;
 }
 
-std::vector<Line> linesOf(const SweepRecord& sweep, const SweepSlice& slice) {
+std::vector<Line> linesOf(const study::SweepRecord& sweep, const SweepSlice& slice) {
   std::vector<Line> lines;
-  for (const MethodMeans& method : studyMeans(sweep).methods) {
+  for (const study::MethodMeans& method : study::studyMeans(sweep).methods) {
     Line line{method.label, {}};
     for (std::size_t i = 0; i < slice.cases.size(); ++i) {
       line.points.push_back(
@@ -128,7 +128,7 @@ PlotSheet memoryPlot(std::vector<Line> lines) {
 
 }  // namespace
 
-std::vector<PlotSheet> sweepCostPlots(const SweepRecord& sweep, const SweepSlice& slice) {
+std::vector<PlotSheet> sweepCostPlots(const study::SweepRecord& sweep, const SweepSlice& slice) {
   const std::vector<Line> lines = linesOf(sweep, slice);
   std::vector<PlotSheet> sheets;
   if (std::any_of(lines.begin(), lines.end(), isTimed)) sheets.push_back(framePlot(lines, slice));
@@ -136,4 +136,4 @@ std::vector<PlotSheet> sweepCostPlots(const SweepRecord& sweep, const SweepSlice
   return sheets;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

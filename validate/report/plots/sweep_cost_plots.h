@@ -6,7 +6,7 @@
 #include "report/plots/sweep_slices.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// What the values of a sweep of one dimension cost, one line a method:
 ///   sweep_frames  the time of a frame, ms (logarithmic), against the swept value; a value at which
@@ -16,6 +16,6 @@ namespace gnomon {
 ///                 some method's memory changes with the value.
 /// @throws InternalError for a number that is not finite
 /// @param slice  all cases
-std::vector<PlotSheet> sweepCostPlots(const SweepRecord& sweep, const SweepSlice& slice);
+std::vector<PlotSheet> sweepCostPlots(const study::SweepRecord& sweep, const SweepSlice& slice);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -14,7 +14,7 @@
 #include "study/judge/study_means.h"
 #include "study/record/cases.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// The lights and the methods of a slice, each once, in the order of the records.
@@ -22,15 +22,15 @@ struct Curves {
   std::vector<std::string> lights, methods;
 };
 
-Curves curvesOf(const SweepRecord& sweep, const SweepSlice& slice) {
+Curves curvesOf(const study::SweepRecord& sweep, const SweepSlice& slice) {
   Curves curves;
   std::vector<std::size_t> order = slice.cases;
   std::sort(order.begin(), order.end());
   for (const std::size_t i : order) {
-    for (const Case& which : comparedCases(sweep.steps[i])) {
+    for (const study::Case& which : study::comparedCases(sweep.steps[i])) {
       appendOnce(curves.lights, which.light);
     }
-    for (const std::string& method : methodsOf(sweep.steps[i])) {
+    for (const std::string& method : study::methodsOf(sweep.steps[i])) {
       appendOnce(curves.methods, method);
     }
   }
@@ -41,24 +41,26 @@ Curves curvesOf(const SweepRecord& sweep, const SweepSlice& slice) {
 /// mean of its ends. None where a view has none.
 struct LightMean {
   std::optional<double> error;
-  std::optional<Interval> interval;
+  std::optional<compare::Interval> interval;
 };
 
-LightMean meanUnder(const StudyRecord& step, const std::string& method, const std::string& light) {
+LightMean meanUnder(const study::StudyRecord& step, const std::string& method,
+                    const std::string& light) {
   std::vector<std::optional<double>> errors, lows, highs;
-  for (const Case& which : comparedCases(step)) {
+  for (const study::Case& which : study::comparedCases(step)) {
     if (which.light != light) continue;
-    const auto error = rateOf(step, method, which, Answer::drawn, "error_rate");
+    const auto error = study::rateOf(step, method, which, study::Answer::drawn, "error_rate");
     if (!error) continue;
     errors.push_back(error);
-    const auto found = findConfidence(step, which.view, light, method);
+    const auto found = study::findConfidence(step, which.view, light, method);
     const auto interval = found ? found->interval : std::nullopt;
     lows.push_back(interval ? std::optional(interval->low) : std::nullopt);
     highs.push_back(interval ? std::optional(interval->high) : std::nullopt);
   }
-  const auto low = meanOf(lows);
-  const auto high = meanOf(highs);
-  return {meanOf(errors), low && high ? std::optional(Interval{*low, *high}) : std::nullopt};
+  const auto low = study::meanOf(lows);
+  const auto high = study::meanOf(highs);
+  return {study::meanOf(errors),
+          low && high ? std::optional(compare::Interval{*low, *high}) : std::nullopt};
 }
 
 /// One curve's rows, and those of its bars.
@@ -66,8 +68,8 @@ struct CurveData {
   std::string line, bars;
 };
 
-CurveData dataOf(const SweepRecord& sweep, const SweepSlice& slice, const std::string& method,
-                 const std::string& light) {
+CurveData dataOf(const study::SweepRecord& sweep, const SweepSlice& slice,
+                 const std::string& method, const std::string& light) {
   CurveData data;
   for (std::size_t i = 0; i < slice.cases.size(); ++i) {
     const LightMean mean = meanUnder(sweep.steps[slice.cases[i]], method, light);
@@ -86,8 +88,8 @@ CurveData dataOf(const SweepRecord& sweep, const SweepSlice& slice, const std::s
 }
 
 /// The plot of one method: its data, then the command.
-std::string panelCommands(const SweepRecord& sweep, const SweepSlice& slice, const Curves& curves,
-                          std::size_t m) {
+std::string panelCommands(const study::SweepRecord& sweep, const SweepSlice& slice,
+                          const Curves& curves, std::size_t m) {
   std::string data;
   std::string lines;
   std::string bars;
@@ -106,7 +108,7 @@ std::string panelCommands(const SweepRecord& sweep, const SweepSlice& slice, con
 
 }  // namespace
 
-std::optional<PlotSheet> sweepLightsPlot(const SweepRecord& sweep, const SweepSlice& slice) {
+std::optional<PlotSheet> sweepLightsPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
   const Curves curves = curvesOf(sweep, slice);
   if (curves.lights.size() < 2 || curves.lights.size() > mostPlottedLights) return std::nullopt;
   const PanelGrid grid(curves.methods.size(), curves.lights);
@@ -127,4 +129,4 @@ std::optional<PlotSheet> sweepLightsPlot(const SweepRecord& sweep, const SweepSl
       text + "unset multiplot\n"};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,7 +6,7 @@
 #include "report/plots/sweep_slices.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The most lights that a plot tells apart.
 constexpr std::size_t mostPlottedLights = 14;
@@ -15,6 +15,6 @@ constexpr std::size_t mostPlottedLights = 14;
 /// the swept value, one curve a light, and its 95 % intervals as bars. Each panel has a scale of
 /// its own. None of a study with one light, or with more than mostPlottedLights.
 /// @throws InternalError for a number that is not finite
-std::optional<PlotSheet> sweepLightsPlot(const SweepRecord& sweep, const SweepSlice& slice);
+std::optional<PlotSheet> sweepLightsPlot(const study::SweepRecord& sweep, const SweepSlice& slice);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -11,13 +11,13 @@
 #include "report/text/number_text.h"
 #include "study/judge/study_means.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
-PlotSheet sweepMapPlot(const SweepRecord& sweep) {
+PlotSheet sweepMapPlot(const study::SweepRecord& sweep) {
   const SweepGrid grid = gridOf(sweep);
-  std::vector<StudyMeans> steps;
-  for (const StudyRecord& step : sweep.steps) steps.push_back(studyMeans(step));
-  const std::vector<std::string> labels = labelsOf(steps);
+  std::vector<study::StudyMeans> steps;
+  for (const study::StudyRecord& step : sweep.steps) steps.push_back(study::studyMeans(step));
+  const std::vector<std::string> labels = study::labelsOf(steps);
   double worst = 0;
   std::string data;
   std::string plots;
@@ -25,7 +25,7 @@ PlotSheet sweepMapPlot(const SweepRecord& sweep) {
   for (std::size_t m = 0; m < labels.size(); ++m) {
     data += fmt::format("$m{} << EOD\n", m);
     for (std::size_t place = 0; place < grid.cases.size(); ++place) {
-      const MethodMeans* means = findMeans(steps[grid.cases[place]], labels[m]);
+      const study::MethodMeans* means = study::findMeans(steps[grid.cases[place]], labels[m]);
       const auto error = means != nullptr ? means->errorRate : std::nullopt;
       worst = std::max(worst, error.value_or(0));
       data += fmt::format("{} {} {}\n", place % grid.across.size(), place / grid.across.size(),
@@ -57,4 +57,4 @@ PlotSheet sweepMapPlot(const SweepRecord& sweep) {
           std::move(text)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

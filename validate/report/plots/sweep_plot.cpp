@@ -11,10 +11,10 @@
 #include "report/text/number_text.h"
 #include "study/judge/study_ranking.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-using MeanFigure = std::optional<double> MethodMeans::*;
+using MeanFigure = std::optional<double> study::MethodMeans::*;
 
 struct Panel {
   MeanFigure figure;
@@ -28,45 +28,51 @@ constexpr int pageWidth = 1000;  // pixels
 constexpr const char* truthLegend = "uncertainty of the truth";
 
 constexpr std::array<Panel, 3> panels = {{
-    {&MethodMeans::errorRate, "e", "error rate, percent of the samples", {0.09, 0, 0.53, 0.95}},
-    {&MethodMeans::falseShadow, "s", "false shadow, percent", {0.09, 0.49, 0.09, 0.37}},
-    {&MethodMeans::falseLight, "l", "false light, percent", {0.58, 0.98, 0.09, 0.37}},
+    {&study::MethodMeans::errorRate,
+     "e",
+     "error rate, percent of the samples",
+     {0.09, 0, 0.53, 0.95}},
+    {&study::MethodMeans::falseShadow, "s", "false shadow, percent", {0.09, 0.49, 0.09, 0.37}},
+    {&study::MethodMeans::falseLight, "l", "false light, percent", {0.58, 0.98, 0.09, 0.37}},
 }};
 
 /// A slice's figures in increasing order of its positions.
 struct Series {
   std::vector<double> values;
-  std::vector<StudyMeans> steps;
+  std::vector<study::StudyMeans> steps;
   std::vector<std::string> methods;  ///< as the steps list them
   std::vector<std::string> legends;  ///< one a method
 };
 
 /// In the slice alone: with how many cases it is over.
-MethodMeans overSteps(const std::vector<StudyMeans>& steps, const std::string& label) {
-  MethodMeans all{label, label, {}, {}, {}, {}};
-  for (const StudyMeans& step : steps) {
-    const MethodMeans* means = findMeans(step, label);
+study::MethodMeans overSteps(const std::vector<study::StudyMeans>& steps,
+                             const std::string& label) {
+  study::MethodMeans all{label, label, {}, {}, {}, {}};
+  for (const study::StudyMeans& step : steps) {
+    const study::MethodMeans* means = study::findMeans(step, label);
     const std::vector<std::optional<double>> errors =
-        means != nullptr ? means->caseErrors : std::vector<std::optional<double>>(caseCount(step));
+        means != nullptr ? means->caseErrors
+                         : std::vector<std::optional<double>>(study::caseCount(step));
     all.caseErrors.insert(all.caseErrors.end(), errors.begin(), errors.end());
   }
   return all;
 }
 
-Series seriesOf(const SweepRecord& sweep, const SweepSlice& slice) {
+Series seriesOf(const study::SweepRecord& sweep, const SweepSlice& slice) {
   Series series;
   series.values = slice.positions;
-  for (const std::size_t i : slice.cases) series.steps.push_back(studyMeans(sweep.steps.at(i)));
-  std::vector<StudyMeans> unsorted;  // whose first lists the methods
+  for (const std::size_t i : slice.cases)
+    series.steps.push_back(study::studyMeans(sweep.steps.at(i)));
+  std::vector<study::StudyMeans> unsorted;  // whose first lists the methods
   std::vector<std::size_t> order = slice.cases;
   std::sort(order.begin(), order.end());
   for (const std::size_t i : order) {
     const auto at = std::find(slice.cases.begin(), slice.cases.end(), i) - slice.cases.begin();
     unsorted.push_back(series.steps[static_cast<std::size_t>(at)]);
   }
-  for (const std::string& label : labelsOf(unsorted)) {
+  for (const std::string& label : study::labelsOf(unsorted)) {
     series.methods.push_back(label);
-    series.legends.push_back(labelWithCases(overSteps(unsorted, label)));
+    series.legends.push_back(study::labelWithCases(overSteps(unsorted, label)));
   }
   return series;
 }
@@ -78,7 +84,7 @@ std::string percentData(std::optional<double> share) {
 std::string lineData(const Series& series, const std::string& method, MeanFigure figure) {
   std::string rows;
   for (std::size_t i = 0; i < series.values.size(); ++i) {
-    const MethodMeans* means = findMeans(series.steps[i], method);
+    const study::MethodMeans* means = study::findMeans(series.steps[i], method);
     rows += fmt::format("{} {}\n", exactText(series.values[i]),
                         percentData(means == nullptr ? std::nullopt : means->*figure));
   }
@@ -89,7 +95,7 @@ std::string bandData(const Series& series) {
   std::string rows;
   for (std::size_t i = 0; i < series.values.size(); ++i) {
     rows += fmt::format("{} {}\n", exactText(series.values[i]),
-                        percentData(largestUncertainty(series.steps[i])));
+                        percentData(study::largestUncertainty(series.steps[i])));
   }
   return rows;
 }
@@ -98,7 +104,7 @@ std::string bandData(const Series& series) {
 std::string intervalData(const Series& series, const std::string& method) {
   std::string rows;
   for (std::size_t i = 0; i < series.values.size(); ++i) {
-    const MethodMeans* means = findMeans(series.steps[i], method);
+    const study::MethodMeans* means = study::findMeans(series.steps[i], method);
     if (means == nullptr || !means->errorRate || !means->interval) continue;
     rows += fmt::format("{} {} {}\n", exactText(series.values[i]),
                         percentData(means->interval->low), percentData(means->interval->high));
@@ -125,7 +131,7 @@ std::string dataBlocks(const Series& series) {
 std::vector<std::size_t> legendOrder(const Series& series) {
   std::vector<double> depths;
   for (const std::string& method : series.methods) {
-    const MethodMeans* means = findMeans(series.steps.back(), method);
+    const study::MethodMeans* means = study::findMeans(series.steps.back(), method);
     depths.push_back(means == nullptr ? 0 : -means->errorRate.value_or(0));
   }
   return risingOrder(depths);
@@ -140,7 +146,7 @@ std::string plotCommand(const Series& series, const Panel& panel) {
   }
   // After the lines, so that no line hides a bar.
   for (std::size_t m = 0; m < series.methods.size(); ++m) {
-    if (panel.figure != &MethodMeans::errorRate) break;
+    if (panel.figure != &study::MethodMeans::errorRate) break;
     if (intervalData(series, series.methods[m]).empty()) continue;
     text += fmt::format(", \\\n  $i{} {}", m, plotBars(m, "0.006"));
   }
@@ -179,7 +185,7 @@ int pageHeight(const Series& series) {
 
 }  // namespace
 
-PlotSheet sweepPlot(const SweepRecord& sweep, const SweepSlice& slice) {
+PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
   const Series series = seriesOf(sweep, slice);
   std::string text =
       dataBlocks(series) + "set multiplot\n" + plotFrame(3, "ytics ") +
@@ -206,4 +212,4 @@ PlotSheet sweepPlot(const SweepRecord& sweep, const SweepSlice& slice) {
       text + "unset multiplot\n"};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -10,7 +10,7 @@
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// One dimension as an axis.
@@ -24,7 +24,7 @@ struct Dimension {
 };
 
 /// What a case has in the keys.
-std::string textIn(const SweepRecord& sweep, const std::vector<std::size_t>& keys,
+std::string textIn(const study::SweepRecord& sweep, const std::vector<std::size_t>& keys,
                    std::size_t which) {
   std::string text;
   for (const std::size_t k : keys) {
@@ -35,11 +35,12 @@ std::string textIn(const SweepRecord& sweep, const std::vector<std::size_t>& key
 }
 
 /// Whether a key's values are numbers, and tell the steps of its dimension apart.
-bool tellsApart(const SweepRecord& sweep, std::size_t key, const std::vector<std::string>& steps) {
+bool tellsApart(const study::SweepRecord& sweep, std::size_t key,
+                const std::vector<std::string>& steps) {
   std::set<std::pair<double, std::string>> pairs;
   std::set<double> values;
   for (std::size_t i = 0; i < sweep.cases.size(); ++i) {
-    const SweptValue& value = sweep.cases[i].values.at(key);
+    const study::SweptValue& value = sweep.cases[i].values.at(key);
     if (!value.number) return false;
     values.insert(*value.number);
     pairs.emplace(*value.number, steps[i]);
@@ -53,7 +54,7 @@ std::string shortText(const std::string& text) {
 }
 
 /// None where several keys are drawn together.
-std::optional<Dimension> dimensionOf(const SweepRecord& sweep, std::size_t dimension) {
+std::optional<Dimension> dimensionOf(const study::SweepRecord& sweep, std::size_t dimension) {
   std::vector<std::size_t> keys;
   for (std::size_t k = 0; k < sweep.keys.size(); ++k) {
     if (sweep.keys[k].dimension == dimension) keys.push_back(k);
@@ -71,7 +72,7 @@ std::optional<Dimension> dimensionOf(const SweepRecord& sweep, std::size_t dimen
   }
   std::vector<std::string> seen;
   for (std::size_t i = 0; i < sweep.cases.size(); ++i) {
-    const SweptValue& value = sweep.cases[i].values.at(shown);
+    const study::SweptValue& value = sweep.cases[i].values.at(shown);
     if (axisKey != keys.end()) {
       found.positions.push_back(*value.number);
       continue;
@@ -85,9 +86,9 @@ std::optional<Dimension> dimensionOf(const SweepRecord& sweep, std::size_t dimen
   return found;
 }
 
-std::vector<Dimension> dimensionsOf(const SweepRecord& sweep) {
+std::vector<Dimension> dimensionsOf(const study::SweepRecord& sweep) {
   std::vector<Dimension> dimensions;
-  const std::size_t count = dimensionCount(sweep.keys);
+  const std::size_t count = study::dimensionCount(sweep.keys);
   if (sweep.cases.empty() || count > 2) return {};
   for (std::size_t d = 0; d < count; ++d) {
     auto dimension = dimensionOf(sweep, d);
@@ -123,7 +124,7 @@ std::vector<std::string> labelsOf(const Dimension& dimension) {
 
 }  // namespace
 
-std::vector<SweepSlice> slicesOf(const SweepRecord& sweep) {
+std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep) {
   const std::vector<Dimension> dimensions = dimensionsOf(sweep);
   if (dimensions.empty()) return {};
   std::vector<std::size_t> all(sweep.cases.size());
@@ -147,17 +148,17 @@ std::vector<SweepSlice> slicesOf(const SweepRecord& sweep) {
   return slices;
 }
 
-bool isGrid(const SweepRecord& sweep) {
+bool isGrid(const study::SweepRecord& sweep) {
   const std::vector<Dimension> dimensions = dimensionsOf(sweep);
   const bool isDrawn = std::any_of(sweep.keys.begin(), sweep.keys.end(),
-                                   [](const SweptKey& key) { return key.isDrawn; });
+                                   [](const study::SweptKey& key) { return key.isDrawn; });
   return dimensions.size() == 2 && !isDrawn &&
          std::all_of(dimensions.begin(), dimensions.end(), [](const Dimension& dimension) {
            return dimension.places().size() > mostSlices;
          });
 }
 
-SweepGrid gridOf(const SweepRecord& sweep) {
+SweepGrid gridOf(const study::SweepRecord& sweep) {
   const std::vector<Dimension> dimensions = dimensionsOf(sweep);
   const Dimension& across = dimensions.at(0);
   const Dimension& up = dimensions.at(1);
@@ -185,4 +186,4 @@ std::string categoryTics(const char* axis, const std::vector<std::string>& label
   return fmt::format("set {} ({})\n", axis, tics);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,7 +7,7 @@
 
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Cases of a sweep along one axis, in increasing order: what one plot shows.
 struct SweepSlice {
@@ -26,7 +26,7 @@ constexpr std::size_t mostSlices = 8;
 /// How a sweep is cut into plots. Of one dimension it is one slice. Of two the dimension with more
 /// values is the axis, and each value of the other, of at most mostSlices, has its own slice. None
 /// otherwise, and where several keys are drawn together: their cases lie on no line.
-std::vector<SweepSlice> slicesOf(const SweepRecord& sweep);
+std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep);
 
 /// A sweep over a grid of two dimensions, each with more than mostSlices values: neither is drawn.
 struct SweepGrid {
@@ -35,11 +35,11 @@ struct SweepGrid {
   /// The case of each place, row by row from the bottom.
   std::vector<std::size_t> cases;
 };
-bool isGrid(const SweepRecord& sweep);
+bool isGrid(const study::SweepRecord& sweep);
 /// @param sweep  one for which isGrid
-SweepGrid gridOf(const SweepRecord& sweep);
+SweepGrid gridOf(const study::SweepRecord& sweep);
 
 /// "set xtics (…)" for labels at 0, 1, …, of many only some.
 std::string categoryTics(const char* axis, const std::vector<std::string>& labels);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

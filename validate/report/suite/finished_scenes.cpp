@@ -14,12 +14,12 @@
 #include "report/text/names.h"
 #include "study/record/cases.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace fs = std::filesystem;
 namespace {
 
-Counts readCounts(const JsonReader& row) {
-  Counts counts;
+compare::Counts readCounts(const JsonReader& row) {
+  compare::Counts counts;
   counts.truePositive = row.number("tp");
   counts.falsePositive = row.number("fp");
   counts.falseNegative = row.number("fn");
@@ -37,15 +37,15 @@ Counts readCounts(const JsonReader& row) {
   return counts;
 }
 
-BinRecord readBin(const JsonReader& row) {
+study::BinRecord readBin(const JsonReader& row) {
   return {row.text("method"),      row.text("view"),         row.text("light"), row.text("axis"),
           row.numberOrNull("low"), row.numberOrNull("high"), readCounts(row)};
 }
 
 /// What statistics over scenes need of a record: the drawn answers over all samples, and the bins.
-StudyRecord readRecord(const JsonReader& summary, const std::string& suite) {
+study::StudyRecord readRecord(const JsonReader& summary, const std::string& suite) {
   const JsonReader study = summary.object("study");
-  StudyRecord record;
+  study::StudyRecord record;
   record.name = study.text("name");
   record.title = study.text("title");
   record.reproduction.settings.insert("study", toml::table{{"suite", suite}});
@@ -58,11 +58,12 @@ StudyRecord readRecord(const JsonReader& summary, const std::string& suite) {
     record.methods.push_back({method.text("label"), method.text("name"), "", ""});
   }
   for (const JsonReader& row : summary.list("results")) {
-    if (row.text("answer") != answerName(Answer::drawn) || row.text("region") != wholeRegion) {
+    if (row.text("answer") != study::answerName(study::Answer::drawn) ||
+        row.text("region") != study::wholeRegion) {
       continue;
     }
     record.results.push_back({row.text("method"), row.text("light"), row.text("view"),
-                              std::string(wholeRegion), readCounts(row)});
+                              std::string(study::wholeRegion), readCounts(row)});
   }
   for (const JsonReader& row : summary.list("bins")) record.bins.push_back(readBin(row));
   return record;
@@ -76,7 +77,7 @@ std::optional<FinishedScene> readScene(const fs::path& folder) {
   if (summary.text("schema") != summarySchema) return std::nullopt;
   const JsonReader header = summary.object("study").object("settings").object("study");
   if (!header.has("suite")) return std::nullopt;
-  return FinishedScene{folder, studyMeans(readRecord(summary, header.text("suite")))};
+  return FinishedScene{folder, study::studyMeans(readRecord(summary, header.text("suite")))};
 }
 
 std::vector<fs::path> foldersIn(const fs::path& folder) {
@@ -104,27 +105,27 @@ std::vector<FinishedScene> readFinishedScenes(const fs::path& folder) {
   return scenes;
 }
 
-SuiteRanking readSuiteRanking(const fs::path& file) {
+study::SuiteRanking readSuiteRanking(const fs::path& file) {
   const Json json = readJson(file);
   const JsonReader suite(json, file.string(), "");
   const std::string schema = suite.text("schema");
   if (schema != suiteSchema) {
     suite.fail("schema", fmt::format("\"{}\" found, \"{}\" expected", schema, suiteSchema));
   }
-  SuiteRanking ranking;
+  study::SuiteRanking ranking;
   for (const JsonReader& method : suite.list("methods")) {
     if (!method.numberOrNull("rank")) continue;
     ranking.methods.push_back({method.text("label"), method.number("mean")});
   }
   for (const JsonReader& pair : suite.list("pairs")) {
     const std::string verdict = pair.text("verdict");
-    if (verdict == differenceVerdictName(DifferenceVerdict::better)) {
+    if (verdict == differenceVerdictName(study::DifferenceVerdict::better)) {
       ranking.distinguishable.emplace_back(pair.text("first"), pair.text("second"));
-    } else if (verdict == differenceVerdictName(DifferenceVerdict::worse)) {
+    } else if (verdict == differenceVerdictName(study::DifferenceVerdict::worse)) {
       ranking.distinguishable.emplace_back(pair.text("second"), pair.text("first"));
     }
   }
   return ranking;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

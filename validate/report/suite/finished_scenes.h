@@ -6,12 +6,12 @@
 #include "study/judge/study_means.h"
 #include "study/judge/suite/suite_agreement.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A scene of a suite that an earlier run measured.
 struct FinishedScene {
   std::filesystem::path folder;  ///< of its run
-  StudyMeans means;
+  study::StudyMeans means;
 };
 
 /// Reads the scenes of a folder of results from the summaries that finished runs left in it: in its
@@ -22,6 +22,6 @@ std::vector<FinishedScene> readFinishedScenes(const std::filesystem::path& folde
 
 /// The ranking that a suite.json holds.
 /// @throws InputError where it cannot be read or is damaged
-SuiteRanking readSuiteRanking(const std::filesystem::path& file);
+study::SuiteRanking readSuiteRanking(const std::filesystem::path& file);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -12,7 +12,7 @@
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/markdown_format.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 std::vector<DrawnPlot> writePlots(const std::vector<PlotSheet>& sheets, RunFolder& folder) {
@@ -28,22 +28,23 @@ std::vector<DrawnPlot> writePlots(const std::vector<PlotSheet>& sheets, RunFolde
 
 }  // namespace
 
-void writeSuiteFiles(const SuiteStatistics& statistics, std::span<const StudyMeans> studies,
-                     std::string_view command, RunFolder& folder) {
+void writeSuiteFiles(const study::SuiteStatistics& statistics,
+                     std::span<const study::StudyMeans> studies, std::string_view command,
+                     RunFolder& folder) {
   folder.write("suite.csv", csvTable(suiteResultsTable(statistics, studies)));
   folder.write("suite.md", markdownTable(suiteRankedTable(statistics)));
   const std::vector<DrawnPlot> plots = writePlots(suitePlots(statistics), folder);
   folder.write("suite.html", suiteHtml(statistics, plots, command).text());
 }
 
-bool writeSuiteOf(std::span<const StudyMeans> studies, std::string_view command,
+bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,
                   RunFolder& folder) {
-  const std::string suite = suiteOf(studies);
+  const std::string suite = study::suiteOf(studies);
   if (suite.empty()) return false;
-  const SuiteStatistics statistics = suiteStatistics(suite, studies);
+  const study::SuiteStatistics statistics = study::suiteStatistics(suite, studies);
   writeSuiteFiles(statistics, studies, command, folder);
   folder.write("suite.json", suiteJson(statistics, command));
   return true;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

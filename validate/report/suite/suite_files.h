@@ -7,18 +7,20 @@
 #include "report/run_folder.h"
 #include "study/judge/suite/suite_statistics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Writes what the studies of one suite come to, beside their folders: suite.csv, suite.md,
 /// suite.html, and its plots as plots/suite-*.svg and .pdf. suite.json is left to the caller.
 /// @param studies  that the statistics were made of
 /// @param command  reproduces the run
 /// @throws InputError for a file that cannot be written; InternalError as the writers
-void writeSuiteFiles(const SuiteStatistics& statistics, std::span<const StudyMeans> studies,
-                     std::string_view command, RunFolder& folder);
+void writeSuiteFiles(const study::SuiteStatistics& statistics,
+                     std::span<const study::StudyMeans> studies, std::string_view command,
+                     RunFolder& folder);
 
 /// Writes them, and suite.json, where suiteOf names a suite.
 /// @returns whether it does
-bool writeSuiteOf(std::span<const StudyMeans> studies, std::string_view command, RunFolder& folder);
+bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,
+                  RunFolder& folder);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -10,29 +10,29 @@
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 constexpr std::size_t mostHardScenes = 10;
 
 /// Labels of the methods that are not distinguishable from the first.
-std::vector<std::string> likeFirst(const SuiteStatistics& statistics) {
+std::vector<std::string> likeFirst(const study::SuiteStatistics& statistics) {
   std::vector<std::string> alike;
   const std::string& first = statistics.methods.front().label;
-  for (const SuiteMethod& method : statistics.methods) {
-    const auto pair = method.rank ? findPair(statistics, first, method.label) : std::nullopt;
-    if (pair && pair->verdict == DifferenceVerdict::notDistinguishable) {
+  for (const study::SuiteMethod& method : statistics.methods) {
+    const auto pair = method.rank ? study::findPair(statistics, first, method.label) : std::nullopt;
+    if (pair && pair->verdict == study::DifferenceVerdict::notDistinguishable) {
       alike.push_back(method.label);
     }
   }
   return alike;
 }
 
-Html bestOf(const SuiteStatistics& statistics) {
+Html bestOf(const study::SuiteStatistics& statistics) {
   if (statistics.methods.empty() || !statistics.methods.front().rank) {
     return html("No method was measured on every scene, so that none can be called the best.");
   }
-  const SuiteMethod& best = statistics.methods.front();
+  const study::SuiteMethod& best = statistics.methods.front();
   const std::vector<std::string> alike = likeFirst(statistics);
   const Html interval =
       best.interval ? html(" (95&#8239;% interval {})", intervalText(best.interval)) : Html();
@@ -44,7 +44,7 @@ Html bestOf(const SuiteStatistics& statistics) {
                     : html("It is {}.", indistinguishableText(alike)));
 }
 
-Html header(const SuiteStatistics& statistics) {
+Html header(const study::SuiteStatistics& statistics) {
   return html(
       "<h1>{}: {} over {}</h1>\n<p class=\"source\">On every scene the methods’ shadows were "
       "compared, sample by sample, with ray tracing of the displaced surface; a figure is the "
@@ -69,7 +69,7 @@ Html noted(const Html& note, const Html& content) {
   return content.empty() ? Html() : html("<p class=\"note\">{}</p>\n{}", note, content);
 }
 
-Html rankedSection(const SuiteStatistics& statistics) {
+Html rankedSection(const study::SuiteStatistics& statistics) {
   return htmlSection(
       "ranking", "Methods, best first",
       noted(
@@ -83,7 +83,7 @@ Html rankedSection(const SuiteStatistics& statistics) {
           htmlTable(suiteRankedTable(statistics))));
 }
 
-Html leaderSection(const SuiteStatistics& statistics) {
+Html leaderSection(const study::SuiteStatistics& statistics) {
   const Table table = suiteLeaderTable(statistics);
   if (table.rows.empty()) return {};
   return htmlSection(
@@ -102,7 +102,7 @@ Html winsSection(const std::vector<DrawnPlot>& plots) {
             plotOf(plots, "suite-wins")));
 }
 
-Html binsSection(const SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots) {
+Html binsSection(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots) {
   Html tables;
   for (const std::string& axis : suiteAxes(statistics)) {
     tables += html("<h3>{}</h3>\n{}", axisTitle(axis), htmlTable(suiteBinsTable(statistics, axis)));
@@ -119,7 +119,7 @@ Html binsSection(const SuiteStatistics& statistics, const std::vector<DrawnPlot>
               html("<details>\n<summary>All methods</summary>\n{}</details>\n", tables)));
 }
 
-Html hardSection(const SuiteStatistics& statistics) {
+Html hardSection(const study::SuiteStatistics& statistics) {
   const Table table = suiteScenesTable(statistics, mostHardScenes);
   if (statistics.methods.empty() || !statistics.methods.front().rank) return {};
   return htmlSection("scenes", "The hardest scenes",
@@ -131,7 +131,7 @@ Html hardSection(const SuiteStatistics& statistics) {
 
 }  // namespace
 
-Html suiteHtml(const SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
+Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
                std::string_view command) {
   const Html curves = htmlSection(
       "errors", "Share of the scenes with an error below",
@@ -144,4 +144,4 @@ Html suiteHtml(const SuiteStatistics& statistics, const std::vector<DrawnPlot>& 
                       hardSection(statistics) + htmlReproduction(command));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,7 +7,7 @@
 #include "report/text/html.h"
 #include "study/judge/suite/suite_statistics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The statistics over the scenes of a suite as one page that loads nothing: the ranked methods,
 /// their errors as curves, who beats whom, where methods fail, and the hardest scenes. It lies
@@ -15,7 +15,7 @@ namespace gnomon {
 /// @param plots    suitePlots of the statistics
 /// @param command  reproduces the run
 /// @throws InternalError for a number that is not finite
-Html suiteHtml(const SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
+Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<DrawnPlot>& plots,
                std::string_view command);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -4,26 +4,26 @@
 #include "report/text/interval_text.h"
 #include "report/text/names.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// An interval under two keys.
 void addInterval(Json& json, const char* low, const char* high,
-                 const std::optional<Interval>& interval) {
+                 const std::optional<compare::Interval>& interval) {
   json[low] = jsonNumber(lowOf(interval), low);
   json[high] = jsonNumber(highOf(interval), high);
 }
 
-Json methodJson(const SuiteMethod& method) {
-  const auto count = [&](std::size_t SceneRank::*of) {
+Json methodJson(const study::SuiteMethod& method) {
+  const auto count = [&](std::size_t compare::SceneRank::*of) {
     return method.rank ? Json((*method.rank).*of) : Json(nullptr);
   };
-  const SceneSpread& spread = method.spread;
+  const compare::SceneSpread& spread = method.spread;
   Json json = {{"label", method.label},
                {"names", method.names},
-               {"rank", count(&SceneRank::rank)},
-               {"rank_low", count(&SceneRank::low)},
-               {"rank_high", count(&SceneRank::high)},
+               {"rank", count(&compare::SceneRank::rank)},
+               {"rank_low", count(&compare::SceneRank::low)},
+               {"rank_high", count(&compare::SceneRank::high)},
                {"rank_stability",
                 jsonNumber(method.rank ? std::optional(method.rank->stability) : std::nullopt,
                            "methods.rank_stability")},
@@ -42,7 +42,7 @@ Json methodJson(const SuiteMethod& method) {
   return json;
 }
 
-Json pairJson(const SuitePair& pair) {
+Json pairJson(const study::SuitePair& pair) {
   Json json = {{"first", pair.first},
                {"second", pair.second},
                {"scenes", pair.wins.scenes},
@@ -61,7 +61,7 @@ Json pairJson(const SuitePair& pair) {
   return json;
 }
 
-Json binJson(const SuiteBin& bin) {
+Json binJson(const study::SuiteBin& bin) {
   Json json = {{"method", bin.method},
                {"axis", bin.axis},
                {"low", jsonNumber(bin.low, "bins.low")},
@@ -73,7 +73,7 @@ Json binJson(const SuiteBin& bin) {
   return json;
 }
 
-Json sceneJson(const SuiteScene& scene) {
+Json sceneJson(const study::SuiteScene& scene) {
   return {{"name", scene.name},
           {"title", scene.title},
           {"report", scene.report},
@@ -85,7 +85,7 @@ Json sceneJson(const SuiteScene& scene) {
 }
 
 /// A row a scene × method.
-Json resultsJson(const SceneTable& table) {
+Json resultsJson(const compare::SceneTable& table) {
   Json results = Json::array();
   for (std::size_t s = 0; s < table.scenes.size(); ++s) {
     for (std::size_t m = 0; m < table.methods.size(); ++m) {
@@ -99,7 +99,7 @@ Json resultsJson(const SceneTable& table) {
 
 }  // namespace
 
-std::string suiteJson(const SuiteStatistics& statistics, std::string_view command) {
+std::string suiteJson(const study::SuiteStatistics& statistics, std::string_view command) {
   const Json json = {{"schema", suiteSchema},
                      {"suite", statistics.suite},
                      {"command", command},
@@ -112,4 +112,4 @@ std::string suiteJson(const SuiteStatistics& statistics, std::string_view comman
   return jsonText(json);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

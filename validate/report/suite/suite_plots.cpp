@@ -14,7 +14,7 @@
 #include "report/suite/suite_tables.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// The least error that a logarithmic axis shows, percent.
@@ -26,8 +26,9 @@ constexpr const char* openFrame =
 
 // ---- the cumulative plot
 
-std::vector<double> sortedErrors(const SuiteStatistics& statistics, const std::string& label) {
-  const SceneTable& table = statistics.table;
+std::vector<double> sortedErrors(const study::SuiteStatistics& statistics,
+                                 const std::string& label) {
+  const compare::SceneTable& table = statistics.table;
   const auto found = std::find(table.methods.begin(), table.methods.end(), label);
   std::vector<double> errors;
   for (const auto& error :
@@ -59,28 +60,28 @@ std::string tint(const std::array<int, 3>& full, double strength) {
   return fmt::format("0x{:02x}{:02x}{:02x}", part(full[0]), part(full[1]), part(full[2]));
 }
 
-std::string cellColour(const SuitePair& pair) {
-  if (pair.verdict == DifferenceVerdict::notDistinguishable) return "0xffffff";
+std::string cellColour(const study::SuitePair& pair) {
+  if (pair.verdict == study::DifferenceVerdict::notDistinguishable) return "0xffffff";
   const double lead = 2 * pair.wins.probability - 1;
   constexpr std::array<int, 3> blue = {0x00, 0x72, 0xb2};
   constexpr std::array<int, 3> orange = {0xd5, 0x5e, 0x00};
   return tint(lead > 0 ? blue : orange, std::abs(lead));
 }
 
-std::string cellText(const SuitePair& pair) {
+std::string cellText(const study::SuitePair& pair) {
   const std::string text = fmt::format("{:.0f}", 100 * pair.wins.probability);
-  return pair.verdict == DifferenceVerdict::notDistinguishable ? text + " ≈" : text;
+  return pair.verdict == study::DifferenceVerdict::notDistinguishable ? text + " ≈" : text;
 }
 
 /// White on strong tints.
-std::string textColour(const SuitePair& pair) {
-  if (pair.verdict == DifferenceVerdict::notDistinguishable) return "0x5b626b";
+std::string textColour(const study::SuitePair& pair) {
+  if (pair.verdict == study::DifferenceVerdict::notDistinguishable) return "0x5b626b";
   return std::abs(2 * pair.wins.probability - 1) > 0.6 ? "0xffffff" : "0x1a1d21";
 }
 
-std::vector<const SuiteMethod*> rankedMethods(const SuiteStatistics& statistics) {
-  std::vector<const SuiteMethod*> ranked;
-  for (const SuiteMethod& method : statistics.methods) {
+std::vector<const study::SuiteMethod*> rankedMethods(const study::SuiteStatistics& statistics) {
+  std::vector<const study::SuiteMethod*> ranked;
+  for (const study::SuiteMethod& method : statistics.methods) {
     if (method.rank) ranked.push_back(&method);
   }
   return ranked;
@@ -91,26 +92,26 @@ std::vector<const SuiteMethod*> rankedMethods(const SuiteStatistics& statistics)
 using Ends = std::pair<std::optional<double>, std::optional<double>>;
 
 /// What is plotted: as many of the best as there are colours but one, and the last.
-std::vector<std::string> shownMethods(const SuiteStatistics& statistics) {
+std::vector<std::string> shownMethods(const study::SuiteStatistics& statistics) {
   std::vector<std::string> shown;
-  for (const SuiteMethod* method : rankedMethods(statistics)) {
+  for (const study::SuiteMethod* method : rankedMethods(statistics)) {
     if (shown.size() == plotColours.size()) shown.pop_back();
     shown.push_back(method->label);
   }
   return shown;
 }
 
-const SuiteBin* findBin(const SuiteStatistics& statistics, const std::string& method,
-                        const std::string& axis, const Ends& ends) {
-  for (const SuiteBin& bin : statistics.bins) {
+const study::SuiteBin* findBin(const study::SuiteStatistics& statistics, const std::string& method,
+                               const std::string& axis, const Ends& ends) {
+  for (const study::SuiteBin& bin : statistics.bins) {
     if (bin.method == method && bin.axis == axis && Ends{bin.low, bin.high} == ends) return &bin;
   }
   return nullptr;
 }
 
-std::vector<Ends> endsOf(const SuiteStatistics& statistics, const std::string& axis) {
+std::vector<Ends> endsOf(const study::SuiteStatistics& statistics, const std::string& axis) {
   std::vector<Ends> ends;
-  for (const SuiteBin& bin : statistics.bins) {
+  for (const study::SuiteBin& bin : statistics.bins) {
     if (bin.axis == axis) appendOnce(ends, Ends{bin.low, bin.high});
   }
   std::sort(ends.begin(), ends.end());
@@ -127,27 +128,28 @@ std::string edgeBetween(const Ends& left, const Ends& right) {
 std::string ticks(const std::vector<Ends>& ends) {
   std::string edges;
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    edges += fmt::format("{}{} {}", i > 1 ? ", " : "", gnuplotText(edgeBetween(ends[i - 1], ends[i])),
-                         exactText(static_cast<double>(i) - 0.5));
+    edges +=
+        fmt::format("{}{} {}", i > 1 ? ", " : "", gnuplotText(edgeBetween(ends[i - 1], ends[i])),
+                    exactText(static_cast<double>(i) - 0.5));
   }
   return edges;
 }
 
 /// x, error, low, high of each bin, in percent; NaN where there is nothing.
 /// @param shift  so that the methods' bars stand beside each other
-std::string binRows(const SuiteStatistics& statistics, const std::string& method,
+std::string binRows(const study::SuiteStatistics& statistics, const std::string& method,
                     const std::string& axis, const std::vector<Ends>& ends, double shift) {
   const auto shown = [](double share) { return exactText(std::max(leastShown, 100 * share)); };
   std::string rows;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const SuiteBin* bin = findBin(statistics, method, axis, ends[i]);
+    const study::SuiteBin* bin = findBin(statistics, method, axis, ends[i]);
     const std::string x = exactText(static_cast<double>(i) + shift);
     if (bin == nullptr) {
       rows += x + " NaN NaN NaN\n";
       continue;
     }
     const double error = bin->error.errorRate;
-    const Interval bar = bin->error.interval.value_or(Interval{error, error});
+    const compare::Interval bar = bin->error.interval.value_or(compare::Interval{error, error});
     rows += fmt::format("{} {} {} {}\n", x, shown(error), shown(bar.low), shown(bar.high));
   }
   return rows;
@@ -157,10 +159,11 @@ constexpr std::array<const char*, 4> panelAxes = {"curvature_height", "elevation
                                                   "uv_stretch"};
 
 /// One for all panels, so that they can be compared: of the errors, not of their intervals.
-std::string errorRange(const SuiteStatistics& statistics, const std::vector<std::string>& methods) {
+std::string errorRange(const study::SuiteStatistics& statistics,
+                       const std::vector<std::string>& methods) {
   double least = 1;
   double most = leastShown / 100;
-  for (const SuiteBin& bin : statistics.bins) {
+  for (const study::SuiteBin& bin : statistics.bins) {
     if (!contains(methods, bin.method) || !contains(panelAxes, bin.axis)) continue;
     least = std::min(least, bin.error.errorRate);
     most = std::max(most, bin.error.errorRate);
@@ -173,7 +176,7 @@ struct Panels {
   std::string data, plots;
 };
 
-void addPanel(const SuiteStatistics& statistics, const std::vector<std::string>& methods,
+void addPanel(const study::SuiteStatistics& statistics, const std::vector<std::string>& methods,
               std::size_t place, Panels& panels) {
   const std::string axis = panelAxes.at(place);
   const std::vector<Ends> ends = endsOf(statistics, axis);
@@ -207,11 +210,11 @@ void addPanel(const SuiteStatistics& statistics, const std::vector<std::string>&
 
 }  // namespace
 
-PlotSheet suiteErrorsPlot(const SuiteStatistics& statistics) {
+PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics) {
   std::vector<std::vector<double>> all;
   double left = 100;
   double right = leastShown;
-  for (const SuiteMethod& method : statistics.methods) {
+  for (const study::SuiteMethod& method : statistics.methods) {
     all.push_back(sortedErrors(statistics, method.label));
     left = std::min(left, all.back().front());
     right = std::max(right, all.back().back());
@@ -244,8 +247,8 @@ PlotSheet suiteErrorsPlot(const SuiteStatistics& statistics) {
           commands};
 }
 
-PlotSheet suiteWinsPlot(const SuiteStatistics& statistics) {
-  const std::vector<const SuiteMethod*> ranked = rankedMethods(statistics);
+PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics) {
+  const std::vector<const study::SuiteMethod*> ranked = rankedMethods(statistics);
   const std::size_t count = ranked.size();
   std::string cells;
   std::string texts;
@@ -259,7 +262,7 @@ PlotSheet suiteWinsPlot(const SuiteStatistics& statistics) {
     rowNames += fmt::format("{}{} {}", comma, gnuplotText(fmt::format("{}  {}", shown, r + 1)), r);
     columnNames += fmt::format("{}'{}' {}", comma, r + 1, r);
     for (std::size_t c = 0; c < count; ++c) {
-      const auto pair = findPair(statistics, label, ranked[c]->label);
+      const auto pair = study::findPair(statistics, label, ranked[c]->label);
       if (r == c || !pair) {
         cells += fmt::format("{} {} 0xe6e8eb\n", c, r);
         continue;
@@ -300,7 +303,7 @@ PlotSheet suiteWinsPlot(const SuiteStatistics& statistics) {
       commands};
 }
 
-std::optional<PlotSheet> suiteBinsPlot(const SuiteStatistics& statistics) {
+std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics) {
   const std::vector<std::string> methods = shownMethods(statistics);
   if (methods.empty()) return std::nullopt;
   Panels panels;
@@ -330,7 +333,7 @@ std::optional<PlotSheet> suiteBinsPlot(const SuiteStatistics& statistics) {
                    commands};
 }
 
-std::vector<PlotSheet> suitePlots(const SuiteStatistics& statistics) {
+std::vector<PlotSheet> suitePlots(const study::SuiteStatistics& statistics) {
   std::vector<PlotSheet> sheets;
   if (statistics.methods.empty()) return sheets;
   sheets.push_back(suiteErrorsPlot(statistics));
@@ -339,4 +342,4 @@ std::vector<PlotSheet> suitePlots(const SuiteStatistics& statistics) {
   return sheets;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

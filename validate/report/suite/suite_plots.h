@@ -6,24 +6,24 @@
 #include "report/plots/plot_sheet.h"
 #include "study/judge/suite/suite_statistics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Errors over the scenes, a curve a method: at every error, on a logarithmic axis, the share of
 /// the method's scenes with no more than that. Errors below the left end stand at it.
 /// @throws InternalError for a number that is not finite
-PlotSheet suiteErrorsPlot(const SuiteStatistics& statistics);
+PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics);
 
 /// The methods with a rank, each against each: the probability that the row's has the smaller error
 /// on a new scene, in percent; blue above 50, orange below it. A pair that is not distinguishable
 /// is white, with a grey figure and ≈.
-PlotSheet suiteWinsPlot(const SuiteStatistics& statistics);
+PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics);
 
 /// Error against the light's elevation, κh, the reach of shadows and the stretch of the texture: a
 /// panel each, with the methods of the best ranks and that of the last, each bin with its interval
 /// over the scenes. None where no method has bins there.
-std::optional<PlotSheet> suiteBinsPlot(const SuiteStatistics& statistics);
+std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics);
 
 /// All of them that can be drawn.
-std::vector<PlotSheet> suitePlots(const SuiteStatistics& statistics);
+std::vector<PlotSheet> suitePlots(const study::SuiteStatistics& statistics);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

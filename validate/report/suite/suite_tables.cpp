@@ -12,7 +12,7 @@
 #include "report/text/number_text.h"
 #include "study/run/scene/sample_axes.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using Q = Quantity;
@@ -23,29 +23,29 @@ Column column(std::string name, Q quantity, std::string about = "", unsigned rea
   return made;
 }
 
-std::string shownLabel(const SuiteMethod& method) {
+std::string shownLabel(const study::SuiteMethod& method) {
   const bool plain = method.names.size() == 1 && method.names.front() == method.label;
   return plain ? method.label : fmt::format("{} ({})", method.label, fmt::join(method.names, ", "));
 }
 
 /// The method of rank 1; nullptr where no method has a rank.
-const SuiteMethod* leaderOf(const SuiteStatistics& statistics) {
+const study::SuiteMethod* leaderOf(const study::SuiteStatistics& statistics) {
   const bool isAny = !statistics.methods.empty() && statistics.methods.front().rank;
   return isAny ? &statistics.methods.front() : nullptr;
 }
 
 /// A method that is not the first, but not distinguishable from it.
-bool isLikeFirst(const SuiteStatistics& statistics, const SuiteMethod& method) {
-  const SuiteMethod* leader = leaderOf(statistics);
+bool isLikeFirst(const study::SuiteStatistics& statistics, const study::SuiteMethod& method) {
+  const study::SuiteMethod* leader = leaderOf(statistics);
   if (leader == nullptr || leader == &method || !method.rank) return false;
-  const auto pair = findPair(statistics, method.label, leader->label);
-  return pair && pair->verdict == DifferenceVerdict::notDistinguishable;
+  const auto pair = study::findPair(statistics, method.label, leader->label);
+  return pair && pair->verdict == study::DifferenceVerdict::notDistinguishable;
 }
 
-Row rankedRow(const SuiteStatistics& statistics, const SuiteMethod& method) {
-  const SceneSpread& spread = method.spread;
+Row rankedRow(const study::SuiteStatistics& statistics, const study::SuiteMethod& method) {
+  const compare::SceneSpread& spread = method.spread;
   Cell worst = textCell(method.worstScene);
-  worst.link = reportOf(statistics, method.worstScene);
+  worst.link = study::reportOf(statistics, method.worstScene);
   Cell rank;
   Cell ranks;
   Cell stability;
@@ -56,7 +56,7 @@ Row rankedRow(const SuiteStatistics& statistics, const SuiteMethod& method) {
   }
   return {{rank, textCell(shownLabel(method)), valueCell(spread.mean),
            intervalCell(method.interval, method.reason), valueCell(spread.median),
-           intervalCell(Interval{spread.lowerQuartile, spread.upperQuartile}),
+           intervalCell(compare::Interval{spread.lowerQuartile, spread.upperQuartile}),
            valueCell(spread.percentile95), valueCell(spread.worstTwentieth),
            valueCell(spread.worst), worst, ranks, stability, valueCell(method.uncertainty)},
           isLikeFirst(statistics, method) ? " ≈" : "",
@@ -69,9 +69,9 @@ Row rankedRow(const SuiteStatistics& statistics, const SuiteMethod& method) {
 /// Where a bin lies; the one without a lower end comes first.
 using Ends = std::pair<std::optional<double>, std::optional<double>>;
 
-Cell binCell(const SuiteBin* bin, double worst) {
+Cell binCell(const study::SuiteBin* bin, double worst) {
   if (bin == nullptr) return valueCell({}, "no samples there");
-  const BinnedError& error = bin->error;
+  const compare::BinnedError& error = bin->error;
   std::string about = fmt::format("{} of the samples, on {} scenes",
                                   percentText(error.weight) + " %", error.scenes);
   if (error.interval) {
@@ -81,7 +81,7 @@ Cell binCell(const SuiteBin* bin, double worst) {
   return heatCell(error.errorRate, worst, std::move(about));
 }
 
-std::map<std::string, std::size_t> ranksOn(const SceneTable& table, std::size_t scene) {
+std::map<std::string, std::size_t> ranksOn(const compare::SceneTable& table, std::size_t scene) {
   std::map<std::string, std::size_t> ranks;
   for (std::size_t m = 0; m < table.methods.size(); ++m) {
     const auto own = table.errors[m][scene];
@@ -111,17 +111,18 @@ std::string binText(const std::optional<double>& low, const std::optional<double
   return fmt::format("{} to {}", exactText(*low), exactText(*high));
 }
 
-std::vector<std::string> suiteAxes(const SuiteStatistics& statistics) {
+std::vector<std::string> suiteAxes(const study::SuiteStatistics& statistics) {
   std::vector<std::string> axes;
-  for (const SampleAxis& axis : sampleAxes()) {
-    const bool isAny = std::any_of(statistics.bins.begin(), statistics.bins.end(),
-                                   [&](const SuiteBin& bin) { return bin.axis == axis.name; });
+  for (const study::SampleAxis& axis : study::sampleAxes()) {
+    const bool isAny =
+        std::any_of(statistics.bins.begin(), statistics.bins.end(),
+                    [&](const study::SuiteBin& bin) { return bin.axis == axis.name; });
     if (isAny) axes.emplace_back(axis.name);
   }
   return axes;
 }
 
-Table suiteRankedTable(const SuiteStatistics& statistics) {
+Table suiteRankedTable(const study::SuiteStatistics& statistics) {
   Table table{
       .kind = "suite",
       .label = statistics.suite,
@@ -145,13 +146,13 @@ Table suiteRankedTable(const SuiteStatistics& statistics) {
                   column("Truth ±", Q::percent, "mean of the truth's uncertainty over the scenes")},
       .apart = "Not on every scene: no rank, since means over other scenes cannot be compared."};
   table.columns[2].isMain = true;
-  for (const SuiteMethod& method : statistics.methods) {
+  for (const study::SuiteMethod& method : statistics.methods) {
     table.rows.push_back(rankedRow(statistics, method));
   }
   return table;
 }
 
-Table suiteLeaderTable(const SuiteStatistics& statistics) {
+Table suiteLeaderTable(const study::SuiteStatistics& statistics) {
   Table table{.kind = "suite-pairs",
               .columns = {column("Method", Q::name),
                           column("More than the first", Q::signedPercent,
@@ -162,15 +163,16 @@ Table suiteLeaderTable(const SuiteStatistics& statistics) {
                                  "probability that the first has the smaller error on a new scene"),
                           column("95 %", Q::interval, "of that probability"),
                           column("Scenes", Q::count), column("The first is", Q::text)}};
-  const SuiteMethod* leader = leaderOf(statistics);
+  const study::SuiteMethod* leader = leaderOf(statistics);
   if (leader == nullptr) return table;
-  for (const SuiteMethod& method : statistics.methods) {
+  for (const study::SuiteMethod& method : statistics.methods) {
     if (&method == leader) continue;
-    const auto pair = findPair(statistics, leader->label, method.label);
+    const auto pair = study::findPair(statistics, leader->label, method.label);
     if (!pair) continue;
-    const auto behind = *findPair(statistics, method.label, leader->label);
+    const auto behind = *study::findPair(statistics, method.label, leader->label);
     Cell verdict = textCell(std::string(differenceVerdictName(pair->verdict)), pair->reason);
-    if (pair->verdict == DifferenceVerdict::notDistinguishable) verdict.emphasis = Emphasis::open;
+    if (pair->verdict == study::DifferenceVerdict::notDistinguishable)
+      verdict.emphasis = Emphasis::open;
     table.rows.push_back(
         {{textCell(method.label), valueCell(behind.difference),
           intervalCell(behind.interval, pair->reason),
@@ -182,8 +184,8 @@ Table suiteLeaderTable(const SuiteStatistics& statistics) {
   return table;
 }
 
-Table suiteScenesTable(const SuiteStatistics& statistics, std::size_t most) {
-  const SuiteMethod* leader = leaderOf(statistics);
+Table suiteScenesTable(const study::SuiteStatistics& statistics, std::size_t most) {
+  const study::SuiteMethod* leader = leaderOf(statistics);
   Table table{.kind = "suite-scenes",
               .columns = {column("Scene", Q::name),
                           column("Median of the methods", Q::percent,
@@ -192,7 +194,7 @@ Table suiteScenesTable(const SuiteStatistics& statistics, std::size_t most) {
                                  "error of the method of rank 1"),
                           column("Best there", Q::text), column("Its error", Q::percent),
                           column("Truth ±", Q::percent)}};
-  for (const SuiteScene& scene : statistics.scenes) {
+  for (const study::SuiteScene& scene : statistics.scenes) {
     if (table.rows.size() == most) break;
     Cell name = textCell(scene.name);
     name.link = scene.report;
@@ -204,11 +206,11 @@ Table suiteScenesTable(const SuiteStatistics& statistics, std::size_t most) {
   return table;
 }
 
-Table suiteBinsTable(const SuiteStatistics& statistics, const std::string& axis) {
+Table suiteBinsTable(const study::SuiteStatistics& statistics, const std::string& axis) {
   Table table{.kind = "regions", .columns = {column("Method", Q::name)}};
   std::vector<Ends> ends;
   double worst = 0;
-  for (const SuiteBin& bin : statistics.bins) {
+  for (const study::SuiteBin& bin : statistics.bins) {
     if (bin.axis != axis) continue;
     appendOnce(ends, Ends{bin.low, bin.high});
     worst = std::max(worst, bin.error.errorRate);
@@ -217,14 +219,14 @@ Table suiteBinsTable(const SuiteStatistics& statistics, const std::string& axis)
   for (const auto& [low, high] : ends) {
     table.columns.push_back(column(binText(low, high), Q::percent));
   }
-  for (const SuiteMethod& method : statistics.methods) {
+  for (const study::SuiteMethod& method : statistics.methods) {
     Row row{{textCell(method.label)}};
     for (const Ends& place : ends) {
-      const auto found =
-          std::find_if(statistics.bins.begin(), statistics.bins.end(), [&](const SuiteBin& bin) {
-            return bin.method == method.label && bin.axis == axis &&
-                   Ends{bin.low, bin.high} == place;
-          });
+      const auto found = std::find_if(statistics.bins.begin(), statistics.bins.end(),
+                                      [&](const study::SuiteBin& bin) {
+                                        return bin.method == method.label && bin.axis == axis &&
+                                               Ends{bin.low, bin.high} == place;
+                                      });
       row.cells.push_back(binCell(found == statistics.bins.end() ? nullptr : &*found, worst));
     }
     if (!ends.empty()) table.rows.push_back(std::move(row));
@@ -232,7 +234,8 @@ Table suiteBinsTable(const SuiteStatistics& statistics, const std::string& axis)
   return table;
 }
 
-Table suiteResultsTable(const SuiteStatistics& statistics, std::span<const StudyMeans> studies) {
+Table suiteResultsTable(const study::SuiteStatistics& statistics,
+                        std::span<const study::StudyMeans> studies) {
   Table table{.kind = "results",
               .columns = {{"scene"},
                           {"method"},
@@ -241,15 +244,16 @@ Table suiteResultsTable(const SuiteStatistics& statistics, std::span<const Study
                           {"false_light", "", Q::exact},
                           {"uncertainty", "", Q::exact},
                           {"rank", "", Q::exact}}};
-  const SceneTable& scenes = statistics.table;
+  const compare::SceneTable& scenes = statistics.table;
   for (std::size_t s = 0; s < scenes.scenes.size(); ++s) {
-    const auto study = std::find_if(studies.begin(), studies.end(), [&](const StudyMeans& other) {
-      return other.name == scenes.scenes[s] && other.suite == statistics.suite;
-    });
+    const auto study =
+        std::find_if(studies.begin(), studies.end(), [&](const study::StudyMeans& other) {
+          return other.name == scenes.scenes[s] && other.suite == statistics.suite;
+        });
     if (study == studies.end()) continue;
     const std::map<std::string, std::size_t> ranks = ranksOn(scenes, s);
     for (const std::string& label : scenes.methods) {
-      const MethodMeans* means = findMeans(*study, label);
+      const study::MethodMeans* means = study::findMeans(*study, label);
       const auto rank = ranks.find(label);
       if (means == nullptr) continue;
       const bool isWhole = rank != ranks.end();
@@ -265,4 +269,4 @@ Table suiteResultsTable(const SuiteStatistics& statistics, std::span<const Study
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,7 +7,7 @@
 #include "report/tables/table.h"
 #include "study/judge/suite/suite_statistics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The statistics over the scenes of a suite as tables.
 
@@ -15,27 +15,28 @@ namespace gnomon {
 /// mean of the worst twentieth, the worst scene, the interval of the rank and its stability, and
 /// the truth's uncertainty. ≈ marks a method that is not distinguishable from the first. Methods
 /// that lack a scene stand apart.
-Table suiteRankedTable(const SuiteStatistics& statistics);
+Table suiteRankedTable(const study::SuiteStatistics& statistics);
 
 /// Every other method beside that of rank 1, on the scenes that both have: the difference, p by
 /// Holm, how often the first beats it, and the verdict. No row where no method has a rank.
-Table suiteLeaderTable(const SuiteStatistics& statistics);
+Table suiteLeaderTable(const study::SuiteStatistics& statistics);
 
 /// The scenes with the largest median of the methods' errors; each name leads to its report.
 /// @param most  rows
-Table suiteScenesTable(const SuiteStatistics& statistics, std::size_t most);
+Table suiteScenesTable(const study::SuiteStatistics& statistics, std::size_t most);
 
 /// Error rates in percent, methods × bins of an axis, tinted by size. No row where no method has
 /// bins on the axis.
-Table suiteBinsTable(const SuiteStatistics& statistics, const std::string& axis);
+Table suiteBinsTable(const study::SuiteStatistics& statistics, const std::string& axis);
 
 /// For programs, a row a scene × method: scene, method, error_rate, false_shadow, false_light,
 /// uncertainty, rank. The last is by the errors on that scene alone; it is empty, like error_rate,
 /// where the method lacks a view or light of the scene.
-Table suiteResultsTable(const SuiteStatistics& statistics, std::span<const StudyMeans> studies);
+Table suiteResultsTable(const study::SuiteStatistics& statistics,
+                        std::span<const study::StudyMeans> studies);
 
 /// The axes that have bins, in the order of sampleAxes.
-std::vector<std::string> suiteAxes(const SuiteStatistics& statistics);
+std::vector<std::string> suiteAxes(const study::SuiteStatistics& statistics);
 
 /// "below 5", "5 to 10", "75 and more".
 std::string binText(const std::optional<double>& low, const std::optional<double>& high);
@@ -46,4 +47,4 @@ std::string probabilityText(double probability);
 /// "1", or "1 to 3".
 std::string rankText(std::size_t low, std::size_t high);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -2,10 +2,10 @@
 
 #include "report/text/budget_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-void appendShare(Row& row, const BudgetShare& share) {
+void appendShare(Row& row, const study::BudgetShare& share) {
   Cell cell = valueCell(share.value, share.distinguishable ? "" : "not distinguishable from none");
   cell.emphasis = share.distinguishable ? Emphasis::strong : Emphasis::quiet;
   if (!share.distinguishable) cell.mark = " ≈";
@@ -13,14 +13,15 @@ void appendShare(Row& row, const BudgetShare& share) {
   row.cells.push_back(intervalCell(share.interval, share.reason));
 }
 
-Row budgetRow(const std::string& name, const BudgetShare& forward, const BudgetShare& backward) {
+Row budgetRow(const std::string& name, const study::BudgetShare& forward,
+              const study::BudgetShare& backward) {
   Row row{{textCell(name)}};
   appendShare(row, forward);
   appendShare(row, backward);
   return row;
 }
 
-Row causeRow(const BudgetCause& cause) {
+Row causeRow(const study::BudgetCause& cause) {
   Row row = budgetRow(cause.name, cause.forward, cause.backward);
   if (!cause.change.empty()) row.cells.front().note = "→ " + cause.change;
   row.cells.push_back(valueCell(cause.backward.value - cause.forward.value));
@@ -28,16 +29,16 @@ Row causeRow(const BudgetCause& cause) {
 }
 
 /// What both orders give alike.
-Row restRow(const std::string& name, const BudgetShare& share) {
+Row restRow(const std::string& name, const study::BudgetShare& share) {
   Row row = budgetRow(name, share, share);
   row.cells.push_back(textCell(""));
   return row;
 }
 
-Row partRow(const BudgetRecord& budget, const std::string& part, const BudgetShare& forward,
-            const BudgetShare& backward) {
+Row partRow(const study::BudgetRecord& budget, const std::string& part,
+            const study::BudgetShare& forward, const study::BudgetShare& backward) {
   Row row{{textCell(budget.method), textCell(budget.view), textCell(budget.light), textCell(part)}};
-  for (const BudgetShare* share : {&forward, &backward}) {
+  for (const study::BudgetShare* share : {&forward, &backward}) {
     row.cells.push_back(valueCell(share->value));
     row.cells.push_back(intervalCell(share->interval));
     row.cells.push_back(flagCell(share->distinguishable));
@@ -48,7 +49,7 @@ Row partRow(const BudgetRecord& budget, const std::string& part, const BudgetSha
 
 }  // namespace
 
-Table budgetTable(const BudgetRecord& budget) {
+Table budgetTable(const study::BudgetRecord& budget) {
   using Q = Quantity;
   Table table{.kind = "budget",
               .columns = {{"Cause", "cause", Q::name},
@@ -59,14 +60,14 @@ Table budgetTable(const BudgetRecord& budget) {
                           {"Difference", "difference", Q::signedPercent, byAll & ~onTerminal}}};
   table.columns[0].width = 38;
   for (const std::size_t i : {1U, 3U}) table.columns[i].markWidth = 2;
-  for (const BudgetCause& cause : budget.causes) table.rows.push_back(causeRow(cause));
+  for (const study::BudgetCause& cause : budget.causes) table.rows.push_back(causeRow(cause));
   table.rows.push_back(restRow(distantName, budget.distant));
   table.rows.push_back(restRow(otherName, budget.other));
   table.rows.push_back(restRow("all of the error", budget.total));
   return table;
 }
 
-Table budgetPartsTable(const StudyRecord& record) {
+Table budgetPartsTable(const study::StudyRecord& record) {
   using Q = Quantity;
   Table table{.kind = "budget",
               .columns = {{"method"},
@@ -80,9 +81,9 @@ Table budgetPartsTable(const StudyRecord& record) {
                           {"95 %", "backward", Q::interval},
                           {"backward_distinguishable", "", Q::exact},
                           {"uncertainty", "", Q::exact}}};
-  for (const BudgetRecord& budget : record.budgets) {
+  for (const study::BudgetRecord& budget : record.budgets) {
     table.rows.push_back(partRow(budget, "total", budget.total, budget.total));
-    for (const BudgetCause& cause : budget.causes) {
+    for (const study::BudgetCause& cause : budget.causes) {
       table.rows.push_back(partRow(budget, cause.name, cause.forward, cause.backward));
     }
     table.rows.push_back(partRow(budget, "distant", budget.distant, budget.distant));
@@ -91,4 +92,4 @@ Table budgetPartsTable(const StudyRecord& record) {
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -10,7 +10,7 @@
 #include "study/judge/distinguish.h"
 #include "study/record/result_metrics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 struct CaseMetric {
@@ -18,12 +18,12 @@ struct CaseMetric {
   const char* name;
   Quantity quantity = Quantity::percent;
   unsigned readers = byAll;
-  Answer answer = Answer::drawn;
+  study::Answer answer = study::Answer::drawn;
 };
 
 constexpr std::array<CaseMetric, 9> caseMetrics = {
     {{"error_rate", "Error"},
-     {"error_rate", "Test", Quantity::percent, byAll, Answer::test},
+     {"error_rate", "Test", Quantity::percent, byAll, study::Answer::test},
      {"false_shadow", "False shadow"},
      {"false_light", "False light"},
      {"iou", "IoU"},
@@ -33,43 +33,46 @@ constexpr std::array<CaseMetric, 9> caseMetrics = {
      {"shadow_length_ratio", "Length", Quantity::ratio}}};
 
 /// The median, with the quartiles and the count for whoever points at it.
-Cell lengthCell(const ResultRecord& row, const Metric& ratio) {
+Cell lengthCell(const study::ResultRecord& row, const compare::Metric& ratio) {
   Cell cell = metricCell(ratio);
   if (!ratio.value) return cell;
-  const auto text = [&](std::string_view name) { return ratioText(metricOf(row, name).value); };
+  const auto text = [&](std::string_view name) {
+    return ratioText(study::metricOf(row, name).value);
+  };
   cell.about = fmt::format("quartiles {} and {} over {:.0f} runs", text("shadow_length_q1"),
                            text("shadow_length_q3"), row.lengths->runs);
   return cell;
 }
 
-Cell caseCell(const StudyRecord& record, const ResultRecord& drawn, const CaseMetric& column) {
-  const ResultRecord* of =
-      findResult(record, drawn.method, {drawn.view, drawn.light}, wholeRegion, column.answer);
+Cell caseCell(const study::StudyRecord& record, const study::ResultRecord& drawn,
+              const CaseMetric& column) {
+  const study::ResultRecord* of = study::findResult(record, drawn.method, {drawn.view, drawn.light},
+                                                    study::wholeRegion, column.answer);
   if (of == nullptr) return {};
-  const Metric metric = metricOf(*of, column.metric);
+  const compare::Metric metric = study::metricOf(*of, column.metric);
   return column.quantity == Quantity::ratio ? lengthCell(*of, metric) : metricCell(metric);
 }
 
-bool isAlike(const StudyRecord& record, const Case& which, const std::string& first,
+bool isAlike(const study::StudyRecord& record, const study::Case& which, const std::string& first,
              const std::string& second) {
-  const auto difference = differenceOf(record, which.view, which.light, first, second);
-  return difference && difference->verdict == DifferenceVerdict::notDistinguishable;
+  const auto difference = study::differenceOf(record, which.view, which.light, first, second);
+  return difference && difference->verdict == study::DifferenceVerdict::notDistinguishable;
 }
 
 /// One case's results, and the one whose error is the smallest.
 struct CaseResults {
-  std::vector<const ResultRecord*> all;
-  const ResultRecord* best = nullptr;
+  std::vector<const study::ResultRecord*> all;
+  const study::ResultRecord* best = nullptr;
 };
 
-CaseResults resultsOf(const StudyRecord& record, const std::vector<std::string>& methods,
-                      const Case& which) {
-  const auto errorOf = [](const ResultRecord& result) {
-    return metricOf(result, "error_rate").value;
+CaseResults resultsOf(const study::StudyRecord& record, const std::vector<std::string>& methods,
+                      const study::Case& which) {
+  const auto errorOf = [](const study::ResultRecord& result) {
+    return study::metricOf(result, "error_rate").value;
   };
   CaseResults results;
   for (const std::string& method : methods) {
-    const ResultRecord* row = findResult(record, method, which);
+    const study::ResultRecord* row = study::findResult(record, method, which);
     if (row == nullptr) continue;
     results.all.push_back(row);
     const auto error = errorOf(*row);
@@ -79,8 +82,8 @@ CaseResults resultsOf(const StudyRecord& record, const std::vector<std::string>&
   return results;
 }
 
-Cell methodCell(const StudyRecord& record, const std::vector<std::string>& methods,
-                const Case& which, const std::string& method) {
+Cell methodCell(const study::StudyRecord& record, const std::vector<std::string>& methods,
+                const study::Case& which, const std::string& method) {
   std::vector<std::string> alike;
   for (const std::string& other : methods) {
     if (isAlike(record, which, method, other)) alike.push_back(other);
@@ -90,23 +93,23 @@ Cell methodCell(const StudyRecord& record, const std::vector<std::string>& metho
   return cell;
 }
 
-Cell regionCell(const ResultRecord* row, double worst) {
+Cell regionCell(const study::ResultRecord* row, double worst) {
   if (row == nullptr) return valueCell({}, "not evaluated");
-  const Metric error = rate(row->counts, "error_rate");
+  const compare::Metric error = compare::rate(row->counts, "error_rate");
   if (!error.value) return metricCell(error);
   return heatCell(*error.value, worst,
                   fmt::format("{} samples, false shadow {} %, false light {} %",
                               groupedText(row->counts.samples),
-                              percentText(rate(row->counts, "false_shadow").value),
-                              percentText(rate(row->counts, "false_light").value)));
+                              percentText(compare::rate(row->counts, "false_shadow").value),
+                              percentText(compare::rate(row->counts, "false_light").value)));
 }
 
 /// The samples of a region, where all methods were asked at the same ones.
-std::string regionSamples(const StudyRecord& record, const std::vector<std::string>& methods,
-                          const Case& which, std::string_view region) {
+std::string regionSamples(const study::StudyRecord& record, const std::vector<std::string>& methods,
+                          const study::Case& which, std::string_view region) {
   std::optional<std::size_t> samples;
   for (const std::string& method : methods) {
-    const ResultRecord* row = findResult(record, method, which, region);
+    const study::ResultRecord* row = study::findResult(record, method, which, region);
     if (row == nullptr) continue;
     if (samples && *samples != row->counts.samples) return "differing samples";
     samples = row->counts.samples;
@@ -115,7 +118,7 @@ std::string regionSamples(const StudyRecord& record, const std::vector<std::stri
 }
 
 /// samples, tp, fp, fn, tn.
-void appendCounts(Row& row, const Counts& counts) {
+void appendCounts(Row& row, const compare::Counts& counts) {
   row.cells.push_back(countCell(counts.samples));
   for (const double value :
        {counts.truePositive, counts.falsePositive, counts.falseNegative, counts.trueNegative}) {
@@ -139,7 +142,7 @@ constexpr std::array<const char*, 3> binRates = {"error_rate", "false_shadow", "
 
 }  // namespace
 
-Table caseTable(const StudyRecord& record, std::span<const Case> cases) {
+Table caseTable(const study::StudyRecord& record, std::span<const study::Case> cases) {
   Table table{.kind = "metrics", .columns = {{"Method", "method", Quantity::name}}};
   const bool namesLights = cases.size() > 1;
   if (namesLights) table.columns.insert(table.columns.begin(), Column{"Light", "light"});
@@ -147,10 +150,10 @@ Table caseTable(const StudyRecord& record, std::span<const Case> cases) {
     table.columns.push_back({metric.name, metric.metric, metric.quantity, metric.readers});
     if (metric.quantity == Quantity::correlation) table.columns.back().note = "−1 to 1";
   }
-  const std::vector<std::string> methods = methodsOf(record);
-  for (const Case& which : cases) {
+  const std::vector<std::string> methods = study::methodsOf(record);
+  for (const study::Case& which : cases) {
     const CaseResults results = resultsOf(record, methods, which);
-    for (const ResultRecord* result : results.all) {
+    for (const study::ResultRecord* result : results.all) {
       Row row;
       // A light's name stands once, in its first row.
       if (namesLights)
@@ -166,63 +169,65 @@ Table caseTable(const StudyRecord& record, std::span<const Case> cases) {
   return table;
 }
 
-Table regionTable(const StudyRecord& record, const Case& which) {
+Table regionTable(const study::StudyRecord& record, const study::Case& which) {
   Table table{.kind = "regions", .columns = {{"Method", "method", Quantity::name}}};
-  const std::vector<std::string> regions = regionsOf(record, which);
+  const std::vector<std::string> regions = study::regionsOf(record, which);
   if (regions.size() < 2) return table;
-  const std::vector<std::string> methods = methodsOf(record);
+  const std::vector<std::string> methods = study::methodsOf(record);
   double worst = 0;
   for (const std::string& region : regions) {
     Column column{region, region, Quantity::percent};
     column.note = regionSamples(record, methods, which, region);
     table.columns.push_back(std::move(column));
     for (const std::string& method : methods) {
-      const ResultRecord* row = findResult(record, method, which, region);
+      const study::ResultRecord* row = study::findResult(record, method, which, region);
       if (row == nullptr) continue;
-      worst = std::max(worst, rate(row->counts, "error_rate").value.value_or(0));
+      worst = std::max(worst, compare::rate(row->counts, "error_rate").value.value_or(0));
     }
   }
   for (const std::string& method : methods) {
-    if (findResult(record, method, which) == nullptr) continue;
+    if (study::findResult(record, method, which) == nullptr) continue;
     Row row{{textCell(method)}};
     for (const std::string& region : regions) {
-      row.cells.push_back(regionCell(findResult(record, method, which, region), worst));
+      row.cells.push_back(regionCell(study::findResult(record, method, which, region), worst));
     }
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-Table metricsTable(const StudyRecord& record) {
+Table metricsTable(const study::StudyRecord& record) {
   Table table{.kind = "metrics", .columns = {}};
   addTexts(table, {"study", "method", "light", "view", "answer", "region"});
   addValues(table, countNames);
-  addValues(table, metricNames());
-  for (const ResultRecord& result : record.results) {
+  addValues(table, study::metricNames());
+  for (const study::ResultRecord& result : record.results) {
     Row row{{textCell(record.name), textCell(result.method), textCell(result.light),
-             textCell(result.view), textCell(std::string(answerName(result.answer))),
+             textCell(result.view), textCell(std::string(study::answerName(result.answer))),
              textCell(result.region)}};
     appendCounts(row, result.counts);
-    for (const Metric& metric : metricsOf(result)) row.cells.push_back(valueCell(metric.value));
+    for (const compare::Metric& metric : study::metricsOf(result))
+      row.cells.push_back(valueCell(metric.value));
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-Table binsTable(const StudyRecord& record) {
+Table binsTable(const study::StudyRecord& record) {
   Table table{.kind = "bins", .columns = {}};
   addTexts(table, {"study", "method", "view", "light", "axis"});
   addValues(table, std::array{"low", "high"});
   addValues(table, countNames);
   addValues(table, binRates);
-  for (const BinRecord& bin : record.bins) {
+  for (const study::BinRecord& bin : record.bins) {
     Row row{{textCell(record.name), textCell(bin.method), textCell(bin.view), textCell(bin.light),
              textCell(bin.axis), valueCell(bin.low), valueCell(bin.high)}};
     appendCounts(row, bin.counts);
-    for (const char* name : binRates) row.cells.push_back(valueCell(rate(bin.counts, name).value));
+    for (const char* name : binRates)
+      row.cells.push_back(valueCell(compare::rate(bin.counts, name).value));
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,25 +6,25 @@
 #include "study/record/cases.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The main metrics of each method over all samples, case by case; ≈ marks what is not
 /// distinguishable from the best of its case.
 /// @param cases  of one view; of several, each row names its light
-Table caseTable(const StudyRecord& record, std::span<const Case> cases);
+Table caseTable(const study::StudyRecord& record, std::span<const study::Case> cases);
 
 /// Error rates of one case, methods × regions, tinted by size. Without rows if there is no region
 /// but "all".
-Table regionTable(const StudyRecord& record, const Case& which);
+Table regionTable(const study::StudyRecord& record, const study::Case& which);
 
 /// All results for programs, a row a method × light × view × answer × region, in the record's
 /// order: study, method, light, view, answer, region, samples, tp, fp, fn, tn, then every metric by
 /// name.
-Table metricsTable(const StudyRecord& record);
+Table metricsTable(const study::StudyRecord& record);
 
 /// The bins for programs, a row each, in the record's order: study, method, view, light, axis, low,
 /// high (none where the bin has no end), samples, tp, fp, fn, tn, error_rate, false_shadow,
 /// false_light.
-Table binsTable(const StudyRecord& record);
+Table binsTable(const study::StudyRecord& record);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

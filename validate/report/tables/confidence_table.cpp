@@ -3,12 +3,13 @@
 #include "report/text/confidence_text.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Row confidenceRow(const StudyRecord& record, const ConfidenceRecord& row, const std::string& best) {
+Row confidenceRow(const study::StudyRecord& record, const study::ConfidenceRecord& row,
+                  const std::string& best) {
   Row cells{{textCell(row.method), valueCell(row.rate), intervalCell(row.interval, row.reason)}};
-  const auto worse = differenceOf(record, row.view, row.light, row.method, best);
+  const auto worse = study::differenceOf(record, row.view, row.light, row.method, best);
   if (row.method == best || !worse) {
     cells.cells.push_back(textCell(""));
     cells.cells.push_back(textCell(""));
@@ -22,7 +23,7 @@ Row confidenceRow(const StudyRecord& record, const ConfidenceRecord& row, const 
 
 }  // namespace
 
-Table confidenceTable(const StudyRecord& record, const std::string& view) {
+Table confidenceTable(const study::StudyRecord& record, const std::string& view) {
   using Q = Quantity;
   Table table{.kind = "confidence",
               .columns = {{"Method", "method", Q::name},
@@ -31,11 +32,11 @@ Table confidenceTable(const StudyRecord& record, const std::string& view) {
                           {"To best", "to_best", Q::signedPercent},
                           {"95 %", "to_best", Q::interval}}};
   table.columns[0].width = 44;
-  const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
-  for (const ConfidenceRecord& row : ranked) {
+  const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
+  for (const study::ConfidenceRecord& row : ranked) {
     table.rows.push_back(confidenceRow(record, row, ranked.front().method));
   }
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,11 +5,11 @@
 #include "report/tables/table.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The methods of a view from the lowest error rate to the highest, each with its interval, and how
 /// much worse than the best it is, with the interval of that; ≈ and † as differenceMark has them.
 /// Without rows if the record has no intervals.
-Table confidenceTable(const StudyRecord& record, const std::string& view);
+Table confidenceTable(const study::StudyRecord& record, const std::string& view);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

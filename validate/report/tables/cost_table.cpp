@@ -10,24 +10,25 @@
 
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
-const CostRecord* costOf(const StudyRecord& record, std::string_view label) {
-  const auto found = std::find_if(record.cost.begin(), record.cost.end(),
-                                  [&](const CostRecord& cost) { return cost.method == label; });
+const study::CostRecord* costOf(const study::StudyRecord& record, std::string_view label) {
+  const auto found =
+      std::find_if(record.cost.begin(), record.cost.end(),
+                   [&](const study::CostRecord& cost) { return cost.method == label; });
   return found == record.cost.end() ? nullptr : &*found;
 }
 
-std::uint64_t memoryBytes(const CostRecord& cost) {
+std::uint64_t memoryBytes(const study::CostRecord& cost) {
   return cost.tableBytes + cost.heightBytes;
 }
 
 namespace {
 
 /// The cost of the method of that name, of several as `frameRatio` chooses.
-const CostRecord* costOfNamed(const StudyRecord& record, std::string_view name) {
-  const CostRecord* first = nullptr;
-  for (const MethodRecord& method : record.methods) {
+const study::CostRecord* costOfNamed(const study::StudyRecord& record, std::string_view name) {
+  const study::CostRecord* first = nullptr;
+  for (const study::MethodRecord& method : record.methods) {
     if (method.name != name) continue;
     if (method.label == name) return costOf(record, method.label);
     if (first == nullptr) first = costOf(record, method.label);
@@ -36,27 +37,27 @@ const CostRecord* costOfNamed(const StudyRecord& record, std::string_view name) 
 }
 
 /// None for a time of nothing too: no ratio to it exists.
-std::optional<double> timeOf(const CostRecord* cost) {
+std::optional<double> timeOf(const study::CostRecord* cost) {
   if (cost == nullptr || !cost->frameMs) return std::nullopt;
   const double time = requireFinite(*cost->frameMs, "cost.frame_ms");
   return time > 0 ? std::optional(time) : std::nullopt;
 }
 
 /// The time of a frame, or that it was not measured.
-Cell frameCell(const CostRecord& cost) {
+Cell frameCell(const study::CostRecord& cost) {
   return cost.frameMs ? valueCell(cost.frameMs) : textCell("not timed");
 }
 
 }  // namespace
 
-std::optional<double> frameRatio(const StudyRecord& record, const CostRecord& cost) {
+std::optional<double> frameRatio(const study::StudyRecord& record, const study::CostRecord& cost) {
   const auto time = timeOf(&cost);
   const auto reference = timeOf(costOfNamed(record, costReference));
   if (!time || !reference) return std::nullopt;
   return *time / *reference;
 }
 
-Table costTable(const StudyRecord& record) {
+Table costTable(const study::StudyRecord& record) {
   using Q = Quantity;
   Table table{.kind = "cost",
               .columns = {{"Method", "method", Q::name},
@@ -66,7 +67,7 @@ Table costTable(const StudyRecord& record) {
                           {"Passes", "passes", Q::exact},
                           {"Frame", "frame_ms", Q::decimals, byAll, "ms"},
                           {fmt::format("To {}", costReference), "frame_ratio", Q::times}}};
-  for (const CostRecord& cost : record.cost) {
+  for (const study::CostRecord& cost : record.cost) {
     const auto ratio = frameRatio(record, cost);
     table.rows.push_back(
         {{textCell(cost.method), countCell(cost.polygons), countCell(cost.tableBytes),
@@ -76,7 +77,7 @@ Table costTable(const StudyRecord& record) {
   return table;
 }
 
-std::string publishedRates(const StudyRecord& record) {
+std::string publishedRates(const study::StudyRecord& record) {
   const auto flat = timeOf(costOfNamed(record, "max-forsyth"));
   const auto curved = timeOf(costOfNamed(record, "onoue-2004"));
   const auto volumes = timeOf(costOfNamed(record, "shadow-volume"));
@@ -90,10 +91,10 @@ std::string publishedRates(const StudyRecord& record) {
       record.environment.glRenderer, *flat / *curved, *flat / *volumes);
 }
 
-std::string keptFrames(const StudyRecord& record) {
+std::string keptFrames(const study::StudyRecord& record) {
   std::set<std::string> days;
   std::vector<std::string> measured;
-  for (const CostRecord& cost : record.cost) {
+  for (const study::CostRecord& cost : record.cost) {
     if (!cost.keptSince.empty()) days.insert(cost.keptSince);
     if (cost.keptSince.empty() && cost.frameMs) measured.push_back(cost.method);
   }
@@ -106,4 +107,4 @@ std::string keptFrames(const StudyRecord& record) {
       fmt::join(days, ", "));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,32 +7,32 @@
 #include "report/tables/table.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The method that frame times are set against: the flat horizon map.
 constexpr std::string_view costReference = "max-forsyth";
 
 /// The cost of the method with that label; none where it has none.
-const CostRecord* costOf(const StudyRecord& record, std::string_view label);
+const study::CostRecord* costOf(const study::StudyRecord& record, std::string_view label);
 
 /// What a method reads: its tables and the height map, bytes.
-std::uint64_t memoryBytes(const CostRecord& cost);
+std::uint64_t memoryBytes(const study::CostRecord& cost);
 
 /// A method's frame time over that of the method named `costReference` in the same run (of several,
 /// the one with that label, or else the first). None where either was not timed.
 /// @throws InternalError for a frame time that is not finite
-std::optional<double> frameRatio(const StudyRecord& record, const CostRecord& cost);
+std::optional<double> frameRatio(const study::StudyRecord& record, const study::CostRecord& cost);
 
 /// Memory, triangles, passes and frame time of each method, and that time's ratio to max-forsyth's.
-Table costTable(const StudyRecord& record);
+Table costTable(const study::StudyRecord& record);
 
 /// Which frame times an earlier run measured, and when, as a sentence. Empty if this run measured
 /// all.
-std::string keptFrames(const StudyRecord& record);
+std::string keptFrames(const study::StudyRecord& record);
 
 /// The run's frame rates beside the paper's statement about them (Onoue, Max & Nishita 2004,
 /// section 4), as one paragraph of text that names the renderer. Empty unless the run timed all of
 /// max-forsyth, onoue-2004 and shadow-volume.
-std::string publishedRates(const StudyRecord& record);
+std::string publishedRates(const study::StudyRecord& record);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

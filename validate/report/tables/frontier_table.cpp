@@ -8,7 +8,7 @@
 #include "report/tables/cost_table.h"
 #include "study/judge/study_ranking.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 bool hasChoice(const std::vector<FrontierPoint>& points) {
@@ -28,10 +28,10 @@ void markEfficient(std::vector<FrontierPoint>& points) {
 
 }  // namespace
 
-std::vector<FrontierPoint> frontier(const StudyRecord& record) {
+std::vector<FrontierPoint> frontier(const study::StudyRecord& record) {
   std::vector<FrontierPoint> points;
-  for (const MethodMeans& method : studyMeans(record).methods) {
-    const CostRecord* cost = costOf(record, method.label);
+  for (const study::MethodMeans& method : study::studyMeans(record).methods) {
+    const study::CostRecord* cost = costOf(record, method.label);
     if (cost == nullptr || !method.errorRate || !method.isInEveryCase() ||
         memoryBytes(*cost) == 0) {
       continue;
@@ -60,4 +60,4 @@ Table frontierTable(const std::vector<FrontierPoint>& points) {
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

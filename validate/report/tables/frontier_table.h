@@ -6,7 +6,7 @@
 #include "report/tables/table.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// One method entry's memory and mean error.
 struct FrontierPoint {
@@ -20,9 +20,9 @@ struct FrontierPoint {
 /// The entries that read tables or the height map and answer in every case (rankOverStudies), by
 /// memory, then error. Empty unless some method
 /// stands in the study with two different memories: only then there is something to trade.
-std::vector<FrontierPoint> frontier(const StudyRecord& record);
+std::vector<FrontierPoint> frontier(const study::StudyRecord& record);
 
 /// For programs: method (its label), shader (its name), bytes, error_rate, efficient.
 Table frontierTable(const std::vector<FrontierPoint>& points);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

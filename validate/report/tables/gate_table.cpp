@@ -5,10 +5,10 @@
 #include "report/text/gate_text.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-Cell verdictCell(const Judgement& judgement) {
+Cell verdictCell(const study::Judgement& judgement) {
   Cell cell = textCell(gateVerdictName(judgement.verdict));
   cell.emphasis = judgement.isFault() ? Emphasis::bad : Emphasis::good;
   return cell;
@@ -21,7 +21,7 @@ Cell gateValueCell(const std::optional<double>& value, const std::string& reason
   return cell;
 }
 
-Cell changeCell(const Judgement& judgement, std::optional<double> committed) {
+Cell changeCell(const study::Judgement& judgement, std::optional<double> committed) {
   if (!judgement.value || !committed) return {};
   Cell cell = valueCell(*judgement.value - *committed);
   cell.text = fmt::format("{:+.3g}", *cell.value);
@@ -30,10 +30,10 @@ Cell changeCell(const Judgement& judgement, std::optional<double> committed) {
 
 }  // namespace
 
-Table gateTable(std::span<const Judgement> judgements) {
+Table gateTable(std::span<const study::Judgement> judgements) {
   using Q = Quantity;
-  const Gate& first = judgements.front().gate;
-  const bool isReference = committedValue(first).has_value();
+  const study::Gate& first = judgements.front().gate;
+  const bool isReference = study::committedValue(first).has_value();
   // All references are of the region of all samples.
   const unsigned forReferences = isReference ? byAll : 0U;
   const unsigned forThresholds = isReference ? 0U : byAll;
@@ -48,9 +48,9 @@ Table gateTable(std::span<const Judgement> judgements) {
                           {"Value", "value", Q::exact},
                           {"Change", "change", Q::exact, forReferences},
                           {"Limit", "limit", Q::exact}}};
-  for (const Judgement& judgement : judgements) {
-    const Gate& gate = judgement.gate;
-    const std::optional<double> committed = committedValue(gate);
+  for (const study::Judgement& judgement : judgements) {
+    const study::Gate& gate = judgement.gate;
+    const std::optional<double> committed = study::committedValue(gate);
     table.rows.push_back(
         {{verdictCell(judgement), textCell(gate.method), textCell(gate.view), textCell(gate.light),
           textCell(gate.region), textCell(gate.metric), gateValueCell(committed, ""),
@@ -60,4 +60,4 @@ Table gateTable(std::span<const Judgement> judgements) {
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,11 +5,11 @@
 #include "report/tables/table.h"
 #include "study/record/gate.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Gates, each with its verdict, what it judges, the value and the limit; references also with
 /// their committed value and the change.
 /// @param judgements  one or more, of one origin
-Table gateTable(std::span<const Judgement> judgements);
+Table gateTable(std::span<const study::Judgement> judgements);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -13,49 +13,52 @@
 #include "study/record/cases.h"
 #include "study/record/result_metrics.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-std::string unitOf(const StudyRecord& record, const ResultRecord& result, std::string_view metric) {
+std::string unitOf(const study::StudyRecord& record, const study::ResultRecord& result,
+                   std::string_view metric) {
   if (metric == "mcc") return "correlation";
   if (metric == "shadow_runs") return "count";
-  if (contains(lengthMetricNames(), metric)) return "ratio";
-  if (isRate(metric) || !isBoundaryDistance(metric)) return "share";
+  if (contains(compare::lengthMetricNames(), metric)) return "ratio";
+  if (study::isRate(metric) || !compare::isBoundaryDistance(metric)) return "share";
   return contains(record.atlasViews, result.view) ? "texels" : "pixels";
 }
 
 /// Whether the table has a metric of a row: of the test alone only what ranks it.
-bool isTold(const ResultRecord& result, std::string_view metric) {
-  if (result.answer == Answer::drawn) return true;
-  return result.region == wholeRegion && contains(baselineMetrics(Answer::test), metric);
+bool isTold(const study::ResultRecord& result, std::string_view metric) {
+  if (result.answer == study::Answer::drawn) return true;
+  return result.region == study::wholeRegion &&
+         contains(study::baselineMetrics(study::Answer::test), metric);
 }
 
-std::optional<Interval> intervalOf(const StudyRecord& record, const ResultRecord& result,
-                                   std::string_view metric) {
-  const bool isScore =
-      metric == "error_rate" && result.region == wholeRegion && result.answer == Answer::drawn;
+std::optional<compare::Interval> intervalOf(const study::StudyRecord& record,
+                                            const study::ResultRecord& result,
+                                            std::string_view metric) {
+  const bool isScore = metric == "error_rate" && result.region == study::wholeRegion &&
+                       result.answer == study::Answer::drawn;
   if (!isScore) return std::nullopt;
-  const auto confidence = findConfidence(record, result.view, result.light, result.method);
+  const auto confidence = study::findConfidence(record, result.view, result.light, result.method);
   return confidence ? confidence->interval : std::nullopt;
 }
 
-std::optional<double> uncertaintyOf(const StudyRecord& record, const ResultRecord& result,
-                                    const std::string& metric) {
+std::optional<double> uncertaintyOf(const study::StudyRecord& record,
+                                    const study::ResultRecord& result, const std::string& metric) {
   // A length whose error was not measured would read as exact.
-  if (!isRate(metric) && !spreadOf(record, {result.view, result.light}, metric)) {
+  if (!study::isRate(metric) && !study::spreadOf(record, {result.view, result.light}, metric)) {
     return std::nullopt;
   }
-  const double uncertainty = uncertaintyIn(record, result, metric);
+  const double uncertainty = study::uncertaintyIn(record, result, metric);
   return std::isfinite(uncertainty) ? std::optional(uncertainty) : std::nullopt;
 }
 
-Cell sweptCell(const SweptValue& value) {
+Cell sweptCell(const study::SweptValue& value) {
   return value.number ? valueCell(*value.number) : textCell(value.text);
 }
 
-Table emptyTable(const std::vector<SweptKey>& keys) {
+Table emptyTable(const std::vector<study::SweptKey>& keys) {
   Table table{.kind = "long", .columns = {{"case", "", Quantity::exact}}};
-  for (const SweptKey& key : keys) table.columns.push_back({key.key});
+  for (const study::SweptKey& key : keys) table.columns.push_back({key.key});
   for (const char* name : {"method", "view", "light", "answer", "region", "metric"}) {
     table.columns.push_back({name});
   }
@@ -74,17 +77,17 @@ std::string csvRows(const Table& table) {
 
 }  // namespace
 
-Table longTable(const std::vector<SweptKey>& keys, const SweepCase& which, std::size_t number,
-                const StudyRecord& record) {
+Table longTable(const std::vector<study::SweptKey>& keys, const study::SweepCase& which,
+                std::size_t number, const study::StudyRecord& record) {
   Table table = emptyTable(keys);
-  for (const ResultRecord& result : record.results) {
-    for (const Metric& metric : metricsOf(result)) {
+  for (const study::ResultRecord& result : record.results) {
+    for (const compare::Metric& metric : study::metricsOf(result)) {
       if (!metric.value || !isTold(result, metric.name)) continue;
       const std::string name(metric.name);
       Row row{{countCell(number)}};
-      for (const SweptValue& value : which.values) row.cells.push_back(sweptCell(value));
+      for (const study::SweptValue& value : which.values) row.cells.push_back(sweptCell(value));
       for (const std::string& text :
-           {result.method, result.view, result.light, std::string(answerName(result.answer)),
+           {result.method, result.view, result.light, std::string(study::answerName(result.answer)),
             result.region, name}) {
         row.cells.push_back(textCell(text));
       }
@@ -98,7 +101,7 @@ Table longTable(const std::vector<SweptKey>& keys, const SweepCase& which, std::
   return table;
 }
 
-std::string longCsv(const SweepRecord& sweep) {
+std::string longCsv(const study::SweepRecord& sweep) {
   std::string csv = csvTable(emptyTable(sweep.keys));
   // Case by case: the cells of all would take many times the room of their text.
   for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
@@ -107,8 +110,8 @@ std::string longCsv(const SweepRecord& sweep) {
   return csv;
 }
 
-std::string longCsv(const StudyRecord& record) {
+std::string longCsv(const study::StudyRecord& record) {
   return csvTable(longTable({}, {record.name, {}}, 1, record));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

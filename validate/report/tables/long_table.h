@@ -5,7 +5,7 @@
 #include "report/tables/table.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The long table of a sweep or of a study, one figure a row: case, the swept keys, method, view,
 /// light, answer, region, metric, value, low, high, uncertainty, unit.
@@ -20,11 +20,11 @@ namespace gnomon {
 
 /// The rows of one case.
 /// @param number  of the case, from 1
-Table longTable(const std::vector<SweptKey>& keys, const SweepCase& which, std::size_t number,
-                const StudyRecord& record);
+Table longTable(const std::vector<study::SweptKey>& keys, const study::SweepCase& which,
+                std::size_t number, const study::StudyRecord& record);
 
 /// All rows as CSV: a sweep's, of its cases in their order, or a study's.
-std::string longCsv(const SweepRecord& sweep);
-std::string longCsv(const StudyRecord& record);
+std::string longCsv(const study::SweepRecord& sweep);
+std::string longCsv(const study::StudyRecord& record);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

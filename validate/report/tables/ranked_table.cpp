@@ -9,19 +9,19 @@
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// A ranked method that is not distinguishable from rank 1.
-bool isSameAsBest(const RankedMethod& method, const RankedMethod& best) {
+bool isSameAsBest(const study::RankedMethod& method, const study::RankedMethod& best) {
   return &method != &best && method.rank && contains(method.indistinguishable, best.label);
 }
 
 /// The error at the right end of the bars: the largest of the errors, ends of intervals and ends of
 /// the truth's uncertainty.
-double barScale(const std::vector<RankedMethod>& ranked) {
+double barScale(const std::vector<study::RankedMethod>& ranked) {
   double scale = 0;
-  for (const RankedMethod& method : ranked) {
+  for (const study::RankedMethod& method : ranked) {
     const double error = method.errorRate.value.value_or(0);
     scale = std::max({scale, error + method.uncertainty.value_or(0),
                       method.interval ? method.interval->high : 0});
@@ -29,7 +29,7 @@ double barScale(const std::vector<RankedMethod>& ranked) {
   return scale;
 }
 
-std::optional<ErrorBar> barOf(const RankedMethod& method, double scale) {
+std::optional<ErrorBar> barOf(const study::RankedMethod& method, double scale) {
   if (!method.errorRate.value) return std::nullopt;
   return ErrorBar{*method.errorRate.value,
                   method.falseShadow.value.value_or(0),
@@ -40,7 +40,7 @@ std::optional<ErrorBar> barOf(const RankedMethod& method, double scale) {
 }
 
 /// How many cases a mean leaves out, where it does.
-Cell meanCell(const Mean& mean, std::size_t cases) {
+Cell meanCell(const study::Mean& mean, std::size_t cases) {
   return valueCell(mean.value, mean.cases == cases
                                    ? ""
                                    : fmt::format("defined in {} of {} cases", mean.cases, cases));
@@ -50,16 +50,16 @@ Cell rankCell(std::optional<std::size_t> rank) {
   return valueCell(rank ? std::optional(static_cast<double>(*rank)) : std::nullopt);
 }
 
-Row rankedRow(const StudyRecord& record, const RankedMethod& method, const RankedMethod& best,
-              double scale) {
-  const CostRecord* cost = costOf(record, method.label);
+Row rankedRow(const study::StudyRecord& record, const study::RankedMethod& method,
+              const study::RankedMethod& best, double scale) {
+  const study::CostRecord* cost = costOf(record, method.label);
   const bool isSame = isSameAsBest(method, best);
   Cell name = textCell(method.label);
   name.bar = barOf(method, scale);
   name.note = indistinguishableText(method.indistinguishable);
   Cell error = valueCell(method.errorRate.value);
   error.uncertainty = method.uncertainty;
-  const auto mean = [&](const Mean& of) { return meanCell(of, method.cases); };
+  const auto mean = [&](const study::Mean& of) { return meanCell(of, method.cases); };
   return {{rankCell(method.rank), name, error,
            intervalCell(method.interval, method.interval ? "" : "no interval was measured"),
            valueCell(method.uncertainty), flagCell(isSame), mean(method.testError),
@@ -74,12 +74,13 @@ Row rankedRow(const StudyRecord& record, const RankedMethod& method, const Ranke
           !method.rank};
 }
 
-bool isTimed(const StudyRecord& record) {
+bool isTimed(const study::StudyRecord& record) {
   return std::any_of(record.cost.begin(), record.cost.end(),
-                     [](const CostRecord& cost) { return cost.frameMs.has_value(); });
+                     [](const study::CostRecord& cost) { return cost.frameMs.has_value(); });
 }
 
-std::string rankedCaption(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
+std::string rankedCaption(const study::StudyRecord& record,
+                          const std::vector<study::RankedMethod>& ranked) {
   std::string text =
       "Means over all lights and views, in percent of the samples, with 95\u202f% intervals of the "
       "error. Test: the error of the shadow test without the shading.";
@@ -95,7 +96,8 @@ std::string rankedCaption(const StudyRecord& record, const std::vector<RankedMet
 }
 
 /// Why a method is marked, or what its mean may be compared with where it has no rank.
-std::string overStudiesRemark(const RankedOverStudies& method, const RankedOverStudies& best) {
+std::string overStudiesRemark(const study::RankedOverStudies& method,
+                              const study::RankedOverStudies& best) {
   if (!method.rank) {
     return fewerCasesText(method.cases, method.allCases, best.label, method.leaderError);
   }
@@ -103,9 +105,9 @@ std::string overStudiesRemark(const RankedOverStudies& method, const RankedOverS
   return fmt::format("not distinguishable from {}: {}", best.label, *method.closeToBest);
 }
 
-Row overStudiesRow(const RankedOverStudies& method, const RankedOverStudies& best) {
-  return {{rankCell(method.rank), textCell(labelWithName(method)), valueCell(method.meanError),
-           valueCell(method.worstError), textCell(method.worstStudy),
+Row overStudiesRow(const study::RankedOverStudies& method, const study::RankedOverStudies& best) {
+  return {{rankCell(method.rank), textCell(study::labelWithName(method)),
+           valueCell(method.meanError), valueCell(method.worstError), textCell(method.worstStudy),
            textCell(fmt::format("{} of {}", method.cases, method.allCases)),
            valueCell(method.uncertainty)},
           method.closeToBest ? " ≈" : "",
@@ -115,7 +117,8 @@ Row overStudiesRow(const RankedOverStudies& method, const RankedOverStudies& bes
 
 }  // namespace
 
-Table rankedTable(const StudyRecord& record, const std::vector<RankedMethod>& ranked) {
+Table rankedTable(const study::StudyRecord& record,
+                  const std::vector<study::RankedMethod>& ranked) {
   using Q = Quantity;
   Table table{.kind = "ranking",
               .label = record.name,
@@ -139,14 +142,14 @@ Table rankedTable(const StudyRecord& record, const std::vector<RankedMethod>& ra
                           {"Frame", "frame_ms", Q::decimals, onPaper | asData, "ms"}}};
   table.columns[2].isMain = true;
   const double scale = barScale(ranked);
-  for (const RankedMethod& method : ranked) {
+  for (const study::RankedMethod& method : ranked) {
     table.rows.push_back(rankedRow(record, method, ranked.front(), scale));
   }
   return table;
 }
 
-Table rankedOverStudiesTable(std::span<const StudyMeans> studies,
-                             const std::vector<RankedOverStudies>& ranked) {
+Table rankedOverStudiesTable(std::span<const study::StudyMeans> studies,
+                             const std::vector<study::RankedOverStudies>& ranked) {
   using Q = Quantity;
   Table table{.kind = "ranking",
               .label = "ranking",
@@ -169,10 +172,10 @@ Table rankedOverStudiesTable(std::span<const StudyMeans> studies,
   table.columns[2].isMain = true;
   for (const std::size_t i : {2U, 3U}) table.columns[i].width = 8;
   for (const std::size_t i : {5U, 6U}) table.columns[i].width = 10;
-  for (const RankedOverStudies& method : ranked) {
+  for (const study::RankedOverStudies& method : ranked) {
     table.rows.push_back(overStudiesRow(method, ranked.front()));
   }
   return table;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

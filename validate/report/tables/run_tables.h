@@ -5,17 +5,17 @@
 #include "report/tables/table.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Tables of a run itself.
 
 /// The truth's uncertainty in each view under each light.
-Table flipTable(const std::vector<UncertaintyRecord>& flips);
+Table flipTable(const std::vector<study::UncertaintyRecord>& flips);
 /// Step, micro-triangles and flip rate of each level of a refinement.
-Table refinementTable(const std::vector<RefinementRecord>& levels);
+Table refinementTable(const std::vector<study::RefinementRecord>& levels);
 /// The time of each stage, seconds.
-Table timingTable(const std::vector<TimingRecord>& timings);
+Table timingTable(const std::vector<study::TimingRecord>& timings);
 /// Each file that the run was made of.
-Table inputTable(const std::vector<InputRecord>& inputs);
+Table inputTable(const std::vector<study::InputRecord>& inputs);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

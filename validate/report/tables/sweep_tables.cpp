@@ -8,21 +8,21 @@
 #include "report/text/number_text.h"
 #include "study/judge/study_ranking.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-std::vector<StudyMeans> stepMeans(const SweepRecord& sweep) {
-  std::vector<StudyMeans> steps;
-  for (const StudyRecord& step : sweep.steps) steps.push_back(studyMeans(step));
+std::vector<study::StudyMeans> stepMeans(const study::SweepRecord& sweep) {
+  std::vector<study::StudyMeans> steps;
+  for (const study::StudyRecord& step : sweep.steps) steps.push_back(study::studyMeans(step));
   return steps;
 }
 
 /// A method's error rate in each case.
-std::vector<std::optional<double>> errorsOf(const std::vector<StudyMeans>& steps,
+std::vector<std::optional<double>> errorsOf(const std::vector<study::StudyMeans>& steps,
                                             const std::string& label) {
   std::vector<std::optional<double>> errors;
-  for (const StudyMeans& step : steps) {
-    const MethodMeans* means = findMeans(step, label);
+  for (const study::StudyMeans& step : steps) {
+    const study::MethodMeans* means = study::findMeans(step, label);
     errors.push_back(means != nullptr ? means->errorRate : std::nullopt);
   }
   return errors;
@@ -33,38 +33,38 @@ constexpr const char* errorCaption =
 
 }  // namespace
 
-Table sweepCasesTable(const SweepRecord& sweep) {
+Table sweepCasesTable(const study::SweepRecord& sweep) {
   Table table{.kind = "regions",
               .label = sweep.name,
               .title = sweep.title,
               .caption = errorCaption,
               .columns = {{"Case", "case", Quantity::name, onPage | asData}}};
-  const std::vector<std::string> names = shortNames(sweep.keys);
+  const std::vector<std::string> names = study::shortNames(sweep.keys);
   for (std::size_t k = 0; k < names.size(); ++k) {
     table.columns.push_back({names[k], sweep.keys[k].key});
   }
-  const std::vector<StudyMeans> steps = stepMeans(sweep);
-  const std::vector<std::string> labels = labelsOf(steps);
+  const std::vector<study::StudyMeans> steps = stepMeans(sweep);
+  const std::vector<std::string> labels = study::labelsOf(steps);
   for (const std::string& label : labels) {
     table.columns.push_back({label, label, Quantity::percent});
   }
   table.columns.push_back({"Truth ±", "uncertainty", Quantity::percent});
   const double worst = worstErrorOf(steps);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const SweepCase& which = sweep.cases.at(i);
+    const study::SweepCase& which = sweep.cases.at(i);
     Row row{{textCell(which.name)}};
     if (sweep.hasStepReports) row.cells[0].link = which.name + "/report.html";
-    for (const SweptValue& value : which.values) row.cells.push_back(textCell(value.text));
+    for (const study::SweptValue& value : which.values) row.cells.push_back(textCell(value.text));
     for (const std::string& label : labels) {
-      row.cells.push_back(meanErrorCell(findMeans(steps[i], label), worst));
+      row.cells.push_back(meanErrorCell(study::findMeans(steps[i], label), worst));
     }
-    row.cells.push_back(valueCell(largestUncertainty(steps[i])));
+    row.cells.push_back(valueCell(study::largestUncertainty(steps[i])));
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-Table sweepSpreadTable(const SweepRecord& sweep) {
+Table sweepSpreadTable(const study::SweepRecord& sweep) {
   Table table{.kind = "regions",
               .label = sweep.name,
               .title = sweep.title,
@@ -75,8 +75,8 @@ Table sweepSpreadTable(const SweepRecord& sweep) {
                           {"Largest", "largest", Quantity::percent},
                           {"Largest at", "largest_at", Quantity::text},
                           {"Cases", "cases", Quantity::count}}};
-  const std::vector<StudyMeans> steps = stepMeans(sweep);
-  for (const std::string& label : labelsOf(steps)) {
+  const std::vector<study::StudyMeans> steps = stepMeans(sweep);
+  for (const std::string& label : study::labelsOf(steps)) {
     const std::vector<std::optional<double>> errors = errorsOf(steps, label);
     std::vector<std::optional<double>> defined;
     std::copy_if(errors.begin(), errors.end(), std::back_inserter(defined),
@@ -87,14 +87,15 @@ Table sweepSpreadTable(const SweepRecord& sweep) {
     const bool isAny = !defined.empty();
     const auto at = static_cast<std::size_t>(largest - errors.begin());
     table.rows.push_back(
-        {{textCell(label), valueCell(meanOf(defined)), valueCell(isAny ? *least : std::nullopt),
-          valueCell(isAny ? *largest : std::nullopt),
+        {{textCell(label), valueCell(study::meanOf(defined)),
+          valueCell(isAny ? *least : std::nullopt), valueCell(isAny ? *largest : std::nullopt),
           textCell(isAny ? sweep.cases.at(at).name : "–"), countCell(defined.size())}});
   }
   return table;
 }
 
-Table readableSweepTable(const SweepRecord& sweep, std::size_t mostColumns, std::size_t mostRows) {
+Table readableSweepTable(const study::SweepRecord& sweep, std::size_t mostColumns,
+                         std::size_t mostRows) {
   if (sweep.keys.size() == 1 && sweep.cases.size() <= mostColumns) {
     Table table = sweepErrorsTable(sweep);
     table.label = sweep.name;
@@ -105,10 +106,10 @@ Table readableSweepTable(const SweepRecord& sweep, std::size_t mostColumns, std:
   return sweep.cases.size() <= mostRows ? sweepCasesTable(sweep) : sweepSpreadTable(sweep);
 }
 
-Table sweepPaperTable(const SweepRecord& sweep) {
+Table sweepPaperTable(const study::SweepRecord& sweep) {
   constexpr std::size_t mostColumns = 12;
   constexpr std::size_t mostRows = 100;
   return readableSweepTable(sweep, mostColumns, mostRows);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -3,23 +3,24 @@
 #include "report/tables/table.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Mean error rates in percent over lights and views, cases × methods, with the values of all swept
 /// keys, tinted by size; the truth's uncertainty is the last column. A page has the names of the
 /// cases too, which lead to their reports. A mean over fewer views and lights than others of its
 /// row has a star.
-Table sweepCasesTable(const SweepRecord& sweep);
+Table sweepCasesTable(const study::SweepRecord& sweep);
 
 /// What the methods' mean error rates over lights and views are over all cases: their mean, the
 /// least, the largest and where that is.
-Table sweepSpreadTable(const SweepRecord& sweep);
+Table sweepSpreadTable(const study::SweepRecord& sweep);
 
 /// The table that people read: of one key sweepErrorsTable while its columns fit `mostColumns`,
 /// else sweepCasesTable while its rows fit `mostRows`, else sweepSpreadTable.
-Table readableSweepTable(const SweepRecord& sweep, std::size_t mostColumns, std::size_t mostRows);
+Table readableSweepTable(const study::SweepRecord& sweep, std::size_t mostColumns,
+                         std::size_t mostRows);
 
 /// The table for a paper.
-Table sweepPaperTable(const SweepRecord& sweep);
+Table sweepPaperTable(const study::SweepRecord& sweep);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

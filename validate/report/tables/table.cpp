@@ -10,7 +10,7 @@
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 std::string valueText(Quantity quantity, double value) {
@@ -56,11 +56,11 @@ Cell flagCell(bool flag) {
   return {.value = flag ? 1 : 0};
 }
 
-Cell intervalCell(const std::optional<Interval>& interval, std::string about) {
+Cell intervalCell(const std::optional<compare::Interval>& interval, std::string about) {
   return {.interval = interval, .about = std::move(about)};
 }
 
-Cell metricCell(const Metric& metric) {
+Cell metricCell(const compare::Metric& metric) {
   return {.value = metric.value, .about = std::string(metric.reason)};
 }
 
@@ -99,4 +99,4 @@ std::vector<std::size_t> columnsFor(const Table& table, Readers reader) {
   return columns;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -9,7 +9,7 @@
 #include "compare/confidence_interval.h"
 #include "compare/rates.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A table as data. The functions `…Table` make one of a record; the formats (formats.h) print it:
 /// any format prints any table.
@@ -62,7 +62,7 @@ enum class Emphasis { none, strong, quiet, good, bad, open };
 struct ErrorBar {
   double error = 0, falseShadow = 0, falseLight = 0;
   std::optional<double> uncertainty = {};  ///< of the truth
-  std::optional<Interval> interval = {};
+  std::optional<compare::Interval> interval = {};
   double scale = 1;  ///< the error at the bar's right end
 };
 
@@ -70,7 +70,7 @@ struct ErrorBar {
 struct Cell {
   std::optional<std::string> text = {};  ///< as people read it; else as the quantity says
   std::optional<double> value = {};
-  std::optional<Interval> interval = {};
+  std::optional<compare::Interval> interval = {};
   std::string about = {};  ///< why there is no value, or what it stands on: seen by pointing at it
   std::string mark = {};   ///< behind the figure, with its space: " ≈"
   std::string note = {};   ///< small below it, on a page
@@ -103,8 +103,8 @@ Cell textCell(std::string text, std::string about = "");
 Cell valueCell(std::optional<double> value, std::string about = "");
 Cell countCell(std::size_t count);
 Cell flagCell(bool flag);  ///< 1 or 0
-Cell intervalCell(const std::optional<Interval>& interval, std::string about = "");
-Cell metricCell(const Metric& metric);
+Cell intervalCell(const std::optional<compare::Interval>& interval, std::string about = "");
+Cell metricCell(const compare::Metric& metric);
 /// A share in percent, tinted by its size beside the table's largest.
 Cell heatCell(double share, double worst, std::string about);
 
@@ -122,4 +122,4 @@ std::string heading(const Column& column);
 /// @throws InternalError for a row that has not one cell a column
 std::vector<std::size_t> columnsFor(const Table& table, Readers reader);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,9 +7,9 @@
 #include "report/text/number_text.h"
 #include "study/run/stages/budget.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
-std::string budgetNote(const BudgetRecord& budget) {
+std::string budgetNote(const study::BudgetRecord& budget) {
   return fmt::format(
       "Percent of the samples of view {}, {}. A cause’s share is the error before the cause is "
       "corrected minus the error after. Causes are corrected in the order of the list (forward) or "
@@ -22,8 +22,8 @@ std::string budgetNote(const BudgetRecord& budget) {
       budget.blocks, percentText(budget.uncertainty));
 }
 
-std::string orderText(const BudgetRecord& budget) {
-  const double moved = orderDependence(budget);
+std::string orderText(const study::BudgetRecord& budget) {
+  const double moved = study::orderDependence(budget);
   if (!(budget.total.value > 0)) return "No error to attribute.";
   return fmt::format(
       "{} % wrong. The two orders assign {} % of the samples, {:.0f} % of the error, to different "
@@ -31,20 +31,21 @@ std::string orderText(const BudgetRecord& budget) {
       percentText(budget.total.value), percentText(moved), 100 * moved / budget.total.value);
 }
 
-std::vector<std::string> budgetLights(const StudyRecord& record) {
+std::vector<std::string> budgetLights(const study::StudyRecord& record) {
   std::vector<std::string> lights;
-  for (const BudgetRecord& budget : record.budgets) {
+  for (const study::BudgetRecord& budget : record.budgets) {
     appendOnce(lights, budget.light);
   }
   return lights;
 }
 
-std::vector<BudgetRecord> budgetsOf(const StudyRecord& record, const std::string& light) {
-  std::vector<BudgetRecord> budgets;
-  for (const BudgetRecord& budget : record.budgets) {
+std::vector<study::BudgetRecord> budgetsOf(const study::StudyRecord& record,
+                                           const std::string& light) {
+  std::vector<study::BudgetRecord> budgets;
+  for (const study::BudgetRecord& budget : record.budgets) {
     if (budget.light == light) budgets.push_back(budget);
   }
   return budgets;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Texts of an error budget, the same in every kind of report.
 
@@ -14,15 +14,16 @@ constexpr const char* distantName = "left: distant occluders";
 constexpr const char* otherName = "left: other";
 
 /// What the figures mean, of how many lights and blocks they are, and the truth's uncertainty.
-std::string budgetNote(const BudgetRecord& budget);
+std::string budgetNote(const study::BudgetRecord& budget);
 
 /// How much of a method's error is assigned to another cause in the other order.
-std::string orderText(const BudgetRecord& budget);
+std::string orderText(const study::BudgetRecord& budget);
 
 /// The lights of a record's budgets, each once: all together first.
-std::vector<std::string> budgetLights(const StudyRecord& record);
+std::vector<std::string> budgetLights(const study::StudyRecord& record);
 
 /// The budgets of one light, in the order of the record.
-std::vector<BudgetRecord> budgetsOf(const StudyRecord& record, const std::string& light);
+std::vector<study::BudgetRecord> budgetsOf(const study::StudyRecord& record,
+                                           const std::string& light);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -13,7 +13,7 @@
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// What several rows say of one figure: "0.30", or "0.30 to 0.55" where they differ.
@@ -37,20 +37,22 @@ class Range {
 };
 
 /// Of a view's methods to the best, all lights together: what the marks of its table say.
-std::vector<DifferenceRecord> differencesToBest(const StudyRecord& record, const std::string& view,
-                                                const std::vector<ConfidenceRecord>& ranked) {
-  std::vector<DifferenceRecord> found;
-  for (const ConfidenceRecord& row : ranked) {
-    const auto toBest = differenceOf(record, view, allLights, row.method, ranked.front().method);
+std::vector<study::DifferenceRecord> differencesToBest(
+    const study::StudyRecord& record, const std::string& view,
+    const std::vector<study::ConfidenceRecord>& ranked) {
+  std::vector<study::DifferenceRecord> found;
+  for (const study::ConfidenceRecord& row : ranked) {
+    const auto toBest =
+        study::differenceOf(record, view, study::allLights, row.method, ranked.front().method);
     if (toBest) found.push_back(*toBest);
   }
   return found;
 }
 
 /// @param difference  of the worse method, less the best
-std::string betterText(const DifferenceRecord& difference) {
+std::string betterText(const study::DifferenceRecord& difference) {
   // It says what becomes of the best.
-  const std::string radius = radiusNote(swapped(difference));
+  const std::string radius = radiusNote(study::swapped(difference));
   return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.second,
                      difference.first, percentText(difference.difference),
                      intervalText(difference.interval), radius.empty() ? "" : ", which " + radius);
@@ -58,32 +60,34 @@ std::string betterText(const DifferenceRecord& difference) {
 
 }  // namespace
 
-std::vector<std::string> confidenceViews(const StudyRecord& record) {
+std::vector<std::string> confidenceViews(const study::StudyRecord& record) {
   std::vector<std::string> views;
-  for (const ConfidenceRecord& row : record.confidence) appendOnce(views, row.view);
+  for (const study::ConfidenceRecord& row : record.confidence) appendOnce(views, row.view);
   return views;
 }
 
-std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::string& view) {
-  std::vector<ConfidenceRecord> ranked;
-  for (const ConfidenceRecord& row : record.confidence) {
-    if (row.view == view && row.light == allLights) ranked.push_back(row);
+std::vector<study::ConfidenceRecord> rankedIn(const study::StudyRecord& record,
+                                              const std::string& view) {
+  std::vector<study::ConfidenceRecord> ranked;
+  for (const study::ConfidenceRecord& row : record.confidence) {
+    if (row.view == view && row.light == study::allLights) ranked.push_back(row);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.rate < b.rate; });
   return ranked;
 }
 
-std::string verdictText(const StudyRecord& record, const std::string& view) {
-  const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
+std::string verdictText(const study::StudyRecord& record, const std::string& view) {
+  const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
   if (ranked.size() < 2) return "";
   const std::string& best = ranked.front().method;
   std::string better;
   std::vector<std::string> alike;
   for (std::size_t i = 1; i < ranked.size(); ++i) {
-    const auto difference = differenceOf(record, view, allLights, ranked[i].method, best);
+    const auto difference =
+        study::differenceOf(record, view, study::allLights, ranked[i].method, best);
     if (!difference) continue;
-    if (difference->verdict == DifferenceVerdict::notDistinguishable) {
+    if (difference->verdict == study::DifferenceVerdict::notDistinguishable) {
       alike.push_back(ranked[i].method);
     } else if (better.empty()) {
       better = betterText(*difference);
@@ -94,20 +98,20 @@ std::string verdictText(const StudyRecord& record, const std::string& view) {
   return better.empty() ? same : better + " " + same;
 }
 
-std::string differenceMark(const DifferenceRecord& toBest) {
-  const bool isAlike = toBest.verdict == DifferenceVerdict::notDistinguishable;
+std::string differenceMark(const study::DifferenceRecord& toBest) {
+  const bool isAlike = toBest.verdict == study::DifferenceVerdict::notDistinguishable;
   if (radiusNote(toBest).empty()) return isAlike ? " ≈" : "";
   return (isAlike ? "≈" : " ") + std::string(radiusMark);
 }
 
-std::string confidenceNote(const StudyRecord& record, const std::string& view) {
-  const std::vector<ConfidenceRecord> ranked = rankedIn(record, view);
+std::string confidenceNote(const study::StudyRecord& record, const std::string& view) {
+  const std::vector<study::ConfidenceRecord> ranked = rankedIn(record, view);
   if (ranked.empty()) return "";
   Range blocks;
-  for (const ConfidenceRecord& row : ranked) blocks.add(static_cast<double>(row.blocks));
+  for (const study::ConfidenceRecord& row : ranked) blocks.add(static_cast<double>(row.blocks));
   Range uncertainty;
   std::string radius;
-  for (const DifferenceRecord& toBest : differencesToBest(record, view, ranked)) {
+  for (const study::DifferenceRecord& toBest : differencesToBest(record, view, ranked)) {
     uncertainty.add(toBest.uncertainty);
     if (toBest.radius) {
       radius = fmt::format(" {} depends on the radius: another verdict at half or at twice of it.",
@@ -127,4 +131,4 @@ std::string confidenceNote(const StudyRecord& record, const std::string& view) {
       ranked.front().blockSide, ranked.front().blockSide, truth, radius);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,27 +5,28 @@
 
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Texts about intervals of error rates, the same in every kind of report.
 
 /// The views that have intervals, in the record's order.
-std::vector<std::string> confidenceViews(const StudyRecord& record);
+std::vector<std::string> confidenceViews(const study::StudyRecord& record);
 
 /// The methods of a view from the lowest error rate to the highest, all lights together; equal ones
 /// keep the record's order.
-std::vector<ConfidenceRecord> rankedIn(const StudyRecord& record, const std::string& view);
+std::vector<study::ConfidenceRecord> rankedIn(const study::StudyRecord& record,
+                                              const std::string& view);
 
 /// The verdict on the best method of a view, as sentences: "A is better than B by 1.06 % of the
 /// samples (0.75 to 1.32)", where B is the next method that is distinguishable from A; then the
 /// methods that are not. Empty where there is nothing to compare.
-std::string verdictText(const StudyRecord& record, const std::string& view);
+std::string verdictText(const study::StudyRecord& record, const std::string& view);
 
 /// The mark behind a method's row: " ≈" where it is not distinguishable from the best, †
 /// (radiusMark) where that depends on the search radius. Two columns at most.
-std::string differenceMark(const DifferenceRecord& toBest);
+std::string differenceMark(const study::DifferenceRecord& toBest);
 
 /// What the intervals of a view mean, on how many blocks they rest, and the truth's uncertainty.
-std::string confidenceNote(const StudyRecord& record, const std::string& view);
+std::string confidenceNote(const study::StudyRecord& record, const std::string& view);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

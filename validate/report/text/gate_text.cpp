@@ -7,7 +7,7 @@
 #include "common/overloaded.h"
 #include "study/record/cases.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 std::string anyOr(const std::string& name, const char* kind) {
@@ -19,48 +19,49 @@ std::string valueText(double value) {
   return fmt::format("{:.6g}", value);
 }
 
-std::string nameWith(const Gate& gate, const std::string& limit) {
+std::string nameWith(const study::Gate& gate, const std::string& limit) {
   std::string name = fmt::format("{}, {} {}, {}, {}", anyOr(gate.method, "method"), gate.metric,
                                  limit, anyOr(gate.view, "view"), anyOr(gate.light, "light"));
-  if (gate.region != wholeRegion) name += ", region " + gate.region;
-  if (gate.answer != Answer::drawn) name += fmt::format(", answer {}", answerName(gate.answer));
-  const std::string value = stepValue(gate.step);
+  if (gate.region != study::wholeRegion) name += ", region " + gate.region;
+  if (gate.answer != study::Answer::drawn)
+    name += fmt::format(", answer {}", study::answerName(gate.answer));
+  const std::string value = study::stepValue(gate.step);
   return value.empty() ? name : name + ", at " + value;
 }
 
 }  // namespace
 
-std::string gateVerdictName(GateVerdict verdict) {
+std::string gateVerdictName(study::GateVerdict verdict) {
   switch (verdict) {
-    case GateVerdict::passed:
+    case study::GateVerdict::passed:
       return "pass";
-    case GateVerdict::failed:
+    case study::GateVerdict::failed:
       return "fail";
-    case GateVerdict::undefined:
+    case study::GateVerdict::undefined:
       return "undefined";
-    case GateVerdict::skipped:
+    case study::GateVerdict::skipped:
       return "skipped";
   }
   throw InternalError("gate: a verdict that has no name");
 }
 
-std::string gateOriginName(const Gate& gate) {
-  return std::visit(Overloaded{[](const Threshold&) { return "threshold"; },
-                               [](const Reference&) { return "reference"; },
-                               [](const CompareOption&) { return "option"; }},
+std::string gateOriginName(const study::Gate& gate) {
+  return std::visit(Overloaded{[](const study::Threshold&) { return "threshold"; },
+                               [](const study::Reference&) { return "reference"; },
+                               [](const study::CompareOption&) { return "option"; }},
                     gate.origin);
 }
 
-GatePlace gatePlace(const CheckRecord& check, const Gate& gate) {
-  return std::visit(Overloaded{[&](const Threshold& threshold) {
+GatePlace gatePlace(const study::CheckRecord& check, const study::Gate& gate) {
+  return std::visit(Overloaded{[&](const study::Threshold& threshold) {
                                  return GatePlace{check.file, threshold.line};
                                },
-                               [&](const Reference&) { return GatePlace{check.baseline}; },
-                               [](const CompareOption&) { return GatePlace{}; }},
+                               [&](const study::Reference&) { return GatePlace{check.baseline}; },
+                               [](const study::CompareOption&) { return GatePlace{}; }},
                     gate.origin);
 }
 
-std::string limitText(const Gate& gate) {
+std::string limitText(const study::Gate& gate) {
   if (gate.minimum && gate.maximum) {
     return fmt::format("{} to {}", valueText(*gate.minimum), valueText(*gate.maximum));
   }
@@ -69,34 +70,34 @@ std::string limitText(const Gate& gate) {
   return "no limit";
 }
 
-std::string gateName(const Gate& gate) {
+std::string gateName(const study::Gate& gate) {
   return nameWith(gate, limitText(gate));
 }
 
-std::string gateTitle(const Gate& gate) {
+std::string gateTitle(const study::Gate& gate) {
   return nameWith(gate, gate.minimum && gate.maximum ? "range" : gate.maximum ? "max" : "min");
 }
 
-std::string gateFaultText(const Judgement& judgement) {
+std::string gateFaultText(const study::Judgement& judgement) {
   return fmt::format("{}: {}", gateName(judgement.gate), gateOutcome(judgement));
 }
 
-std::string gateOutcome(const Judgement& judgement) {
-  const Gate& gate = judgement.gate;
+std::string gateOutcome(const study::Judgement& judgement) {
+  const study::Gate& gate = judgement.gate;
   if (!judgement.value) {
-    const bool skipped = judgement.verdict == GateVerdict::skipped;
+    const bool skipped = judgement.verdict == study::GateVerdict::skipped;
     return (skipped ? "skipped: " : "undefined: ") + judgement.reason;
   }
   std::string text = valueText(*judgement.value);
   const std::optional<double> margin = judgement.margin();
-  if (judgement.verdict == GateVerdict::failed && margin) {
+  if (judgement.verdict == study::GateVerdict::failed && margin) {
     const bool large = gate.maximum && *judgement.value > *gate.maximum;
     text += fmt::format(", too {} by {:.3g}", large ? "large" : "small", std::abs(*margin));
   }
-  if (const auto committed = committedValue(gate)) {
+  if (const auto committed = study::committedValue(gate)) {
     text += fmt::format(", {} committed", valueText(*committed));
   }
   return text;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -3,7 +3,7 @@
 #include "image/web_picture.h"
 #include "report/text/utf8_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 Html escapeHtml(std::string_view text) {
   const std::string clean = xmlText(text);
@@ -38,7 +38,7 @@ Html htmlLiteral(HtmlLiteral literal) {
 }
 
 Html pictureAddress(std::string_view type, const std::string& bytes) {
-  return Html(dataAddress(type, bytes));
+  return Html(image::dataAddress(type, bytes));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace gnomon {
+namespace gnomon::report {
 
 class Html;
 
@@ -81,4 +81,4 @@ Html html(fmt::format_string<HtmlPart<Args>...> pattern, const Args&... args) {
   return Html(fmt::format(pattern, htmlPart(args)...));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

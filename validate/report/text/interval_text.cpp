@@ -6,7 +6,7 @@
 
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 std::string endText(double share) {
@@ -17,16 +17,16 @@ std::string endText(double share) {
 
 }  // namespace
 
-std::string intervalText(const std::optional<Interval>& interval) {
+std::string intervalText(const std::optional<compare::Interval>& interval) {
   return interval ? endText(interval->low) + " to " + endText(interval->high) : "–";
 }
 
-std::optional<double> lowOf(const std::optional<Interval>& interval) {
+std::optional<double> lowOf(const std::optional<compare::Interval>& interval) {
   return interval ? std::optional(interval->low) : std::nullopt;
 }
 
-std::optional<double> highOf(const std::optional<Interval>& interval) {
+std::optional<double> highOf(const std::optional<compare::Interval>& interval) {
   return interval ? std::optional(interval->high) : std::nullopt;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,10 +6,10 @@
 
 #include "compare/confidence_interval.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Both ends as percent with two decimals: "−1.20 to 50.00"; "–" where there is no interval.
-std::string intervalText(const std::optional<Interval>& interval);
+std::string intervalText(const std::optional<compare::Interval>& interval);
 
 /// What an interval means, in one sentence: the same in every kind of report.
 constexpr std::string_view intervalMeaning =
@@ -17,7 +17,7 @@ constexpr std::string_view intervalMeaning =
     "the same surface, in the same view, under the same lights.";
 
 /// An end, or nothing.
-std::optional<double> lowOf(const std::optional<Interval>& interval);
-std::optional<double> highOf(const std::optional<Interval>& interval);
+std::optional<double> lowOf(const std::optional<compare::Interval>& interval);
+std::optional<double> highOf(const std::optional<compare::Interval>& interval);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

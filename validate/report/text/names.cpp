@@ -2,70 +2,70 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
-std::string_view verdictName(Verdict verdict) {
+std::string_view verdictName(study::Verdict verdict) {
   switch (verdict) {
-    case Verdict::held:
+    case study::Verdict::held:
       return "held";
-    case Verdict::failed:
+    case study::Verdict::failed:
       return "failed";
-    case Verdict::notDistinguishable:
+    case study::Verdict::notDistinguishable:
       return "not distinguishable";
-    case Verdict::notEvaluated:
+    case study::Verdict::notEvaluated:
       return "not evaluated";
   }
   throw InternalError("verdict: not one of its four values");
 }
 
-std::string_view runStatusName(RunStatus status) {
+std::string_view runStatusName(study::RunStatus status) {
   switch (status) {
-    case RunStatus::pass:
+    case study::RunStatus::pass:
       return "pass";
-    case RunStatus::fail:
+    case study::RunStatus::fail:
       return "fail";
-    case RunStatus::notJudged:
+    case study::RunStatus::notJudged:
       return "not judged";
   }
   throw InternalError("status of a run: not one of its three values");
 }
 
-std::string_view inputKindName(InputRecord::Kind kind) {
+std::string_view inputKindName(study::InputRecord::Kind kind) {
   switch (kind) {
-    case InputRecord::Kind::study:
+    case study::InputRecord::Kind::study:
       return "study";
-    case InputRecord::Kind::mesh:
+    case study::InputRecord::Kind::mesh:
       return "mesh";
-    case InputRecord::Kind::image:
+    case study::InputRecord::Kind::image:
       return "image";
-    case InputRecord::Kind::shader:
+    case study::InputRecord::Kind::shader:
       return "shader";
   }
   throw InternalError("input: not one of its four kinds");
 }
 
-std::string_view differenceVerdictName(DifferenceVerdict verdict) {
+std::string_view differenceVerdictName(study::DifferenceVerdict verdict) {
   switch (verdict) {
-    case DifferenceVerdict::better:
+    case study::DifferenceVerdict::better:
       return "better";
-    case DifferenceVerdict::worse:
+    case study::DifferenceVerdict::worse:
       return "worse";
-    case DifferenceVerdict::notDistinguishable:
+    case study::DifferenceVerdict::notDistinguishable:
       return "not distinguishable";
   }
   throw InternalError("verdict of a difference: not one of its three values");
 }
 
-std::string_view pictureKindName(PictureRecord::Kind kind) {
+std::string_view pictureKindName(study::PictureRecord::Kind kind) {
   switch (kind) {
-    case PictureRecord::Kind::shaded:
+    case study::PictureRecord::Kind::shaded:
       return "shaded";
-    case PictureRecord::Kind::difference:
+    case study::PictureRecord::Kind::difference:
       return "difference";
-    case PictureRecord::Kind::displaced:
+    case study::PictureRecord::Kind::displaced:
       return "displaced";
   }
   throw InternalError("picture: not one of its three kinds");
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -4,21 +4,21 @@
 
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// "held", "failed", "not distinguishable" or "not evaluated", the same in every kind of report.
-std::string_view verdictName(Verdict verdict);
+std::string_view verdictName(study::Verdict verdict);
 
 /// "pass", "fail" or "not judged": in every kind of report.
-std::string_view runStatusName(RunStatus status);
+std::string_view runStatusName(study::RunStatus status);
 
 /// "study", "mesh", "image" or "shader".
-std::string_view inputKindName(InputRecord::Kind kind);
+std::string_view inputKindName(study::InputRecord::Kind kind);
 
 /// "better", "worse" or "not distinguishable": the first of two methods.
-std::string_view differenceVerdictName(DifferenceVerdict verdict);
+std::string_view differenceVerdictName(study::DifferenceVerdict verdict);
 
 /// "shaded", "difference" or "displaced".
-std::string_view pictureKindName(PictureRecord::Kind kind);
+std::string_view pictureKindName(study::PictureRecord::Kind kind);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

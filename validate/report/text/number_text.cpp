@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 double requireFinite(double value, std::string_view what) {
   if (!std::isfinite(value)) {
@@ -57,4 +57,4 @@ std::string groupedText(std::uint64_t value) {
   return digits;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The number itself, if it is one. No report may hold a value that is not finite.
 /// @param what  names the value in the message
@@ -34,4 +34,4 @@ std::string exactText(std::optional<double> value);
 /// An integer with its thousands apart (by a narrow no-break space): "33 554 432".
 std::string groupedText(std::uint64_t value);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -4,14 +4,14 @@
 
 #include "report/text/names.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-std::string_view nameOf(Verdict verdict) {
+std::string_view nameOf(study::Verdict verdict) {
   return verdictName(verdict);
 }
 
-std::string_view nameOf(DifferenceVerdict verdict) {
+std::string_view nameOf(study::DifferenceVerdict verdict) {
   return differenceVerdictName(verdict);
 }
 
@@ -24,12 +24,12 @@ std::string noteOf(const Row& row) {
 
 }  // namespace
 
-std::string radiusNote(const ClaimRecord& claim) {
+std::string radiusNote(const study::ClaimRecord& claim) {
   return noteOf(claim);
 }
 
-std::string radiusNote(const DifferenceRecord& difference) {
+std::string radiusNote(const study::DifferenceRecord& difference) {
   return noteOf(difference);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,7 +6,7 @@
 
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 std::string fewerCasesText(std::size_t cases, std::size_t allCases, const std::string& best,
                            std::optional<double> leaderError) {
@@ -32,4 +32,4 @@ std::string indistinguishableText(const std::vector<std::string>& names) {
   return names.empty() ? "" : "not distinguishable from " + listText(names);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// "in 2 of 4 cases: no rank; onoue-2004 has 1.60 % on the same", of a method without a rank.
 /// @param best       the method of rank 1
@@ -19,4 +19,4 @@ std::string listText(const std::vector<std::string>& names);
 /// "not distinguishable from a and b"; empty without a name.
 std::string indistinguishableText(const std::vector<std::string>& names);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

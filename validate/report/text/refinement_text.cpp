@@ -4,7 +4,7 @@
 
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 std::string stepText(double texels) {
   return fmt::format("{:.4g}", requireFinite(texels, "truth.step_texels"));
@@ -14,17 +14,17 @@ std::string flipText(std::optional<double> rate) {
   return rate ? fmt::format("{:.3g}", 100 * requireFinite(*rate, "flip rate")) : "–";
 }
 
-std::string radiusText(const RadiusRecord& radius) {
+std::string radiusText(const study::RadiusRecord& radius) {
   return fmt::format("{} texels: {}", stepText(radius.texels), radius.reason);
 }
 
-std::string refinementText(const TruthRecord& truth) {
+std::string refinementText(const study::TruthRecord& truth) {
   if (!truth.wantedUncertainty) return "";
   std::string text =
       fmt::format("Refined until at most {} % of the samples differ from the level before:",
                   flipText(truth.wantedUncertainty));
   const char* separator = " ";
-  for (const RefinementRecord& level : truth.refinement) {
+  for (const study::RefinementRecord& level : truth.refinement) {
     text += fmt::format("{}step {} ({} micro-triangles", separator, stepText(level.stepTexels),
                         groupedText(level.microTriangles));
     text += level.flipRate ? fmt::format(", {} %)", flipText(level.flipRate)) : ")";
@@ -33,4 +33,4 @@ std::string refinementText(const TruthRecord& truth) {
   return text + ".";
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

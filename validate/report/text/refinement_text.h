@@ -5,15 +5,15 @@
 
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// "83 texels: a ray to the light …".
-std::string radiusText(const RadiusRecord& radius);
+std::string radiusText(const study::RadiusRecord& radius);
 
 /// How the truth's step was found: "Refined until at most 0.1 % of the samples differ from the
 /// level before: step 1 (61 440 micro-triangles), step 0.5 (245 760 micro-triangles, 1.24 %), …".
 /// Empty where no uncertainty was asked for.
-std::string refinementText(const TruthRecord& truth);
+std::string refinementText(const study::TruthRecord& truth);
 
 /// A flip rate in percent with three significant digits, since it may be far below a hundredth:
 /// "0.0831"; "–" for none.
@@ -22,4 +22,4 @@ std::string flipText(std::optional<double> rate);
 /// A step with as many digits as it needs, at most four: "0.25".
 std::string stepText(double texels);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -9,11 +9,11 @@
 #include "report/text/radius_text.h"
 #include "report/text/text_width.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
-const char* verdictColour(Verdict verdict) {
-  return verdict == Verdict::held ? "32" : verdict == Verdict::failed ? "31" : "33";
+const char* verdictColour(study::Verdict verdict) {
+  return verdict == study::Verdict::held ? "32" : verdict == study::Verdict::failed ? "31" : "33";
 }
 
 /// Where the next `ESC [ DIGITS m` begins: what changes colour and face, and nothing else.
@@ -75,12 +75,12 @@ void TerminalPage::met(const std::string& title, std::size_t all,
   for (const std::string& text : failed) fault("failed", text);
 }
 
-void TerminalPage::claims(const std::vector<ClaimRecord>& records) {
+void TerminalPage::claims(const std::vector<study::ClaimRecord>& records) {
   if (records.empty()) return;
   constexpr std::size_t margin = terminalIndent + 21;
   blank();
   heading("Claims");
-  for (const ClaimRecord& claim : records) {
+  for (const study::ClaimRecord& claim : records) {
     const std::string verdict = fitLeft(verdictName(claim.verdict), margin - terminalIndent);
     std::vector<std::string> lines = wrapText(claim.text, terminalWidth - margin);
     if (lines.empty()) lines.emplace_back();
@@ -93,4 +93,4 @@ void TerminalPage::claims(const std::vector<ClaimRecord>& records) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

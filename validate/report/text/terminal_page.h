@@ -7,7 +7,7 @@
 
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// The columns of a terminal that every table fits in.
 constexpr std::size_t terminalWidth = 100;
@@ -35,7 +35,7 @@ class TerminalPage {
   /// "TITLE: 3 of 4 met", then a line for each that failed; nothing without any.
   void met(const std::string& title, std::size_t all, const std::vector<std::string>& failed);
   /// A section of claims with their verdicts; nothing, if there are none.
-  void claims(const std::vector<ClaimRecord>& claims);
+  void claims(const std::vector<study::ClaimRecord>& claims);
 
   [[nodiscard]] std::string styled(const std::string& text, const char* code) const;
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -45,4 +45,4 @@ class TerminalPage {
   std::string text_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -7,7 +7,7 @@
 
 #include "common/text/utf8.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 struct Glyph {
@@ -115,4 +115,4 @@ std::vector<std::string> wrapText(std::string_view text, std::size_t width) {
   return lines;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

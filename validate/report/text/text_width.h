@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Text for a terminal, measured in its columns: a wide character takes two, a combining one none.
 /// Control characters become '?'; bytes that are not UTF-8, and characters that turn the direction
@@ -28,4 +28,4 @@ std::string fitRight(std::string_view text, std::size_t width);
 /// pieces. No text gives no line.
 std::vector<std::string> wrapText(std::string_view text, std::size_t width);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

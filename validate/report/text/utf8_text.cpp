@@ -2,7 +2,7 @@
 
 #include "common/text/utf8.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 bool isXml(std::uint32_t code) {
@@ -24,4 +24,4 @@ std::string xmlText(std::string_view text) {
   return clean;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

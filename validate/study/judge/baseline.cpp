@@ -15,7 +15,7 @@
 #include "study/judge/gates.h"
 #include "study/record/result_metrics.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr double leastRateTolerance = 0.001;
@@ -58,7 +58,7 @@ std::span<const std::string_view> baselineMetrics(Answer answer) {
 }
 
 bool isLengthMetric(std::string_view metric) {
-  return contains(lengthMetricNames(), metric);
+  return contains(compare::lengthMetricNames(), metric);
 }
 
 std::optional<double> spreadOf(const StudyRecord& record, const Case& which,
@@ -99,7 +99,7 @@ const Reference& referenceOf(const Gate& gate) {
 bool canFail(const Gate& reference) {
   // Lengths are over the truth's own: off by 1 is as good as no shadow at all.
   if (isLengthMetric(reference.metric)) return referenceOf(reference).tolerance < 1;
-  const MetricRange range = metricRange(reference.metric, {});
+  const compare::MetricRange range = compare::metricRange(reference.metric, {});
   return (reference.maximum && *reference.maximum < range.most) ||
          (reference.minimum && *reference.minimum > range.least);
 }
@@ -166,4 +166,4 @@ std::vector<NoticeRecord> betterThan(std::span<const Judgement> references) {
   return notices;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

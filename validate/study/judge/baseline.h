@@ -11,7 +11,7 @@
 #include "study/record/check_record.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The committed values of a study, and the check that a run is not worse than they are.
 ///
@@ -90,4 +90,4 @@ std::vector<Judgement> judgeBaseline(const Baseline& baseline, const StudyRecord
 /// tightened.
 std::vector<NoticeRecord> betterThan(std::span<const Judgement> references);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

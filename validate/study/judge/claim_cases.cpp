@@ -8,7 +8,7 @@
 #include "study/record/cases.h"
 #include "study/record/result_metrics.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// How many times more samples the view has than the row's region: so much larger is the share of
@@ -161,4 +161,4 @@ double meanValue(const std::vector<ClaimCase>& cases) {
   return sum / static_cast<double>(cases.size());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

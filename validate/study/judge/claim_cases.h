@@ -10,7 +10,7 @@
 #include "study/record/record.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The cases of a claim, which claims.h explains.
 
@@ -69,4 +69,4 @@ std::string differenceText(const std::string& metric, double difference);
 /// @param cases  one or more
 double meanValue(const std::vector<ClaimCase>& cases);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

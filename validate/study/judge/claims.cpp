@@ -8,7 +8,7 @@
 #include "study/judge/claim_cases.h"
 #include "study/judge/gains.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 Verdict verdictOver(const ClaimSpread& spread) {
@@ -96,4 +96,4 @@ std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
   return records;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 #include "study/record/sweep_record.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Judges the claims of one study of a run.
 ///
@@ -53,4 +53,4 @@ std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
 std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
                                           const SweepRecord& sweep);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

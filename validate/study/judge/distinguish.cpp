@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// A study with one light has records for all lights together only.
@@ -20,7 +20,7 @@ std::string_view rowLight(const StudyRecord& record, std::string_view view,
 }  // namespace
 
 Estimate withoutInterval(double value, double uncertainty) {
-  return {value, Interval{value, value}, uncertainty};
+  return {value, compare::Interval{value, value}, uncertainty};
 }
 
 DifferenceVerdict opposite(DifferenceVerdict verdict) {
@@ -56,7 +56,7 @@ DifferenceRecord swapped(DifferenceRecord difference) {
   std::swap(difference.first, difference.second);
   difference.difference = -difference.difference;
   if (difference.interval) {
-    difference.interval = Interval{-difference.interval->high, -difference.interval->low};
+    difference.interval = compare::Interval{-difference.interval->high, -difference.interval->low};
   }
   difference.verdict = opposite(difference.verdict);
   if (difference.radius) {
@@ -87,22 +87,23 @@ std::optional<ConfidenceRecord> findConfidence(const StudyRecord& record, std::s
   return found == record.confidence.end() ? std::nullopt : std::optional(*found);
 }
 
-std::optional<Interval> meanInterval(const StudyRecord& record, std::string_view method,
-                                     const std::set<std::string>& views) {
-  Interval sum;
+std::optional<compare::Interval> meanInterval(const StudyRecord& record, std::string_view method,
+                                              const std::set<std::string>& views) {
+  compare::Interval sum;
   for (const std::string& view : views) {
     const auto row = findConfidence(record, view, allLights, method);
     if (!row || !row->interval) return std::nullopt;
     sum = {sum.low + row->interval->low, sum.high + row->interval->high};
   }
   const auto count = static_cast<double>(views.size());
-  return views.empty() ? std::nullopt : std::optional(Interval{sum.low / count, sum.high / count});
+  return views.empty() ? std::nullopt
+                       : std::optional(compare::Interval{sum.low / count, sum.high / count});
 }
 
 DifferenceRecord meanDifference(const std::vector<DifferenceRecord>& all) {
   const auto count = static_cast<double>(all.size());
   DifferenceRecord mean = all.front();
-  Interval ends;
+  compare::Interval ends;
   mean.difference = 0;
   mean.uncertainty = 0;
   for (const DifferenceRecord& one : all) {
@@ -132,4 +133,4 @@ std::optional<DifferenceRecord> differenceOverViews(const StudyRecord& record,
   return views.empty() ? std::nullopt : std::optional(meanDifference(views));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The only rule for whether two figures differ. Verdicts, the mark ≈ in all tables, LaTeX,
 /// rankings, error budgets and claims use it.
@@ -18,7 +18,7 @@ struct Estimate {
   double value = 0;
   /// 95 %, of the value; none where too little is known. Of a difference over the scenes of a suite
   /// (judge/suite) that over the scenes, as wide as Holm's correction asks of the comparison.
-  std::optional<Interval> interval;
+  std::optional<compare::Interval> interval;
   double uncertainty = 0;  ///< of the truth, in the figure's unit
 };
 
@@ -58,8 +58,8 @@ std::optional<ConfidenceRecord> findConfidence(const StudyRecord& record, std::s
 /// The mean interval of a method's error rate over views, all lights together: the mean of the
 /// ends, as if all errors were fully correlated, so never too narrow. None where a view has none,
 /// and without any view.
-std::optional<Interval> meanInterval(const StudyRecord& record, std::string_view method,
-                                     const std::set<std::string>& views);
+std::optional<compare::Interval> meanInterval(const StudyRecord& record, std::string_view method,
+                                              const std::set<std::string>& views);
 
 /// The mean of differences of the same two methods: of their differences, of their intervals' ends
 /// (as if all errors were fully correlated, so never too narrow) and of the truth's uncertainties;
@@ -73,4 +73,4 @@ std::optional<DifferenceRecord> differenceOverViews(const StudyRecord& record,
                                                     std::string_view first,
                                                     std::string_view second);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 
 #include "study/judge/claim_cases.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Whether the first gain is above the second.
@@ -58,10 +58,11 @@ Estimate gainDifference(const Estimate& first, const Estimate& second) {
   const double difference = first.value - second.value;
   Estimate estimate{difference, std::nullopt, first.uncertainty + second.uncertainty};
   if (first.interval && second.interval) {
-    estimate.interval = Interval{difference - std::hypot(first.value - first.interval->low,
-                                                         second.interval->high - second.value),
-                                 difference + std::hypot(first.interval->high - first.value,
-                                                         second.value - second.interval->low)};
+    estimate.interval =
+        compare::Interval{difference - std::hypot(first.value - first.interval->low,
+                                                  second.interval->high - second.value),
+                          difference + std::hypot(first.interval->high - first.value,
+                                                  second.value - second.interval->low)};
   }
   return estimate;
 }
@@ -105,4 +106,4 @@ ClaimRecord judgeGrowth(const ClaimSpec& claim, const SweepRecord& sweep) {
               sweep.cases.front().values.front().text, intervalText(claim, *after, *before))};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

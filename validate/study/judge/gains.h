@@ -9,7 +9,7 @@
 #include "study/record/sweep_record.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Claims that compare gains, which claims.h explains.
 
@@ -27,4 +27,4 @@ ClaimRecord judgeGain(const ClaimSpec& claim, const StudyRecord& study,
 /// A claim with `gainGrows`: the gain at the last value of a sweep against that at the first.
 ClaimRecord judgeGrowth(const ClaimSpec& claim, const SweepRecord& sweep);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

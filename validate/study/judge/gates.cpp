@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "study/record/result_metrics.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 bool matches(const std::string& filter, const std::string& name) {
@@ -33,7 +33,7 @@ Gate gateOn(const ResultRecord& row, Gate gate, const std::string& step) {
 
 }  // namespace
 
-Judgement judge(Gate gate, const Metric& found) {
+Judgement judge(Gate gate, const compare::Metric& found) {
   if (!found.value) {
     return {std::move(gate), GateVerdict::undefined, {}, std::string(found.reason)};
   }
@@ -63,4 +63,4 @@ std::vector<Judgement> judgeThresholds(std::span<const Gate> thresholds,
   return judgements;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

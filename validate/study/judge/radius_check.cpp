@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 bool isSame(const ClaimRecord& a, const ClaimRecord& b) {
@@ -52,4 +52,4 @@ void keepRadiusChecks(SweepRecord& sweep, const SweepRecord& half, const SweepRe
   keep(sweep.claims, half.claims, twice.claims);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 #include "study/record/sweep_record.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Judges a study again at half and at twice its search radius: a verdict that changes with that
 /// choice cannot be relied on.
@@ -20,4 +20,4 @@ StudySpec withRadiusTimes(StudySpec study, double factor);
 void keepRadiusChecks(StudyRecord& record, const StudyRecord& half, const StudyRecord& twice);
 void keepRadiusChecks(SweepRecord& sweep, const SweepRecord& half, const SweepRecord& twice);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include "compare/rates.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using Rows = std::vector<const ResultRecord*>;
@@ -13,7 +13,7 @@ using Rows = std::vector<const ResultRecord*>;
 Mean meanOver(const Rows& rows, std::string_view metric) {
   std::vector<std::optional<double>> defined;
   for (const ResultRecord* row : rows) {
-    if (const auto value = rate(row->counts, metric).value) defined.emplace_back(value);
+    if (const auto value = compare::rate(row->counts, metric).value) defined.emplace_back(value);
   }
   return {meanOf(defined), defined.size()};
 }
@@ -51,4 +51,4 @@ std::vector<RankedMethod> rankMethods(const StudyRecord& record) {
   return ranked;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

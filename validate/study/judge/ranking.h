@@ -9,7 +9,7 @@
 #include "study/judge/study_ranking.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A metric averaged over cases, each with the same weight.
 struct Mean {
@@ -25,7 +25,7 @@ struct RankedMethod : RankedOverStudies {
   /// 95 % for the mean error rate: the mean of the ends of its views' intervals, all lights
   /// together. Exact for one view; for several as if their errors were fully correlated, so never
   /// too narrow. None where a view has none.
-  std::optional<Interval> interval;
+  std::optional<compare::Interval> interval;
   Mean testError;  ///< error rate of the shadow test alone
   /// Labels that it is not distinguishable from, by differenceOverViews.
   std::vector<std::string> indistinguishable;
@@ -34,4 +34,4 @@ struct RankedMethod : RankedOverStudies {
 /// The methods in the order of rankOverStudies over this study alone.
 std::vector<RankedMethod> rankMethods(const StudyRecord& record);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

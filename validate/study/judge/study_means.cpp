@@ -10,7 +10,7 @@
 #include "study/judge/distinguish.h"
 #include "study/record/cases.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 std::string nameOf(const StudyRecord& record, const std::string& label) {
@@ -104,7 +104,7 @@ MethodMeans meansOf(const StudyRecord& record, const std::string& label) {
   const std::vector<const ResultRecord*> rows = rankedRows(record, label, Answer::drawn);
   const auto mean = [&](std::string_view metric) {
     std::vector<std::optional<double>> values;
-    for (const ResultRecord* row : rows) values.push_back(rate(row->counts, metric).value);
+    for (const ResultRecord* row : rows) values.push_back(compare::rate(row->counts, metric).value);
     return meanOf(values);
   };
   std::set<std::string> views;
@@ -217,4 +217,4 @@ std::vector<const ResultRecord*> rankedRows(const StudyRecord& record, std::stri
   return rows;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

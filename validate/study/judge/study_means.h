@@ -11,7 +11,7 @@
 #include "study/record/record.h"
 #include "study/record/sweep_record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// One method in one study: means over its lights and views, each with the same weight, in the
 /// region of all samples. Shares of the samples, 0 to 1; none where no light and view defines one.
@@ -26,7 +26,7 @@ struct MethodMeans {
   /// first value, then of its second, and so on.
   std::vector<std::optional<double>> caseErrors = {};
   /// 95 % of `errorRate` in a study, see RankedMethod; none for a sweep's mean.
-  std::optional<Interval> interval = std::nullopt;
+  std::optional<compare::Interval> interval = std::nullopt;
 
   /// In how many of them it has one.
   [[nodiscard]] std::size_t cases() const;
@@ -89,4 +89,4 @@ std::optional<DifferenceRecord> differenceIn(const StudyMeans& study, std::strin
 std::vector<const ResultRecord*> rankedRows(const StudyRecord& record, std::string_view method,
                                             Answer answer);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 #include "common/lists.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 RankedOverStudies summarise(std::span<const StudyMeans> studies, const std::string& label) {
@@ -112,4 +112,4 @@ std::string labelWithName(const RankedOverStudies& method) {
   return plain ? method.label : fmt::format("{} ({})", method.label, fmt::join(method.names, ", "));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 
 #include "study/judge/study_means.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A method over the studies of a run. Methods of one label are one method.
 struct RankedOverStudies {
@@ -43,4 +43,4 @@ std::vector<RankedOverStudies> rankOverStudies(std::span<const StudyMeans> studi
 /// "onoue-2004", or "ours (onoue-2004)" where the label is not the method's own name.
 std::string labelWithName(const RankedOverStudies& method);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 #include "study/judge/claims.h"
 #include "study/spec/resolved_study.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 SweepRecord makeSweepRecord(const StudyPlan& plan, std::vector<StudyRecord> steps,
                             const std::string& command) {
@@ -25,4 +25,4 @@ SweepRecord makeSweepRecord(const StudyPlan& plan, std::vector<StudyRecord> step
   return record;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

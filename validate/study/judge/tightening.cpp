@@ -9,7 +9,7 @@
 
 #include "study/judge/baseline.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr double looseShare = 0.25;
@@ -69,4 +69,4 @@ std::vector<NoticeRecord> looseThresholds(std::span<const Gate> thresholds,
   return notices;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

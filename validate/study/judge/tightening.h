@@ -6,7 +6,7 @@
 #include "study/record/check_record.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A notice for each limit that could be tightened: its nearest value, over all rows and steps that
 /// it applies to, is farther from it than a quarter of the limit and four times `toleranceOf`.
@@ -15,4 +15,4 @@ namespace gnomon {
 std::vector<NoticeRecord> looseThresholds(std::span<const Gate> thresholds,
                                           std::span<const StudyRecord> steps);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -1,6 +1,6 @@
 #include "study/record/answer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 std::string_view answerName(Answer answer) {
   return answer == Answer::drawn ? "drawn" : "test";
@@ -13,4 +13,4 @@ std::optional<Answer> answerOfName(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Which of a method's two answers a figure is of (`MethodAnswers`): `drawn` is the score.
 enum class Answer { drawn, test };
@@ -17,4 +17,4 @@ std::string_view answerName(Answer answer);
 /// The answer of a name; none for another text.
 std::optional<Answer> answerOfName(std::string_view name);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

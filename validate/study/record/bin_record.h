@@ -5,7 +5,7 @@
 
 #include "compare/counts.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// One method's counts over the samples of a view, all lights together, whose value on one axis
 /// lies in a bin. The bins of an axis hold every sample that has a value there, each in one of
@@ -17,7 +17,7 @@ struct BinRecord {
   std::string axis;            ///< the name of one of sampleAxes()
   std::optional<double> low;   ///< included; none where the bin has no lower end
   std::optional<double> high;  ///< excluded; none where the bin has no upper end
-  Counts counts;
+  compare::Counts counts;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,14 +7,14 @@
 
 #include "compare/confidence_interval.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A part of an error rate, as a share of all samples. Negative where correcting a cause made the
 /// error larger: two errors of a method may cancel.
 struct BudgetShare {
   double value = 0;
-  std::optional<Interval> interval;  ///< 95 %; none where the view is too small to tell
-  std::string reason;                ///< why there is none; empty if there is one
+  std::optional<compare::Interval> interval;  ///< 95 %; none where the view is too small to tell
+  std::string reason;                         ///< why there is none; empty if there is one
   /// From none, by `distinguish`.
   bool distinguishable = false;
 };
@@ -50,4 +50,4 @@ struct BudgetRecord {
   std::vector<BudgetState> backward;  ///< likewise
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A file that a run was made of.
 struct InputRecord {
@@ -23,4 +23,4 @@ struct CaseRecord {
   std::vector<InputRecord> inputs = {};
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

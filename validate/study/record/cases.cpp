@@ -5,7 +5,7 @@
 #include "common/lists.h"
 #include "compare/rates.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 bool belongsTo(const ResultRecord& result, const Case& which) {
@@ -63,7 +63,7 @@ const ResultRecord* findResult(const StudyRecord& record, std::string_view metho
 std::optional<double> rateOf(const StudyRecord& record, std::string_view method, const Case& which,
                              Answer answer, std::string_view metric) {
   const ResultRecord* row = findResult(record, method, which, wholeRegion, answer);
-  return row == nullptr ? std::nullopt : rate(row->counts, metric).value;
+  return row == nullptr ? std::nullopt : compare::rate(row->counts, metric).value;
 }
 
 const UncertaintyRecord* findUncertainty(const StudyRecord& record, const Case& which) {
@@ -80,4 +80,4 @@ std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which
   return measured ? std::optional(record.truth.uncertainty) : std::nullopt;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The region that holds every sample.
 constexpr std::string_view wholeRegion = "all";
@@ -47,4 +47,4 @@ const UncertaintyRecord* findUncertainty(const StudyRecord& record, const Case& 
 /// measure the case, its largest share; none, if it measured no case.
 std::optional<double> uncertaintyOf(const StudyRecord& record, const Case& which);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 
 #include "study/record/gate.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Advice, and the place in the study's file that it is about. It does not change the result of a
 /// check.
@@ -33,4 +33,4 @@ struct CheckRecord {
   }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 
 #include "common/quantile.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 std::string quartilesText(const ClaimSpread& spread) {
@@ -46,4 +46,4 @@ std::string spreadText(const ClaimSpread& spread) {
                      spread.failed, quartilesText(spread));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::study {
 
 enum class Verdict { held, failed, notDistinguishable, notEvaluated };
 
@@ -45,4 +45,4 @@ struct ClaimSpread {
 /// holds in 25 of 54".
 std::string spreadText(const ClaimSpread& spread);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

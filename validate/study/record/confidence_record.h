@@ -7,7 +7,7 @@
 
 #include "compare/confidence_interval.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The light of a record that speaks of all lights of its study together.
 constexpr std::string_view allLights = "all";
@@ -18,12 +18,12 @@ constexpr std::string_view allLights = "all";
 struct ConfidenceRecord {
   std::string method;  ///< a MethodRecord's label
   std::string view;
-  std::string light;                 ///< its name, or "all"
-  double rate = 0;                   ///< error rate, 0 to 1
-  std::optional<Interval> interval;  ///< 95 %; none where the view has too few blocks
-  std::string reason;                ///< why there is none; empty if there is one
-  std::size_t blocks = 0;            ///< that hold a sample
-  int blockSide = 0;                 ///< samples
+  std::string light;                          ///< its name, or "all"
+  double rate = 0;                            ///< error rate, 0 to 1
+  std::optional<compare::Interval> interval;  ///< 95 %; none where the view has too few blocks
+  std::string reason;                         ///< why there is none; empty if there is one
+  std::size_t blocks = 0;                     ///< that hold a sample
+  int blockSide = 0;                          ///< samples
 };
 
 /// A verdict at half and at twice the search radius.
@@ -49,12 +49,12 @@ struct DifferenceRecord {
   std::string first;      ///< a MethodRecord's label
   std::string second;     ///< likewise, later in the study
   double difference = 0;  ///< error rate of the first less that of the second: below 0 it is better
-  std::optional<Interval> interval;  ///< 95 %, of the difference
-  std::string reason;                ///< why there is none; empty if there is one
-  double uncertainty = 0;            ///< of the truth in this view, mean over these lights
+  std::optional<compare::Interval> interval;  ///< 95 %, of the difference
+  std::string reason;                         ///< why there is none; empty if there is one
+  double uncertainty = 0;                     ///< of the truth in this view, mean over these lights
   /// By `distinguish`.
   DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
   std::optional<RadiusCheck<DifferenceVerdict>> radius = std::nullopt;  ///< if it was varied
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

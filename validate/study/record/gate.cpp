@@ -4,7 +4,7 @@
 
 #include "common/overloaded.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 std::optional<double> Judgement::margin() const {
   if (!value) return std::nullopt;
@@ -65,4 +65,4 @@ RunStatus runStatus(std::span<const Judgement> judgements,
   return any ? RunStatus::pass : RunStatus::notJudged;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -11,7 +11,7 @@
 #include "common/error.h"
 #include "study/record/answer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The limits that a run is checked against, and the results of the checks.
 
@@ -98,4 +98,4 @@ enum class RunStatus {
 
 RunStatus runStatus(std::span<const Judgement> judgements, std::span<const ProblemRecord> problems);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -18,7 +18,7 @@
 #include "study/record/confidence_record.h"
 #include "study/record/gate.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// What one run of one study found: plain data, written by `report`. Every figure is one that the
 /// run computed.
@@ -45,7 +45,7 @@ struct UncertaintyRecord {
   /// from 1; none where too few could be measured.
   std::optional<double> lengthError = std::nullopt;
   /// The boundary metrics of that coarser truth's mask, as if it were a method's.
-  std::vector<Metric> boundaries = {};
+  std::vector<compare::Metric> boundaries = {};
 };
 
 /// One level of a refinement to a wanted uncertainty.
@@ -97,9 +97,9 @@ struct ResultRecord {
   std::string light;
   std::string view;
   std::string region;
-  Counts counts;
-  std::optional<ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
-  std::vector<Metric> boundaries = {};                  ///< likewise; empty for other regions
+  compare::Counts counts;
+  std::optional<compare::ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
+  std::vector<compare::Metric> boundaries = {};  ///< likewise; empty for other regions
   Answer answer = Answer::drawn;
 };
 
@@ -216,9 +216,9 @@ struct StudyRecord {
   std::vector<BudgetRecord>
       budgets;  ///< a ladder for all lights together, then for each of several
   std::vector<PanelRecord> panels;
-  std::vector<std::string> notices;    ///< to be read before the figures; see study/notices.h
-  std::uint64_t undefinedSamples = 0;  ///< left out: their texture map is degenerate
-  std::optional<CacheCounts> cache;    ///< none where the run used no cache
+  std::vector<std::string> notices;         ///< to be read before the figures; see study/notices.h
+  std::uint64_t undefinedSamples = 0;       ///< left out: their texture map is degenerate
+  std::optional<cache::CacheCounts> cache;  ///< none where the run used no cache
 
   /// The title, or the name of a study without one.
   [[nodiscard]] const std::string& heading() const { return title.empty() ? name : title; }
@@ -226,4 +226,4 @@ struct StudyRecord {
   [[nodiscard]] RunStatus status() const { return runStatus(judgements, problems); }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,18 +9,18 @@
 #include "compare/boundaries.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// What a StudyRecord is made of, as bytes and back: see byte_stream.h. Every member of a struct is
 /// named in a structured binding, so that one that is new, and would be lost, does not compile.
 
-template <typename Stream, SameAs<Counts> T>
+template <typename Stream, SameAs<compare::Counts> T>
 void fields(Stream& stream, T& counts) {
   auto& [truePositive, falsePositive, falseNegative, trueNegative, samples] = counts;
   stream(truePositive, falsePositive, falseNegative, trueNegative, samples);
 }
 
-template <typename Stream, SameAs<ShadowLengths> T>
+template <typename Stream, SameAs<compare::ShadowLengths> T>
 void fields(Stream& stream, T& lengths) {
   auto& [runs, ratio, lowerQuartile, upperQuartile, truthLength] = lengths;
   stream(runs, ratio, lowerQuartile, upperQuartile, truthLength);
@@ -28,7 +28,7 @@ void fields(Stream& stream, T& lengths) {
 
 /// Boundary metrics: their texts are constants, kept by their places in the lists of them.
 struct BoundaryMetrics {
-  std::vector<Metric> metrics;
+  std::vector<compare::Metric> metrics;
 };
 
 /// The place of a text in a list; the list's size for an empty one.
@@ -48,124 +48,125 @@ void fields(Stream& stream, T& boundaries) {
   std::uint64_t count = boundaries.metrics.size();
   stream(count);
   if constexpr (!std::is_const_v<T>) {
-    if (count > boundaryMetricNames().size()) throw DamagedBytes();
+    if (count > compare::boundaryMetricNames().size()) throw DamagedBytes();
     boundaries.metrics.resize(count);
   }
   for (auto& metric : boundaries.metrics) {
-    std::uint64_t name = placeIn(boundaryMetricNames(), metric.name);
-    std::uint64_t reason = placeIn(boundaryReasons(), metric.reason);
+    std::uint64_t name = placeIn(compare::boundaryMetricNames(), metric.name);
+    std::uint64_t reason = placeIn(compare::boundaryReasons(), metric.reason);
     stream(name, metric.value, reason);
     if constexpr (!std::is_const_v<T>) {
-      metric.name = textAt(boundaryMetricNames(), name);
-      metric.reason = textAt(boundaryReasons(), reason);
+      metric.name = textAt(compare::boundaryMetricNames(), name);
+      metric.reason = textAt(compare::boundaryReasons(), reason);
     }
   }
 }
 
 /// A record's boundary metrics, in their place among its other members.
-template <typename Stream, SameAs<std::vector<Metric>> T>
+template <typename Stream, SameAs<std::vector<compare::Metric>> T>
 void boundaryFields(Stream& stream, T& metrics) {
   BoundaryMetrics boundaries{metrics};
   stream(boundaries);
   if constexpr (!std::is_const_v<T>) metrics = std::move(boundaries.metrics);
 }
 
-template <typename Stream, SameAs<EnvironmentRecord> T>
+template <typename Stream, SameAs<study::EnvironmentRecord> T>
 void fields(Stream& stream, T& environment) {
   auto& [version, commit, cpu, threads, renderer, gl, embree, openSubdiv, clock] = environment;
   stream(version, commit, cpu, threads, renderer, gl, embree, openSubdiv, clock);
 }
 
-template <typename Stream, SameAs<UncertaintyRecord> T>
+template <typename Stream, SameAs<study::UncertaintyRecord> T>
 void fields(Stream& stream, T& flip) {
   auto& [view, light, flipRate, lengthError, boundaries] = flip;
   stream(view, light, flipRate, lengthError);
   boundaryFields(stream, boundaries);
 }
 
-template <typename Stream, SameAs<RefinementRecord> T>
+template <typename Stream, SameAs<study::RefinementRecord> T>
 void fields(Stream& stream, T& level) {
   auto& [stepTexels, microTriangles, flipRate] = level;
   stream(stepTexels, microTriangles, flipRate);
 }
 
-template <typename Stream, SameAs<TruthRecord> T>
+template <typename Stream, SameAs<study::TruthRecord> T>
 void fields(Stream& stream, T& truth) {
   auto& [triangles, step, uncertainty, bvh, mesh, flips, wanted, refinement, asked] = truth;
   stream(triangles, step, uncertainty, bvh, mesh, flips, wanted, refinement, asked);
 }
 
-template <typename Stream, SameAs<RadiusRecord> T>
+template <typename Stream, SameAs<study::RadiusRecord> T>
 void fields(Stream& stream, T& radius) {
   auto& [texels, reason] = radius;
   stream(texels, reason);
 }
 
-template <typename Stream, SameAs<MethodRecord> T>
+template <typename Stream, SameAs<study::MethodRecord> T>
 void fields(Stream& stream, T& method) {
   auto& [label, name, title, citation] = method;
   stream(label, name, title, citation);
 }
 
-template <typename Stream, SameAs<RefusedMethod> T>
+template <typename Stream, SameAs<study::RefusedMethod> T>
 void fields(Stream& stream, T& refused) {
   auto& [label, reason] = refused;
   stream(label, reason);
 }
 
-template <typename Stream, SameAs<ResultRecord> T>
+template <typename Stream, SameAs<study::ResultRecord> T>
 void fields(Stream& stream, T& result) {
   auto& [method, light, view, region, counts, lengths, boundaries, answer] = result;
   stream(method, light, view, region, counts, lengths, answer);
   boundaryFields(stream, boundaries);
 }
 
-template <typename Stream, SameAs<Interval> T>
+template <typename Stream, SameAs<compare::Interval> T>
 void fields(Stream& stream, T& interval) {
   auto& [low, high] = interval;
   stream(low, high);
 }
 
-template <typename Stream, SameAs<ConfidenceRecord> T>
+template <typename Stream, SameAs<study::ConfidenceRecord> T>
 void fields(Stream& stream, T& confidence) {
   auto& [method, view, light, rate, interval, reason, blocks, blockSide] = confidence;
   stream(method, view, light, rate, interval, reason, blocks, blockSide);
 }
 
 template <typename Stream, typename T>
-requires SameAs<T, RadiusCheck<Verdict>> || SameAs<T, RadiusCheck<DifferenceVerdict>>
+requires SameAs<T, study::RadiusCheck<study::Verdict>> ||
+    SameAs<T, study::RadiusCheck<study::DifferenceVerdict>>
 void fields(Stream& stream, T& check) {
   auto& [atHalf, atTwice] = check;
   stream(atHalf, atTwice);
 }
 
-template <typename Stream, SameAs<DifferenceRecord> T>
+template <typename Stream, SameAs<study::DifferenceRecord> T>
 void fields(Stream& stream, T& pair) {
   auto& [view, light, first, second, difference, interval, reason, uncertainty, verdict, radius] =
       pair;
   stream(view, light, first, second, difference, interval, reason, uncertainty, verdict, radius);
 }
 
-template <typename Stream, SameAs<BinRecord> T>
+template <typename Stream, SameAs<study::BinRecord> T>
 void fields(Stream& stream, T& bin) {
   auto& [method, view, light, axis, low, high, counts] = bin;
   stream(method, view, light, axis, low, high, counts);
 }
 
-template <typename Stream, SameAs<CostRecord> T>
+template <typename Stream, SameAs<study::CostRecord> T>
 void fields(Stream& stream, T& cost) {
   auto& [method, polygons, tableBytes, heightBytes, frameMs, passes, keptSince] = cost;
   stream(method, polygons, tableBytes, heightBytes, frameMs, passes, keptSince);
 }
 
-template <typename Stream, SameAs<TimingRecord> T>
+template <typename Stream, SameAs<study::TimingRecord> T>
 void fields(Stream& stream, T& timing) {
   auto& [stage, seconds] = timing;
   stream(stage, seconds);
 }
 
 /// A threshold's own table stays out: it is the study's, and tells nothing of what was found.
-template <typename Stream, SameAs<Threshold> T>
+template <typename Stream, SameAs<study::Threshold> T>
 void fields(Stream& stream, T& threshold) {
   auto& [line, quick, written] = threshold;
   stream(line, quick);
@@ -173,69 +174,69 @@ void fields(Stream& stream, T& threshold) {
 }
 
 /// @throws InternalError for a gate that is no threshold: only a check judges by others
-template <typename Stream, SameAs<Gate> T>
+template <typename Stream, SameAs<study::Gate> T>
 void fields(Stream& stream, T& gate) {
   auto& [method, light, view, region, metric, minimum, maximum, origin, answer, step] = gate;
-  auto* threshold = std::get_if<Threshold>(&origin);
+  auto* threshold = std::get_if<study::Threshold>(&origin);
   if (threshold == nullptr) throw InternalError("a gate of a run is no threshold");
   stream(method, light, view, region, metric, minimum, maximum, *threshold, answer, step);
 }
 
-template <typename Stream, SameAs<Judgement> T>
+template <typename Stream, SameAs<study::Judgement> T>
 void fields(Stream& stream, T& judgement) {
   auto& [gate, verdict, value, reason] = judgement;
   stream(gate, verdict, value, reason);
 }
 
-template <typename Stream, SameAs<ProblemRecord> T>
+template <typename Stream, SameAs<study::ProblemRecord> T>
 void fields(Stream& stream, T& problem) {
   auto& [part, status, message] = problem;
   stream(part, status, message);
 }
 
-template <typename Stream, SameAs<ReferencePictures> T>
+template <typename Stream, SameAs<study::ReferencePictures> T>
 void fields(Stream& stream, T& pictures) {
   auto& [method, view, light, before, after, change, note] = pictures;
   stream(method, view, light, before, after, change, note);
 }
 
-template <typename Stream, SameAs<Quartiles> T>
+template <typename Stream, SameAs<study::Quartiles> T>
 void fields(Stream& stream, T& quartiles) {
   auto& [least, first, median, third, most] = quartiles;
   stream(least, first, median, third, most);
 }
 
-template <typename Stream, SameAs<ClaimSpread> T>
+template <typename Stream, SameAs<study::ClaimSpread> T>
 void fields(Stream& stream, T& spread) {
   auto& [cases, held, failed, views, quantity, quartiles, hasIntervals, together] = spread;
   stream(cases, held, failed, views, quantity, quartiles, hasIntervals, together);
 }
 
-template <typename Stream, SameAs<ClaimRecord> T>
+template <typename Stream, SameAs<study::ClaimRecord> T>
 void fields(Stream& stream, T& claim) {
   auto& [text, source, verdict, detail, spread, radius] = claim;
   stream(text, source, verdict, detail, spread, radius);
 }
 
-template <typename Stream, SameAs<BudgetShare> T>
+template <typename Stream, SameAs<study::BudgetShare> T>
 void fields(Stream& stream, T& share) {
   auto& [value, interval, reason, distinguishable] = share;
   stream(value, interval, reason, distinguishable);
 }
 
-template <typename Stream, SameAs<BudgetCause> T>
+template <typename Stream, SameAs<study::BudgetCause> T>
 void fields(Stream& stream, T& cause) {
   auto& [name, change, forward, backward] = cause;
   stream(name, change, forward, backward);
 }
 
-template <typename Stream, SameAs<BudgetState> T>
+template <typename Stream, SameAs<study::BudgetState> T>
 void fields(Stream& stream, T& state) {
   auto& [errorRate, falseShadow, falseLight] = state;
   stream(errorRate, falseShadow, falseLight);
 }
 
-template <typename Stream, SameAs<BudgetRecord> T>
+template <typename Stream, SameAs<study::BudgetRecord> T>
 void fields(Stream& stream, T& budget) {
   auto& [method, view, light, uncertainty, blocks, total, causes, distant, other, forward,
          backward] = budget;
@@ -243,38 +244,38 @@ void fields(Stream& stream, T& budget) {
          backward);
 }
 
-template <typename Stream, SameAs<TruthFilesRecord> T>
+template <typename Stream, SameAs<study::TruthFilesRecord> T>
 void fields(Stream& stream, T& files) {
   auto& [mask, regions, seam, weights] = files;
   stream(mask, regions, seam, weights);
 }
 
-template <typename Stream, SameAs<PictureRecord> T>
+template <typename Stream, SameAs<study::PictureRecord> T>
 void fields(Stream& stream, T& picture) {
   auto& [kind, method, caption, path, mask, embedded, layers, truth, testMask] = picture;
   stream(kind, method, caption, path, mask, embedded, layers, truth, testMask);
 }
 
-template <typename Stream, SameAs<LayersRecord> T>
+template <typename Stream, SameAs<study::LayersRecord> T>
 void fields(Stream& stream, T& layers) {
   auto& [lit, dark] = layers;
   stream(lit, dark);
 }
 
-template <typename Stream, SameAs<PanelRecord> T>
+template <typename Stream, SameAs<study::PanelRecord> T>
 void fields(Stream& stream, T& panel) {
   auto& [view, light, width, height, pictures, layers] = panel;
   stream(view, light, width, height, pictures, layers);
 }
 
-template <typename Stream, SameAs<CacheCounts> T>
+template <typename Stream, SameAs<cache::CacheCounts> T>
 void fields(Stream& stream, T& counts) {
   auto& [hits, misses, damaged] = counts;
   stream(hits, misses, damaged);
 }
 
 /// What tells of the run's folder, `reproduction`, stays out: it follows from study and folder.
-template <typename Stream, SameAs<StudyRecord> T>
+template <typename Stream, SameAs<study::StudyRecord> T>
 void fields(Stream& stream, T& record) {
   auto& [name, title, source, file, command, reproduction, environment, radius, truth, atlasViews,
          methods, refused, results, confidence, differences, bins, cost, timings, judgements,
@@ -286,4 +287,4 @@ void fields(Stream& stream, T& record) {
   (void)reproduction;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

@@ -6,15 +6,15 @@
 #include "compare/rates.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// All metrics of one result: its rates, the boundaries of its shadows, then their lengths.
 /// @throws InternalError as `rates`
-std::vector<Metric> metricsOf(const ResultRecord& result);
+std::vector<compare::Metric> metricsOf(const ResultRecord& result);
 
 /// One of them by name.
 /// @throws InternalError for a name that `metricNames` does not have
-Metric metricOf(const ResultRecord& result, std::string_view name);
+compare::Metric metricOf(const ResultRecord& result, std::string_view name);
 
 /// The names of all metrics, in their order.
 const std::vector<std::string_view>& metricNames();
@@ -30,4 +30,4 @@ bool isRate(std::string_view name);
 /// @throws InternalError for a rate or an unknown name
 double metricUncertainty(const UncertaintyRecord& truth, std::string_view name);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-namespace gnomon {
+namespace gnomon::study {
 
 RunStatus SweepRecord::status() const {
   std::vector<Judgement> judgements;
@@ -50,4 +50,4 @@ std::string SweepRecord::casesText(const std::vector<std::size_t>& which) const 
   return fmt::format("{}{}", fmt::join(texts, ", "), more);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 #include "study/record/record.h"
 #include "study/record/swept_value.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// What a sweep found: one study, run once for each case.
 struct SweepRecord {
@@ -33,4 +33,4 @@ struct SweepRecord {
   [[nodiscard]] std::string casesText(const std::vector<std::size_t>& which) const;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

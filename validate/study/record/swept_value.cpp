@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace gnomon {
+namespace gnomon::study {
 
 SweptValue sweptNumber(double number) {
   const std::string text = fmt::format("{}", number);
@@ -49,4 +49,4 @@ std::string keysText(std::span<const SweptKey> keys) {
   return text;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The keys of a sweep, and what its cases give to them.
 
@@ -50,4 +50,4 @@ std::vector<std::string> shortNames(std::span<const SweptKey> keys);
 /// "relief.height", with several keys "relief.height, bake.bits".
 std::string keysText(std::span<const SweptKey> keys);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

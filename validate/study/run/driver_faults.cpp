@@ -6,47 +6,49 @@
 
 #include "study/run/scene/run_keys.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-ContentKey driverKey(const GlDriver& gl, const std::filesystem::path& shaders) {
-  KeyBuilder key("driver");
+cache::ContentKey driverKey(const render::GlDriver& gl, const std::filesystem::path& shaders) {
+  cache::KeyBuilder key("driver");
   key.add("vendor", gl.vendor).add("renderer", gl.renderer).add("gl", gl.version);
   return key.add("shaders", shadersKey(shaders)).key();
 }
 
 }  // namespace
 
-DriverFaults::DriverFaults(std::filesystem::path shaders, Cache& kept)
-    : driver_(currentDriver()),
+DriverFaults::DriverFaults(std::filesystem::path shaders, cache::Cache& kept)
+    : driver_(render::currentDriver()),
       shaders_(std::move(shaders)),
       cache_(kept),
       key_(driverKey(driver_, shaders_)) {}
 
-const std::string& DriverFaults::passFault(PassKind kind) {
+const std::string& DriverFaults::passFault(render::PassKind kind) {
   const auto known = found_.find(kind);
   if (known != found_.end()) return known->second;
-  const ContentKey key = KeyBuilder("pass").add("driver", key_).add("pass", kind).key();
+  const cache::ContentKey key =
+      cache::KeyBuilder("pass").add("driver", key_).add("pass", kind).key();
   return found_
-      .emplace(kind, cache_.remember(key, [&] { return gnomon::passFault(kind, shaders_); }))
+      .emplace(kind, cache_.remember(key, [&] { return render::passFault(kind, shaders_); }))
       .first->second;
 }
 
-std::string DriverFaults::faultText(PassKind kind, const std::string& fault) const {
+std::string DriverFaults::faultText(render::PassKind kind, const std::string& fault) const {
   return fmt::format(
       "this OpenGL gets {} wrong: {} in a scene that is known in closed form ({}, {})",
-      passName(kind), fault, driver_.renderer, driver_.version);
+      render::passName(kind), fault, driver_.renderer, driver_.version);
 }
 
 std::string DriverFaults::faultOf(const MethodSpec& method) {
-  for (const PassKind kind : passesOf(readMethod(method.file), method.filter)) {
+  for (const render::PassKind kind :
+       render::passesOf(render::readMethod(method.file), method.filter)) {
     const std::string& fault = passFault(kind);
     if (!fault.empty()) return faultText(kind, fault);
   }
   return "";
 }
 
-void DriverFaults::require(PassKind kind) {
+void DriverFaults::require(render::PassKind kind) {
   const std::string& fault = passFault(kind);
   if (!fault.empty()) {
     throw DriverError(fmt::format("nothing is measured: {}", faultText(kind, fault)));
@@ -57,7 +59,7 @@ void DriverFaults::requireViews(const StudySpec& study) {
   for (const ViewSpec& view : study.views) {
     require(traitsOf(view).samplesPass);
   }
-  require(PassKind::pictures);
+  require(render::PassKind::pictures);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

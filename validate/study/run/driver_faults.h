@@ -10,7 +10,7 @@
 #include "render/gl_context.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The OpenGL driver renders something incorrectly that a study needs.
 class DriverError : public Error {
@@ -25,7 +25,7 @@ class DriverFaults {
  public:
   /// Of the context that is current, and stays so while it is asked.
   /// @param kept  outlives it
-  DriverFaults(std::filesystem::path shaders, Cache& kept);
+  DriverFaults(std::filesystem::path shaders, cache::Cache& kept);
 
   /// Why a method cannot be measured: the first kind of pass that it needs and that is rendered
   /// incorrectly, "this OpenGL gets shadow volumes wrong: …"; empty where all are correct.
@@ -33,21 +33,21 @@ class DriverFaults {
   std::string faultOf(const MethodSpec& method);
 
   /// @throws DriverError where a kind of pass is rendered incorrectly
-  void require(PassKind kind);
+  void require(render::PassKind kind);
   /// @throws DriverError where the samples of the study's views, which all its methods need, or its
   ///   pictures are rendered incorrectly
   void requireViews(const StudySpec& study);
 
  private:
   /// As `passFault`.
-  const std::string& passFault(PassKind kind);
-  std::string faultText(PassKind kind, const std::string& fault) const;
+  const std::string& passFault(render::PassKind kind);
+  std::string faultText(render::PassKind kind, const std::string& fault) const;
 
-  GlDriver driver_;
+  render::GlDriver driver_;
   std::filesystem::path shaders_;
-  Cache& cache_;
-  ContentKey key_;
-  std::map<PassKind, std::string> found_;
+  cache::Cache& cache_;
+  cache::ContentKey key_;
+  std::map<render::PassKind, std::string> found_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

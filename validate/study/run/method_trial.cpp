@@ -13,7 +13,7 @@
 #include "study/spec/sections/method_section.h"
 #include "surface/cage/shapes.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 ProcessLimits trialLimits() {
@@ -23,13 +23,13 @@ ProcessLimits trialLimits() {
 }
 
 /// Columns on a plane, one light, one camera of 16 × 16 pixels: a fifth of a second.
-StudySpec trialStudy(MethodSpec method, Wrap wrap) {
+StudySpec trialStudy(MethodSpec method, relief::Wrap wrap) {
   constexpr int texels = 16;
   constexpr double side = texels;
   StudySpec study{{.name = "trial", .title = "A method's trial"},
                   {},
-                  makePlane(side, side, 1, 1),
-                  {makeColumns(texels, texels, {8, 2, 1}, 2, wrap)}};
+                  surface::makePlane(side, side, 1, 1),
+                  {relief::makeColumns(texels, texels, {8, 2, 1}, 2, wrap)}};
   study.bake.settings = {4, 8};
   study.truth.stepTexels = 0.5;
   Camera camera;
@@ -43,10 +43,10 @@ StudySpec trialStudy(MethodSpec method, Wrap wrap) {
   return study;
 }
 
-std::vector<std::string> argumentsOf(const MethodSpec& method, Wrap wrap) {
+std::vector<std::string> argumentsOf(const MethodSpec& method, relief::Wrap wrap) {
   return {trialArgument, method.file.string(),
-          method.filter == TableFilter::hardware ? "hardware" : "exact",
-          wrap == Wrap::clamp ? "clamp" : "repeat"};
+          method.filter == render::TableFilter::hardware ? "hardware" : "exact",
+          wrap == relief::Wrap::clamp ? "clamp" : "repeat"};
 }
 
 /// Every method of others that the study draws, each once.
@@ -92,7 +92,7 @@ std::string whatHappened(const ProcessOutcome& outcome, const ProcessLimits& lim
 
 }  // namespace
 
-bool tryMethod(const MethodSpec& method, Wrap wrap) {
+bool tryMethod(const MethodSpec& method, relief::Wrap wrap) {
   if (isBuiltIn(method)) return true;
   const ProcessLimits limits = trialLimits();
   const ProcessOutcome outcome = runSelf(argumentsOf(method, wrap), limits);
@@ -103,13 +103,15 @@ bool tryMethod(const MethodSpec& method, Wrap wrap) {
                                whatHappened(outcome, limits)));
 }
 
-void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache) {
+void tryMethods(const StudySpec& study, const render::GlContext& gl, cache::Cache& cache) {
   const std::vector<const MethodSpec*> methods = foreignMethods(study);
   if (methods.empty()) return;
-  const RunKeys keys(study, gl, shaderFolder());
+  const RunKeys keys(study, gl, render::shaderFolder());
   for (const MethodSpec* method : methods) {
-    const ContentKey key =
-        KeyBuilder("trial").add("method", keys.method(*method, readMethod(method->file))).key();
+    const cache::ContentKey key =
+        cache::KeyBuilder("trial")
+            .add("method", keys.method(*method, render::readMethod(method->file)))
+            .key();
     if (cache.find<bool>(key)) continue;
     if (tryMethod(*method, study.relief.field.wrap())) cache.keep(key, true);
   }
@@ -121,14 +123,15 @@ ExitStatus answerTrial(std::span<const std::string> arguments) {
   MethodSpec method;
   method.file = arguments[0];
   method.label = "trial";
-  method.filter = arguments[1] == "hardware" ? TableFilter::hardware : TableFilter::exact;
-  const StudySpec study =
-      trialStudy(std::move(method), arguments[2] == "clamp" ? Wrap::clamp : Wrap::repeat);
-  const GlContext gl;
-  Cache none;
+  method.filter =
+      arguments[1] == "hardware" ? render::TableFilter::hardware : render::TableFilter::exact;
+  const StudySpec study = trialStudy(
+      std::move(method), arguments[2] == "clamp" ? relief::Wrap::clamp : relief::Wrap::repeat);
+  const render::GlContext gl;
+  cache::Cache none;
   SceneStore store;
   (void)measureStudy(study, gl, none, store);
   return ExitStatus::pass;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

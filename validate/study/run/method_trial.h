@@ -10,7 +10,7 @@
 #include "render/gl_context.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A shader can crash the OpenGL driver that compiles it, or take all memory there, and would end
 /// the whole run. So a method that does not come with the program first answers for some pixels of
@@ -22,15 +22,15 @@ namespace gnomon {
 /// @param gl  whose driver compiles them
 /// @throws InputError naming method and file of one whose trial crashes or exceeds its memory or
 ///   time. Any other fault, as of a shader that does not compile, is left to the run
-void tryMethods(const StudySpec& study, const GlContext& gl, Cache& cache);
+void tryMethods(const StudySpec& study, const render::GlContext& gl, cache::Cache& cache);
 
 /// Tries one method, unless it comes with the program. @throws InputError as tryMethods
 /// @param wrap  of the relief that it is to be drawn on
 /// @return whether it answered
-bool tryMethod(const MethodSpec& method, Wrap wrap);
+bool tryMethod(const MethodSpec& method, relief::Wrap wrap);
 
 /// Tries one method, as `tryMethod`.
-using MethodTrial = std::function<void(const MethodSpec& method, Wrap wrap)>;
+using MethodTrial = std::function<void(const MethodSpec& method, relief::Wrap wrap)>;
 
 /// The program's first argument in such a process, before those of a trial.
 constexpr const char* trialArgument = "--try-method";
@@ -39,4 +39,4 @@ constexpr const char* trialArgument = "--try-method";
 /// @param arguments  file, filter and wrap, as `tryMethods` gives them
 ExitStatus answerTrial(std::span<const std::string> arguments);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -2,13 +2,13 @@
 
 #include "study/run/stages/run_writer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Writes nothing: for a run of which only the figures are wanted.
 class NoFiles final : public RunWriter {
  public:
   [[nodiscard]] std::string mask(const Mask&) const override { return {}; }
-  [[nodiscard]] std::string regions(const Truth&) const override { return {}; }
+  [[nodiscard]] std::string regions(const truth::Truth&) const override { return {}; }
   [[nodiscard]] std::string weights(int, int, const std::vector<double>&) const override {
     return {};
   }
@@ -27,4 +27,4 @@ class NoFiles final : public RunWriter {
   void write(const std::string&, const std::string&) override {}
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 #include "surface/closed_surface.h"
 #include "surface/face_texels.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// The largest number of pieces that a base mesh may have.
@@ -32,7 +32,7 @@ double shadowShare(const BaseCase& base) {
   std::size_t shadowed = 0;
   std::size_t lit = 0;
   for (const ViewCase& view : base.views) {
-    for (const Truth& truth : view.truths) {
+    for (const truth::Truth& truth : view.truths) {
       const auto& samples = truth.mask.samples;
       shadowed +=
           static_cast<std::size_t>(std::count(samples.begin(), samples.end(), Shade::shadowed));
@@ -67,9 +67,11 @@ std::optional<std::string> coarsePiecesNotice(const std::string& method, int pie
           : fmt::format("Use a surface of more faces: at most {} pieces are possible", mostPieces));
 }
 
-std::optional<std::string> insideOutNotice(const LimitSurface& surface, double shadowShare) {
+std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
+                                           double shadowShare) {
   constexpr double nearlyAll = 0.99;
-  if (!(shadowShare > nearlyAll) || !isClosed(surface) || enclosedVolume(surface) >= 0) {
+  if (!(shadowShare > nearlyAll) || !surface::isClosed(surface) ||
+      surface::enclosedVolume(surface) >= 0) {
     return std::nullopt;
   }
   return fmt::format(
@@ -89,15 +91,16 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   std::optional<double> longestEdge;
   for (const MethodCase& method : methods) {
     const MeshChoice& mesh = method.base->choice;
-    if (mesh.kind != DrawnMesh::displaced) continue;
+    if (mesh.kind != render::DrawnMesh::displaced) continue;
     if (!longestEdge) {
       // A resampled map is the same relief: its features are as wide as the texels before.
-      const Relief& relief = scene.study.relief;
-      longestEdge = longestEdgeTexels(scene.surface, relief.texelsPerUv()) / relief.resample;
+      const relief::Relief& relief = scene.study.relief;
+      longestEdge =
+          surface::longestEdgeTexels(scene.surface, relief.texelsPerUv()) / relief.resample;
     }
     add(coarsePiecesNotice(method.spec->label, mesh.base.subdivisions, *longestEdge));
   }
   return notices;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

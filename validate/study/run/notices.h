@@ -9,7 +9,7 @@
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/run_scene.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Notices: what a reader must know before using a run's figures, and what to do about it.
 
@@ -31,10 +31,11 @@ std::optional<std::string> coarsePiecesNotice(const std::string& method, int pie
 
 /// A notice that a closed surface is turned inside out, if next to nothing is lit.
 /// @param shadowShare  of all samples of the study's own base mesh, in the truth
-std::optional<std::string> insideOutNotice(const LimitSurface& surface, double shadowShare);
+std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
+                                           double shadowShare);
 
 /// All notices of a run, once its truth is traced.
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "common/lists.h"
 #include "study/spec/study_reduction.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 bool speaksOf(const std::string& filter, const std::string& name) {
@@ -75,4 +75,4 @@ void addRefused(StudyRecord& record, const StudySpec& study,
   record.notices.insert(record.notices.begin(), texts.begin(), texts.end());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

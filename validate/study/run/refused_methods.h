@@ -7,7 +7,7 @@
 #include "study/run/driver_faults.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The part of a study that the driver can measure.
 struct MeasurableStudy {
@@ -27,4 +27,4 @@ MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults);
 void addRefused(StudyRecord& record, const StudySpec& study,
                 const std::vector<RefusedMethod>& refused);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -21,7 +21,7 @@
 #include "study/run/stages/refine_stage.h"
 #include "study/run/stages/spread_stage.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// What a run leaves beside its figures.
@@ -30,10 +30,10 @@ enum class Beside { nothing, memory, picturesAndCosts };
 /// The order of a run's stages, and what passes from one to the next.
 class StudyRun {
  public:
-  StudyRun(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
-           SceneStore& held, const StageProgress& progress)
+  StudyRun(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
+           cache::Cache& kept, SceneStore& held, const StageProgress& progress)
       : study_(study),
-        costs_(frameClockOf(gl.driver().renderer)),
+        costs_(render::frameClockOf(gl.driver().renderer)),
         clock_(progress),
         scene_(study, clock_, gl, kept, held),
         before_(scene_.cache.counts()),
@@ -94,7 +94,7 @@ class StudyRun {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
       SpreadStage spread(scene_, methods_, v);
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
-        std::vector<std::optional<MethodAnswers>> found(methods_.size());
+        std::vector<std::optional<render::MethodAnswers>> found(methods_.size());
         const std::vector<PanelAnswer> answers = answersIn(v, l, found);
         compareMethods(answers, v, l, spread);
         if (v == ladders.view()) {
@@ -109,15 +109,16 @@ class StudyRun {
 
   /// @param found  one a method: where they are kept once they are drawn
   std::vector<PanelAnswer> answersIn(std::size_t view, std::size_t light,
-                                     std::vector<std::optional<MethodAnswers>>& found) {
+                                     std::vector<std::optional<render::MethodAnswers>>& found) {
     std::vector<PanelAnswer> answers;
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       MethodCase& method = methods_[m];
-      if (!gnomon::answersIn(method, study_.views[view])) continue;
-      answers.push_back({m, &method, [&, view, light, both = &found[m]]() -> const MethodAnswers& {
-                           if (!*both) *both = draw(method, view, light);
-                           return **both;
-                         }});
+      if (!study::answersIn(method, study_.views[view])) continue;
+      answers.push_back(
+          {m, &method, [&, view, light, both = &found[m]]() -> const render::MethodAnswers& {
+             if (!*both) *both = draw(method, view, light);
+             return **both;
+           }});
     }
     return answers;
   }
@@ -125,10 +126,10 @@ class StudyRun {
   void compareMethods(std::span<const PanelAnswer> answers, std::size_t view, std::size_t light,
                       SpreadStage& spread) {
     std::vector<std::optional<MethodOutcome>> outcomes;
-    std::vector<ContentKey> keys;
+    std::vector<cache::ContentKey> keys;
     std::vector<ComparedMethod> missing;
     for (const PanelAnswer& answer : answers) {
-      KeyBuilder key("outcome");
+      cache::KeyBuilder key("outcome");
       key.add("answer", answerKey(scene_, *answer.method, view, light));
       key.add("cells", spread.cellSide());
       keys.push_back(key.key());
@@ -148,7 +149,7 @@ class StudyRun {
     }
   }
 
-  MethodAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {
+  render::MethodAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {
     return clock_.measure("methods",
                           [&](const Progress&) { return answersOf(scene_, method, view, light); });
   }
@@ -177,7 +178,7 @@ class StudyRun {
   CostStage costs_;
   StageClock clock_;
   RunScene scene_;
-  CacheCounts before_;
+  cache::CacheCounts before_;
   TruthSurface surface_;
   RunWriter& writer_;
   PanelPictures pictures_;
@@ -187,10 +188,10 @@ class StudyRun {
 };
 
 /// Measures what the driver draws right.
-StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter& writer,
-                          Cache& kept, SceneStore& held, const StageProgress& progress,
+StudyRecord runMeasurable(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
+                          cache::Cache& kept, SceneStore& held, const StageProgress& progress,
                           Beside beside) {
-  DriverFaults faults(shaderFolder(), kept);
+  DriverFaults faults(render::shaderFolder(), kept);
   const MeasurableStudy left = measurable(study, faults);
   StudyRecord record =
       StudyRun(left.reduced ? *left.reduced : study, gl, writer, kept, held, progress).run(beside);
@@ -200,21 +201,21 @@ StudyRecord runMeasurable(const StudySpec& study, const GlContext& gl, RunWriter
 
 }  // namespace
 
-StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
-                     SceneStore& held, const StageProgress& progress) {
+StudyRecord runStudy(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
+                     cache::Cache& kept, SceneStore& held, const StageProgress& progress) {
   return runMeasurable(study, gl, writer, kept, held, progress, Beside::picturesAndCosts);
 }
 
-StudyRecord runStudyFigures(const StudySpec& study, const GlContext& gl, Cache& kept,
+StudyRecord runStudyFigures(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
                             SceneStore& held, const StageProgress& progress) {
   NoFiles writer;
   return runMeasurable(study, gl, writer, kept, held, progress, Beside::memory);
 }
 
-StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept, SceneStore& held,
-                         const StageProgress& progress) {
+StudyRecord measureStudy(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
+                         SceneStore& held, const StageProgress& progress) {
   NoFiles writer;
   return runMeasurable(study, gl, writer, kept, held, progress, Beside::nothing);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 #include "study/run/stages/run_writer.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Measures a study: builds surface and relief, bakes tables, traces the truth at full and half
 /// resolution, renders every method at the truth's samples, compares. Masks and pictures go to
@@ -17,15 +17,15 @@ namespace gnomon {
 /// @param gl    current on this thread
 /// @param kept  results of earlier runs: what is found there is not computed again
 /// @param held  what earlier studies of this process left in memory: likewise
-StudyRecord runStudy(const StudySpec& study, const GlContext& gl, RunWriter& writer, Cache& kept,
-                     SceneStore& held, const StageProgress& progress = {});
+StudyRecord runStudy(const StudySpec& study, const render::GlContext& gl, RunWriter& writer,
+                     cache::Cache& kept, SceneStore& held, const StageProgress& progress = {});
 
 /// The same without pictures, masks and frame times: the figures alone.
-StudyRecord runStudyFigures(const StudySpec& study, const GlContext& gl, Cache& kept,
+StudyRecord runStudyFigures(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
                             SceneStore& held, const StageProgress& progress = {});
 
 /// The same without what the methods cost, too.
-StudyRecord measureStudy(const StudySpec& study, const GlContext& gl, Cache& kept, SceneStore& held,
-                         const StageProgress& progress = {});
+StudyRecord measureStudy(const StudySpec& study, const render::GlContext& gl, cache::Cache& kept,
+                         SceneStore& held, const StageProgress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::study

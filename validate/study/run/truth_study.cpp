@@ -7,9 +7,9 @@
 #include "study/run/stages/refine_stage.h"
 #include "study/spec/with_keys.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
-StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
+StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,
                        const std::function<void(const TracedSurface&)>& whileTraced) {
   DriverFaults(scene.shaders, scene.cache).requireViews(scene.study);
   StudyRecord record = startRecord(scene.study, gl);
@@ -26,16 +26,18 @@ StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
   return record;
 }
 
-StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progress& progress) {
-  const HeightField& field = study.relief.field;
-  const BakeSettings& settings = study.bake.settings;
+horizon::StoredHorizons bakeStudyTables(const StudySpec& study, cache::Cache& cache,
+                                        const Progress& progress) {
+  const relief::HeightField& field = study.relief.field;
+  const horizon::BakeSettings& settings = study.bake.settings;
   if (!keepsHorizons(field, settings)) {
-    return withKeys("bake",
-                    [&] { return bakeStoredHorizons(field, settings, study.bake.bits, progress); });
+    return withKeys("bake", [&] {
+      return horizon::bakeStoredHorizons(field, settings, study.bake.bits, progress);
+    });
   }
-  const HorizonTables tables = keptHorizons(cache, field, study.bake, progress);
-  return {tables, tables.radiusTexels, storeTable(tables.horizon, study.bake.bits),
-          storeTable(tables.distance, study.bake.bits)};
+  const horizon::HorizonTables tables = keptHorizons(cache, field, study.bake, progress);
+  return {tables, tables.radiusTexels, horizon::storeTable(tables.horizon, study.bake.bits),
+          horizon::storeTable(tables.distance, study.bake.bits)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

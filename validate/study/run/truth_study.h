@@ -8,7 +8,7 @@
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The parts of a study that need no method: its truth and its tables.
 
@@ -17,10 +17,11 @@ namespace gnomon {
 /// @param gl           current on this thread
 /// @param whileTraced  called once the truths are there, while the surface is
 /// @throws as the run's stages
-StudyRecord traceStudy(RunScene& scene, const GlContext& gl,
+StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,
                        const std::function<void(const TracedSurface&)>& whileTraced = {});
 
 /// The study's horizon and distance table as they are stored.
-StoredHorizons bakeStudyTables(const StudySpec& study, Cache& cache, const Progress& progress = {});
+horizon::StoredHorizons bakeStudyTables(const StudySpec& study, cache::Cache& cache,
+                                        const Progress& progress = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::study

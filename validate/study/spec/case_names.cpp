@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr std::size_t longestName = 64;
@@ -105,4 +105,4 @@ void nameCases(std::span<const SweptKey> keys, std::span<const std::vector<std::
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 
 #include "study/record/swept_value.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Names the cases of a sweep, each distinct, also where a file system takes a letter and its
 /// capital for one; of letters, digits, `-`, `_` and `.`, and at most 64 of them.
@@ -19,4 +19,4 @@ namespace gnomon {
 void nameCases(std::span<const SweptKey> keys, std::span<const std::vector<std::size_t>> places,
                std::vector<SweepCase>& cases);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

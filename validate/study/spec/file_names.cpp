@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// The longest part: file systems allow 255 bytes for a name of three.
@@ -48,4 +48,4 @@ CaseNames caseNames(const StudySpec& study) {
   return {fileNames(views), fileNames(lights), fileNames(methods, {"truth", "displaced"})};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

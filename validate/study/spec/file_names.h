@@ -6,7 +6,7 @@
 
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Whether a study's name may hold a character, since it names a folder: letters, digits, `-`, `_`,
 /// `.`.
@@ -24,4 +24,4 @@ struct CaseNames {
 };
 CaseNames caseNames(const StudySpec& study);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

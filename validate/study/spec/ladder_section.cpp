@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 CauseSpec readCause(const TomlReader& rung, const std::vector<CauseSpec>& before) {
@@ -83,4 +83,4 @@ std::vector<LadderSpec> readLadders(const TomlReader& root, const StudySpec& stu
   return ladders;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 #include "study/spec/study_file.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The `[[ladder]]` tables of a study file.
 ///
@@ -19,4 +19,4 @@ namespace gnomon {
 std::vector<LadderSpec> readLadders(const TomlReader& root, const StudySpec& study,
                                     const MethodDefaults& defaults);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

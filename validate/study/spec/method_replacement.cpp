@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "study/spec/sections/study_paths.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -86,4 +86,4 @@ void replaceMethods(toml::table& study, const fs::path& file,
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

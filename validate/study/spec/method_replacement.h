@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The label of a `[[method]]`, given or by default; empty where it has neither a name nor a file,
 /// which `readStudy` refuses.
@@ -24,4 +24,4 @@ std::string methodLabel(const toml::table& method);
 void replaceMethods(toml::table& study, const std::filesystem::path& file,
                     const std::vector<std::string>& replacements);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

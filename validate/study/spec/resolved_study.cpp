@@ -14,7 +14,7 @@
 #include "study/spec/study_table.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -129,4 +129,4 @@ void requireCopyOrNothing(const fs::path& file) {
       file.string()));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The copy of a study that a run writes into its folder, so that the run can be repeated from
 /// there.
@@ -40,4 +40,4 @@ std::string studyCopyText(const toml::table& study, const std::filesystem::path&
 /// @throws InputError naming the file where it is anything else
 void requireCopyOrNothing(const std::filesystem::path& file);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

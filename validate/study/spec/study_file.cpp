@@ -20,14 +20,14 @@
 #include "study/spec/toml/toml_reader.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
 /// What is refused of the surface names the study.
-LimitSurface surfaceOf(const StudySpec& study) {
+surface::LimitSurface surfaceOf(const StudySpec& study) {
   try {
-    return LimitSurface(study.cage);
+    return surface::LimitSurface(study.cage);
   } catch (const InputError& error) {
     throw InputError(study.file.string() + ": " + error.what());
   }
@@ -46,42 +46,45 @@ std::string keyOf(const TomlReader& section) {
   return tomlValueText(section.written());
 }
 
-Cage sharedCage(StudyParts& parts, const TomlReader& section, const SurfaceSection& surface,
-                const fs::path& folder) {
+surface::Cage sharedCage(StudyParts& parts, const TomlReader& section,
+                         const SurfaceSection& surface, const fs::path& folder) {
   const std::string key = keyOf(section);
   if (parts.cage == nullptr || parts.surfaceKey != key) {
-    parts.cage = std::make_shared<const Cage>(cageOf(surface, section, folder));
+    parts.cage = std::make_shared<const surface::Cage>(cageOf(surface, section, folder));
     parts.surfaceKey = key;
     parts.limit.reset();
   }
   return *parts.cage;
 }
 
-Relief sharedRelief(StudyParts& parts, const TomlReader& section, const ReliefSection& relief,
-                    const fs::path& folder) {
+relief::Relief sharedRelief(StudyParts& parts, const TomlReader& section,
+                            const ReliefSection& relief, const fs::path& folder) {
   // A solid is sampled into the map of its surface.
   return remembered(parts.reliefs, parts.surfaceKey + keyOf(section),
                     [&] { return reliefOf(relief, section, folder, *parts.cage); });
 }
 
-SearchRadius sharedRadius(StudyParts& parts, const TomlReader& root, const Relief& relief,
-                          const std::vector<Vec3>& lights) {
+horizon::SearchRadius sharedRadius(StudyParts& parts, const TomlReader& root,
+                                   const relief::Relief& relief, const std::vector<Vec3>& lights) {
   std::string key = parts.surfaceKey + keyOf(root.table("relief"));
   for (const Vec3& light : lights) key += fmt::format(" {} {} {}", light.x, light.y, light.z);
-  return remembered(parts.radii, key, [&] { return searchRadius(*parts.limit, relief, lights); });
+  return remembered(parts.radii, key,
+                    [&] { return horizon::searchRadius(*parts.limit, relief, lights); });
 }
 
 /// The map gets its border; the radius is found by the rule, unless it is stated.
 void measureSurface(const TomlReader& root, StudySpec& study, StudyParts& parts, bool isStated) {
-  if (parts.limit == nullptr) parts.limit = std::make_shared<const LimitSurface>(surfaceOf(study));
-  const LimitSurface& surface = *parts.limit;
-  Relief& relief = study.relief;
-  const Border border = borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
+  if (parts.limit == nullptr)
+    parts.limit = std::make_shared<const surface::LimitSurface>(surfaceOf(study));
+  const surface::LimitSurface& surface = *parts.limit;
+  relief::Relief& relief = study.relief;
+  const relief::Border border =
+      relief::borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
   relief.field = std::move(relief.field).withBorder(border);
   std::vector<Vec3> lights;
   for (const LightSpec& light : study.lights) lights.push_back(light.direction());
-  study.radius =
-      isStated ? SearchRadius{0, RadiusBound::stated} : sharedRadius(parts, root, relief, lights);
+  study.radius = isStated ? horizon::SearchRadius{0, horizon::RadiusBound::stated}
+                          : sharedRadius(parts, root, relief, lights);
 }
 
 void readStudyBake(const TomlReader& root, StudySpec& study, StudyParts& parts, bool isOutline) {
@@ -220,7 +223,7 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
     for (LightSpec& light : readLights(section)) study.lights.push_back(std::move(light));
   }
   readStudyBake(root, study, parts, options.isOutline);
-  const MethodDefaults defaults{folder, shaderFolder(), study.bake, study.base,
+  const MethodDefaults defaults{folder, render::shaderFolder(), study.bake, study.base,
                                 study.relief.resample};
   for (const TomlReader& method : root.tables("method")) {
     study.methods.push_back(readMethodSection(method, defaults));
@@ -246,4 +249,4 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
   return study;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

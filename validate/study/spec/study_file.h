@@ -22,7 +22,7 @@
 #include "study/spec/study_parts.h"
 #include "study/spec/study_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A study as its TOML file describes it, checked. Each section's structure and keys are in the
 /// section's own header.
@@ -59,8 +59,8 @@ inline StudyKeys keysOf(StudyHeader& header) {
 
 struct StudySpec : StudyHeader {
   std::filesystem::path file = {};
-  Cage cage;
-  Relief relief;
+  surface::Cage cage;
+  relief::Relief relief;
   BakeSpec bake = {};
   BaseSpec base = {};
   TruthSpec truth = {};
@@ -75,7 +75,7 @@ struct StudySpec : StudyHeader {
   /// Thresholds excluded by command-line options: a check reports them as skipped.
   std::vector<Judgement> leftOut = {};
   std::vector<std::string> leftOutMethods = {};  ///< labels that command-line options exclude
-  SearchRadius radius = {};                      ///< of `bake`, and why
+  horizon::SearchRadius radius = {};             ///< of `bake`, and why
   SurfaceSection surfaceSection = {};            ///< what `cage` was made from
   ReliefSection reliefSection = {};              ///< what `relief` was made from
   std::string text = {};                         ///< the file's, as it is written
@@ -107,4 +107,4 @@ StudySpec readStudy(const std::filesystem::path& file, const StudyOptions& optio
 /// @param parts  that another study was read with, and this one is: the same study in less time
 StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyParts& parts);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

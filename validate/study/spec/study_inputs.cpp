@@ -9,7 +9,7 @@
 #include "render/shader_files.h"
 #include "study/spec/sections/study_paths.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -17,7 +17,7 @@ using Kind = InputRecord::Kind;
 
 class Inputs {
  public:
-  explicit Inputs(const fs::path& folder) : folder_(folder), shaders_(shaderFolder()) {}
+  explicit Inputs(const fs::path& folder) : folder_(folder), shaders_(render::shaderFolder()) {}
 
   void add(Kind kind, const fs::path& file) {
     const fs::path inside = file.lexically_relative(shaders_);
@@ -37,7 +37,7 @@ class Inputs {
   }
 
   void addCommonShaders() {
-    for (const fs::path& file : shadersIn(shaders_ / "common")) add(Kind::shader, file);
+    for (const fs::path& file : render::shadersIn(shaders_ / "common")) add(Kind::shader, file);
   }
 
   std::vector<InputRecord> list;
@@ -69,4 +69,4 @@ std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& fol
   return std::move(inputs.list);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 #include "study/record/case_record.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Every file that a run of the study reads, each once: the study's own, its mesh and image, the
 /// shaders of `common/` in alphabetical order, and those of its methods and ladders.
@@ -14,4 +14,4 @@ namespace gnomon {
 /// @throws InputError for a file that cannot be read
 std::vector<InputRecord> studyInputs(const StudySpec& study, const std::filesystem::path& folder);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

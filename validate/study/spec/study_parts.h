@@ -9,7 +9,7 @@
 #include "surface/cage/cage.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// What the cases of a sweep share: parts that one study was read with, for the next one whose
 /// tables say the same. A part is looked up by the text of the tables that it follows from. Maps
@@ -17,10 +17,10 @@ namespace gnomon {
 struct StudyParts {
   /// The last surface: a sweep seldom comes back to one.
   std::string surfaceKey = {};
-  std::shared_ptr<const Cage> cage = {};
-  std::shared_ptr<const LimitSurface> limit = {};
-  std::map<std::string, Relief> reliefs = {};  ///< without their borders
-  std::map<std::string, SearchRadius> radii = {};
+  std::shared_ptr<const surface::Cage> cage = {};
+  std::shared_ptr<const surface::LimitSurface> limit = {};
+  std::map<std::string, relief::Relief> reliefs = {};  ///< without their borders
+  std::map<std::string, horizon::SearchRadius> radii = {};
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

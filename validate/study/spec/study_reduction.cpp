@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Takes thresholds out of a study, and records them as skipped.
@@ -87,4 +87,4 @@ void reduce(StudySpec& study, const StudyOptions& options) {
   if (options.gatedOnly) keepGated(study);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

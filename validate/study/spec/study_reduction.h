@@ -5,7 +5,7 @@
 
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Removes the methods that command-line options exclude, with the gates, claims and ladders that
 /// name them; in the quick form also the gates of the full form alone. `leftOut` and
@@ -16,4 +16,4 @@ void reduce(StudySpec& study, const StudyOptions& options);
 /// The study without some of its methods, and without the gates, claims and ladders that name them.
 StudySpec withoutMethods(StudySpec study, std::span<const std::string> labels);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

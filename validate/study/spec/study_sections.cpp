@@ -12,7 +12,7 @@
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// The keys of one section as the rows of a table.
@@ -101,8 +101,9 @@ StudyKeys studySections() {
 
 std::vector<std::string> judgedRegions() {
   std::vector<std::string> names = {"all"};
-  for (const Region region : reportedRegions) names.emplace_back(regionName(region));
-  names.emplace_back(seamRegion);
+  for (const truth::Region region : truth::reportedRegions)
+    names.emplace_back(truth::regionName(region));
+  names.emplace_back(truth::seamRegion);
   return names;
 }
 
@@ -144,9 +145,9 @@ std::string studyKeysText() {
             .addKinds<Pattern>("pattern", patternNames,
                                "a built-in pattern of the plane, or `solid`, or `image`")
             .add(keysOf(pattern), "`pattern`")
-            .addKinds<SolidPattern>("solid", solidNames,
-                                    "a function of the point in space, carved into the surface",
-                                    "solid ")
+            .addKinds<relief::SolidPattern>(
+                "solid", solidNames, "a function of the point in space, carved into the surface",
+                "solid ")
             .add(keysOf(solid), "`solid`"));
   write("[bake]", KeyTable().add(keysOf(bake, 1)));
   write("[base]", KeyTable().add(keysOf(base)));
@@ -166,4 +167,4 @@ std::string studyKeysText() {
   return text;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

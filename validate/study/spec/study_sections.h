@@ -4,7 +4,7 @@
 
 #include "study/spec/sections/study_key.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The sections of a study's file, as the keys of its root.
 StudyKeys studySections();
@@ -13,4 +13,4 @@ StudyKeys studySections();
 /// declarations that a study is read by.
 std::string studyKeysText();
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 #include "study/spec/method_replacement.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 toml::table studyTable(const StudyText& study, const StudyOptions& options) {
   toml::table table = parseTomlText(study.text, study.file.string());
@@ -22,4 +22,4 @@ toml::table studyTable(const std::filesystem::path& file, const StudyOptions& op
   return studyTable(StudyText{file, readFile(file)}, options);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

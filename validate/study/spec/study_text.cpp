@@ -2,7 +2,7 @@
 
 #include "common/files/input_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 
 StudyText readStudyText(const fs::path& file) {
@@ -13,4 +13,4 @@ fs::path studyFolder(const fs::path& file) {
   return isGivenStream(file) ? fs::path() : file.parent_path();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The text of a study. A command reads it once, since a pipe can be read only once, and so that
 /// everything in a run comes from the same text.
@@ -20,4 +20,4 @@ StudyText readStudyText(const std::filesystem::path& file);
 /// none, so that they begin at the working directory.
 std::filesystem::path studyFolder(const std::filesystem::path& file);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

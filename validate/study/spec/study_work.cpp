@@ -8,7 +8,7 @@
 
 #include "common/overloaded.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// As placeMicroLines chooses it on a surface that the map covers once.
@@ -66,4 +66,4 @@ std::uint64_t standardCost(const StudySpec& study) {
   return static_cast<std::uint64_t>(std::clamp(std::round(microseconds), 1.0, most));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

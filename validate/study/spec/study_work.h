@@ -4,7 +4,7 @@
 
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// How much a run of a study has to do, as its settings tell before anything is built: of an
 /// outline (StudyOptions) too. Counts of the same study are the same on every machine.
@@ -39,4 +39,4 @@ double expectedSeconds(const StudyWork& work, const WorkSpeed& speed);
 /// Expected microseconds at the standard speed, 1 to 10¹².
 std::uint64_t standardCost(const StudySpec& study);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 #include "study/spec/sweep_cases.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -113,4 +113,4 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options,
   return plan;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -10,7 +10,7 @@
 #include "study/record/swept_value.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A table of `[[sweep]]`: one key and its values. A study with such tables is run once for each
 /// case, a combination of values. A file with one table may have it as `[sweep]`.
@@ -70,4 +70,4 @@ using StepFilter = std::function<bool(std::size_t step)>;
 StudyPlan readStudyPlan(const std::filesystem::path& file, const StudyOptions& options = {},
                         const StepFilter& wants = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -10,7 +10,7 @@
 #include "study/spec/case_names.h"
 #include "study/spec/sweep_values.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// One table on its way to the cases.
@@ -232,4 +232,4 @@ Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions&
   return sweep;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include "study/spec/sweep.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The `[[sweep]]` tables of a file, one of which may stand as `[sweep]`; none without any.
 /// @throws InputError where `sweep` is neither
@@ -20,4 +20,4 @@ std::vector<TomlReader> sweepTables(const TomlReader& root);
 ///   and for more than options.mostCases cases
 Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions& options);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

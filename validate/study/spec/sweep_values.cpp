@@ -10,7 +10,7 @@
 #include "common/counted_random.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr std::string_view rangesExpected =
@@ -230,4 +230,4 @@ SweptValue drawnValue(const SweptDistribution& distribution, std::uint64_t seed,
   return distribution.values.at(static_cast<std::size_t>(u * count));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "study/record/swept_value.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The most values of a key.
 constexpr std::size_t mostSweepValues = 100'000;
@@ -45,4 +45,4 @@ SweptDistribution distributionOf(const TomlReader& section);
 SweptValue drawnValue(const SweptDistribution& distribution, std::uint64_t seed,
                       std::string_view key, std::size_t index);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,14 +8,14 @@
 #include "compare/metric_range.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-PictureExtent largestExtent(const StudySpec& study, const std::string& view) {
-  PictureExtent largest;
+compare::PictureExtent largestExtent(const StudySpec& study, const std::string& view) {
+  compare::PictureExtent largest;
   for (const ViewSpec& candidate : study.views) {
     if (!view.empty() && candidate.name != view) continue;
-    const PictureExtent extent =
+    const compare::PictureExtent extent =
         fullExtent(candidate, study.quick, study.relief.texelsPerUv(), study.cage.faceCount());
     largest.diagonal = std::max(largest.diagonal, extent.diagonal);
     largest.samples = std::max(largest.samples, extent.samples);
@@ -26,20 +26,22 @@ PictureExtent largestExtent(const StudySpec& study, const std::string& view) {
 /// Whether a metric has the same value in a region whatever a method answers: the truth lights all
 /// of its samples, or shadows all.
 bool isSettledIn(std::string_view region, std::string_view metric) {
-  if (region == regionName(Region::lit)) return isSettledByLight(metric);
-  constexpr std::array dark = {Region::attached, Region::cast, Region::distant};
-  const bool isDark = std::any_of(dark.begin(), dark.end(),
-                                  [&](Region name) { return region == regionName(name); });
-  return isDark && isSettledByShadow(metric);
+  if (region == truth::regionName(truth::Region::lit)) return compare::isSettledByLight(metric);
+  constexpr std::array dark = {truth::Region::attached, truth::Region::cast,
+                               truth::Region::distant};
+  const bool isDark = std::any_of(dark.begin(), dark.end(), [&](truth::Region name) {
+    return region == truth::regionName(name);
+  });
+  return isDark && compare::isSettledByShadow(metric);
 }
 
 std::optional<double> readLimit(const TomlReader& section, const char* key,
-                                const MetricRange& range) {
+                                const compare::MetricRange& range) {
   const toml::node* node = section.find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_string()) return section.number(key, anyNumber);
   const std::string text = section.text(key);
-  const auto limit = text.ends_with('%') ? limitOfText(text, range) : std::nullopt;
+  const auto limit = text.ends_with('%') ? compare::limitOfText(text, range) : std::nullopt;
   if (!limit) {
     section.fail(key,
                  fmt::format("\"{}\" found, {} expected", text,
@@ -51,7 +53,8 @@ std::optional<double> readLimit(const TomlReader& section, const char* key,
 }  // namespace
 
 void readLimits(const TomlReader& section, const StudySpec& study, Gate& threshold) {
-  const MetricRange range = metricRange(threshold.metric, largestExtent(study, threshold.view));
+  const compare::MetricRange range =
+      compare::metricRange(threshold.metric, largestExtent(study, threshold.view));
   threshold.minimum = readLimit(section, "min", range);
   threshold.maximum = readLimit(section, "max", range);
   if (!threshold.minimum && !threshold.maximum) section.fail("max", "`max` or `min` expected");
@@ -63,13 +66,13 @@ void readLimits(const TomlReader& section, const StudySpec& study, Gate& thresho
   }
   const auto require = [&](const char* key, std::optional<double> limit) {
     if (!limit) return;
-    section.blame(key, [&] { requireInRange(*limit, threshold.metric, range); });
+    section.blame(key, [&] { compare::requireInRange(*limit, threshold.metric, range); });
   };
   require("max", threshold.maximum);
   require("min", threshold.minimum);
   section.blame(threshold.maximum ? "max" : "min", [&] {
-    requireMissable(threshold.minimum, threshold.maximum, threshold.metric, range);
+    compare::requireMissable(threshold.minimum, threshold.maximum, threshold.metric, range);
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

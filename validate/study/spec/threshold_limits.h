@@ -3,7 +3,7 @@
 #include "study/spec/study_file.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Reads `max` and `min` of a `[[threshold]]`, at least one of them, for the metric, region and
 /// view that `threshold` already has. Each is a number, or of a share also a percentage: "5 %".
@@ -13,4 +13,4 @@ namespace gnomon {
 ///   that are lit
 void readLimits(const TomlReader& section, const StudySpec& study, Gate& threshold);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 template <typename AnyError>
 [[noreturn]] void rethrowWithKey(const AnyError& error, std::string_view section) {
@@ -28,4 +28,4 @@ auto withKeys(std::string_view section, const Work& work) -> decltype(work()) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// A semi-sharp edge between two vertices of a cage, OpenSubdiv's sharpness: 0 smooth, 10 sharp.
 struct Crease {
@@ -62,4 +62,4 @@ struct Cage {
   [[nodiscard]] int faceCount() const { return static_cast<int>(faceVertices.size() / faceSize()); }
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

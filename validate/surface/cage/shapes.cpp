@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 constexpr int mostFaces = 4096;
@@ -284,4 +284,4 @@ Cage makeBSpline(const std::vector<Vec3>& points, int pointColumns, int pointRow
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -6,7 +6,7 @@
 #include "common/vec.h"
 #include "surface/cage/cage.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Built-in shapes. Each is a cage whose limit surface *is* the shape, exactly or to the stated
 /// error, in `columns` × `rows` faces; uv runs over [0, 1]² on the whole of it, u along s and the
@@ -52,4 +52,4 @@ Cage makeBezier(const std::array<Vec3, 16>& points, int columns, int rows);
 /// (pointColumns - 3) × (pointRows - 3) faces. Exact.
 Cage makeBSpline(const std::vector<Vec3>& points, int pointColumns, int pointRows);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
@@ -258,4 +258,4 @@ std::unique_ptr<Far::TopologyRefiner> makeTopologyRefiner(const Polygons& polygo
   return refiner;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -12,7 +12,7 @@
 
 // Shared by the sources of this component; no other component includes it.
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Faces of any size, the input of makeTopologyRefiner. Faces follow each other in `faceVertices`
 /// and, corner by corner, in `faceUvs`.
@@ -52,4 +52,4 @@ std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeTopologyRefiner(const Poly
                                                                       const PartNames& names,
                                                                       bool withUvs);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -13,7 +13,7 @@
 #include "surface/readers/polygon_mesh.h"
 #include "surface/readers/text_line.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 /// tinyobjloader counts the corners of a face in a byte.
@@ -228,4 +228,4 @@ Cage readObj(const std::filesystem::path& path, SubdivisionScheme scheme) {
   return toCage(load(lines), lines.names(), scheme);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

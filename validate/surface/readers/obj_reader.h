@@ -4,7 +4,7 @@
 
 #include "surface/cage/cage.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Reads a Wavefront OBJ as a control cage: all groups and objects joined, n-gons kept,
 /// face-varying texture coordinates, and the tags `t crease` and `t corner` that OpenSubdiv's own
@@ -21,4 +21,4 @@ namespace gnomon {
 Cage readObj(const std::filesystem::path& path,
              SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

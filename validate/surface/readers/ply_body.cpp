@@ -11,7 +11,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
@@ -157,4 +157,4 @@ double PlyBody::readBinary(PlyType type, std::string_view name) {
   return decode(type, bytes.data());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -11,7 +11,7 @@
 
 // Shared by the sources of this component; no other component includes it.
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// The values of a PLY file one after the other, whatever it writes them in. Every value of a type
 /// up to 32 bits is exact in a double.
@@ -51,4 +51,4 @@ class PlyBody {
   std::vector<double> values_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

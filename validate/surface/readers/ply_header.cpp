@@ -7,7 +7,7 @@
 
 #include "surface/readers/text_line.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 struct TypeName {
@@ -157,4 +157,4 @@ PlyHeader readPlyHeader(const std::string& source, std::string_view bytes) {
   return header;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

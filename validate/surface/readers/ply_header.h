@@ -9,7 +9,7 @@
 
 // Shared by the sources of this component; no other component includes it.
 
-namespace gnomon {
+namespace gnomon::surface {
 
 enum class PlyFormat { ascii, littleEndian, bigEndian };
 
@@ -52,4 +52,4 @@ struct PlyHeader {
 ///   element of rows without properties, no end of the header
 PlyHeader readPlyHeader(const std::string& source, std::string_view bytes);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -18,7 +18,7 @@
 #include "surface/readers/ply_header.h"
 #include "surface/readers/polygon_mesh.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 using Place = std::optional<std::size_t>;
@@ -245,4 +245,4 @@ Cage readPly(const std::filesystem::path& path, SubdivisionScheme scheme) {
   return toCage(std::move(mesh), reader.names(), scheme);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

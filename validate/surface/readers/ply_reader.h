@@ -4,7 +4,7 @@
 
 #include "surface/cage/cage.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// Reads a PLY (Turk 1994) as a control cage: ASCII, or binary of either byte order; polygons of
 /// any size. It takes
@@ -25,4 +25,4 @@ namespace gnomon {
 Cage readPly(const std::filesystem::path& path,
              SubdivisionScheme scheme = SubdivisionScheme::catmullClark);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

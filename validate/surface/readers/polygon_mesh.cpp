@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
@@ -136,4 +136,4 @@ Cage toCage(PolygonMesh mesh, const PartNames& names, SubdivisionScheme scheme) 
   return even ? unrefined(std::move(mesh), scheme) : refine(mesh, *refiner);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

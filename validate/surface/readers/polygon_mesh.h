@@ -8,7 +8,7 @@
 
 // Shared by the sources of this component; no other component includes it.
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// What `PolygonMesh::faceUvs` holds at every corner of a face without texture coordinates.
 constexpr int noUv = -1;
@@ -34,4 +34,4 @@ struct PolygonMesh {
 ///   `makeTopologyRefiner` refuses
 Cage toCage(PolygonMesh mesh, const PartNames& names, SubdivisionScheme scheme);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::surface {
 
 void TextLine::fail(const std::string& message) const {
   throw InputError(fmt::format("{}:{}: {}", source, number, message));
@@ -53,4 +53,4 @@ double parseFinite(const TextLine& line, std::string_view token, std::string_vie
   return *value;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

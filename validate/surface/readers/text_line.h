@@ -9,7 +9,7 @@
 
 // Shared by the sources of this component; no other component includes it.
 
-namespace gnomon {
+namespace gnomon::surface {
 
 /// One line of a text file, cut at spaces and tabs.
 struct TextLine {
@@ -60,4 +60,4 @@ std::optional<Number> parseNumber(std::string_view token) {
 int parseInteger(const TextLine& line, std::string_view token, std::string_view what);
 double parseFinite(const TextLine& line, std::string_view token, std::string_view what);
 
-}  // namespace gnomon
+}  // namespace gnomon::surface

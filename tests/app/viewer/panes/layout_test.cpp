@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 TEST(WindowLayout, PicturesAndControlsFillTheWindow) {
@@ -61,4 +61,4 @@ TEST(WindowLayout, ATinyWindowStillHasAPicture) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 using Worker = BackgroundWorker<int, int>;
@@ -133,4 +133,4 @@ TEST(BackgroundWorker, DropsValuesOnItsOwnThread) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -6,7 +6,7 @@
 #include "common/error.h"
 #include "viewer/session/background_worker.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 class SceneMakerTest : public ViewedStudy {
@@ -22,9 +22,10 @@ TEST_F(SceneMakerTest, MakesWhatTheShownMethodsRead) {
   EXPECT_FALSE(horizons.ellipses);
   EXPECT_EQ(horizons.tables->horizon.shape.layers, 8);
   // The same bytes as a run stores.
-  const HorizonTables baked = bakeHorizons(scene->study->relief.field, horizons.spec.bake.settings);
+  const horizon::HorizonTables baked =
+      horizon::bakeHorizons(scene->study->relief.field, horizons.spec.bake.settings);
   EXPECT_EQ(horizons.tables->horizon.values.bytes,
-            storeTable(baked.horizon, TableBits::eight).bytes);
+            horizon::storeTable(baked.horizon, horizon::TableBits::eight).bytes);
   EXPECT_TRUE(scene->methods.at("ellipse")->ellipses);
 }
 
@@ -122,4 +123,4 @@ TEST_F(SceneMakerTest, KeysOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -8,7 +8,7 @@
 
 #include "support/temporary_folder.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 class ShaderWatchTest : public TemporaryFolder {
@@ -50,4 +50,4 @@ TEST_F(ShaderWatchTest, NoticesFilesElsewhere) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -8,7 +8,7 @@
 #include "app/viewer/viewed_study.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 class TruthTracerTest : public ViewedStudy {
@@ -21,15 +21,15 @@ class TruthTracerTest : public ViewedStudy {
                 [] {}) {}
 
   /// Every face's parameters along the rows, with some pixels that show nothing.
-  [[nodiscard]] std::shared_ptr<const SampleGrid> samples() const {
-    SampleGrid grid{61, 37, {}};
+  [[nodiscard]] std::shared_ptr<const surface::SampleGrid> samples() const {
+    surface::SampleGrid grid{61, 37, {}};
     const int faces = scene_->surface->faceCount();
     for (int i = 0; i < grid.width * grid.height; ++i) {
       const auto share = [i](int step) { return static_cast<float>(i * step % 97) / 97; };
-      grid.samples.push_back(i % 11 == 0 ? SurfaceSample{}
-                                         : SurfaceSample{i % faces, share(13), share(29)});
+      grid.samples.push_back(i % 11 == 0 ? surface::SurfaceSample{}
+                                         : surface::SurfaceSample{i % faces, share(13), share(29)});
     }
-    return std::make_shared<const SampleGrid>(std::move(grid));
+    return std::make_shared<const surface::SampleGrid>(std::move(grid));
   }
   [[nodiscard]] TruthRequest request() const {
     TruthRequest asked;
@@ -63,11 +63,11 @@ TEST_F(TruthTracerTest, EndsWithTheMaskThatARunTraces) {
   worker_.request(asked);
   const auto found = truths();
   ASSERT_FALSE(found.empty());
-  const MicroMesh mesh(*scene_->surface, scene_->study->relief, scene_->study->truth);
-  const MicroScene scene(mesh);
-  const Truth truth =
-      traceShadows(*scene_->surface, scene_->study->relief, mesh, scene, *asked.views[0].samples,
-                   {asked.light, scene_->study->bake.settings.radiusTexels, standardRayOffset});
+  const truth::MicroMesh mesh(*scene_->surface, scene_->study->relief, scene_->study->truth);
+  const truth::MicroScene scene(mesh);
+  const truth::Truth truth = truth::traceShadows(
+      *scene_->surface, scene_->study->relief, mesh, scene, *asked.views[0].samples,
+      {asked.light, scene_->study->bake.settings.radiusTexels, truth::standardRayOffset});
   EXPECT_EQ(found.back().mask.samples, truth.mask.samples);
   EXPECT_EQ(found.back().share(), 1);
 }
@@ -107,7 +107,7 @@ TEST_F(TruthTracerTest, TheDisplacedSurfaceComesAtTheAskedSize) {
   asked.views.clear();
   asked.picture = std::get<Camera>(scene_->study->views.front().kind);
   worker_.request(asked);
-  std::optional<Image> picture;
+  std::optional<image::Image> picture;
   for (int i = 0; i < 3000 && (!picture || picture->width < 101); ++i) {
     while (auto result = worker_.take()) {
       if (result->picture) picture = std::move(result->picture);
@@ -120,4 +120,4 @@ TEST_F(TruthTracerTest, TheDisplacedSurfaceComesAtTheAskedSize) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -18,14 +18,14 @@
 #include "viewer/window/saved_view.h"
 #include "viewer/window/status_file.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 /// A session without a window: the test is the loop that draws its frames.
 class ViewSessionTest : public ViewedStudy {
  protected:
-  [[nodiscard]] ViewRequest request(std::vector<std::string> show) const {
-    ViewRequest asked;
+  [[nodiscard]] cli::ViewRequest request(std::vector<std::string> show) const {
+    cli::ViewRequest asked;
     asked.study = study();
     asked.show = std::move(show);
     asked.tryMethod = tryNone;
@@ -60,7 +60,7 @@ class ViewSessionTest : public ViewedStudy {
     return figures && figures->errorRate.value ? *figures->errorRate.value : -1;
   }
 
-  GlContext gl_;
+  render::GlContext gl_;
 };
 
 TEST_F(ViewSessionTest, ATruthThatEndsAsTheCameraMovesMeasuresNothing) {
@@ -131,12 +131,12 @@ TEST_F(ViewSessionTest, HorizonsThatWereShotForOtherTablesAreNotTaken) {
 
 TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileChanges) {
   const std::filesystem::path mine = file("mine.glsl");
-  const std::string text = readFile(shaderFolder() / "methods/max-forsyth.glsl");
+  const std::string text = readFile(render::shaderFolder() / "methods/max-forsyth.glsl");
   std::ofstream(mine) << text;
   std::ofstream(study(), std::ios::app) << "[[method]]\nfile = \"mine.glsl\"\n";
-  ViewRequest asked = request({"mine"});
+  cli::ViewRequest asked = request({"mine"});
   std::atomic<int> trials = 0;
-  asked.tryMethod = [&](const MethodSpec& method, Wrap /*wrap*/) {
+  asked.tryMethod = [&](const study::MethodSpec& method, relief::Wrap /*wrap*/) {
     ++trials;
     if (readFile(method.file).ends_with("// fatal\n")) throw InputError("mine.glsl: it crashes");
   };
@@ -162,7 +162,7 @@ TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileCh
 TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
   namespace fs = std::filesystem;
   std::ofstream(study(), std::ios::app) << "[[method]]\nname = \"shadow-volume\"\n";
-  fs::copy(shaderFolder(), file("shaders"), fs::copy_options::recursive);
+  fs::copy(render::shaderFolder(), file("shaders"), fs::copy_options::recursive);
   const fs::path walls = file("shaders/common/shadow_volume.geom");
   const std::string right = readFile(walls);
   const std::string wrong =
@@ -209,16 +209,16 @@ TEST_F(ViewSessionTest, IsSavedWhereNamesAreNoText) {
   const fs::path home = file("caf\xE9");
   const fs::path shader = home / "own\xE9.glsl";
   fs::create_directories(home);
-  fs::copy(shaderFolder() / "methods/max-forsyth.glsl", shader);
+  fs::copy(render::shaderFolder() / "methods/max-forsyth.glsl", shader);
   std::ofstream(home / "ball.toml")
       << test::replaced(readFile(study()), "name = \"max-forsyth\"", "file = \"file:own%E9.glsl\"");
-  ViewRequest asked = request({"own%E9"});
+  cli::ViewRequest asked = request({"own%E9"});
   asked.study = home / "ball.toml";
   asked.out = home / "out";
   ViewSession session(asked, [] {});
   ASSERT_TRUE(completes(session));
   EXPECT_NO_THROW((void)saveStudyView(session));
-  const StudySpec saved = readStudy(home / "out/ball/view/view-1.toml");
+  const study::StudySpec saved = study::readStudy(home / "out/ball/view/view-1.toml");
   EXPECT_TRUE(fs::equivalent(saved.methods.at(0).file, shader));
   // An error that names the file is part of what is on the screen.
   std::ofstream(shader) << "no method";
@@ -233,4 +233,4 @@ TEST_F(ViewSessionTest, IsSavedWhereNamesAreNoText) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -4,7 +4,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::app {
 namespace {
 
 const std::vector<std::string> labels = {"onoue-2004", "max-forsyth", "mine: 8 bits"};
@@ -55,4 +55,4 @@ TEST(ViewState, MethodsOfHiddenPanesAreNotShown) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::app

@@ -2,13 +2,13 @@
 
 #include <gmock/gmock.h>
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const ErrorBar whole{0.04, 0.01, 0.03, 0.005, Interval{0.02, 0.08}, 0.1};
+const ErrorBar whole{0.04, 0.01, 0.03, 0.005, compare::Interval{0.02, 0.08}, 0.1};
 
 TEST(ErrorBar, StandsToScale) {
   const std::string svg = htmlErrorBar(whole).text();
@@ -29,4 +29,4 @@ TEST(ErrorBar, LeavesOutWhatIsNotKnown) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -15,7 +15,7 @@
 
 // One table in every format.
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 using ::testing::AllOf;
@@ -39,16 +39,17 @@ Table sample() {
               .apart = "Not in every case:"};
   Cell error = valueCell(0.125);
   error.emphasis = Emphasis::strong;
-  table.rows = {{{valueCell(1), textCell("plain"), error, intervalCell(Interval{-0.001, 0.25}),
-                  valueCell(2'500'000), flagCell(false)}},
-                {{valueCell(2), textCell("a|b_& <c>"), valueCell({}, "no \"samples\""),
-                  intervalCell({}, "too few"), valueCell({}), flagCell(true)},
-                 " ≈"},
-                {{valueCell({}), textCell("影の長さ"), valueCell(0.00001), intervalCell({}),
-                  valueCell(1e6), flagCell(false)},
-                 "",
-                 "in 1 of 2 cases",
-                 true}};
+  table.rows = {
+      {{valueCell(1), textCell("plain"), error, intervalCell(compare::Interval{-0.001, 0.25}),
+        valueCell(2'500'000), flagCell(false)}},
+      {{valueCell(2), textCell("a|b_& <c>"), valueCell({}, "no \"samples\""),
+        intervalCell({}, "too few"), valueCell({}), flagCell(true)},
+       " ≈"},
+      {{valueCell({}), textCell("影の長さ"), valueCell(0.00001), intervalCell({}), valueCell(1e6),
+        flagCell(false)},
+       "",
+       "in 1 of 2 cases",
+       true}};
   table.rows[2].cells[2].mark = "*";
   return table;
 }
@@ -196,4 +197,4 @@ TEST(TableFormats, EachPrintsAnyTableOrRefusesIt) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::report

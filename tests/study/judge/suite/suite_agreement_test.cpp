@@ -4,7 +4,7 @@
 
 #include "study/judge/suite/suite_studies.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 TEST(SuiteAgreement, OfARankingWithItselfIsOne) {
@@ -47,4 +47,4 @@ TEST(SuiteAgreement, OfOneMethodIsNone) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

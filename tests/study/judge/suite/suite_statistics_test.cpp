@@ -6,7 +6,7 @@
 
 #include "study/judge/suite/suite_studies.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using test::drawnStudies;
@@ -285,4 +285,4 @@ TEST(SceneBins, AreOfStudiesThatWereDrawn) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -33,11 +33,11 @@ class Random {
 using ErrorOf = std::function<double(std::size_t scene, std::size_t method)>;
 
 /// Scenes "scene-000", … of the suite "drawn", with methods "m0", "m1", … under one light.
-inline std::vector<StudyMeans> drawnStudies(std::size_t scenes, std::size_t methods,
-                                            const ErrorOf& errorOf, double uncertainty = 0) {
-  std::vector<StudyMeans> studies;
+inline std::vector<study::StudyMeans> drawnStudies(std::size_t scenes, std::size_t methods,
+                                                   const ErrorOf& errorOf, double uncertainty = 0) {
+  std::vector<study::StudyMeans> studies;
   for (std::size_t s = 0; s < scenes; ++s) {
-    StudyMeans study;
+    study::StudyMeans study;
     study.name = fmt::format("scene-{:03}", s);
     study.title = "Title of <" + study.name + ">";
     study.suite = "drawn";
@@ -55,8 +55,9 @@ inline std::vector<StudyMeans> drawnStudies(std::size_t scenes, std::size_t meth
 /// Scenes of very different difficulty, on which each method errs by a factor of its own more or
 /// less than by that difficulty.
 /// @param factor  of each method
-inline std::vector<StudyMeans> randomStudies(std::size_t scenes, const std::vector<double>& factors,
-                                             std::uint64_t seed, double uncertainty = 0) {
+inline std::vector<study::StudyMeans> randomStudies(std::size_t scenes,
+                                                    const std::vector<double>& factors,
+                                                    std::uint64_t seed, double uncertainty = 0) {
   Random random(seed);
   std::vector<double> difficulty;
   for (std::size_t s = 0; s < scenes; ++s) difficulty.push_back(0.02 * std::exp(random.normal()));

@@ -9,7 +9,7 @@
 #include "truth/shadow_tracer.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using test::cubeCage;
@@ -17,10 +17,11 @@ using test::lightToward;
 using test::stepRelief;
 
 /// The samples that an atlas of a grid chart has, by its description.
-SampleGrid atlasSamples(const LimitSurface& surface, const RenderView& view) {
+surface::SampleGrid atlasSamples(const surface::LimitSurface& surface,
+                                 const render::RenderView& view) {
   const int columns = surface.grid().value().columns;
   const int side = view.width / columns;
-  SampleGrid grid{view.width, view.height, {}};
+  surface::SampleGrid grid{view.width, view.height, {}};
   for (int row = 0; row < view.height; ++row) {
     const int up = view.height - 1 - row;
     for (int column = 0; column < view.width; ++column) {
@@ -33,8 +34,8 @@ SampleGrid atlasSamples(const LimitSurface& surface, const RenderView& view) {
 }
 
 /// Samples here and there on all faces.
-SampleGrid scatteredSamples(const LimitSurface& surface) {
-  SampleGrid grid{surface.faceCount(), 1, {}};
+surface::SampleGrid scatteredSamples(const surface::LimitSurface& surface) {
+  surface::SampleGrid grid{surface.faceCount(), 1, {}};
   for (int face = 0; face < surface.faceCount(); ++face) {
     const auto share = [face](int k) { return static_cast<float>((face * k + 3) % 17 + 1) / 19; };
     grid.samples.push_back({face, share(5), share(7)});
@@ -53,8 +54,8 @@ Vec2 pixelOf(const Camera& camera, const Vec3& point) {
 }
 
 /// The direction in which shadows fall at a point, unit.
-Vec3 fallDirection(const LimitPoint& point, const Vec3& light) {
-  const Vec3 normal = outwardNormal(point);
+Vec3 fallDirection(const surface::LimitPoint& point, const Vec3& light) {
+  const Vec3 normal = surface::outwardNormal(point);
   return glm::normalize(glm::cross(normal, glm::cross(normal, light)));
 }
 
@@ -68,21 +69,22 @@ Camera obliqueCamera() {
 }
 
 TEST(LightField, IsTheMotionOfThePictureInACamera) {
-  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 20, 15));
   const Camera camera = obliqueCamera();
-  const RenderView view = cameraView(camera, makeBaseMesh(surface, Vec2(1), 1));
-  const SampleGrid samples = scatteredSamples(surface);
+  const render::RenderView view =
+      render::cameraView(camera, surface::makeBaseMesh(surface, Vec2(1), 1));
+  const surface::SampleGrid samples = scatteredSamples(surface);
   const Vec3 light = lightToward(35, 40);
-  const LightField field = makeLightField(surface, camera, view, samples, light);
+  const compare::LightField field = makeLightField(surface, camera, view, samples, light);
   ASSERT_EQ(field.steps.size(), samples.samples.size());
   EXPECT_EQ(field.width, samples.width);
   EXPECT_EQ(field.height, 1);
   EXPECT_EQ(field.tileSide, 0);
   int defined = 0;
   for (std::size_t i = 0; i < field.steps.size(); ++i) {
-    const LightStep& step = field.steps[i];
-    const SurfaceSample& sample = samples.samples[i];
-    const LimitPoint point = surface.evaluate(sample);
+    const compare::LightStep& step = field.steps[i];
+    const surface::SurfaceSample& sample = samples.samples[i];
+    const surface::LimitPoint point = surface.evaluate(sample);
     if (step.away == glm::vec2(0)) continue;
     ++defined;
     EXPECT_NEAR(glm::length(step.away), 1, 1e-6);
@@ -97,15 +99,16 @@ TEST(LightField, IsTheMotionOfThePictureInACamera) {
 }
 
 TEST(LightField, FromPointsIsTheSame) {
-  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 20, 15));
   const Camera camera = obliqueCamera();
-  const SampleGrid samples = scatteredSamples(surface);
+  const surface::SampleGrid samples = scatteredSamples(surface);
   const FieldPoints points = makeFieldPoints(surface, samples);
-  const RenderView seen = cameraView(camera, makeBaseMesh(surface, Vec2(1), 1));
+  const render::RenderView seen =
+      render::cameraView(camera, surface::makeBaseMesh(surface, Vec2(1), 1));
   for (const double azimuth : {35.0, -70.0}) {
     const Vec3 light = lightToward(azimuth, 40);
-    const LightField alone = makeLightField(surface, camera, seen, samples, light);
-    const LightField found = makeLightField(surface, camera, seen, samples, points, light);
+    const compare::LightField alone = makeLightField(surface, camera, seen, samples, light);
+    const compare::LightField found = makeLightField(surface, camera, seen, samples, points, light);
     ASSERT_EQ(found.steps.size(), alone.steps.size());
     for (std::size_t i = 0; i < alone.steps.size(); ++i) {
       EXPECT_EQ(found.steps[i].away, alone.steps[i].away) << i;
@@ -117,19 +120,19 @@ TEST(LightField, FromPointsIsTheSame) {
 }
 
 TEST(LightField, IsTheMotionOfTheParametersInAnAtlas) {
-  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
+  const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 20, 15));
   constexpr int side = 8;
-  const RenderView view = atlasView(surface, side);
-  const SampleGrid samples = scatteredSamples(surface);
+  const render::RenderView view = render::atlasView(surface, side);
+  const surface::SampleGrid samples = scatteredSamples(surface);
   const Vec3 light = lightToward(-70, 50);
-  const LightField field = makeLightField(surface, AtlasSpec{side}, view, samples, light);
+  const compare::LightField field = makeLightField(surface, AtlasSpec{side}, view, samples, light);
   int defined = 0;
   for (std::size_t i = 0; i < field.steps.size(); ++i) {
-    const LightStep& step = field.steps[i];
+    const compare::LightStep& step = field.steps[i];
     if (step.away == glm::vec2(0)) continue;
     ++defined;
-    const SurfaceSample& sample = samples.samples[i];
-    const LimitPoint point = surface.evaluate(sample);
+    const surface::SurfaceSample& sample = samples.samples[i];
+    const surface::LimitPoint point = surface.evaluate(sample);
     // A hundredth of a step there and back: columns along s, rows against t.
     const Vec2 move = 0.01 * Vec2(step.away.x, -step.away.y) / double{side};
     const auto at = [&](double sign) {
@@ -144,36 +147,38 @@ TEST(LightField, IsTheMotionOfTheParametersInAnAtlas) {
 }
 
 TEST(LightField, HasNoDirectionWhereShadowsHaveNone) {
-  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 20, 15));
-  const RenderView view = atlasView(surface, 8);
-  SampleGrid samples = scatteredSamples(surface);
+  const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 20, 15));
+  const render::RenderView view = render::atlasView(surface, 8);
+  surface::SampleGrid samples = scatteredSamples(surface);
   samples.samples[7].face = -1;
   const Vec3 light = lightToward(20, 25);
-  const LightField field = makeLightField(surface, AtlasSpec{8}, view, samples, light);
+  const compare::LightField field = makeLightField(surface, AtlasSpec{8}, view, samples, light);
   int turned = 0;
   for (std::size_t i = 0; i < field.steps.size(); ++i) {
-    const SurfaceSample& sample = samples.samples[i];
+    const surface::SurfaceSample& sample = samples.samples[i];
     if (!sample.isOnSurface()) continue;
-    const Vec3 normal = outwardNormal(surface.evaluate(sample));
+    const Vec3 normal = surface::outwardNormal(surface.evaluate(sample));
     EXPECT_EQ(field.steps[i].away == glm::vec2(0), glm::dot(normal, light) <= 0);
     turned += glm::dot(normal, light) <= 0 ? 1 : 0;
   }
   EXPECT_GT(turned, 20);
   EXPECT_EQ(field.steps[7].away, glm::vec2(0));
   // Straight from above nothing is cast.
-  const LimitSurface plane(makePlane(8, 8, 2, 2));
-  for (const LightStep& step :
-       makeLightField(plane, AtlasSpec{4}, atlasView(plane, 4), scatteredSamples(plane), {0, 0, 1})
+  const surface::LimitSurface plane(surface::makePlane(8, 8, 2, 2));
+  for (const compare::LightStep& step :
+       makeLightField(plane, AtlasSpec{4}, render::atlasView(plane, 4), scatteredSamples(plane),
+                      {0, 0, 1})
            .steps) {
     EXPECT_EQ(step.away, glm::vec2(0));
   }
 }
 
 TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
-  const LimitSurface plane(makePlane(8, 4, 2, 2));
-  const RenderView view = atlasView(plane, 4);  // samples 1 apart along x, ½ along y
-  const SampleGrid samples = atlasSamples(plane, view);
-  for (const LightStep& step :
+  const surface::LimitSurface plane(surface::makePlane(8, 4, 2, 2));
+  const render::RenderView view =
+      render::atlasView(plane, 4);  // samples 1 apart along x, ½ along y
+  const surface::SampleGrid samples = atlasSamples(plane, view);
+  for (const compare::LightStep& step :
        makeLightField(plane, AtlasSpec{4}, view, samples, lightToward(30, 45)).steps) {
     EXPECT_NEAR(step.spacing, 3 * (1 + 0.5), 1e-5);
   }
@@ -181,8 +186,9 @@ TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
   camera.eye = {0, 0, 100};
   camera.height = 50;
   const double pixel = 2 * 100 * std::tan(camera.verticalFov / 2) / camera.height;
-  const RenderView above = cameraView(camera, makeBaseMesh(plane, Vec2(1), 1));
-  for (const LightStep& step :
+  const render::RenderView above =
+      render::cameraView(camera, surface::makeBaseMesh(plane, Vec2(1), 1));
+  for (const compare::LightStep& step :
        makeLightField(plane, camera, above, samples, lightToward(30, 45)).steps) {
     EXPECT_NEAR(step.spacing, 3 * 2 * pixel, 1e-4);
     EXPECT_NEAR(step.length, pixel, 1e-5);
@@ -190,20 +196,21 @@ TEST(LightField, ReachesNeighboursAndNotMuchFarther) {
 }
 
 TEST(LightField, HasTilesWhereTheChartIsNoGrid) {
-  const LimitSurface cube(cubeCage());
-  const RenderView view = atlasView(cube, 6);
+  const surface::LimitSurface cube(cubeCage());
+  const render::RenderView view = render::atlasView(cube, 6);
   EXPECT_EQ(makeLightField(cube, AtlasSpec{6}, view, scatteredSamples(cube), lightToward(30, 45))
                 .tileSide,
             6);
   Camera camera = obliqueCamera();
-  const RenderView seen = cameraView(camera, makeBaseMesh(cube, Vec2(1), 1));
+  const render::RenderView seen =
+      render::cameraView(camera, surface::makeBaseMesh(cube, Vec2(1), 1));
   EXPECT_EQ(
       makeLightField(cube, camera, seen, scatteredSamples(cube), lightToward(30, 45)).tileSide, 0);
-  const LimitSurface plane(makePlane(8, 4, 2, 2));
-  EXPECT_EQ(
-      makeLightField(plane, AtlasSpec{6}, atlasView(plane, 6), scatteredSamples(plane), {0, 0, 1})
-          .tileSide,
-      0);
+  const surface::LimitSurface plane(surface::makePlane(8, 4, 2, 2));
+  EXPECT_EQ(makeLightField(plane, AtlasSpec{6}, render::atlasView(plane, 6),
+                           scatteredSamples(plane), {0, 0, 1})
+                .tileSide,
+            0);
 }
 
 // ---- through the truth, to a closed form
@@ -215,17 +222,18 @@ class BlockShadow : public testing::TestWithParam<std::pair<double, double>> {};
 TEST_P(BlockShadow, IsAsLongAsTheTangentOfTheLightSays) {
   const auto [azimuth, elevation] = GetParam();
   constexpr double height = 5;
-  const LimitSurface surface(makePlane(96, 64, 24, 16));
-  const Relief relief = stepRelief(
+  const surface::LimitSurface surface(surface::makePlane(96, 64, 24, 16));
+  const relief::Relief relief = stepRelief(
       96, 64, height, [](int i, int j) { return i >= 38 && i < 58 && j >= 26 && j < 38; });
-  const MicroMesh mesh(surface, relief, {0.25, 0});
-  const MicroScene scene(mesh);
+  const truth::MicroMesh mesh(surface, relief, {0.25, 0});
+  const truth::MicroScene scene(mesh);
   constexpr int side = 24;  // six samples a unit
-  const RenderView view = atlasView(surface, side);
-  const SampleGrid samples = atlasSamples(surface, view);
+  const render::RenderView view = render::atlasView(surface, side);
+  const surface::SampleGrid samples = atlasSamples(surface, view);
   const Vec3 light = lightToward(azimuth, elevation);
-  const Truth truth = traceShadows(surface, relief, mesh, scene, samples, {light, 1000, 1e-6});
-  const ShadowLengths found = compareShadowLengths(
+  const truth::Truth truth =
+      truth::traceShadows(surface, relief, mesh, scene, samples, {light, 1000, 1e-6});
+  const compare::ShadowLengths found = compare::compareShadowLengths(
       truth.mask, truth.mask, makeLightField(surface, AtlasSpec{side}, view, samples, light));
   ASSERT_TRUE(found.truthLength) << found.runs;
   EXPECT_NEAR(*found.truthLength, height / std::tan(radians(elevation)), 1.0 / 6);
@@ -245,4 +253,4 @@ INSTANTIATE_TEST_SUITE_P(Lights, BlockShadow,
                                          std::pair{135.0, 60.0}, std::pair{270.0, 25.0}));
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

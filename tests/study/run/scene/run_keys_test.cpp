@@ -14,7 +14,7 @@
 
 // Every key of a study either changes the keys of what it can change, or nothing that it could.
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,20 +57,20 @@ max = 0.5
 )";
 
 /// The keys of one study, by what they stand for.
-using Keys = std::map<std::string, ContentKey>;
+using Keys = std::map<std::string, cache::ContentKey>;
 
 class RunKeysTest : public TemporaryFolder {
  protected:
   Keys keysOf(const std::vector<std::string>& overrides) {
     std::ofstream(file("keys.toml")) << studyText;
-    return keysOf(overrides, shaderFolder());
+    return keysOf(overrides, render::shaderFolder());
   }
   Keys keysOf(const std::vector<std::string>& overrides, const fs::path& shaders) {
     StudyOptions options;
     options.overrides = overrides;
     const StudySpec study = readStudy(file("keys.toml"), options);
     const RunKeys keys(study, gl_, shaders);
-    const MeshChoice base{DrawnMesh::base, study.base};
+    const MeshChoice base{render::DrawnMesh::base, study.base};
     Keys all;
     all["samples"] = keys.samples(base, 0);
     all["surface"] = keys.surface();
@@ -78,7 +78,7 @@ class RunKeysTest : public TemporaryFolder {
     all["bins"] = keys.bins(base, 0, 0);
     all["displaced"] = keys.displacedPicture(0, 0);
     for (const MethodSpec& spec : study.methods) {
-      const Method method = readMethod(spec.file);
+      const render::Method method = render::readMethod(spec.file);
       all[method.name] = keys.mask(keys.method(spec, method), meshOf(spec, method), 0, 0);
     }
     return all;
@@ -96,7 +96,7 @@ class RunKeysTest : public TemporaryFolder {
     return {std::istream_iterator<std::string>(words), {}};
   }
 
-  GlContext gl_;
+  render::GlContext gl_;
 };
 
 const char* const everything =
@@ -158,7 +158,7 @@ TEST_F(RunKeysTest, EveryKeyOfAStudyChangesWhatDependsOnIt) {
 TEST_F(RunKeysTest, EllipsesEnterByTheirFrame) {
   std::ofstream(file("keys.toml")) << studyText;
   const StudySpec study = readStudy(file("keys.toml"), {});
-  const RunKeys keys(study, gl_, shaderFolder());
+  const RunKeys keys(study, gl_, render::shaderFolder());
   const BakeSpec& bake = study.methods.front().bake;
   EXPECT_EQ(keys.ellipses(bake, 0.5), keys.ellipses(bake, 0.5));
   EXPECT_NE(keys.ellipses(bake, 0.5), keys.ellipses(bake, 1));
@@ -167,7 +167,7 @@ TEST_F(RunKeysTest, EllipsesEnterByTheirFrame) {
 TEST_F(RunKeysTest, ShadersEnterByTheirText) {
   const Keys before = keysOf({});
   const fs::path shaders = file("shaders");
-  fs::copy(shaderFolder(), shaders, fs::copy_options::recursive);
+  fs::copy(render::shaderFolder(), shaders, fs::copy_options::recursive);
   EXPECT_EQ(changed(before, keysOf({}, shaders)), namesIn("")) << "where they lie does not matter";
   // What editors and file managers leave, a half-saved shader among it.
   for (const char* part : {"common", "methods"}) {
@@ -180,7 +180,7 @@ TEST_F(RunKeysTest, ShadersEnterByTheirText) {
     fs::create_directory(shaders / part / "folder.glsl");
   }
   EXPECT_EQ(changed(before, keysOf({}, shaders)), namesIn("")) << "editor files";
-  EXPECT_EQ(methodNames(shaders), methodNames(shaderFolder()));
+  EXPECT_EQ(render::methodNames(shaders), render::methodNames(render::shaderFolder()));
   std::ofstream(shaders / "common/pixel.glsl", std::ios::app) << "// edited\n";
   EXPECT_EQ(changed(before, keysOf({}, shaders)),
             namesIn("bins onoue-2004 relief-march samples sloan-cohen-surface truth unshadowed"));
@@ -188,21 +188,22 @@ TEST_F(RunKeysTest, ShadersEnterByTheirText) {
 
 TEST_F(RunKeysTest, AMethodEntersByItsText) {
   (void)keysOf({});
-  fs::copy(methodFile(shaderFolder(), "onoue-2004"), file("onoue-2004.glsl"));
+  fs::copy(render::methodFile(render::shaderFolder(), "onoue-2004"), file("onoue-2004.glsl"));
   const StudySpec study = readStudy(file("keys.toml"), {});
   MethodSpec spec = study.methods.front();
-  const RunKeys keys(study, gl_, shaderFolder());
-  const ContentKey before = keys.method(spec, readMethod(spec.file));
+  const RunKeys keys(study, gl_, render::shaderFolder());
+  const cache::ContentKey before = keys.method(spec, render::readMethod(spec.file));
   spec.file = file("onoue-2004.glsl");
-  EXPECT_EQ(keys.method(spec, readMethod(spec.file)), before) << "where it lies does not matter";
+  EXPECT_EQ(keys.method(spec, render::readMethod(spec.file)), before)
+      << "where it lies does not matter";
   std::ofstream(spec.file, std::ios::app) << "// edited\n";
-  EXPECT_NE(keys.method(spec, readMethod(spec.file)), before);
+  EXPECT_NE(keys.method(spec, render::readMethod(spec.file)), before);
 }
 
 TEST_F(RunKeysTest, TheProgramHasOne) {
   EXPECT_EQ(programKey(), programKey());
-  EXPECT_NE(programKey(), ContentKey{});
+  EXPECT_NE(programKey(), cache::ContentKey{});
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

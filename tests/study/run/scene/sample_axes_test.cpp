@@ -10,26 +10,26 @@
 #include "surface/base_mesh.h"
 #include "truth/truth_scenes.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 using test::lightToward;
 using test::stepRelief;
 
 /// A relief of one height everywhere.
-Relief plateau(double height, HeightSpace space = HeightSpace::world) {
-  Relief relief = stepRelief(
-      64, 48, height, [](int, int) { return true; }, Wrap::repeat);
+relief::Relief plateau(double height, relief::HeightSpace space = relief::HeightSpace::world) {
+  relief::Relief relief = stepRelief(
+      64, 48, height, [](int, int) { return true; }, relief::Wrap::repeat);
   relief.space = space;
   return relief;
 }
 
 template <typename Check>
-void forPoints(const LimitSurface& surface, const Relief& relief, const Vec3& light,
-               const Check& check) {
+void forPoints(const surface::LimitSurface& surface, const relief::Relief& relief,
+               const Vec3& light, const Check& check) {
   for (int face = 0; face < surface.faceCount(); face += 7) {
-    const LimitPoint point = surface.evaluate(face, 0.3, 0.7);
-    const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+    const surface::LimitPoint point = surface.evaluate(face, 0.3, 0.7);
+    const surface::TexelFrame frame = surface::texelFrame(point, relief.texelsPerUv());
     ASSERT_TRUE(frame.defined);
     check(point, axisSample(point, frame, relief, light));
   }
@@ -39,43 +39,45 @@ void forPoints(const LimitSurface& surface, const Relief& relief, const Vec3& li
 /// angle away, exactly.
 TEST(SampleAxes, OnASphereAreClosedForms) {
   const double radius = 60;
-  const LimitSurface surface(makeSphere(radius, 3.0, 2.4, 60, 48));
-  const Relief relief = plateau(3);
+  const surface::LimitSurface surface(surface::makeSphere(radius, 3.0, 2.4, 60, 48));
+  const relief::Relief relief = plateau(3);
   const Vec3 light = lightToward(70, 20);
   int beyond = 0;
-  forPoints(surface, relief, light, [&](const LimitPoint& point, const AxisSample& sample) {
-    const double elevation = std::asin(glm::dot(glm::normalize(point.position), light));
-    EXPECT_NEAR(curvatureHeight(sample), 3 / radius, 3e-4 * 3 / radius);
-    EXPECT_NEAR(lightElevation(sample), elevation * 180 / pi, 1e-3);
-    const double texel = std::sqrt(glm::length(glm::cross(sample.frame.px, sample.frame.py)));
-    EXPECT_NEAR(terminatorDistance(sample), radius * elevation / texel,
-                1e-3 * std::abs(radius * elevation / texel) + 1e-3);
-    beyond += elevation < 0 ? 1 : 0;
-  });
+  forPoints(
+      surface, relief, light, [&](const surface::LimitPoint& point, const AxisSample& sample) {
+        const double elevation = std::asin(glm::dot(glm::normalize(point.position), light));
+        EXPECT_NEAR(curvatureHeight(sample), 3 / radius, 3e-4 * 3 / radius);
+        EXPECT_NEAR(lightElevation(sample), elevation * 180 / pi, 1e-3);
+        const double texel = std::sqrt(glm::length(glm::cross(sample.frame.px, sample.frame.py)));
+        EXPECT_NEAR(terminatorDistance(sample), radius * elevation / texel,
+                    1e-3 * std::abs(radius * elevation / texel) + 1e-3);
+        beyond += elevation < 0 ? 1 : 0;
+      });
   EXPECT_GT(beyond, 20);
 }
 
 /// Heights in texels are worth a texel's size each.
 TEST(SampleAxes, TakeHeightsInTheReliefsOwnUnits) {
-  const LimitSurface surface(makeSphere(60, 1.6, 1.2, 32, 24));
+  const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 32, 24));
   const Vec3 light = lightToward(70, 40);
-  forPoints(surface, plateau(3, HeightSpace::texture), light,
-            [&](const LimitPoint&, const AxisSample& sample) {
+  forPoints(surface, plateau(3, relief::HeightSpace::texture), light,
+            [&](const surface::LimitPoint&, const AxisSample& sample) {
               EXPECT_NEAR(curvatureHeight(sample), 3 * sample.texel / 60, 1e-4);
             });
 }
 
 /// A plane has no terminator, and one light elevation.
 TEST(SampleAxes, OnAPlaneAreFlat) {
-  const LimitSurface surface(makePlane(64, 48, 8, 6));
-  const Relief relief = plateau(5);
-  forPoints(surface, relief, lightToward(10, 35), [](const LimitPoint&, const AxisSample& sample) {
-    EXPECT_NEAR(curvatureHeight(sample), 0, 1e-12);
-    EXPECT_NEAR(lightElevation(sample), 35, 1e-9);
-    EXPECT_GT(terminatorDistance(sample), 1e6);
-  });
-  const LimitPoint point = surface.evaluate(0, 0.5, 0.5);
-  const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+  const surface::LimitSurface surface(surface::makePlane(64, 48, 8, 6));
+  const relief::Relief relief = plateau(5);
+  forPoints(surface, relief, lightToward(10, 35),
+            [](const surface::LimitPoint&, const AxisSample& sample) {
+              EXPECT_NEAR(curvatureHeight(sample), 0, 1e-12);
+              EXPECT_NEAR(lightElevation(sample), 35, 1e-9);
+              EXPECT_GT(terminatorDistance(sample), 1e6);
+            });
+  const surface::LimitPoint point = surface.evaluate(0, 0.5, 0.5);
+  const surface::TexelFrame frame = surface::texelFrame(point, relief.texelsPerUv());
   const AxisSample grazing{frame, 0, 0, 0, 5, 1};
   EXPECT_EQ(terminatorDistance(grazing), 0);
   EXPECT_EQ(lightElevation(axisSample(point, frame, relief, Vec3(0, 0, 1))), 90);
@@ -86,19 +88,20 @@ TEST(SampleAxes, OnAPlaneAreFlat) {
 /// across the axis.
 TEST(SampleAxes, OnACylinderFollowTheLight) {
   const double curvature = 0.02;
-  const LimitSurface surface(makeCylinder(1 / curvature, 100 * curvature, 60, 40, 24));
-  const Relief relief = plateau(4);
+  const surface::LimitSurface surface(
+      surface::makeCylinder(1 / curvature, 100 * curvature, 60, 40, 24));
+  const relief::Relief relief = plateau(4);
   forPoints(surface, relief, lightToward(0, 30),
-            [&](const LimitPoint& point, const AxisSample& sample) {
-              const Vec3 n = outwardNormal(point);
+            [&](const surface::LimitPoint& point, const AxisSample& sample) {
+              const Vec3 n = surface::outwardNormal(point);
               EXPECT_NEAR(sample.normalChange, curvature, 1e-5);
               EXPECT_NEAR(curvatureHeight(sample), 4 * curvature, 1e-4);
               const double elevation = std::asin(glm::dot(n, lightToward(0, 30)));
               EXPECT_NEAR(terminatorDistance(sample) * sample.texel, elevation / curvature, 0.05);
             });
   forPoints(surface, relief, lightToward(50, 40),
-            [&](const LimitPoint& point, const AxisSample& sample) {
-              const Vec3 n = outwardNormal(point);
+            [&](const surface::LimitPoint& point, const AxisSample& sample) {
+              const Vec3 n = surface::outwardNormal(point);
               const Vec3 light = lightToward(50, 40);
               const Vec3 t = glm::normalize(light - glm::dot(light, n) * n);
               const Vec3 across = glm::normalize(glm::cross(Vec3(0, 1, 0), n));
@@ -110,11 +113,11 @@ TEST(SampleAxes, OnACylinderFollowTheLight) {
 /// Near the terminator of a torus, the first-order distance is that to the nearest point where n·L
 /// changes sign, found by brute force.
 TEST(SampleAxes, TheTerminatorIsAsFarAsBruteForceFindsIt) {
-  const LimitSurface surface(makeTorus(60, 25, 60, 60));
-  const Relief relief = plateau(1);
+  const surface::LimitSurface surface(surface::makeTorus(60, 25, 60, 60));
+  const relief::Relief relief = plateau(1);
   const Vec3 light = lightToward(30, 25);
-  const auto sineAt = [&](const LimitPoint& point) {
-    return glm::dot(outwardNormal(point), light);
+  const auto sineAt = [&](const surface::LimitPoint& point) {
+    return glm::dot(surface::outwardNormal(point), light);
   };
   std::vector<Vec3> terminator;
   for (int face = 0; face < surface.faceCount(); ++face) {
@@ -122,7 +125,7 @@ TEST(SampleAxes, TheTerminatorIsAsFarAsBruteForceFindsIt) {
     double before = 0;
     for (int i = 0; i <= 60; ++i) {
       for (int j = 0; j <= 20; ++j) {
-        const LimitPoint point = surface.evaluate(face, i / 60.0, j / 20.0);
+        const surface::LimitPoint point = surface.evaluate(face, i / 60.0, j / 20.0);
         const double sine = sineAt(point);
         if (j > 0 && before * sine <= 0) terminator.push_back(point.position);
         before = sine;
@@ -131,24 +134,26 @@ TEST(SampleAxes, TheTerminatorIsAsFarAsBruteForceFindsIt) {
   }
   ASSERT_GT(terminator.size(), 1000U);
   int compared = 0;
-  forPoints(surface, relief, light, [&](const LimitPoint& point, const AxisSample& sample) {
-    const double distance = terminatorDistance(sample) * sample.texel;
-    if (std::abs(distance) > 3) return;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec3& place : terminator) {
-      nearest = std::min(nearest, glm::distance(place, point.position));
-    }
-    EXPECT_NEAR(std::abs(distance), nearest, 0.1 * nearest + 0.15);
-    ++compared;
-  });
+  forPoints(surface, relief, light,
+            [&](const surface::LimitPoint& point, const AxisSample& sample) {
+              const double distance = terminatorDistance(sample) * sample.texel;
+              if (std::abs(distance) > 3) return;
+              double nearest = std::numeric_limits<double>::infinity();
+              for (const Vec3& place : terminator) {
+                nearest = std::min(nearest, glm::distance(place, point.position));
+              }
+              EXPECT_NEAR(std::abs(distance), nearest, 0.1 * nearest + 0.15);
+              ++compared;
+            });
   EXPECT_GE(compared, 5);
 }
 
 /// The longest over the shortest image of a unit vector of the texture plane, by brute force.
 TEST(SampleAxes, StretchIsTheRatioOfTheLongestTexelToTheShortest) {
   for (const test::ShearedPlane& plane : test::shearedPlanes()) {
-    const LimitSurface surface(plane.cage());
-    const Relief relief = stepRelief(plane.width, plane.height, 1, [](int, int) { return true; });
+    const surface::LimitSurface surface(plane.cage());
+    const relief::Relief relief =
+        stepRelief(plane.width, plane.height, 1, [](int, int) { return true; });
     double longest = 0;
     double shortest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 20000; ++k) {
@@ -158,15 +163,15 @@ TEST(SampleAxes, StretchIsTheRatioOfTheLongestTexelToTheShortest) {
     }
     ASSERT_GT(longest / shortest, 1.4);
     forPoints(surface, relief, lightToward(10, 35),
-              [&](const LimitPoint&, const AxisSample& sample) {
+              [&](const surface::LimitPoint&, const AxisSample& sample) {
                 EXPECT_NEAR(uvStretch(sample), longest / shortest, 1e-5);
               });
   }
   // Of square texels none, whatever their size.
   for (const double size : {0.25, 4.0}) {
-    const LimitSurface surface(makePlane(64 * size, 48 * size, 8, 6));
+    const surface::LimitSurface surface(surface::makePlane(64 * size, 48 * size, 8, 6));
     forPoints(surface, plateau(1), lightToward(10, 35),
-              [](const LimitPoint&, const AxisSample& sample) {
+              [](const surface::LimitPoint&, const AxisSample& sample) {
                 EXPECT_NEAR(uvStretch(sample), 1, 1e-7);
               });
   }
@@ -176,15 +181,15 @@ TEST(SampleAxes, StretchIsTheRatioOfTheLongestTexelToTheShortest) {
 /// ground, less what the ground itself is high.
 TEST(SampleAxes, TheReachOfAShadowIsTheLongestThatCanFallThere) {
   const double texel = 0.5;
-  const LimitSurface surface(makePlane(64 * texel, 48 * texel, 8, 6));
+  const surface::LimitSurface surface(surface::makePlane(64 * texel, 48 * texel, 8, 6));
   for (const double ground : {0.0, 2.0}) {
-    Relief relief = stepRelief(
-        64, 48, 6, [](int i, int) { return i >= 60; }, Wrap::repeat);
+    relief::Relief relief = stepRelief(
+        64, 48, 6, [](int i, int) { return i >= 60; }, relief::Wrap::repeat);
     std::vector<float> texels = relief.field.texels();
     for (float& height : texels) height = std::max(height, static_cast<float>(ground));
-    relief.field = HeightField(64, 48, texels, Wrap::repeat);
-    const LimitPoint point = surface.evaluate(0, 0.5, 0.5);
-    const TexelFrame frame = texelFrame(point, relief.texelsPerUv());
+    relief.field = relief::HeightField(64, 48, texels, relief::Wrap::repeat);
+    const surface::LimitPoint point = surface.evaluate(0, 0.5, 0.5);
+    const surface::TexelFrame frame = surface::texelFrame(point, relief.texelsPerUv());
     for (const double elevation : {15.0, 45.0, 80.0}) {
       const AxisSample sample = axisSample(point, frame, relief, lightToward(10, elevation));
       EXPECT_NEAR(shadowReach(sample), (6 - ground) / std::tan(elevation * pi / 180) / texel, 1e-6);
@@ -198,7 +203,7 @@ TEST(SampleAxes, TheReachOfAShadowIsTheLongestThatCanFallThere) {
 TEST(SampleAxes, HaveEdgesThatRiseAndNamesOfTheirOwn) {
   std::vector<std::string_view> names;
   for (const SampleAxis& axis : sampleAxes()) {
-    EXPECT_NO_THROW(requireEdges(axis.edges)) << axis.name;
+    EXPECT_NO_THROW(compare::requireEdges(axis.edges)) << axis.name;
     EXPECT_FALSE(axis.title.empty());
     EXPECT_EQ(std::find(names.begin(), names.end(), axis.name), names.end());
     names.push_back(axis.name);
@@ -209,9 +214,9 @@ TEST(SampleAxes, HaveEdgesThatRiseAndNamesOfTheirOwn) {
 
 /// A light at the very edge of two bins over a plane: rounding must not part its samples.
 TEST(BinSamples, PutsEverySampleIntoTheBinOfItsValue) {
-  const LimitSurface surface(makePlane(64, 48, 8, 6));
-  const Relief relief = plateau(5);
-  SampleGrid samples{200, 1, {}};
+  const surface::LimitSurface surface(surface::makePlane(64, 48, 8, 6));
+  const relief::Relief relief = plateau(5);
+  surface::SampleGrid samples{200, 1, {}};
   for (int i = 0; i < 200; ++i) {
     const auto share = [i](int k) { return static_cast<float>((i * k + 3) % 17 + 1) / 19; };
     samples.samples.push_back({i % 48, share(5), share(7)});
@@ -222,28 +227,29 @@ TEST(BinSamples, PutsEverySampleIntoTheBinOfItsValue) {
     ASSERT_EQ(bins.size(), 5U);
     for (std::size_t i = 0; i < 200; ++i) {
       const bool none = i == 7;
-      EXPECT_EQ(bins[0][i], none ? noBin : 5) << i;  // -0.005 to 0.005
-      EXPECT_EQ(bins[1][i], none ? noBin : 7) << i;  // 30° to 40°
-      EXPECT_EQ(bins[2][i], none ? noBin : 9) << i;  // 256 texels or more
-      EXPECT_EQ(bins[3][i], none ? noBin : 0) << i;  // square texels
-      EXPECT_EQ(bins[4][i], none ? noBin : 0) << i;  // nothing is higher
+      EXPECT_EQ(bins[0][i], none ? compare::noBin : 5) << i;  // -0.005 to 0.005
+      EXPECT_EQ(bins[1][i], none ? compare::noBin : 7) << i;  // 30° to 40°
+      EXPECT_EQ(bins[2][i], none ? compare::noBin : 9) << i;  // 256 texels or more
+      EXPECT_EQ(bins[3][i], none ? compare::noBin : 0) << i;  // square texels
+      EXPECT_EQ(bins[4][i], none ? compare::noBin : 0) << i;  // nothing is higher
     }
   }
 }
 
 TEST(BinSamples, LeavesOutSamplesWithoutFrame) {
-  Cage cage = makePlane(64, 48, 8, 6);
+  surface::Cage cage = surface::makePlane(64, 48, 8, 6);
   for (Vec2& uv : cage.uvs) uv.y = 0;  // a texture without area
-  const SampleGrid samples{1, 1, {{3, 0.5F, 0.5F}}};
-  for (const auto& axis : binSamples(LimitSurface(cage), plateau(1), samples, Vec3(0, 0, 1))) {
-    EXPECT_EQ(axis[0], noBin);
+  const surface::SampleGrid samples{1, 1, {{3, 0.5F, 0.5F}}};
+  for (const auto& axis :
+       binSamples(surface::LimitSurface(cage), plateau(1), samples, Vec3(0, 0, 1))) {
+    EXPECT_EQ(axis[0], compare::noBin);
   }
 }
 
 TEST(BinSamples, FromPlacesAreTheSame) {
-  const LimitSurface surface(makeTorus(30, 10, 12, 12));
-  const Relief relief = plateau(5);
-  SampleGrid samples{300, 1, {}};
+  const surface::LimitSurface surface(surface::makeTorus(30, 10, 12, 12));
+  const relief::Relief relief = plateau(5);
+  surface::SampleGrid samples{300, 1, {}};
   for (int i = 0; i < 300; ++i) {
     const auto share = [i](int k) { return static_cast<float>((i * k + 3) % 17 + 1) / 19; };
     samples.samples.push_back({i % 7 == 0 ? -1 : i % surface.faceCount(), share(5), share(7)});
@@ -256,4 +262,4 @@ TEST(BinSamples, FromPlacesAreTheSame) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

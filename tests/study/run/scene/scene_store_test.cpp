@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-ContentKey keyOf(int number) {
-  return KeyBuilder("test").add("number", number).key();
+cache::ContentKey keyOf(int number) {
+  return cache::KeyBuilder("test").add("number", number).key();
 }
 
 /// A store of numbers that counts how often one is made.
@@ -101,4 +101,4 @@ TEST(SceneStore, LetsGoOfTheOthersWhereMemoryIsTooSmall) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

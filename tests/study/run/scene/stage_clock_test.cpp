@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 void sleepMilliseconds(int milliseconds) {
@@ -46,4 +46,4 @@ TEST(StageClock, CountsAStageThatFails) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

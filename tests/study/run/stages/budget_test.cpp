@@ -7,31 +7,31 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr int samplesPerSide = 40;
 constexpr std::size_t budgetSamples = 1600;
-const Tiling tiling{1, 40};  // 400 blocks of 2 × 2
+const compare::Tiling tiling{1, 40};  // 400 blocks of 2 × 2
 
 Mask maskOf(const std::vector<Shade>& shades) {
   return {samplesPerSide, samplesPerSide, shades};
 }
 
 /// Lit everywhere but in its last quarter, which only distant occluders shadow.
-Truth madeUpTruth() {
-  Truth truth{maskOf(std::vector<Shade>(budgetSamples, Shade::lit)),
-              std::vector<Region>(budgetSamples, Region::lit), 0};
+truth::Truth madeUpTruth() {
+  truth::Truth truth{maskOf(std::vector<Shade>(budgetSamples, Shade::lit)),
+                     std::vector<truth::Region>(budgetSamples, truth::Region::lit), 0};
   for (std::size_t i = 1200; i < budgetSamples; ++i) {
     truth.mask.samples[i] = Shade::shadowed;
-    truth.regions[i] = Region::distant;
+    truth.regions[i] = truth::Region::distant;
   }
   return truth;
 }
 
 /// The truth, wrong at one of every `step` samples from `first` to before `last`, without a
 /// pattern.
-Mask wrongAt(const Truth& truth, std::size_t first, std::size_t last, std::size_t step) {
+Mask wrongAt(const truth::Truth& truth, std::size_t first, std::size_t last, std::size_t step) {
   Mask mask = truth.mask;
   for (std::size_t i = first; i < last; i += step) {
     Shade& shade = mask.samples[i + i / step * 7919 % 101 % step];
@@ -47,7 +47,7 @@ LadderSpec ladderOf(std::vector<std::string> causes) {
   return ladder;
 }
 
-StateErrors errorsOf(const Truth& truth, const Mask& mask) {
+StateErrors errorsOf(const truth::Truth& truth, const Mask& mask) {
   return stateErrors(mask, truth, {}, tiling);
 }
 
@@ -60,7 +60,7 @@ double sumOf(const BudgetRecord& budget, BudgetShare BudgetCause::*way) {
 /// 160 wrong samples: undoing "even" first rights 80, "bad" makes 40 wrong, together they leave
 /// 100, 20 of them distant.
 TEST(Budget, IsWhatEachStepOfAMadeUpLadderChanges) {
-  const Truth truth = madeUpTruth();
+  const truth::Truth truth = madeUpTruth();
   const StateErrors start = errorsOf(truth, wrongAt(truth, 0, 800, 5));   // 160
   const StateErrors even = errorsOf(truth, wrongAt(truth, 0, 800, 10));   // 80
   const StateErrors bad = errorsOf(truth, wrongAt(truth, 0, 1000, 5));    // 200
@@ -97,7 +97,7 @@ TEST(Budget, IsWhatEachStepOfAMadeUpLadderChanges) {
 TEST(Budget, PartsAddUpToTheTotal) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uniform(0.1, 2);
-  const Truth truth = madeUpTruth();
+  const truth::Truth truth = madeUpTruth();
   std::vector<double> weights(budgetSamples);
   for (double& weight : weights) weight = uniform(generator);
   const auto random = [&] {
@@ -123,7 +123,7 @@ TEST(Budget, PartsAddUpToTheTotal) {
 }
 
 TEST(Budget, TellsWhatCannotBeToldFromNone) {
-  const Truth truth = madeUpTruth();
+  const truth::Truth truth = madeUpTruth();
   const StateErrors start = errorsOf(truth, wrongAt(truth, 0, 1200, 3));  // 400, everywhere
   const StateErrors some =
       errorsOf(truth, wrongAt(truth, 480, 1200, 3));  // 240, right in six rows of blocks
@@ -147,7 +147,7 @@ TEST(Budget, TellsWhatCannotBeToldFromNone) {
 
 /// A large share that one place alone has is not sure: another draw of the bumps may lack it.
 TEST(Budget, OnePlaceIsNoEvidence) {
-  const Truth truth = madeUpTruth();
+  const truth::Truth truth = madeUpTruth();
   Mask mask = truth.mask;
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x)
@@ -165,11 +165,11 @@ TEST(Budget, OnePlaceIsNoEvidence) {
 }
 
 TEST(Budget, RefusesStatesThatDoNotFitTheCauses) {
-  const Truth truth = madeUpTruth();
+  const truth::Truth truth = madeUpTruth();
   const StateErrors none = errorsOf(truth, truth.mask);
   EXPECT_THROW(attributeError(ladderOf({"a"}), {}, {none}, {none, none}), InternalError);
   EXPECT_THROW(attributeError(ladderOf({"a"}), {}, {none, none}, {none}), InternalError);
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

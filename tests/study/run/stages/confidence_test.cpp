@@ -6,7 +6,7 @@
 #include "compare/random_errors.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr int maskSide = 144;
@@ -15,7 +15,7 @@ constexpr int maskSide = 144;
 ViewErrors someErrors() {
   const Mask truth{maskSide, maskSide,
                    std::vector<Shade>(std::size_t{maskSide} * maskSide, Shade::lit)};
-  ViewErrors errors{"camera", chooseTiling(truth), {"noon", "evening"}, {}};
+  ViewErrors errors{"camera", compare::chooseTiling(truth), {"noon", "evening"}, {}};
   test::RandomFields fields(maskSide, 1, 5);
   const std::vector<float> common = fields.next();
   const auto add = [&](const std::string& method, double noon, double evening) {
@@ -23,7 +23,7 @@ ViewErrors someErrors() {
     for (const double rate : {noon, evening}) {
       const Mask mask = test::errorMask(test::mixed(common, fields.next(), 0.7), maskSide,
                                         test::ErrorShape::blobs, rate);
-      made.lights.push_back(blockErrors(mask, truth, errors.tiling.cellSide));
+      made.lights.push_back(compare::blockErrors(mask, truth, errors.tiling.cellSide));
     }
     errors.methods.push_back(made);
   };
@@ -52,7 +52,8 @@ TEST(ConfidenceOf, SpeaksOfAllLightsAndOfEach) {
     EXPECT_EQ(record.blocks, 144U);
     EXPECT_EQ(record.blockSide, 12);
   }
-  const Interval alone = *rateConfidence(errors.methods[0].lights[1], errors.tiling).interval;
+  const compare::Interval alone =
+      *compare::rateConfidence(errors.methods[0].lights[1], errors.tiling).interval;
   EXPECT_EQ(records[2].interval->low, alone.low);
   EXPECT_EQ(records[2].interval->high, alone.high);
 }
@@ -89,12 +90,12 @@ TEST(DifferencesOf, ComparesEachMethodWithEveryLaterOne) {
     EXPECT_EQ(record.verdict, distinguish(estimateOf(record)));
   }
   EXPECT_DOUBLE_EQ(records[0].difference, (records[3].difference + records[6].difference) / 2);
-  BlockErrors first = errors.methods[0].lights[0];
-  BlockErrors second = errors.methods[1].lights[0];
+  compare::BlockErrors first = errors.methods[0].lights[0];
+  compare::BlockErrors second = errors.methods[1].lights[0];
   first += errors.methods[0].lights[1];
   second += errors.methods[1].lights[1];
   EXPECT_EQ(records[0].interval->low,
-            differenceConfidence(first, second, errors.tiling).interval->low);
+            compare::differenceConfidence(first, second, errors.tiling).interval->low);
 }
 
 TEST(DifferencesOf, OneLightIsAllOfThem) {
@@ -115,4 +116,4 @@ TEST(DifferencesOf, WithinTheTruthsUncertaintySaysNothing) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,7 +8,7 @@
 #include "study/spec/suite/exact_degrees.h"
 #include "support/error_messages.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 using ::testing::HasSubstr;
 
@@ -100,4 +100,4 @@ TEST(ExactDegrees, AgreeWithTheLibrary) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

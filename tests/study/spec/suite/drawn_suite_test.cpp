@@ -15,7 +15,7 @@
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -134,14 +134,14 @@ TEST_F(WrittenSuite, CurvatureIsThatOfItsSurface) {
     const std::string kind = study.facts["surface"].value<std::string>().value();
     if (kind != "bezier" && kind != "b-spline") continue;
     const StudySpec read = readStudy(file("suite") / study.file);
-    const LimitSurface surface(read.cage);
+    const surface::LimitSurface surface(read.cage);
     double largest = 0;
     for (int face = 0; face < surface.faceCount(); ++face) {
-      const LimitPoint point = surface.evaluate(face, 0.5, 0.5);
-      const TexelFrame frame = texelFrame(point, read.relief.texelsPerUv());
-      const PrincipalCurvatures bends = principalCurvatures(point);
+      const surface::LimitPoint point = surface.evaluate(face, 0.5, 0.5);
+      const surface::TexelFrame frame = surface::texelFrame(point, read.relief.texelsPerUv());
+      const surface::PrincipalCurvatures bends = surface::principalCurvatures(point);
       largest = std::max(largest, std::max(std::abs(bends.k1), std::abs(bends.k2)) *
-                                      worldPerHeight(read.relief.space, frame) *
+                                      relief::worldPerHeight(read.relief.space, frame) *
                                       read.reliefSection.height);
     }
     // Middles of faces miss the extremes, which lie at corners.
@@ -186,8 +186,8 @@ TEST(DrawnSurface, RefinedPointsAreTheSameSurface) {
   for (int j = 0; j < 5; ++j) {
     for (int i = 0; i < 6; ++i) points.emplace_back(i, j, random.unit());
   }
-  const LimitSurface coarse(makeBSpline(points, 6, 5));
-  const LimitSurface fine(makeBSpline(refinedPoints(points, 6), 9, 7));
+  const surface::LimitSurface coarse(surface::makeBSpline(points, 6, 5));
+  const surface::LimitSurface fine(surface::makeBSpline(refinedPoints(points, 6), 9, 7));
   ASSERT_EQ(coarse.faceCount(), 6);
   ASSERT_EQ(fine.faceCount(), 24);
   for (const Vec2 at : {Vec2(0.1, 0.2), Vec2(0.7, 0.4), Vec2(0.5, 0.9)}) {
@@ -205,4 +205,4 @@ TEST(DrawnSurface, RefinedPointsAreTheSameSurface) {
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

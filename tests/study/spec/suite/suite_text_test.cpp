@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 TEST(SuiteText, ReadsBackAndIsWrittenOneWay) {
@@ -42,4 +42,4 @@ name = "a"
 }
 
 }  // namespace
-}  // namespace gnomon
+}  // namespace gnomon::study

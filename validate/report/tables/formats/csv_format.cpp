@@ -10,7 +10,7 @@
 #include "report/text/number_text.h"
 #include "report/text/utf8_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 bool isNumber(std::string_view text) {
@@ -84,4 +84,4 @@ std::string csvTable(const Table& table) {
   return csv;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

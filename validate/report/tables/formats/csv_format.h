@@ -4,7 +4,7 @@
 
 #include "report/tables/table.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// A table for programs, as RFC 4180 quotes it; lines end in LF. A number is the shortest text that
 /// reads back as itself, whatever it reads as for people; what there is none of, an empty cell. An
@@ -16,4 +16,4 @@ namespace gnomon {
 /// @throws InternalError for a number that is not finite
 std::string csvTable(const Table& table);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -4,7 +4,7 @@
 
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 Html htmlErrorBar(const ErrorBar& bar) {
   if (!(bar.scale > 0)) return {};
@@ -41,4 +41,4 @@ Html htmlErrorBar(const ErrorBar& bar) {
       width, content);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -3,7 +3,7 @@
 #include "report/tables/table.h"
 #include "report/text/html.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// An error as a bar, an SVG of its cell's width: false shadow, then false light; round their end
 /// the truth's uncertainty as a band, and the 95 % interval as a whisker. Hidden from screen
@@ -11,4 +11,4 @@ namespace gnomon {
 /// @throws InternalError for a number that is not finite
 Html htmlErrorBar(const ErrorBar& bar);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

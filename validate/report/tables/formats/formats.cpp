@@ -8,7 +8,7 @@
 #include "report/tables/formats/markdown_format.h"
 #include "report/tables/formats/terminal_format.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 std::span<const TableFormat> tableFormats() {
   static constexpr std::array<TableFormat, 5> formats = {{
@@ -21,4 +21,4 @@ std::span<const TableFormat> tableFormats() {
   return formats;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,7 +6,7 @@
 
 #include "report/tables/table.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// One way to print any table.
 struct TableFormat {
@@ -18,4 +18,4 @@ struct TableFormat {
 /// All formats of tables. A new one is a file beside these and a line in formats.cpp.
 std::span<const TableFormat> tableFormats();
 
-}  // namespace gnomon
+}  // namespace gnomon::report

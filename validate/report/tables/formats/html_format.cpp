@@ -3,7 +3,7 @@
 #include "report/tables/formats/error_bar.h"
 #include "report/text/number_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 Html tooltip(const std::string& about) {
@@ -88,4 +88,4 @@ Html htmlTable(const Table& table) {
       table.kind, head, body);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -9,7 +9,7 @@
 #include "common/text/one_line.h"
 #include "report/text/interval_text.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 27> signs = {{
@@ -140,4 +140,4 @@ std::string latexTable(const Table& table) {
       latexCaption(table), latexKey(table.label), sides, head, rows);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 
 #include "report/tables/table.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Text that stands for itself in LaTeX: its special characters are escaped, the signs that reports
 /// use beyond ASCII become commands, control characters spaces, what is no UTF-8 '?'. A [ or * at
@@ -19,4 +19,4 @@ std::string escapeLatex(std::string_view text);
 /// @throws InternalError for a number that is not finite
 std::string latexTable(const Table& table);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -2,7 +2,7 @@
 
 #include "common/text/one_line.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 std::string trimmed(const std::string& text) {
@@ -62,4 +62,4 @@ std::string markdownTable(const Table& table) {
   return remarks.empty() ? text : text + "\n" + remarks;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

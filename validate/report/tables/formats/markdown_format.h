@@ -5,7 +5,7 @@
 
 #include "report/tables/table.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Text that stands for itself in a cell of a GitHub-flavoured Markdown table, on one line: what
 /// Markdown or HTML would read is escaped, and no @name or #1 in it notifies or links anybody.
@@ -16,4 +16,4 @@ std::string escapeMarkdown(std::string_view text);
 /// @throws InternalError for a number that is not finite
 std::string markdownTable(const Table& table);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -5,7 +5,7 @@
 
 #include "report/text/text_width.h"
 
-namespace gnomon {
+namespace gnomon::report {
 namespace {
 
 /// Between a text and what stands before it.
@@ -200,4 +200,4 @@ std::string terminalTable(const Table& table) {
   return page.text();
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::report

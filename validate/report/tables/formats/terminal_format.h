@@ -5,7 +5,7 @@
 #include "report/tables/table.h"
 #include "report/text/terminal_page.h"
 
-namespace gnomon {
+namespace gnomon::report {
 
 /// Adds a table to a terminal's page, at most 100 columns wide: texts at the left, figures at the
 /// right of their columns, a row's mark behind it and its remark below it. Where the room is short,
@@ -17,4 +17,4 @@ void appendTable(TerminalPage& page, const Table& table);
 /// The table alone, as plain text.
 std::string terminalTable(const Table& table);
 
-}  // namespace gnomon
+}  // namespace gnomon::report

@@ -6,7 +6,7 @@
 
 #include "study/record/confidence_record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// One axis of a method.
@@ -50,4 +50,4 @@ std::vector<SceneBin> sceneBins(const StudyRecord& record) {
   return bins;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

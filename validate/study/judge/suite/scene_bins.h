@@ -7,7 +7,7 @@
 #include "compare/scenes/binned_error.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// What one scene gives to one bin of an axis for one method. The shares are means over the scene's
 /// views, all lights together; those of an axis's bins add up to 1, and to the error rate over the
@@ -16,7 +16,7 @@ struct SceneBin {
   std::string method;  ///< a label
   std::string axis;    ///< as in BinRecord, likewise `low` and `high`
   std::optional<double> low, high;
-  SceneShare share;
+  compare::SceneShare share;
 };
 
 /// The suite that a study was drawn for, as its settings have it; empty for none.
@@ -25,4 +25,4 @@ std::string suiteNameOf(const StudyRecord& record);
 /// Of every method and axis of a record, in the record's order.
 std::vector<SceneBin> sceneBins(const StudyRecord& record);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include "common/lists.h"
 #include "compare/scenes/kendall.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 std::optional<double> meanIn(const SuiteRanking& ranking, const std::string& label) {
@@ -49,7 +49,7 @@ SuiteAgreement agreementOf(const SuiteRanking& first, const SuiteRanking& second
   }
   SuiteAgreement agreement;
   agreement.methods = shared.size();
-  agreement.tau = kendallTau(means, others);
+  agreement.tau = compare::kendallTau(means, others);
   for (std::size_t i = 0; i < shared.size(); ++i) {
     for (std::size_t j = i + 1; j < shared.size(); ++j) {
       ++agreement.pairs;
@@ -65,4 +65,4 @@ SuiteAgreement agreementOf(const SuiteRanking& first, const SuiteRanking& second
   return agreement;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

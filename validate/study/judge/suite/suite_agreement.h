@@ -8,7 +8,7 @@
 
 #include "study/judge/suite/suite_statistics.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// How the ranking over one set of scenes agrees with that over another.
 
@@ -36,4 +36,4 @@ struct SuiteAgreement {
 
 SuiteAgreement agreementOf(const SuiteRanking& first, const SuiteRanking& second);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -15,7 +15,7 @@
 #include "compare/scenes/resampled_mean.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Bins are many, and their intervals are not corrected: fewer resamples do.
@@ -40,8 +40,8 @@ std::optional<double> errorOn(const StudyMeans& scene, const std::string& label)
   return means != nullptr && means->isInEveryCase() ? means->errorRate : std::nullopt;
 }
 
-SceneTable tableOf(const Scenes& scenes) {
-  SceneTable table;
+compare::SceneTable tableOf(const Scenes& scenes) {
+  compare::SceneTable table;
   for (const StudyMeans* scene : scenes) {
     table.scenes.push_back(scene->name);
     table.uncertainty.push_back(largestUncertainty(*scene).value_or(0));
@@ -51,7 +51,7 @@ SceneTable tableOf(const Scenes& scenes) {
     table.errors.emplace_back();
     for (const StudyMeans* scene : scenes) table.errors.back().push_back(errorOn(*scene, label));
   }
-  return sortedByName(table);
+  return compare::sortedByName(table);
 }
 
 std::vector<double> chosen(const std::vector<double>& values,
@@ -61,7 +61,7 @@ std::vector<double> chosen(const std::vector<double>& values,
   return found;
 }
 
-std::vector<double> errorsOn(const SceneTable& table, std::size_t method,
+std::vector<double> errorsOn(const compare::SceneTable& table, std::size_t method,
                              const std::vector<std::size_t>& scenes) {
   std::vector<double> errors;
   for (const std::size_t s : scenes) errors.push_back(*table.errors[method][s]);
@@ -77,19 +77,19 @@ struct Comparison {
   std::size_t first, second;
   std::vector<std::size_t> scenes;
   SuitePair pair;
-  std::optional<ResampledMean> mean;
+  std::optional<compare::ResampledMean> mean;
 };
 
-void compare(const SceneTable& table, Comparison& comparison) {
+void compare(const compare::SceneTable& table, Comparison& comparison) {
   const std::vector<double> first = errorsOn(table, comparison.first, comparison.scenes);
   const std::vector<double> second = errorsOn(table, comparison.second, comparison.scenes);
   const std::vector<double> uncertainty = chosen(table.uncertainty, comparison.scenes);
   std::vector<double> differences;
   for (std::size_t s = 0; s < first.size(); ++s) differences.push_back(first[s] - second[s]);
-  comparison.mean.emplace(differences, SceneResamples(differences.size()));
-  const ResampledMean& mean = *comparison.mean;
+  comparison.mean.emplace(differences, compare::SceneResamples(differences.size()));
+  const compare::ResampledMean& mean = *comparison.mean;
   SuitePair& pair = comparison.pair;
-  pair.wins = winShare(first, second, uncertainty);
+  pair.wins = compare::winShare(first, second, uncertainty);
   pair.difference = mean.mean();
   pair.interval = mean.interval(0.05);
   pair.reason = mean.reason();
@@ -108,7 +108,7 @@ std::size_t judge(std::vector<Comparison>& comparisons) {
     family.push_back(&comparison);
     probabilities.push_back(comparison.pair.probability);
   }
-  const std::vector<HolmStep> steps = holmSteps(probabilities);
+  const std::vector<compare::HolmStep> steps = compare::holmSteps(probabilities);
   for (std::size_t i = 0; i < family.size(); ++i) {
     SuitePair& pair = family[i]->pair;
     pair.adjusted = steps[i].adjusted;
@@ -118,7 +118,7 @@ std::size_t judge(std::vector<Comparison>& comparisons) {
   return family.size();
 }
 
-std::vector<Comparison> comparisonsOf(const SceneTable& table,
+std::vector<Comparison> comparisonsOf(const compare::SceneTable& table,
                                       const std::vector<SuiteMethod>& methods) {
   const auto indexOf = [&](const std::string& label) {
     const auto found = std::find(table.methods.begin(), table.methods.end(), label);
@@ -129,7 +129,7 @@ std::vector<Comparison> comparisonsOf(const SceneTable& table,
     for (std::size_t j = i + 1; j < methods.size(); ++j) {
       const std::size_t first = indexOf(methods[i].label);
       const std::size_t second = indexOf(methods[j].label);
-      std::vector<std::size_t> shared = sharedScenes(table, {first, second});
+      std::vector<std::size_t> shared = compare::sharedScenes(table, {first, second});
       if (shared.empty()) continue;
       SuitePair pair;
       pair.first = methods[i].label;
@@ -149,15 +149,17 @@ std::vector<std::string> namesOf(const Scenes& scenes, const std::string& label)
   return names;
 }
 
-SuiteMethod methodOf(const SceneTable& table, std::size_t m, const SceneSpread& spread) {
+SuiteMethod methodOf(const compare::SceneTable& table, std::size_t m,
+                     const compare::SceneSpread& spread) {
   SuiteMethod method;
   method.label = table.methods[m];
   method.spread = spread;
   method.worstScene = table.scenes[spread.worstScene];
-  const std::vector<std::size_t> own = sharedScenes(table, {m});
-  const ResampledMean mean(errorsOn(table, m, own), SceneResamples(own.size()));
+  const std::vector<std::size_t> own = compare::sharedScenes(table, {m});
+  const compare::ResampledMean mean(errorsOn(table, m, own), compare::SceneResamples(own.size()));
   if (const auto interval = mean.interval(0.05)) {
-    method.interval = Interval{std::max(0.0, interval->low), std::min(1.0, interval->high)};
+    method.interval =
+        compare::Interval{std::max(0.0, interval->low), std::min(1.0, interval->high)};
   } else {
     method.reason = mean.reason().empty() ? "a few scenes decide everything" : mean.reason();
   }
@@ -166,7 +168,7 @@ SuiteMethod methodOf(const SceneTable& table, std::size_t m, const SceneSpread& 
 }
 
 /// Gives a rank to each method that has all scenes.
-void rank(const SceneTable& table, std::vector<SuiteMethod>& methods) {
+void rank(const compare::SceneTable& table, std::vector<SuiteMethod>& methods) {
   std::vector<SuiteMethod*> ranked;
   std::vector<std::vector<double>> errors;
   std::vector<std::size_t> all(table.scenes.size());
@@ -178,14 +180,16 @@ void rank(const SceneTable& table, std::vector<SuiteMethod>& methods) {
     errors.push_back(errorsOn(table, static_cast<std::size_t>(found - table.methods.begin()), all));
   }
   if (ranked.empty()) return;
-  const std::vector<SceneRank> ranks = ranksOver(errors, SceneResamples(all.size()));
+  const std::vector<compare::SceneRank> ranks =
+      compare::ranksOver(errors, compare::SceneResamples(all.size()));
   for (std::size_t i = 0; i < ranked.size(); ++i) ranked[i]->rank = ranks[i];
 }
 
-std::vector<SuiteMethod> methodsOf(const SceneTable& table, const Scenes& scenes) {
+std::vector<SuiteMethod> methodsOf(const compare::SceneTable& table, const Scenes& scenes) {
   std::vector<std::optional<SuiteMethod>> found(table.methods.size());
   parallelFor(0, found.size(), [&](std::size_t m) {
-    if (const auto spread = spreadOver(table.errors[m])) found[m] = methodOf(table, m, *spread);
+    if (const auto spread = compare::spreadOver(table.errors[m]))
+      found[m] = methodOf(table, m, *spread);
   });
   std::vector<SuiteMethod> methods;
   for (auto& method : found) {
@@ -206,16 +210,16 @@ std::vector<SuiteMethod> methodsOf(const SceneTable& table, const Scenes& scenes
 using BinPlace = std::tuple<std::string, std::optional<double>, std::optional<double>>;
 
 /// What each scene gives to the bins of one method; nothing where the method lacks the scene.
-std::map<BinPlace, std::vector<SceneShare>> sharesOf(const Scenes& scenes,
-                                                     const std::string& label) {
-  std::map<BinPlace, std::vector<SceneShare>> shares;
+std::map<BinPlace, std::vector<compare::SceneShare>> sharesOf(const Scenes& scenes,
+                                                              const std::string& label) {
+  std::map<BinPlace, std::vector<compare::SceneShare>> shares;
   std::size_t count = 0;
   for (const StudyMeans* scene : scenes) {
     if (!errorOn(*scene, label)) continue;
     ++count;
     for (const SceneBin& bin : scene->bins) {
       if (bin.method != label) continue;
-      std::vector<SceneShare>& own = shares[{bin.axis, bin.low, bin.high}];
+      std::vector<compare::SceneShare>& own = shares[{bin.axis, bin.low, bin.high}];
       own.resize(count);
       own.back() = bin.share;
     }
@@ -229,7 +233,8 @@ std::vector<SuiteBin> binsOf(const Scenes& scenes, const std::vector<SuiteMethod
   parallelFor(0, methods.size(), [&](std::size_t m) {
     for (const auto& [place, shares] : sharesOf(scenes, methods[m].label)) {
       const auto& [axis, low, high] = place;
-      const auto error = binnedError(shares, SceneResamples(shares.size(), binResamples));
+      const auto error =
+          compare::binnedError(shares, compare::SceneResamples(shares.size(), binResamples));
       if (error) found[m].push_back({methods[m].label, axis, low, high, *error});
     }
   });
@@ -239,7 +244,8 @@ std::vector<SuiteBin> binsOf(const Scenes& scenes, const std::vector<SuiteMethod
 }
 
 /// @param ranked  indices of the methods with a rank, by name
-SuiteScene sceneOf(const SceneTable& table, std::size_t s, const std::vector<std::size_t>& ranked) {
+SuiteScene sceneOf(const compare::SceneTable& table, std::size_t s,
+                   const std::vector<std::size_t>& ranked) {
   SuiteScene scene;
   scene.name = table.scenes[s];
   scene.report = scene.name + "/report.html";
@@ -258,7 +264,7 @@ SuiteScene sceneOf(const SceneTable& table, std::size_t s, const std::vector<std
   return scene;
 }
 
-std::vector<SuiteScene> hardestFirst(const SceneTable& table, const Scenes& scenes,
+std::vector<SuiteScene> hardestFirst(const compare::SceneTable& table, const Scenes& scenes,
                                      const std::vector<SuiteMethod>& methods) {
   std::vector<std::size_t> ranked;
   for (std::size_t m = 0; m < table.methods.size(); ++m) {
@@ -289,7 +295,7 @@ std::string suiteOf(std::span<const StudyMeans> studies) {
     suite = study.suite;
     ++scenes;
   }
-  return scenes >= leastScenes ? suite : "";
+  return scenes >= compare::leastScenes ? suite : "";
 }
 
 SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyMeans> studies) {
@@ -319,10 +325,10 @@ std::optional<SuitePair> findPair(const SuiteStatistics& statistics, std::string
     if (pair.first != second || pair.second != first) continue;
     SuitePair other = pair;
     std::swap(other.first, other.second);
-    other.wins = swapped(pair.wins);
+    other.wins = compare::swapped(pair.wins);
     other.difference = -pair.difference;
-    for (std::optional<Interval>* interval : {&other.interval, &other.corrected}) {
-      if (*interval) *interval = Interval{-(*interval)->high, -(*interval)->low};
+    for (std::optional<compare::Interval>* interval : {&other.interval, &other.corrected}) {
+      if (*interval) *interval = compare::Interval{-(*interval)->high, -(*interval)->low};
     }
     other.verdict = opposite(pair.verdict);
     return other;
@@ -330,4 +336,4 @@ std::optional<SuitePair> findPair(const SuiteStatistics& statistics, std::string
   return std::nullopt;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -13,7 +13,7 @@
 #include "compare/scenes/win_share.h"
 #include "study/judge/study_means.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Statistics over the scenes of a suite: studies that were drawn from one population, of which
 /// each is one observation. What an interval says of a method holds for new scenes of the suite,
@@ -23,27 +23,27 @@ namespace gnomon {
 struct SuiteMethod {
   std::string label;
   std::vector<std::string> names;  ///< the methods' own, as a rule one
-  SceneSpread spread;              ///< over the scenes in which it has an error in every case
+  compare::SceneSpread spread;     ///< over the scenes in which it has an error in every case
   std::string worstScene;
-  std::optional<Interval> interval;  ///< 95 % of the mean, within 0 to 1
-  std::string reason;                ///< why there is none; empty if there is one
-  double uncertainty = 0;            ///< of the truth, mean over these scenes
+  std::optional<compare::Interval> interval;  ///< 95 % of the mean, within 0 to 1
+  std::string reason;                         ///< why there is none; empty if there is one
+  double uncertainty = 0;                     ///< of the truth, mean over these scenes
   /// None for a method that lacks a scene: means over other scenes cannot be compared.
-  std::optional<SceneRank> rank;
+  std::optional<compare::SceneRank> rank;
 };
 
 /// Two methods over the scenes that both have, at least one.
 struct SuitePair {
-  std::string first, second;         ///< labels
-  WinShare wins;                     ///< of the first
-  double difference = 0;             ///< mean error of the first less that of the second
-  std::optional<Interval> interval;  ///< 95 % of the difference, by itself
-  std::string reason;                ///< why there is none; empty if there is one
-  double uncertainty = 0;            ///< of the truth, mean over these scenes
-  double probability = 1;            ///< p of no difference
-  double adjusted = 1;               ///< p by Holm over all pairs of the suite
+  std::string first, second;                  ///< labels
+  compare::WinShare wins;                     ///< of the first
+  double difference = 0;                      ///< mean error of the first less that of the second
+  std::optional<compare::Interval> interval;  ///< 95 % of the difference, by itself
+  std::string reason;                         ///< why there is none; empty if there is one
+  double uncertainty = 0;                     ///< of the truth, mean over these scenes
+  double probability = 1;                     ///< p of no difference
+  double adjusted = 1;                        ///< p by Holm over all pairs of the suite
   /// The difference with the error that Holm allows this pair; `verdict` is `distinguish` of it.
-  std::optional<Interval> corrected;
+  std::optional<compare::Interval> corrected;
   DifferenceVerdict verdict = DifferenceVerdict::notDistinguishable;
 };
 
@@ -52,7 +52,7 @@ struct SuiteBin {
   std::string method;  ///< a label
   std::string axis;    ///< as in BinRecord, likewise `low` and `high`
   std::optional<double> low, high;
-  BinnedError error;
+  compare::BinnedError error;
 };
 
 /// One scene, by how hard it is for the methods with a rank; without figures where there are none.
@@ -70,7 +70,7 @@ struct SuiteScene {
 
 struct SuiteStatistics {
   std::string suite;
-  SceneTable table;                  ///< sorted by name
+  compare::SceneTable table;         ///< sorted by name
   std::vector<SuiteMethod> methods;  ///< with a rank first, by mean; then by number of scenes
   std::vector<SuitePair> pairs;      ///< of every two, in the order of `methods`
   std::vector<SuiteBin> bins;        ///< by method, axis and lower end
@@ -93,4 +93,4 @@ std::string reportOf(const SuiteStatistics& statistics, std::string_view scene);
 std::optional<SuitePair> findPair(const SuiteStatistics& statistics, std::string_view first,
                                   std::string_view second);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -12,7 +12,7 @@
 #include "study/run/scene/view_map.h"
 #include "study/spec/with_keys.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Refuses a view whose samples, truths and masks cannot be held.
@@ -26,40 +26,40 @@ void requireRoom(const StudySpec& study, int width, int height, const std::strin
   }
   constexpr double bytesWhileRendering = 64;
   constexpr double bytesOfWeightsAndPlaces =
-      sizeof(double) + sizeof(SurfaceSample) + sizeof(std::uint8_t);
+      sizeof(double) + sizeof(surface::SurfaceSample) + sizeof(std::uint8_t);
   // A truth, the coarser one that it is held against, and whether the path crosses a seam.
-  constexpr double bytesOfTruth = 2 * (sizeof(Shade) + sizeof(Region)) + 1;
+  constexpr double bytesOfTruth = 2 * (sizeof(Shade) + sizeof(truth::Region)) + 1;
   requireMemory(samples * (bytesWhileRendering + bytesOfWeightsAndPlaces +
                            bytesOfTruth * static_cast<double>(study.lights.size()) +
                            sizeof(Shade) * static_cast<double>(study.methods.size())),
                 what);
 }
 
-bool isEmpty(const SampleGrid& grid) {
+bool isEmpty(const surface::SampleGrid& grid) {
   return std::all_of(grid.samples.begin(), grid.samples.end(),
-                     [](const SurfaceSample& sample) { return !sample.isOnSurface(); });
+                     [](const surface::SurfaceSample& sample) { return !sample.isOnSurface(); });
 }
 
 /// What is kept of a view.
 struct ChosenSamples {
-  RenderView view;
-  SampleGrid samples;
-  SampleLayout layout;
+  render::RenderView view;
+  surface::SampleGrid samples;
+  compare::SampleLayout layout;
   std::vector<double> weights;
 };
 
-template <typename Stream, SameAs<ChosenSamples> T>
+template <typename Stream, cache::SameAs<ChosenSamples> T>
 void fields(Stream& stream, T& chosen) {
   stream(chosen.view, chosen.samples, chosen.layout, chosen.weights);
 }
 
 /// Draws the mesh to see its samples.
-ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
+ChosenSamples chooseSamples(const StudySpec& study, const surface::LimitSurface& surface,
                             const DrawnBase& drawn, const std::filesystem::path& shaders,
                             const ViewSpec& spec) {
   ChosenSamples chosen;
   chosen.view = renderView(spec, surface, drawn.mesh);
-  chosen.samples = SamplesPass(shaders).render(chosen.view, drawn.gpu);
+  chosen.samples = render::SamplesPass(shaders).render(chosen.view, drawn.gpu);
   if (isEmpty(chosen.samples)) {
     throw InputError(
         fmt::format("view \"{}\" shows no surface: check eye, target and fov", spec.name));
@@ -70,44 +70,46 @@ ChosenSamples chooseSamples(const StudySpec& study, const LimitSurface& surface,
   return chosen;
 }
 
-DrawnBase undisplaced(const StudySpec& study, const LimitSurface& surface,
+DrawnBase undisplaced(const StudySpec& study, const surface::LimitSurface& surface,
                       const MeshChoice& choice) {
-  BaseMesh mesh = withKeys("base", [&] {
-    return makeBaseMesh(surface, study.relief.texelsPerUv(), choice.base.subdivisions,
-                        choice.base.curvature);
+  surface::BaseMesh mesh = withKeys("base", [&] {
+    return surface::makeBaseMesh(surface, study.relief.texelsPerUv(), choice.base.subdivisions,
+                                 choice.base.curvature);
   });
-  GpuMesh gpu(mesh);
-  const RenderView texture = textureView(mesh);
+  render::GpuMesh gpu(mesh);
+  const render::RenderView texture = render::textureView(mesh);
   return {std::move(mesh), std::move(gpu), std::nullopt, texture};
 }
 
-DrawnBase displaced(const StudySpec& study, const LimitSurface& surface, const MeshChoice& choice) {
-  DisplacedMesh displaced = withKeys(
-      "base", [&] { return makeDisplacedMesh(surface, study.relief, choice.base.subdivisions); });
-  GpuMesh gpu(displaced.mesh);
-  GpuVolumes volumes(displaced);
-  const RenderView texture = textureView(displaced.mesh);
+DrawnBase displaced(const StudySpec& study, const surface::LimitSurface& surface,
+                    const MeshChoice& choice) {
+  displaced::DisplacedMesh displaced = withKeys("base", [&] {
+    return displaced::makeDisplacedMesh(surface, study.relief, choice.base.subdivisions);
+  });
+  render::GpuMesh gpu(displaced.mesh);
+  render::GpuVolumes volumes(displaced);
+  const render::RenderView texture = render::textureView(displaced.mesh);
   return {std::move(displaced.mesh), std::move(gpu), std::move(volumes), texture};
 }
 
 /// About what a mesh takes, in memory and on the GPU.
 std::uint64_t heldBytes(const DrawnBase& drawn) {
   const std::size_t copies = drawn.volumes ? 4 : 2;
-  return copies * (drawn.mesh.vertices.size() * sizeof(BaseVertex) +
+  return copies * (drawn.mesh.vertices.size() * sizeof(surface::BaseVertex) +
                    drawn.mesh.triangles.size() * sizeof(std::uint32_t));
 }
 
 std::uint64_t heldBytes(const ChosenSamples& chosen) {
-  return chosen.samples.samples.size() * sizeof(SurfaceSample) + chosen.layout.breaks.size() +
-         chosen.weights.size() * sizeof(double);
+  return chosen.samples.samples.size() * sizeof(surface::SurfaceSample) +
+         chosen.layout.breaks.size() + chosen.weights.size() * sizeof(double);
 }
 
 }  // namespace
 
-BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
-                      CaseMakers with) {
+BaseCase makeBaseCase(const StudySpec& study, const surface::LimitSurface& surface,
+                      MeshChoice choice, CaseMakers with) {
   const auto make = [&study, &surface, choice] {
-    return std::make_shared<const DrawnBase>(choice.kind == DrawnMesh::displaced
+    return std::make_shared<const DrawnBase>(choice.kind == render::DrawnMesh::displaced
                                                  ? displaced(study, surface, choice)
                                                  : undisplaced(study, surface, choice));
   };
@@ -120,9 +122,9 @@ BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshC
                 {}};
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     const ViewSpec& spec = study.views[v];
-    const RenderView size = pictureSize(spec, surface);
+    const render::RenderView size = pictureSize(spec, surface);
     requireRoom(study, size.width, size.height, spec.name);
-    const ContentKey key = with.keys.samples(choice, v);
+    const cache::ContentKey key = with.keys.samples(choice, v);
     const std::shared_ptr<const ChosenSamples> chosen = with.store.get<ChosenSamples>(
         key,
         [&] {
@@ -136,4 +138,4 @@ BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshC
   return base;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -20,23 +20,23 @@
 #include "surface/sample_grid.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The samples that one view of one base mesh chooses.
 struct ViewCase {
-  RenderView view;
-  SampleGrid samples;
-  SampleLayout layout;          ///< how they lie beside each other
-  std::vector<double> weights;  ///< world area of each sample in an atlas; empty for a camera
-  std::vector<Truth> truths;    ///< one a light, filled by the run
+  render::RenderView view;
+  surface::SampleGrid samples;
+  compare::SampleLayout layout;      ///< how they lie beside each other
+  std::vector<double> weights;       ///< world area of each sample in an atlas; empty for a camera
+  std::vector<truth::Truth> truths;  ///< one a light, filled by the run
 };
 
 /// A mesh as it is drawn.
 struct DrawnBase {
-  BaseMesh mesh;
-  GpuMesh gpu;
-  std::optional<GpuVolumes> volumes;  ///< of a displaced mesh
-  RenderView texture;                 ///< the texture's own plane
+  surface::BaseMesh mesh;
+  render::GpuMesh gpu;
+  std::optional<render::GpuVolumes> volumes;  ///< of a displaced mesh
+  render::RenderView texture;                 ///< the texture's own plane
 };
 
 /// A mesh and the study's views of it. Methods that draw another mesh than the study's base show
@@ -53,7 +53,7 @@ struct BaseCase {
 /// What a base case is made with.
 struct CaseMakers {
   const std::filesystem::path& shaders;
-  Cache& cache;
+  cache::Cache& cache;
   SceneStore& store;
   const RunKeys& keys;
 };
@@ -63,7 +63,7 @@ struct CaseMakers {
 /// @param study    outlives the case, as do `surface` and `with`'s
 /// @throws InputError for a view that is larger than OpenGL allows or shows no surface; MemoryError
 ///   for one whose samples, truths and masks cannot be held
-BaseCase makeBaseCase(const StudySpec& study, const LimitSurface& surface, MeshChoice choice,
-                      CaseMakers with);
+BaseCase makeBaseCase(const StudySpec& study, const surface::LimitSurface& surface,
+                      MeshChoice choice, CaseMakers with);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -16,7 +16,7 @@
 #include "surface/sample_grid.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::cache {
 
 /// How the results in a cache are written and read, field by field: see byte_stream.h.
 
@@ -25,12 +25,12 @@ void fields(Stream& stream, T& mask) {
   stream(mask.width, mask.height, mask.samples);
 }
 
-template <typename Stream, SameAs<MethodAnswers> T>
+template <typename Stream, SameAs<render::MethodAnswers> T>
 void fields(Stream& stream, T& answers) {
   stream(answers.drawn, answers.test);
 }
 
-template <typename Stream, SameAs<Truth> T>
+template <typename Stream, SameAs<truth::Truth> T>
 void fields(Stream& stream, T& truth) {
   std::uint64_t undefined = truth.undefinedSamples;
   stream(truth.mask, truth.regions, undefined, truth.crossesSeam);
@@ -38,60 +38,60 @@ void fields(Stream& stream, T& truth) {
 }
 
 template <>
-inline constexpr bool isPacked<SurfaceSample> = sizeof(SurfaceSample) == 12;
+inline constexpr bool isPacked<surface::SurfaceSample> = sizeof(surface::SurfaceSample) == 12;
 
-template <typename Stream, SameAs<SampleGrid> T>
+template <typename Stream, SameAs<surface::SampleGrid> T>
 void fields(Stream& stream, T& grid) {
   stream(grid.width, grid.height, grid.samples);
 }
 
 template <>
-inline constexpr bool isPacked<RenderView> = sizeof(RenderView) ==
-                                             sizeof(glm::mat4) + 4 * sizeof(int) +
-                                                 sizeof(RenderView::texelWindow);
+inline constexpr bool isPacked<render::RenderView> = sizeof(render::RenderView) ==
+                                                     sizeof(glm::mat4) + 4 * sizeof(int) +
+                                                         sizeof(render::RenderView::texelWindow);
 
-template <typename Stream, SameAs<SampleLayout> T>
+template <typename Stream, SameAs<compare::SampleLayout> T>
 void fields(Stream& stream, T& layout) {
   stream(layout.columnStep, layout.rowStep, layout.tileSide, layout.breaks);
 }
 
-template <typename Stream, SameAs<Tiling> T>
+template <typename Stream, SameAs<compare::Tiling> T>
 void fields(Stream& stream, T& tiling) {
   stream(tiling.cellSide, tiling.columns);
 }
 
-template <typename Stream, SameAs<HorizonTables> T>
+template <typename Stream, SameAs<horizon::HorizonTables> T>
 void fields(Stream& stream, T& tables) {
   stream(tables.width, tables.height, tables.layers, tables.radiusTexels, tables.wrap,
          tables.border.x, tables.border.y, tables.horizon, tables.distance);
 }
 
-template <typename Stream, SameAs<EllipseTable> T>
+template <typename Stream, SameAs<horizon::EllipseTable> T>
 void fields(Stream& stream, T& table) {
   stream(table.width, table.height, table.wrap, table.border.x, table.border.y, table.values);
-  if constexpr (!std::is_const_v<T>) table.layers = EllipseTable::numbers;
+  if constexpr (!std::is_const_v<T>) table.layers = horizon::EllipseTable::numbers;
 }
 
-template <typename Stream, SameAs<AngleTable> T>
+template <typename Stream, SameAs<horizon::AngleTable> T>
 void fields(Stream& stream, T& table) {
   stream(table.width, table.height, table.layers, table.limit, table.angles, table.wrap,
          table.originX, table.originY);
 }
 
-template <typename Stream, SameAs<BlockErrors> T>
+template <typename Stream, SameAs<compare::BlockErrors> T>
 void fields(Stream& stream, T& errors) {
   stream(errors.wrong, errors.weight);
 }
 
-template <typename Stream, SameAs<AnswerOutcome> T>
+template <typename Stream, SameAs<study::AnswerOutcome> T>
 void fields(Stream& stream, T& outcome) {
   stream(outcome.regions, outcome.lengths);
   boundaryFields(stream, outcome.boundaries);
 }
 
-template <typename Stream, SameAs<MethodOutcome> T>
+template <typename Stream, SameAs<study::MethodOutcome> T>
 void fields(Stream& stream, T& outcome) {
   stream(outcome.drawn, outcome.test, outcome.bins, outcome.blocks);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::cache

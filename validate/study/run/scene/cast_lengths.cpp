@@ -4,20 +4,24 @@
 #include <array>
 #include <cstdint>
 
-namespace gnomon {
+namespace gnomon::study {
 
-ShadowLengths castLengths(const Mask& mask, const Truth& truth, const LightField& field) {
+compare::ShadowLengths castLengths(const Mask& mask, const truth::Truth& truth,
+                                   const compare::LightField& field) {
   const std::array<const Mask*, 1> one = {&mask};
   return castLengths(one, truth, field).front();
 }
 
-std::vector<ShadowLengths> castLengths(std::span<const Mask* const> masks, const Truth& truth,
-                                       const LightField& field) {
+std::vector<compare::ShadowLengths> castLengths(std::span<const Mask* const> masks,
+                                                const truth::Truth& truth,
+                                                const compare::LightField& field) {
   std::vector<std::uint8_t> isCast(truth.mask.size());
-  std::transform(truth.regions.begin(), truth.regions.end(), isCast.begin(), [](Region region) {
-    return static_cast<std::uint8_t>(region == Region::cast || region == Region::distant);
-  });
-  return compareShadowLengths(masks, truth.mask, field, isCast);
+  std::transform(truth.regions.begin(), truth.regions.end(), isCast.begin(),
+                 [](truth::Region region) {
+                   return static_cast<std::uint8_t>(region == truth::Region::cast ||
+                                                    region == truth::Region::distant);
+                 });
+  return compare::compareShadowLengths(masks, truth.mask, field, isCast);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

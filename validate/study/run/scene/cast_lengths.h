@@ -7,15 +7,17 @@
 #include "compare/shadow_length.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Lengths of a mask's shadows over the truth's, of those alone that an occluder casts (regions
 /// `cast` and `distant`): an attached shadow has no end to measure.
 /// @throws InputError as `compareShadowLengths`
-ShadowLengths castLengths(const Mask& mask, const Truth& truth, const LightField& field);
+compare::ShadowLengths castLengths(const Mask& mask, const truth::Truth& truth,
+                                   const compare::LightField& field);
 
 /// The same of several masks at once. @returns one a mask
-std::vector<ShadowLengths> castLengths(std::span<const Mask* const> masks, const Truth& truth,
-                                       const LightField& field);
+std::vector<compare::ShadowLengths> castLengths(std::span<const Mask* const> masks,
+                                                const truth::Truth& truth,
+                                                const compare::LightField& field);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -11,7 +11,7 @@
 #include "surface/limit_surface.h"
 #include "truth/micro_scene.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 namespace {
 
@@ -39,21 +39,21 @@ std::string processorFeatures() {
 
 namespace {
 
-const char* boundText(RadiusBound bound) {
+const char* boundText(horizon::RadiusBound bound) {
   switch (bound) {
-    case RadiusBound::stated:
+    case horizon::RadiusBound::stated:
       return "the study states it";
-    case RadiusBound::leaves:
+    case horizon::RadiusBound::leaves:
       return "the longest way on which a ray to the light meets the relief";
-    case RadiusBound::border:
+    case horizon::RadiusBound::border:
       return "a ray to the light does not leave the relief before the border, which is so far";
-    case RadiusBound::quarterTurn:
+    case horizon::RadiusBound::quarterTurn:
       return "a ray to the light does not leave the relief before the surface has turned by 90°";
-    case RadiusBound::size:
+    case horizon::RadiusBound::size:
       return "a ray to the light does not leave the relief, and the surface is as large";
-    case RadiusBound::tile:
+    case horizon::RadiusBound::tile:
       return "a ray to the light does not leave the relief, and the map that repeats is as large";
-    case RadiusBound::unlit:
+    case horizon::RadiusBound::unlit:
       return "no light reaches the surface";
   }
   throw InternalError("search radius: not one of its seven bounds");
@@ -61,8 +61,8 @@ const char* boundText(RadiusBound bound) {
 
 std::string radiusReason(const StudySpec& study) {
   const std::string text = boundText(study.radius.bound);
-  const bool isOfLight =
-      study.radius.bound != RadiusBound::stated && study.radius.bound != RadiusBound::unlit;
+  const bool isOfLight = study.radius.bound != horizon::RadiusBound::stated &&
+                         study.radius.bound != horizon::RadiusBound::unlit;
   return isOfLight ? fmt::format("{} ({})", text, study.lights.at(study.radius.light).name) : text;
 }
 
@@ -76,7 +76,7 @@ std::string programCommit() {
   return GNOMON_COMMIT;
 }
 
-EnvironmentRecord describeEnvironment(const GlContext& gl) {
+EnvironmentRecord describeEnvironment(const render::GlContext& gl) {
   EnvironmentRecord environment;
   environment.gnomonVersion = programVersion();
   environment.commit = programCommit();
@@ -84,13 +84,13 @@ EnvironmentRecord describeEnvironment(const GlContext& gl) {
   environment.threads = static_cast<int>(threadCount());
   environment.glRenderer = gl.driver().renderer;
   environment.glVersion = gl.driver().version;
-  environment.embreeVersion = MicroScene::embreeVersion();
-  environment.openSubdivVersion = openSubdivVersion();
-  environment.frameClock = frameClockName(frameClockOf(environment.glRenderer));
+  environment.embreeVersion = truth::MicroScene::embreeVersion();
+  environment.openSubdivVersion = surface::openSubdivVersion();
+  environment.frameClock = render::frameClockName(render::frameClockOf(environment.glRenderer));
   return environment;
 }
 
-StudyRecord startRecord(const StudySpec& study, const GlContext& gl) {
+StudyRecord startRecord(const StudySpec& study, const render::GlContext& gl) {
   StudyRecord record;
   record.environment = describeEnvironment(gl);
   record.name = study.name;
@@ -104,4 +104,4 @@ StudyRecord startRecord(const StudySpec& study, const GlContext& gl) {
   return record;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 #include "study/record/record.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The processor's name as the kernel knows it, or "unknown".
 std::string processorName();
@@ -22,9 +22,9 @@ std::string programVersion();
 std::string programCommit();
 
 /// Versions and hardware, for whoever gets other figures.
-EnvironmentRecord describeEnvironment(const GlContext& gl);
+EnvironmentRecord describeEnvironment(const render::GlContext& gl);
 
 /// A record that says which study was measured where, and nothing that was found.
-StudyRecord startRecord(const StudySpec& study, const GlContext& gl);
+StudyRecord startRecord(const StudySpec& study, const render::GlContext& gl);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,15 +5,15 @@
 #include "common/parallel.h"
 #include "study/run/scene/view_map.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-FieldPoint fieldPoint(const LimitSurface& surface, const SurfaceSample& sample) {
-  const TangentPoint point = surface.tangentPoint(sample);
-  return {point.position, point.ds, point.dt, outwardNormal(point)};
+FieldPoint fieldPoint(const surface::LimitSurface& surface, const surface::SurfaceSample& sample) {
+  const surface::TangentPoint point = surface.tangentPoint(sample);
+  return {point.position, point.ds, point.dt, surface::outwardNormal(point)};
 }
 
-LightStep lightStep(const ViewMap& map, const FieldPoint& at, const Vec3& light) {
+compare::LightStep lightStep(const ViewMap& map, const FieldPoint& at, const Vec3& light) {
   constexpr double leastSine = 1e-6;
   const Vec3& normal = at.normal;
   const double cosine = glm::dot(light, normal);
@@ -22,7 +22,7 @@ LightStep lightStep(const ViewMap& map, const FieldPoint& at, const Vec3& light)
 
   const Vec3 along = -glm::normalize(toLight);
   const Vec3 across = glm::cross(normal, along);
-  const TangentPoint point{at.position, at.ds, at.dt, Vec2(0), Vec2(0), Vec2(0)};
+  const surface::TangentPoint point{at.position, at.ds, at.dt, Vec2(0), Vec2(0), Vec2(0)};
   const Vec2 image = map.image(point, along);
   const Vec2 imageAcross = map.image(point, across);
   const double speed = glm::length(image);
@@ -34,10 +34,10 @@ LightStep lightStep(const ViewMap& map, const FieldPoint& at, const Vec3& light)
 
 /// @param pointOf  `pointOf(i)` is a sample's
 template <typename PointOf>
-LightField lightFieldOf(const ViewMap& map, const SampleGrid& samples, const PointOf& pointOf,
-                        const Vec3& light) {
-  LightField field{samples.width, samples.height, map.tileSide(),
-                   RawVector<LightStep>(samples.samples.size())};
+compare::LightField lightFieldOf(const ViewMap& map, const surface::SampleGrid& samples,
+                                 const PointOf& pointOf, const Vec3& light) {
+  compare::LightField field{samples.width, samples.height, map.tileSide(),
+                            RawVector<compare::LightStep>(samples.samples.size())};
   parallelFor(
       0, field.steps.size(),
       [&](std::size_t i) {
@@ -50,30 +50,34 @@ LightField lightFieldOf(const ViewMap& map, const SampleGrid& samples, const Poi
 
 }  // namespace
 
-FieldPoints makeFieldPoints(const LimitSurface& surface, const SampleGrid& samples) {
+FieldPoints makeFieldPoints(const surface::LimitSurface& surface,
+                            const surface::SampleGrid& samples) {
   FieldPoints points(samples.samples.size());
   parallelFor(
       0, points.size(),
       [&](std::size_t i) {
-        const SurfaceSample& sample = samples.samples[i];
+        const surface::SurfaceSample& sample = samples.samples[i];
         if (sample.isOnSurface()) points[i] = fieldPoint(surface, sample);
       },
       1024);
   return points;
 }
 
-LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
-                          const SampleGrid& samples, const Vec3& light) {
+compare::LightField makeLightField(const surface::LimitSurface& surface, const ViewKind& kind,
+                                   const render::RenderView& view,
+                                   const surface::SampleGrid& samples, const Vec3& light) {
   return lightFieldOf(
       ViewMap(surface, kind, view), samples,
       [&](std::size_t i) { return fieldPoint(surface, samples.samples[i]); }, light);
 }
 
-LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
-                          const SampleGrid& samples, const FieldPoints& points, const Vec3& light) {
+compare::LightField makeLightField(const surface::LimitSurface& surface, const ViewKind& kind,
+                                   const render::RenderView& view,
+                                   const surface::SampleGrid& samples, const FieldPoints& points,
+                                   const Vec3& light) {
   return lightFieldOf(
       ViewMap(surface, kind, view), samples,
       [&](std::size_t i) -> const FieldPoint& { return points[i]; }, light);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

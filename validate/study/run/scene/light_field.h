@@ -8,7 +8,7 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A sample's point of the surface, as the light fields of all lights need it.
 struct FieldPoint {
@@ -19,7 +19,8 @@ struct FieldPoint {
 
 /// Those of a view's samples; undefined where there is none on the surface.
 using FieldPoints = RawVector<FieldPoint>;
-FieldPoints makeFieldPoints(const LimitSurface& surface, const SampleGrid& samples);
+FieldPoints makeFieldPoints(const surface::LimitSurface& surface,
+                            const surface::SampleGrid& samples);
 
 /// The steps along which the shadows of one light are measured in one view.
 ///
@@ -34,11 +35,14 @@ FieldPoints makeFieldPoints(const LimitSurface& surface, const SampleGrid& sampl
 ///
 /// `spacing` is `sampleSpacing`.
 /// @param light  unit vector toward the light
-LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
-                          const SampleGrid& samples, const Vec3& light);
+compare::LightField makeLightField(const surface::LimitSurface& surface, const ViewKind& kind,
+                                   const render::RenderView& view,
+                                   const surface::SampleGrid& samples, const Vec3& light);
 
 /// The same from the points of the samples.
-LightField makeLightField(const LimitSurface& surface, const ViewKind& kind, const RenderView& view,
-                          const SampleGrid& samples, const FieldPoints& points, const Vec3& light);
+compare::LightField makeLightField(const surface::LimitSurface& surface, const ViewKind& kind,
+                                   const render::RenderView& view,
+                                   const surface::SampleGrid& samples, const FieldPoints& points,
+                                   const Vec3& light);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

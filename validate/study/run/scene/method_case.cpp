@@ -12,11 +12,12 @@
 #include "study/run/scene/cached_fields.h"
 #include "truth/surface_horizons.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-GpuTables reliefTables(RunScene& scene, const Method& method, const BakeSpec& bake) {
-  GpuTables tables;
+render::GpuTables reliefTables(RunScene& scene, const render::Method& method,
+                               const BakeSpec& bake) {
+  render::GpuTables tables;
   tables.searchRadius = bake.settings.radiusTexels;
   if (method.tables.horizon || method.tables.distance) {
     const TablePair& pair = scene.tables.tables(bake, scene.clock);
@@ -33,17 +34,17 @@ void compile(RunScene& scene, MethodCase& method) {
   const DrawnBase& base = scene.clock.measure(
       "samples", [&](const Progress&) -> const DrawnBase& { return *method.base->drawn.get(); });
   if (method.method.passes.texture || method.method.tables.surfaceAngles) {
-    requireTextureView(base.texture);
+    render::requireTextureView(base.texture);
   }
   constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
-  auto pass = scene.store.get<MethodPass>(
+  auto pass = scene.store.get<render::MethodPass>(
       scene.keys.program(spec, method.method),
       [&] {
-        return std::make_shared<const MethodPass>(scene.shaders, method.method,
-                                                  scene.study.relief.field.wrap(), spec.filter,
-                                                  spec.parameters);
+        return std::make_shared<const render::MethodPass>(scene.shaders, method.method,
+                                                          scene.study.relief.field.wrap(),
+                                                          spec.filter, spec.parameters);
       },
-      [](const MethodPass&) { return bytes; });
+      [](const render::MethodPass&) { return bytes; });
   method.compiled.emplace(
       CompiledMethod{std::move(pass), reliefTables(scene, method.method, spec.bake)});
 }
@@ -52,7 +53,7 @@ bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
     for (std::size_t l = 0;
          answersIn(method, scene.study.views[v]) && l < scene.study.lights.size(); ++l) {
-      const ContentKey key = scene.keys.mask(method.key, method.base->choice, v, l);
+      const cache::ContentKey key = scene.keys.mask(method.key, method.base->choice, v, l);
       if (!scene.cache.holds(key)) return false;
     }
   }
@@ -61,8 +62,8 @@ bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
 
 /// The layers of every `step`-th azimuth: what is shot toward the fewer azimuths, to the bit where
 /// the step is a power of two.
-AngleTable everyAzimuth(const AngleTable& table, int step) {
-  AngleTable some = table;
+horizon::AngleTable everyAzimuth(const horizon::AngleTable& table, int step) {
+  horizon::AngleTable some = table;
   some.layers = table.layers / step;
   some.angles.clear();
   const auto texels = static_cast<std::ptrdiff_t>(table.width) * table.height;
@@ -74,32 +75,34 @@ AngleTable everyAzimuth(const AngleTable& table, int step) {
 }
 
 /// Of a table that was shot toward more azimuths, if the store has one.
-std::shared_ptr<const AngleTable> finerAngles(RunScene& scene, const MethodCase& method,
-                                              int azimuths) {
+std::shared_ptr<const horizon::AngleTable> finerAngles(RunScene& scene, const MethodCase& method,
+                                                       int azimuths) {
   BakeSpec bake = method.spec->bake;
   bake.settings.azimuths = azimuths;
-  return scene.store.held<AngleTable>(scene.keys.surfaceAngles(method.base->choice, bake));
+  return scene.store.held<horizon::AngleTable>(scene.keys.surfaceAngles(method.base->choice, bake));
 }
 
-AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
+horizon::AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
   const BakeSpec& bake = method.spec->bake;
   for (const int step : {2, 4, 8, 16}) {
     const auto finer = finerAngles(scene, method, step * bake.settings.azimuths);
     if (finer) return everyAzimuth(*finer, step);
   }
-  const RenderView& plane = method.base->drawn.get()->texture;
-  const SampleGrid texels = SamplesPass(scene.shaders).render(plane, method.base->drawn.get()->gpu);
+  const render::RenderView& plane = method.base->drawn.get()->texture;
+  const surface::SampleGrid texels =
+      render::SamplesPass(scene.shaders).render(plane, method.base->drawn.get()->gpu);
   const TracedSurface& traced = method.surface->get();
-  AngleTable table = scene.clock.measure("surface horizons", [&](const Progress& progress) {
-    return shootHorizons(scene.surface, scene.study.relief, traced.mesh, traced.scene, texels,
-                         bake.settings.azimuths, bake.angleLimit, progress);
-  });
+  horizon::AngleTable table =
+      scene.clock.measure("surface horizons", [&](const Progress& progress) {
+        return truth::shootHorizons(scene.surface, scene.study.relief, traced.mesh, traced.scene,
+                                    texels, bake.settings.azimuths, bake.angleLimit, progress);
+      });
   table.originX = plane.texelWindow.x;
   table.originY = plane.texelWindow.y;
-  return *scene.store.get<AngleTable>(
+  return *scene.store.get<horizon::AngleTable>(
       scene.keys.surfaceAngles(method.base->choice, bake),
-      [&] { return std::make_shared<const AngleTable>(std::move(table)); },
-      [](const AngleTable& angles) { return sizeof(float) * angles.angles.size(); });
+      [&] { return std::make_shared<const horizon::AngleTable>(std::move(table)); },
+      [](const horizon::AngleTable& angles) { return sizeof(float) * angles.angles.size(); });
 }
 
 /// A shader has to answer wherever the mesh is: one that leaves out pixels would not be scored on
@@ -123,8 +126,8 @@ void requireAnswers(const MethodCase& method, const ViewSpec& view, const Mask& 
 }  // namespace
 
 MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface) {
-  Method method = readMethod(spec.file);
-  const ContentKey key = scene.keys.method(spec, method);
+  render::Method method = render::readMethod(spec.file);
+  const cache::ContentKey key = scene.keys.method(spec, method);
   BaseCase& base = scene.base(meshOf(spec, method));
   MethodCase prepared{&spec, std::move(method), &base, key, &surface};
   if (!hasAllMasks(scene, prepared)) compile(scene, prepared);
@@ -169,12 +172,13 @@ bool answersIn(const MethodCase& method, const ViewSpec& view) {
   return !method.method.passes.shadowVolumes || cameraOf(view) != nullptr;
 }
 
-MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
+render::MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view,
+                                std::size_t light) {
   const ViewCase& seen = method.base->views[view];
-  const ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
-  MethodAnswers answers = scene.cache.remember(key, [&] {
+  const cache::ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
+  render::MethodAnswers answers = scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
-    MethodAnswers rendered =
+    render::MethodAnswers rendered =
         ready.pass->render(seen.view, scene.drawing(*method.base, light), ready.tables);
     method.compiled->hasDrawn = true;
     return rendered;
@@ -189,19 +193,19 @@ MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, s
   return answers;
 }
 
-ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
-                     std::size_t light) {
+cache::ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
+                            std::size_t light) {
   const MeshChoice& mesh = method.base->choice;
-  return KeyBuilder("answer")
+  return cache::KeyBuilder("answer")
       .add("mask", scene.keys.mask(method.key, mesh, view, light))
       .add("truth", scene.keys.truth(mesh, view, light))
       .key();
 }
 
 std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
-  const MethodTables& declared = method.method.tables;
+  const render::MethodTables& declared = method.method.tables;
   const CompiledMethod& ready = compiled(scene, method);
-  const GpuTables& tables = ready.tables;
+  const render::GpuTables& tables = ready.tables;
   std::uint64_t bytes = 0;
   if (declared.horizon) bytes += tables.horizon->byteCount();
   if (declared.distance) bytes += tables.distance->byteCount();
@@ -210,4 +214,4 @@ std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   return bytes + ready.pass->passBytes(scene.drawing(*method.base, 0), tables);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

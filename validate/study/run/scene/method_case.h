@@ -11,12 +11,12 @@
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A method's shader and its tables.
 struct CompiledMethod {
-  std::shared_ptr<const MethodPass> pass;
-  GpuTables tables;
+  std::shared_ptr<const render::MethodPass> pass;
+  render::GpuTables tables;
   bool hasDrawn = false;  ///< a mask: frames can be timed without a warm-up
 };
 
@@ -24,9 +24,9 @@ struct CompiledMethod {
 /// when it is first drawn: never, if the cache has all its answers.
 struct MethodCase {
   const MethodSpec* spec;
-  Method method;
+  render::Method method;
   BaseCase* base;
-  ContentKey key;            ///< as `RunKeys::method`
+  cache::ContentKey key;     ///< as `RunKeys::method`
   SurfaceOnDemand* surface;  ///< for tables that are shot on it
   std::optional<CompiledMethod> compiled = {};
 };
@@ -56,13 +56,14 @@ bool answersIn(const MethodCase& method, const ViewSpec& view);
 
 /// A method's answers in one view under one light, without the samples for which no frame exists:
 /// the truth must have been traced.
-MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
+render::MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view,
+                                std::size_t light);
 
 /// The cache key of everything computed from those answers and the truth.
-ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
-                     std::size_t light);
+cache::ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
+                            std::size_t light);
 
 /// Bytes of the tables that the method declares, and of the textures that its passes fill.
 std::uint64_t tableBytes(RunScene& scene, MethodCase& method);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

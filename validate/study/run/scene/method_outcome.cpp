@@ -14,26 +14,28 @@
 #include "study/run/scene/truth_stage.h"
 #include "truth/seam_crossing.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// The counts of the regions, in the order of outcomeRegions.
-std::vector<Counts> countRegions(const Mask& mask, const ViewCase& seen, const Truth& truth) {
+std::vector<compare::Counts> countRegions(const Mask& mask, const ViewCase& seen,
+                                          const truth::Truth& truth) {
   std::vector<std::uint8_t> regions(truth.regions.size());
   std::transform(truth.regions.begin(), truth.regions.end(), regions.begin(),
-                 [](Region region) { return static_cast<std::uint8_t>(region); });
-  const auto place = [](Region region) { return static_cast<std::size_t>(region); };
+                 [](truth::Region region) { return static_cast<std::uint8_t>(region); });
+  const auto place = [](truth::Region region) { return static_cast<std::size_t>(region); };
   const std::size_t count =
-      1 + place(*std::max_element(reportedRegions.begin(), reportedRegions.end()));
-  const std::vector<Counts> all = countClasses(mask, truth.mask, regions, count, seen.weights);
-  std::vector<Counts> counts = {countSamples(mask, truth.mask, seen.weights)};
-  for (const Region region : reportedRegions) counts.push_back(all[place(region)]);
-  counts.push_back(countSamples(mask, truth.mask, seen.weights, truth.crossesSeam));
+      1 + place(*std::max_element(truth::reportedRegions.begin(), truth::reportedRegions.end()));
+  const std::vector<compare::Counts> all =
+      compare::countClasses(mask, truth.mask, regions, count, seen.weights);
+  std::vector<compare::Counts> counts = {compare::countSamples(mask, truth.mask, seen.weights)};
+  for (const truth::Region region : truth::reportedRegions) counts.push_back(all[place(region)]);
+  counts.push_back(compare::countSamples(mask, truth.mask, seen.weights, truth.crossesSeam));
   return counts;
 }
 
 /// Two answers of a method that do not differ are one mask.
-bool isSame(const MethodAnswers& answers) {
+bool isSame(const render::MethodAnswers& answers) {
   return answers.drawn.samples == answers.test.samples;
 }
 
@@ -42,8 +44,9 @@ bool isSame(const MethodAnswers& answers) {
 const std::vector<std::string_view>& outcomeRegions() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list = {"all"};
-    for (const Region region : reportedRegions) list.push_back(regionName(region));
-    list.push_back(seamRegion);
+    for (const truth::Region region : truth::reportedRegions)
+      list.push_back(truth::regionName(region));
+    list.push_back(truth::seamRegion);
     return list;
   }();
   return names;
@@ -64,10 +67,10 @@ OutcomeStage::Shared OutcomeStage::makeShared(const BaseCase& base,
 }
 
 std::vector<MethodOutcome> OutcomeStage::compareOnOne(
-    const BaseCase& base, const std::vector<const MethodAnswers*>& answers,
+    const BaseCase& base, const std::vector<const render::MethodAnswers*>& answers,
     const Shared& shared) const {
   const ViewCase& seen = base.views[view_];
-  const Truth& truth = seen.truths[light_];
+  const truth::Truth& truth = seen.truths[light_];
   const std::vector<SampleAxis>& axes = sampleAxes();
   std::vector<MethodOutcome> outcomes(answers.size());
   std::vector<const Mask*> masks;
@@ -85,18 +88,19 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
     outcome.bins.resize(axes.size());
     for (std::size_t a = 0; a < axes.size(); ++a) {
       parts.emplace_back([&, a] {
-        outcome.bins[a] =
-            countBins(drawn, truth.mask, shared.bins[a], axes[a].edges.size() + 1, seen.weights);
+        outcome.bins[a] = compare::countBins(drawn, truth.mask, shared.bins[a],
+                                             axes[a].edges.size() + 1, seen.weights);
       });
     }
     parts.emplace_back(
-        [&] { outcome.blocks = blockErrors(drawn, truth.mask, cellSide_, seen.weights); });
+        [&] { outcome.blocks = compare::blockErrors(drawn, truth.mask, cellSide_, seen.weights); });
   }
   for (std::size_t k = 0; k < masks.size(); ++k) {
     parts.emplace_back([&, k] { places[k]->regions = countRegions(*masks[k], seen, truth); });
   }
-  const std::vector<ShadowLengths> lengths = castLengths(masks, truth, shared.field);
-  std::vector<std::vector<Metric>> boundaries = compareBoundaries(masks, truth.mask, seen.layout);
+  const std::vector<compare::ShadowLengths> lengths = castLengths(masks, truth, shared.field);
+  std::vector<std::vector<compare::Metric>> boundaries =
+      compare::compareBoundaries(masks, truth.mask, seen.layout);
   parallelFor(0, parts.size(), [&](std::size_t i) { parts[i](); });
   for (std::size_t k = 0; k < masks.size(); ++k) {
     places[k]->lengths = lengths[k];
@@ -126,7 +130,7 @@ std::vector<MethodOutcome> OutcomeStage::compare(std::span<const ComparedMethod>
     for (std::size_t m = 0; m < methods.size(); ++m) {
       if (shown.at(methods[m].base) == base) places.push_back(m);
     }
-    std::vector<const MethodAnswers*> answers;
+    std::vector<const render::MethodAnswers*> answers;
     const Shared shared = makeShared(*base, [&] {
       for (const std::size_t m : places) answers.push_back(&methods[m].answers());
     });
@@ -137,4 +141,4 @@ std::vector<MethodOutcome> OutcomeStage::compare(std::span<const ComparedMethod>
   return outcomes;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

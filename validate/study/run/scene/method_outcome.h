@@ -16,30 +16,32 @@
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/sample_axes.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The regions that results are reported for, in order: "all", those of `reportedRegions`, "seam".
 const std::vector<std::string_view>& outcomeRegions();
 
 /// The result of comparing one answer with the truth.
 struct AnswerOutcome {
-  std::vector<Counts> regions;  ///< in the order of outcomeRegions
-  ShadowLengths lengths;
-  std::vector<Metric> boundaries;
+  std::vector<compare::Counts> regions;  ///< in the order of outcomeRegions
+  compare::ShadowLengths lengths;
+  std::vector<compare::Metric> boundaries;
 };
 
 /// The result of comparing one method with the truth, in one view under one light.
 struct MethodOutcome {
   AnswerOutcome drawn;
   AnswerOutcome test;
-  std::vector<std::vector<Counts>> bins;  ///< of the drawn answer: [axis][bin], as sampleAxes
-  BlockErrors blocks;                     ///< likewise, in the cells of the view's tiling
+  std::vector<std::vector<compare::Counts>>
+      bins;                     ///< of the drawn answer: [axis][bin], as sampleAxes
+  compare::BlockErrors blocks;  ///< likewise, in the cells of the view's tiling
 };
 
 /// A method to be compared, by the mesh that it draws.
 struct ComparedMethod {
   const BaseCase* base;
-  std::function<const MethodAnswers&()> answers;  ///< draws them; called once, on this thread
+  std::function<const render::MethodAnswers&()>
+      answers;  ///< draws them; called once, on this thread
 };
 
 /// Compares masks with the truth of one view under one light. Methods on one mesh, and in an atlas
@@ -57,13 +59,13 @@ class OutcomeStage {
  private:
   /// What all methods on one mesh share.
   struct Shared {
-    LightField field;
+    compare::LightField field;
     SampleBins bins;
   };
   /// @param meanwhile  called on this thread
   [[nodiscard]] Shared makeShared(const BaseCase& base, const std::function<void()>& meanwhile);
   [[nodiscard]] std::vector<MethodOutcome> compareOnOne(
-      const BaseCase& base, const std::vector<const MethodAnswers*>& answers,
+      const BaseCase& base, const std::vector<const render::MethodAnswers*>& answers,
       const Shared& shared) const;
 
   RunScene& scene_;
@@ -72,4 +74,4 @@ class OutcomeStage {
   int cellSide_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "surface/limit_surface.h"
 #include "truth/micro_scene.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -23,31 +23,31 @@ std::span<const double> numbersOf(const std::vector<Vec2>& points) {
   return {reinterpret_cast<const double*>(points.data()), 2 * points.size()};
 }
 
-ContentKey fieldKey(const HeightField& field) {
-  KeyBuilder key("heights");
+cache::ContentKey fieldKey(const relief::HeightField& field) {
+  cache::KeyBuilder key("heights");
   key.add("width", field.width()).add("height", field.height()).add("wrap", field.wrap());
   key.add("borderX", field.border().x).add("borderY", field.border().y);
   return key.add("texels", field.texels()).key();
 }
 
-ContentKey viewKey(const ViewSpec& view) {
-  KeyBuilder key("view");
+cache::ContentKey viewKey(const ViewSpec& view) {
+  cache::KeyBuilder key("view");
   key.add("kind", view.kind.index());
   addSettings(key, view.kind, Enters::everything);
   return key.key();
 }
 
-ContentKey cageKey(const Cage& cage) {
-  KeyBuilder key("cage");
+cache::ContentKey cageKey(const surface::Cage& cage) {
+  cache::KeyBuilder key("cage");
   key.add("positions", numbersOf(cage.positions));
   key.add("faceVertices", cage.faceVertices);
   key.add("uvs", numbersOf(cage.uvs));
   key.add("faceUvs", cage.faceUvs);
-  for (const Crease& crease : cage.creases) {
+  for (const surface::Crease& crease : cage.creases) {
     key.add("crease", std::vector<int>(crease.vertices.begin(), crease.vertices.end()));
     key.add("sharpness", crease.sharpness);
   }
-  for (const SharpVertex& sharp : cage.sharpVertices) {
+  for (const surface::SharpVertex& sharp : cage.sharpVertices) {
     key.add("sharpVertex", sharp.vertex).add("sharpness", sharp.sharpness);
   }
   key.add("border", cage.border).add("scheme", cage.scheme);
@@ -57,140 +57,146 @@ ContentKey cageKey(const Cage& cage) {
 
 }  // namespace
 
-ContentKey shadersKey(const fs::path& shaders) {
-  KeyBuilder key("shaders");
-  for (const fs::path& file : shadersIn(shaders / "common")) {
+cache::ContentKey shadersKey(const fs::path& shaders) {
+  cache::KeyBuilder key("shaders");
+  for (const fs::path& file : render::shadersIn(shaders / "common")) {
     key.add("file", file.filename().string()).add("text", readFile(file));
   }
   return key.key();
 }
 
-ContentKey surfaceKey(const StudySpec& study) {
-  KeyBuilder key("surface section");
+cache::ContentKey surfaceKey(const StudySpec& study) {
+  cache::KeyBuilder key("surface section");
   addSettings(key, study.surfaceSection, Enters::everything);
   return key.add("cage", cageKey(study.cage)).key();
 }
 
-ContentKey reliefKey(const StudySpec& study) {
-  const Relief& relief = study.relief;
-  KeyBuilder key("relief");
+cache::ContentKey reliefKey(const StudySpec& study) {
+  const relief::Relief& relief = study.relief;
+  cache::KeyBuilder key("relief");
   ReliefSection section = study.reliefSection;
   addKeys(key, allKeysOf(section), Enters::everything);
   key.add("heights", fieldKey(relief.field)).add("space", relief.space);
   return key.add("repeats", std::vector<double>{relief.repeats.x, relief.repeats.y}).key();
 }
 
-ContentKey programKey() {
-  KeyBuilder key("program");
-  key.add("executable", keyOfBytes(readFile(ownFile())));
-  return key.add("embree", MicroScene::embreeVersion())
-      .add("openSubdiv", openSubdivVersion())
+cache::ContentKey programKey() {
+  cache::KeyBuilder key("program");
+  key.add("executable", cache::keyOfBytes(readFile(ownFile())));
+  return key.add("embree", truth::MicroScene::embreeVersion())
+      .add("openSubdiv", surface::openSubdivVersion())
       .key();
 }
 
-ContentKey processorKey() {
-  return KeyBuilder("processor")
+cache::ContentKey processorKey() {
+  return cache::KeyBuilder("processor")
       .add("name", processorName())
       .add("features", processorFeatures())
       .key();
 }
 
-ContentKey settingsKey(const BakeSpec& bake, Enters result) {
-  KeyBuilder key("bake settings");
+cache::ContentKey settingsKey(const BakeSpec& bake, Enters result) {
+  cache::KeyBuilder key("bake settings");
   addSettings(key, bake, result, 1);
   return key.key();
 }
 
-ContentKey bakeKey(const HeightField& field, const BakeSpec& bake) {
-  KeyBuilder key("bake");
+cache::ContentKey bakeKey(const relief::HeightField& field, const BakeSpec& bake) {
+  cache::KeyBuilder key("bake");
   key.add("field", fieldKey(field));
   return key.add("settings", settingsKey(bake, Enters::horizons)).key();
 }
 
-RunKeys::RunKeys(const StudySpec& study, const GlContext& gl, const fs::path& shaders)
+RunKeys::RunKeys(const StudySpec& study, const render::GlContext& gl, const fs::path& shaders)
     : study_(study), shaders_(shadersKey(shaders)) {
-  KeyBuilder key("place");
-  const GlDriver driver = gl.driver();
+  cache::KeyBuilder key("place");
+  const render::GlDriver driver = gl.driver();
   key.add("renderer", driver.renderer).add("gl", driver.version);
   addSettings(key, StudyHeader(study), Enters::scene);
   place_ = key.add("surface", surfaceKey(study)).add("relief", reliefKey(study)).key();
 }
 
-ContentKey RunKeys::mesh(const MeshChoice& choice) const {
-  KeyBuilder key("mesh");
+cache::ContentKey RunKeys::mesh(const MeshChoice& choice) const {
+  cache::KeyBuilder key("mesh");
   key.add("place", place_).add("kind", choice.kind);
   addSettings(key, choice.base, Enters::scene);
   return key.key();
 }
 
-ContentKey RunKeys::light(std::size_t index) const {
-  KeyBuilder key("light");
+cache::ContentKey RunKeys::light(std::size_t index) const {
+  cache::KeyBuilder key("light");
   addSettings(key, sectionOf(study_.lights[index]), Enters::everything);
   return key.key();
 }
 
-ContentKey RunKeys::samples(const MeshChoice& choice, std::size_t view) const {
-  KeyBuilder key("samples");
+cache::ContentKey RunKeys::samples(const MeshChoice& choice, std::size_t view) const {
+  cache::KeyBuilder key("samples");
   key.add("mesh", mesh(choice)).add("shaders", shaders_);
   return key.add("view", viewKey(study_.views[view])).key();
 }
 
-ContentKey RunKeys::surface() const {
-  KeyBuilder key("surface");
+cache::ContentKey RunKeys::surface() const {
+  cache::KeyBuilder key("surface");
   key.add("place", place_);
   addSettings(key, study_.truth, Enters::scene, 1);
   if (study_.truth.uncertainty) {
-    const MeshChoice standard{DrawnMesh::base, study_.base};
+    const MeshChoice standard{render::DrawnMesh::base, study_.base};
     for (std::size_t v = 0; v < study_.views.size(); ++v) key.add("view", samples(standard, v));
     for (std::size_t l = 0; l < study_.lights.size(); ++l) key.add("light", light(l));
   }
   return key.key();
 }
 
-ContentKey RunKeys::truth(const MeshChoice& choice, std::size_t view, std::size_t index) const {
-  KeyBuilder key("truth");
+cache::ContentKey RunKeys::truth(const MeshChoice& choice, std::size_t view,
+                                 std::size_t index) const {
+  cache::KeyBuilder key("truth");
   key.add("samples", samples(choice, view)).add("light", light(index));
   return key.add("surface", surface()).add("bake", settingsKey(study_.bake, Enters::search)).key();
 }
 
-ContentKey RunKeys::bins(const MeshChoice& choice, std::size_t view, std::size_t index) const {
-  return KeyBuilder("bins").add("samples", samples(choice, view)).add("light", light(index)).key();
-}
-
-ContentKey RunKeys::layers(const MeshChoice& choice, std::size_t view, std::size_t index) const {
-  return KeyBuilder("layers")
+cache::ContentKey RunKeys::bins(const MeshChoice& choice, std::size_t view,
+                                std::size_t index) const {
+  return cache::KeyBuilder("bins")
       .add("samples", samples(choice, view))
       .add("light", light(index))
       .key();
 }
 
-ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const {
-  KeyBuilder key("displaced picture");
+cache::ContentKey RunKeys::layers(const MeshChoice& choice, std::size_t view,
+                                  std::size_t index) const {
+  return cache::KeyBuilder("layers")
+      .add("samples", samples(choice, view))
+      .add("light", light(index))
+      .key();
+}
+
+cache::ContentKey RunKeys::displacedPicture(std::size_t view, std::size_t index) const {
+  cache::KeyBuilder key("displaced picture");
   key.add("surface", surface()).add("light", light(index));
   return key.add("view", viewKey(study_.views[view])).key();
 }
 
-ContentKey RunKeys::seenSurface(std::size_t view) const {
-  KeyBuilder key("seen surface");
+cache::ContentKey RunKeys::seenSurface(std::size_t view) const {
+  cache::KeyBuilder key("seen surface");
   return key.add("surface", surface()).add("view", viewKey(study_.views[view])).key();
 }
 
-ContentKey RunKeys::ellipses(const BakeSpec& bake, double texelsPerHeight) const {
-  return KeyBuilder("ellipses")
+cache::ContentKey RunKeys::ellipses(const BakeSpec& bake, double texelsPerHeight) const {
+  return cache::KeyBuilder("ellipses")
       .add("bake", bakeKey(study_.relief.field, bake))
       .add("texelsPerHeight", texelsPerHeight)
       .key();
 }
 
-ContentKey RunKeys::surfaceAngles(const MeshChoice& choice, const BakeSpec& bake) const {
-  KeyBuilder key("surface angles");
+cache::ContentKey RunKeys::surfaceAngles(const MeshChoice& choice, const BakeSpec& bake) const {
+  cache::KeyBuilder key("surface angles");
   key.add("surface", surface()).add("mesh", mesh(choice)).add("shaders", shaders_);
   return key.add("bake", settingsKey(bake, Enters::shotAngles)).key();
 }
 
-ContentKey RunKeys::method(const MethodSpec& spec, const Method& method) const {
-  const MethodTables& tables = method.tables;
-  KeyBuilder key("method");
+cache::ContentKey RunKeys::method(const MethodSpec& spec, const render::Method& method) const {
+  const render::MethodTables& tables = method.tables;
+  cache::KeyBuilder key("method");
   key.add("source", method.source.text).add("shaders", shaders_);
   addSettings(key, spec, Enters::answers);
   key.add("mesh", mesh(meshOf(spec, method)));
@@ -210,8 +216,8 @@ ContentKey RunKeys::method(const MethodSpec& spec, const Method& method) const {
   return key.key();
 }
 
-ContentKey RunKeys::program(const MethodSpec& spec, const Method& method) const {
-  KeyBuilder key("program of a method");
+cache::ContentKey RunKeys::program(const MethodSpec& spec, const render::Method& method) const {
+  cache::KeyBuilder key("program of a method");
   key.add("file", method.source.file).add("name", method.name);
   key.add("source", method.source.text).add("shaders", shaders_);
   key.add("wrap", study_.relief.field.wrap()).add("filter", spec.filter);
@@ -221,21 +227,21 @@ ContentKey RunKeys::program(const MethodSpec& spec, const Method& method) const 
   return key.key();
 }
 
-ContentKey RunKeys::shading(DrawnMesh mesh) const {
-  KeyBuilder key("program of pictures");
+cache::ContentKey RunKeys::shading(render::DrawnMesh mesh) const {
+  cache::KeyBuilder key("program of pictures");
   key.add("shaders", shaders_).add("wrap", study_.relief.field.wrap());
   return key.add("mesh", mesh).key();
 }
 
-ContentKey RunKeys::mask(const ContentKey& method, const MeshChoice& choice, std::size_t view,
-                         std::size_t index) const {
-  KeyBuilder key("mask");
+cache::ContentKey RunKeys::mask(const cache::ContentKey& method, const MeshChoice& choice,
+                                std::size_t view, std::size_t index) const {
+  cache::KeyBuilder key("mask");
   key.add("method", method).add("samples", samples(choice, view));
   return key.add("light", light(index)).key();
 }
 
-MeshChoice meshOf(const MethodSpec& spec, const Method& method) {
+MeshChoice meshOf(const MethodSpec& spec, const render::Method& method) {
   return {method.mesh, spec.base};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

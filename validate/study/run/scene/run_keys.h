@@ -9,33 +9,33 @@
 #include "study/run/scene/mesh_choice.h"
 #include "study/spec/study_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Everything of this program that a result may depend on beside its inputs: the bytes of the
 /// program or library that computes it (so any change of its sources), and the versions of
 /// OpenSubdiv and Embree. A cache adds it to every key. Shaders are files, and enter where they are
 /// used; so does the GL renderer.
-ContentKey programKey();
+cache::ContentKey programKey();
 
 /// The processor, by its name and by what it can do. A cache adds it to every key but those of
 /// results that hold on any (HoldsOn).
-ContentKey processorKey();
+cache::ContentKey processorKey();
 
 /// Every file that methods and passes are made of beside a method's own.
 /// @param shaders  the folder that holds `common/`
-ContentKey shadersKey(const std::filesystem::path& shaders);
+cache::ContentKey shadersKey(const std::filesystem::path& shaders);
 
 /// The surface of a study: its keys, and the control mesh that they give.
-ContentKey surfaceKey(const StudySpec& study);
+cache::ContentKey surfaceKey(const StudySpec& study);
 
 /// The height map of a study as it lies on the surface: its keys, and the texels that they give.
-ContentKey reliefKey(const StudySpec& study);
+cache::ContentKey reliefKey(const StudySpec& study);
 
 /// The keys of a `[bake]` that enter a result.
-ContentKey settingsKey(const BakeSpec& bake, Enters result);
+cache::ContentKey settingsKey(const BakeSpec& bake, Enters result);
 
 /// The horizon tables of a height field.
-ContentKey bakeKey(const HeightField& field, const BakeSpec& bake);
+cache::ContentKey bakeKey(const relief::HeightField& field, const BakeSpec& bake);
 
 /// The cache keys of everything that a run of one study computes. A key is made from what its
 /// result depends on, and nothing else: titles, names, thresholds and the study's other methods
@@ -46,49 +46,54 @@ class RunKeys {
   /// @param study     outlives the keys
   /// @param gl        its renderer and version enter
   /// @param shaders   the folder: every file of `common/` enters
-  RunKeys(const StudySpec& study, const GlContext& gl, const std::filesystem::path& shaders);
+  RunKeys(const StudySpec& study, const render::GlContext& gl,
+          const std::filesystem::path& shaders);
 
   /// A mesh as it is drawn.
-  [[nodiscard]] ContentKey mesh(const MeshChoice& choice) const;
+  [[nodiscard]] cache::ContentKey mesh(const MeshChoice& choice) const;
   /// A view's samples on a mesh, with their layout and weights.
-  [[nodiscard]] ContentKey samples(const MeshChoice& mesh, std::size_t view) const;
+  [[nodiscard]] cache::ContentKey samples(const MeshChoice& mesh, std::size_t view) const;
   /// The displaced micro-mesh that the truth is traced on; where its step is searched, all that the
   /// search looks at.
-  [[nodiscard]] ContentKey surface() const;
+  [[nodiscard]] cache::ContentKey surface() const;
   /// The truth of a view on a mesh under one light, traced on the study's micro-mesh.
-  [[nodiscard]] ContentKey truth(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
+  [[nodiscard]] cache::ContentKey truth(const MeshChoice& mesh, std::size_t view,
+                                        std::size_t light) const;
   /// The bins of a view's samples on every axis, under one light.
-  [[nodiscard]] ContentKey bins(const MeshChoice& mesh, std::size_t view, std::size_t light) const;
+  [[nodiscard]] cache::ContentKey bins(const MeshChoice& mesh, std::size_t view,
+                                       std::size_t light) const;
   /// What a view shows of a mesh under one light where all of it is lit, and all shadowed.
-  [[nodiscard]] ContentKey layers(const MeshChoice& mesh, std::size_t view,
-                                  std::size_t light) const;
+  [[nodiscard]] cache::ContentKey layers(const MeshChoice& mesh, std::size_t view,
+                                         std::size_t light) const;
   /// The displaced surface by its own rays, in a camera view.
-  [[nodiscard]] ContentKey displacedPicture(std::size_t view, std::size_t light) const;
+  [[nodiscard]] cache::ContentKey displacedPicture(std::size_t view, std::size_t light) const;
   /// What a camera sees of that surface, whatever the light.
-  [[nodiscard]] ContentKey seenSurface(std::size_t view) const;
+  [[nodiscard]] cache::ContentKey seenSurface(std::size_t view) const;
   /// Ellipses fitted to the horizons of a bake.
-  [[nodiscard]] ContentKey ellipses(const BakeSpec& bake, double texelsPerHeight) const;
+  [[nodiscard]] cache::ContentKey ellipses(const BakeSpec& bake, double texelsPerHeight) const;
   /// Horizon angles shot on the study's micro-mesh, at the texels that a mesh shows.
-  [[nodiscard]] ContentKey surfaceAngles(const MeshChoice& mesh, const BakeSpec& bake) const;
+  [[nodiscard]] cache::ContentKey surfaceAngles(const MeshChoice& mesh, const BakeSpec& bake) const;
   /// A method with all that its answers depend on: shaders, parameters, filter, tables and mesh.
-  [[nodiscard]] ContentKey method(const MethodSpec& spec, const Method& method) const;
+  [[nodiscard]] cache::ContentKey method(const MethodSpec& spec,
+                                         const render::Method& method) const;
   /// Its shaders compiled, whatever the study.
-  [[nodiscard]] ContentKey program(const MethodSpec& spec, const Method& method) const;
+  [[nodiscard]] cache::ContentKey program(const MethodSpec& spec,
+                                          const render::Method& method) const;
   /// The shaders of pictures compiled.
-  [[nodiscard]] ContentKey shading(DrawnMesh mesh) const;
+  [[nodiscard]] cache::ContentKey shading(render::DrawnMesh mesh) const;
   /// What its shader answers at every sample of a view under one light.
-  [[nodiscard]] ContentKey mask(const ContentKey& method, const MeshChoice& mesh, std::size_t view,
-                                std::size_t light) const;
+  [[nodiscard]] cache::ContentKey mask(const cache::ContentKey& method, const MeshChoice& mesh,
+                                       std::size_t view, std::size_t light) const;
 
  private:
-  [[nodiscard]] ContentKey light(std::size_t index) const;
+  [[nodiscard]] cache::ContentKey light(std::size_t index) const;
 
   const StudySpec& study_;
-  ContentKey shaders_;
-  ContentKey place_;  ///< renderer, limit surface and relief
+  cache::ContentKey shaders_;
+  cache::ContentKey place_;  ///< renderer, limit surface and relief
 };
 
 /// The mesh that a method draws in a study.
-MeshChoice meshOf(const MethodSpec& spec, const Method& method);
+MeshChoice meshOf(const MethodSpec& spec, const render::Method& method);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -3,33 +3,35 @@
 #include "horizon/texel_scale.h"
 #include "render/shader_files.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-std::shared_ptr<const LimitSurface> limitSurface(const StudySpec& study, SceneStore& store) {
-  const auto bytes = [&](const LimitSurface& surface) {
+std::shared_ptr<const surface::LimitSurface> limitSurface(const StudySpec& study,
+                                                          SceneStore& store) {
+  const auto bytes = [&](const surface::LimitSurface& surface) {
     constexpr std::uint64_t bytesPerFace = 1000;  // about
     return bytesPerFace * static_cast<std::uint64_t>(surface.faceCount());
   };
-  return store.get<LimitSurface>(
-      surfaceKey(study), [&] { return std::make_shared<const LimitSurface>(study.cage); }, bytes);
+  return store.get<surface::LimitSurface>(
+      surfaceKey(study), [&] { return std::make_shared<const surface::LimitSurface>(study.cage); },
+      bytes);
 }
 
 }  // namespace
 
-RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept,
-                   SceneStore& held)
+RunScene::RunScene(const StudySpec& of, StageClock& stageClock, const render::GlContext& gl,
+                   cache::Cache& kept, SceneStore& held)
     : study(of),
       clock(stageClock),
       cache(kept),
       store(held),
-      shaders(shaderFolder()),
+      shaders(render::shaderFolder()),
       keys(of, gl, shaders),
       heldSurface(
           clock.measure("surface", [&](const Progress&) { return limitSurface(of, store); })),
       surface(*heldSurface),
-      texelsPerHeight(
-          gnomon::texelsPerHeight(of.relief.space, texelScale(surface, of.relief.texelsPerUv()))),
+      texelsPerHeight(horizon::texelsPerHeight(
+          of.relief.space, horizon::texelScale(surface, of.relief.texelsPerUv()))),
       heights(of.relief.field),
       tables(of.relief.field, texelsPerHeight, cache, store, keys) {}
 
@@ -48,10 +50,10 @@ BaseCase& RunScene::standardBase() {
 }
 
 MeshChoice RunScene::standardMesh() const {
-  return {DrawnMesh::base, study.base};
+  return {render::DrawnMesh::base, study.base};
 }
 
-Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
+render::Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
   const DrawnBase& drawn = *on.drawn.get();
   return {drawn.gpu,
           heights,
@@ -65,7 +67,7 @@ Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
 
 std::shared_ptr<const FieldPoints> RunScene::fieldPoints(const BaseCase& on,
                                                          std::size_t view) const {
-  const SampleGrid& samples = on.views[view].samples;
+  const surface::SampleGrid& samples = on.views[view].samples;
   const std::uint64_t bytes = sizeof(FieldPoint) * samples.samples.size();
   if (!store.canHold(bytes)) return nullptr;
   return store.get<FieldPoints>(
@@ -74,8 +76,8 @@ std::shared_ptr<const FieldPoints> RunScene::fieldPoints(const BaseCase& on,
       [&](const FieldPoints&) { return bytes; });
 }
 
-LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_t light,
-                                const FieldPoints* points) const {
+compare::LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_t light,
+                                         const FieldPoints* points) const {
   const ViewCase& seen = on.views[view];
   const ViewKind& kind = study.views[view].kind;
   const Vec3 toLight = study.lights[light].direction();
@@ -84,7 +86,7 @@ LightField RunScene::lightField(const BaseCase& on, std::size_t view, std::size_
 }
 
 SampleBins RunScene::bins(const BaseCase& on, std::size_t view, std::size_t light) const {
-  const SampleGrid& samples = on.views[view].samples;
+  const surface::SampleGrid& samples = on.views[view].samples;
   const Vec3 toLight = study.lights[light].direction();
   const std::uint64_t bytes = sizeof(AxisPlace) * samples.samples.size();
   const bool isSharedByLights = study.lights.size() > 1 || store.expectsCases();
@@ -100,4 +102,4 @@ SampleBins RunScene::bins(const BaseCase& on, std::size_t view, std::size_t ligh
   return binSamples(samples, *places, toLight);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -17,7 +17,7 @@
 #include "study/spec/study_file.h"
 #include "surface/limit_surface.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// What all methods of a run share: the limit surface, the relief with its tables, and the meshes
 /// that are drawn with their samples and truths. Every part is made once, when it is first asked
@@ -26,19 +26,19 @@ struct RunScene {
   /// @param clock  of the stages "surface", "samples", "bake" and "tables"; outlives the scene
   /// @param kept   results of earlier runs; outlives the scene
   /// @param held   what earlier scenes of this process left in memory; likewise
-  RunScene(const StudySpec& of, StageClock& stageClock, const GlContext& gl, Cache& kept,
-           SceneStore& held);
+  RunScene(const StudySpec& of, StageClock& stageClock, const render::GlContext& gl,
+           cache::Cache& kept, SceneStore& held);
 
   const StudySpec& study;
   StageClock& clock;
-  Cache& cache;
+  cache::Cache& cache;
   SceneStore& store;
   std::filesystem::path shaders;
   RunKeys keys;
-  std::shared_ptr<const LimitSurface> heldSurface;
-  const LimitSurface& surface;
+  std::shared_ptr<const surface::LimitSurface> heldSurface;
+  const surface::LimitSurface& surface;
   double texelsPerHeight;  ///< of the frame of angles (texel_scale.h)
-  GpuHeights heights;
+  render::GpuHeights heights;
   TableSet tables;
   std::map<MeshChoice, BaseCase> bases;
 
@@ -49,7 +49,7 @@ struct RunScene {
   [[nodiscard]] MeshChoice standardMesh() const;
 
   /// What a pass needs to draw a base mesh under one of the study's lights.
-  [[nodiscard]] Drawing drawing(const BaseCase& on, std::size_t light) const;
+  [[nodiscard]] render::Drawing drawing(const BaseCase& on, std::size_t light) const;
   /// The points of the samples of one view, for its light fields; null where they are too many to
   /// be kept.
   [[nodiscard]] std::shared_ptr<const FieldPoints> fieldPoints(const BaseCase& on,
@@ -57,10 +57,10 @@ struct RunScene {
   /// The steps along which shadows are measured in one view under one light. May be called from any
   /// thread.
   /// @param points  of `fieldPoints`
-  [[nodiscard]] LightField lightField(const BaseCase& on, std::size_t view, std::size_t light,
-                                      const FieldPoints* points) const;
+  [[nodiscard]] compare::LightField lightField(const BaseCase& on, std::size_t view,
+                                               std::size_t light, const FieldPoints* points) const;
   /// The bins of the samples of one view under one light.
   [[nodiscard]] SampleBins bins(const BaseCase& on, std::size_t view, std::size_t light) const;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

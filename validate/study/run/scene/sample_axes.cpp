@@ -9,7 +9,7 @@
 #include "surface/curvature.h"
 #include "surface/limit_face.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 double roundedToAMillionth(double value) {
@@ -18,10 +18,11 @@ double roundedToAMillionth(double value) {
 
 }  // namespace
 
-AxisPlace axisPlace(const LimitPoint& point, const TexelFrame& frame, const Relief& relief) {
-  const double unit = worldPerHeight(relief.space, frame);
+AxisPlace axisPlace(const surface::LimitPoint& point, const surface::TexelFrame& frame,
+                    const relief::Relief& relief) {
+  const double unit = relief::worldPerHeight(relief.space, frame);
   const double height = relief.field.at(frame.texel);
-  return {shapeOperator(point), frame, unit * height,
+  return {surface::shapeOperator(point), frame, unit * height,
           std::sqrt(glm::length(glm::cross(frame.px, frame.py))),
           unit * std::max(0.0, relief.field.maximum() - height)};
 }
@@ -30,7 +31,7 @@ AxisSample axisSample(const AxisPlace& place, const Vec3& light) {
   const double sine = std::clamp(glm::dot(place.frame.normal, light), -1.0, 1.0);
   const Vec3 tangential = light - sine * place.frame.normal;
   const double cosine = glm::length(tangential);
-  const Vec3 change = applyShapeOperator(place.shape, light);
+  const Vec3 change = surface::applyShapeOperator(place.shape, light);
   return {place.frame,
           std::atan2(sine, cosine),
           cosine > 1e-12 ? glm::dot(tangential, change) / cosine : 0,
@@ -40,8 +41,8 @@ AxisSample axisSample(const AxisPlace& place, const Vec3& light) {
           place.headroom};
 }
 
-AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
-                      const Vec3& light) {
+AxisSample axisSample(const surface::LimitPoint& point, const surface::TexelFrame& frame,
+                      const relief::Relief& relief, const Vec3& light) {
   const AxisPlace place = axisPlace(point, frame, relief);
   const AxisSample sample = axisSample(place, light);
   return {frame,         sample.elevation, sample.curvature, sample.normalChange,
@@ -106,10 +107,10 @@ namespace {
 
 /// @param placeOf  `placeOf(i)` is the place of a sample on the surface
 template <typename PlaceOf>
-SampleBins binsOf(const SampleGrid& samples, const PlaceOf& placeOf, const Vec3& light) {
+SampleBins binsOf(const surface::SampleGrid& samples, const PlaceOf& placeOf, const Vec3& light) {
   const std::vector<SampleAxis>& axes = sampleAxes();
-  for (const SampleAxis& axis : axes) requireEdges(axis.edges);
-  SampleBins bins(axes.size(), std::vector<std::uint8_t>(samples.samples.size(), noBin));
+  for (const SampleAxis& axis : axes) compare::requireEdges(axis.edges);
+  SampleBins bins(axes.size(), std::vector<std::uint8_t>(samples.samples.size(), compare::noBin));
   parallelFor(
       0, samples.samples.size(),
       [&](std::size_t i) {
@@ -118,49 +119,53 @@ SampleBins binsOf(const SampleGrid& samples, const PlaceOf& placeOf, const Vec3&
         if (!place.frame.defined) return;
         const AxisSample seen = axisSample(place, light);
         for (std::size_t a = 0; a < axes.size(); ++a) {
-          bins[a][i] = binOf(roundedToAMillionth(axes[a].value(seen)), axes[a].edges);
+          bins[a][i] = compare::binOf(roundedToAMillionth(axes[a].value(seen)), axes[a].edges);
         }
       },
       1024);
   return bins;
 }
 
-AxisPlace placeOf(const LimitFace& face, const SurfaceSample& sample, const Relief& relief) {
-  const LimitPoint point = face.evaluate(sample.s, sample.t);
-  return axisPlace(point, texelFrame(point, relief.texelsPerUv()), relief);
+AxisPlace placeOf(const surface::LimitFace& face, const surface::SurfaceSample& sample,
+                  const relief::Relief& relief) {
+  const surface::LimitPoint point = face.evaluate(sample.s, sample.t);
+  return axisPlace(point, surface::texelFrame(point, relief.texelsPerUv()), relief);
 }
 
 }  // namespace
 
-SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples,
-                      const Vec3& light) {
-  const std::vector<LimitFace> faces = limitFaces(surface, samples.samples.size());
+SampleBins binSamples(const surface::LimitSurface& surface, const relief::Relief& relief,
+                      const surface::SampleGrid& samples, const Vec3& light) {
+  const std::vector<surface::LimitFace> faces =
+      surface::limitFaces(surface, samples.samples.size());
   return binsOf(
       samples,
       [&](std::size_t i) {
-        const SurfaceSample& sample = samples.samples[i];
+        const surface::SurfaceSample& sample = samples.samples[i];
         return placeOf(faces[sample.faceIndex()], sample, relief);
       },
       light);
 }
 
-AxisPlaces axisPlaces(const LimitSurface& surface, const Relief& relief,
-                      const SampleGrid& samples) {
-  const std::vector<LimitFace> faces = limitFaces(surface, samples.samples.size());
+AxisPlaces axisPlaces(const surface::LimitSurface& surface, const relief::Relief& relief,
+                      const surface::SampleGrid& samples) {
+  const std::vector<surface::LimitFace> faces =
+      surface::limitFaces(surface, samples.samples.size());
   AxisPlaces places(samples.samples.size());
   parallelFor(
       0, places.size(),
       [&](std::size_t i) {
-        const SurfaceSample& sample = samples.samples[i];
+        const surface::SurfaceSample& sample = samples.samples[i];
         if (sample.isOnSurface()) places[i] = placeOf(faces[sample.faceIndex()], sample, relief);
       },
       1024);
   return places;
 }
 
-SampleBins binSamples(const SampleGrid& samples, const AxisPlaces& places, const Vec3& light) {
+SampleBins binSamples(const surface::SampleGrid& samples, const AxisPlaces& places,
+                      const Vec3& light) {
   return binsOf(
       samples, [&](std::size_t i) -> const AxisPlace& { return places[i]; }, light);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

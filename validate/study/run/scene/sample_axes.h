@@ -12,7 +12,7 @@
 #include "surface/sample_grid.h"
 #include "surface/texel_frame.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Quantities by which a view's samples are sorted into bins, so that a study says not only how
 /// often a method errs but where.
@@ -20,34 +20,35 @@ namespace gnomon {
 /// What an axis may look at: one sample of the exact limit surface under one light, whose direction
 /// in the tangent plane is T.
 struct AxisSample {
-  const TexelFrame& frame;  ///< defined
-  double elevation;         ///< asin(n·L): of the light over the tangent plane, radians
-  double curvature;         ///< κ(T), 1 / world length, convex positive; 0 for a light along n
-  double normalChange;      ///< |S T|: how much n turns along T, radians a world length, 0 or more
-  double height;            ///< a h: of the relief above the sample, world length
-  double texel;             ///< |P_x × P_y|^½: world length of a texel
-  double headroom = 0;      ///< from `height` up to the relief's highest, world length
+  const surface::TexelFrame& frame;  ///< defined
+  double elevation;                  ///< asin(n·L): of the light over the tangent plane, radians
+  double curvature;     ///< κ(T), 1 / world length, convex positive; 0 for a light along n
+  double normalChange;  ///< |S T|: how much n turns along T, radians a world length, 0 or more
+  double height;        ///< a h: of the relief above the sample, world length
+  double texel;         ///< |P_x × P_y|^½: world length of a texel
+  double headroom = 0;  ///< from `height` up to the relief's highest, world length
 };
 
 /// What an axis needs of a sample, whatever the light.
 struct AxisPlace {
-  ShapeOperator shape;
-  TexelFrame frame;
+  surface::ShapeOperator shape;
+  surface::TexelFrame frame;
   double height;    ///< as AxisSample's
   double texel;     ///< likewise
   double headroom;  ///< likewise
 };
 
 /// @param frame  of the same point
-AxisPlace axisPlace(const LimitPoint& point, const TexelFrame& frame, const Relief& relief);
+AxisPlace axisPlace(const surface::LimitPoint& point, const surface::TexelFrame& frame,
+                    const relief::Relief& relief);
 
 /// The sample at a place whose frame is defined. @param light  unit vector toward the light
 AxisSample axisSample(const AxisPlace& place, const Vec3& light);
 
 /// @param frame  of the same point, defined
 /// @param light  unit vector toward the light
-AxisSample axisSample(const LimitPoint& point, const TexelFrame& frame, const Relief& relief,
-                      const Vec3& light);
+AxisSample axisSample(const surface::LimitPoint& point, const surface::TexelFrame& frame,
+                      const relief::Relief& relief, const Vec3& light);
 
 /// One axis. A further one is a function and a line in sample_axes.cpp.
 struct SampleAxis {
@@ -101,14 +102,16 @@ using SampleBins = std::vector<std::vector<std::uint8_t>>;
 /// as the elevation of a light over a plane, falls into one bin everywhere. `noBin` where there is
 /// no sample or no frame.
 /// @param light  unit vector toward the light
-SampleBins binSamples(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples,
-                      const Vec3& light);
+SampleBins binSamples(const surface::LimitSurface& surface, const relief::Relief& relief,
+                      const surface::SampleGrid& samples, const Vec3& light);
 
 /// The places of a view's samples; undefined where there is none on the surface.
 using AxisPlaces = RawVector<AxisPlace>;
-AxisPlaces axisPlaces(const LimitSurface& surface, const Relief& relief, const SampleGrid& samples);
+AxisPlaces axisPlaces(const surface::LimitSurface& surface, const relief::Relief& relief,
+                      const surface::SampleGrid& samples);
 
 /// The same bins from these.
-SampleBins binSamples(const SampleGrid& samples, const AxisPlaces& places, const Vec3& light);
+SampleBins binSamples(const surface::SampleGrid& samples, const AxisPlaces& places,
+                      const Vec3& light);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

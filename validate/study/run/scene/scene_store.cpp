@@ -5,7 +5,7 @@
 
 #include "common/system/memory.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 SceneStore::SceneStore(std::uint64_t mostBytes) : mostBytes_(mostBytes) {}
 
@@ -40,4 +40,4 @@ void SceneStore::keep(const Name& name, std::shared_ptr<const void> value, std::
   bytes_ += bytes;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

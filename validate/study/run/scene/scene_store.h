@@ -9,7 +9,7 @@
 #include "cache/content_key.h"
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// What the cases of a sweep, or the studies of a command, share: values that took long to make,
 /// kept in memory by the key of all that they depend on, so that a result never depends on whether
@@ -33,7 +33,8 @@ class SceneStore {
   /// @param make   returns a std::shared_ptr<const Value>
   /// @param bytes  `bytes(value)` is about what it takes
   template <typename Value, typename Make, typename Bytes>
-  std::shared_ptr<const Value> get(const ContentKey& key, const Make& make, const Bytes& bytes) {
+  std::shared_ptr<const Value> get(const cache::ContentKey& key, const Make& make,
+                                   const Bytes& bytes) {
     std::shared_ptr<const Value> value = held<Value>(key);
     if (value) return value;
     try {
@@ -49,7 +50,7 @@ class SceneStore {
 
   /// The value of a key, if it is there.
   template <typename Value>
-  std::shared_ptr<const Value> held(const ContentKey& key) {
+  std::shared_ptr<const Value> held(const cache::ContentKey& key) {
     return std::static_pointer_cast<const Value>(find({key, typeid(Value)}));
   }
 
@@ -66,7 +67,7 @@ class SceneStore {
 
  private:
   struct Name {
-    ContentKey key;
+    cache::ContentKey key;
     std::type_index type;
     bool operator==(const Name&) const = default;
   };
@@ -84,4 +85,4 @@ class SceneStore {
   std::list<Entry> entries_;  ///< the most recently used first
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "common/progress.h"
 #include "study/record/record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Told which stage a run is in and what share of that stage is done, 0 to 1.
 using StageProgress = std::function<void(std::string_view stage, double share)>;
@@ -63,4 +63,4 @@ class StageClock {
   std::vector<TimingRecord> timings_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

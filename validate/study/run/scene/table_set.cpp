@@ -8,9 +8,9 @@
 #include "study/run/scene/cached_fields.h"
 #include "study/spec/with_keys.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
-bool keepsHorizons(const HeightField& field, const BakeSettings& settings) {
+bool keepsHorizons(const relief::HeightField& field, const horizon::BakeSettings& settings) {
   // Beyond this, writing them takes longer than baking, and room from everything else.
   constexpr double mostBytes = 5e8;
   return 2 * sizeof(float) * static_cast<double>(field.texels().size()) *
@@ -18,94 +18,101 @@ bool keepsHorizons(const HeightField& field, const BakeSettings& settings) {
          mostBytes;
 }
 
-HorizonTables keptHorizons(Cache& cache, const HeightField& field, const BakeSpec& bake,
-                           const Progress& progress) {
+horizon::HorizonTables keptHorizons(cache::Cache& cache, const relief::HeightField& field,
+                                    const BakeSpec& bake, const Progress& progress) {
   const auto make = [&] {
-    return withKeys("bake", [&] { return bakeHorizons(field, bake.settings, progress); });
+    return withKeys("bake", [&] { return horizon::bakeHorizons(field, bake.settings, progress); });
   };
   // The kernel gives the same bits on all instruction sets, see tests/horizon/horizon_targets_test
   // and tests/end_to_end/processors_test.
   return keepsHorizons(field, bake.settings)
-             ? cache.remember(bakeKey(field, bake), make, HoldsOn::anyProcessor)
+             ? cache.remember(bakeKey(field, bake), make, cache::HoldsOn::anyProcessor)
              : make();
 }
 
-const HorizonTables& TableSet::bake(const BakeSpec& spec, StageClock& clock) {
-  std::shared_ptr<const HorizonTables>& held = bakes_[settingsKey(spec, Enters::horizons)];
+const horizon::HorizonTables& TableSet::bake(const BakeSpec& spec, StageClock& clock) {
+  std::shared_ptr<const horizon::HorizonTables>& held = bakes_[settingsKey(spec, Enters::horizons)];
   if (held) return *held;
-  held = store_.get<HorizonTables>(
+  held = store_.get<horizon::HorizonTables>(
       bakeKey(field_, spec),
       [&] {
         return clock.measure("bake", [&](const Progress& progress) {
-          return std::make_shared<const HorizonTables>(
+          return std::make_shared<const horizon::HorizonTables>(
               keptHorizons(cache_, field_, spec, progress));
         });
       },
-      [](const HorizonTables& tables) {
+      [](const horizon::HorizonTables& tables) {
         return sizeof(float) * (tables.horizon.size() + tables.distance.size());
       });
   return *held;
 }
 
 const TablePair& TableSet::tables(const BakeSpec& spec, StageClock& clock) {
-  const ContentKey settings = settingsKey(spec, Enters::horizons | Enters::codes);
+  const cache::ContentKey settings = settingsKey(spec, Enters::horizons | Enters::codes);
   std::shared_ptr<const TablePair>& held = stored_[settings];
   if (held) return *held;
   const auto make = [&] {
-    const HorizonTables& baked = bake(spec, clock);
+    const horizon::HorizonTables& baked = bake(spec, clock);
     return clock.measure("tables", [&](const Progress&) {
       const auto store = [&](std::span<const float> values) {
-        return GpuTable(storeTable(values, spec.bits), baked);
+        return render::GpuTable(horizon::storeTable(values, spec.bits), baked);
       };
       return std::make_shared<const TablePair>(store(baked.horizon), store(baked.distance));
     });
   };
-  const ContentKey key =
-      KeyBuilder("tables").add("bake", bakeKey(field_, spec)).add("settings", settings).key();
+  const cache::ContentKey key = cache::KeyBuilder("tables")
+                                    .add("bake", bakeKey(field_, spec))
+                                    .add("settings", settings)
+                                    .key();
   held = store_.get<TablePair>(key, make, [](const TablePair& pair) {
     return pair.horizon.byteCount() + pair.distance.byteCount();
   });
   return *held;
 }
 
-const GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
-  const ContentKey key = settingsKey(spec, Enters::horizons | Enters::codes | Enters::flatAngles);
+const render::GpuAngles& TableSet::angles(const BakeSpec& spec, StageClock& clock) {
+  const cache::ContentKey key =
+      settingsKey(spec, Enters::horizons | Enters::codes | Enters::flatAngles);
   const auto found = angles_.find(key);
   if (found != angles_.end()) return found->second;
-  const HorizonTables& baked = bake(spec, clock);
-  return clock.measure("tables", [&](const Progress&) -> const GpuAngles& {
+  const horizon::HorizonTables& baked = bake(spec, clock);
+  return clock.measure("tables", [&](const Progress&) -> const render::GpuAngles& {
     return angles_
-        .try_emplace(key, horizonAngles(baked, spec.angleLimit, texelsPerHeight_), spec.bits)
+        .try_emplace(key, horizon::horizonAngles(baked, spec.angleLimit, texelsPerHeight_),
+                     spec.bits)
         .first->second;
   });
 }
 
-const GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,
-                                         const HorizonShooter& shoot) {
-  const ContentKey settings = settingsKey(spec, Enters::shotAngles | Enters::codes);
-  std::shared_ptr<const GpuAngles>& held = surfaceAngles_[{mesh, settings}];
+const render::GpuAngles& TableSet::surfaceAngles(const BakeSpec& spec, const MeshChoice& mesh,
+                                                 const HorizonShooter& shoot) {
+  const cache::ContentKey settings = settingsKey(spec, Enters::shotAngles | Enters::codes);
+  std::shared_ptr<const render::GpuAngles>& held = surfaceAngles_[{mesh, settings}];
   if (held) return *held;
-  const ContentKey shot = keys_.surfaceAngles(mesh, spec);
-  const ContentKey key =
-      KeyBuilder("surface angles").add("shot", shot).add("settings", settings).key();
-  held = store_.get<GpuAngles>(
+  const cache::ContentKey shot = keys_.surfaceAngles(mesh, spec);
+  const cache::ContentKey key =
+      cache::KeyBuilder("surface angles").add("shot", shot).add("settings", settings).key();
+  held = store_.get<render::GpuAngles>(
       key,
-      [&] { return std::make_shared<const GpuAngles>(cache_.remember(shot, shoot), spec.bits); },
-      [](const GpuAngles& angles) { return angles.byteCount(); });
+      [&] {
+        return std::make_shared<const render::GpuAngles>(cache_.remember(shot, shoot), spec.bits);
+      },
+      [](const render::GpuAngles& angles) { return angles.byteCount(); });
   return *held;
 }
 
-const GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
-  const ContentKey key = settingsKey(spec, Enters::horizons | Enters::codes);
+const render::GpuTable& TableSet::ellipses(const BakeSpec& spec, StageClock& clock) {
+  const cache::ContentKey key = settingsKey(spec, Enters::horizons | Enters::codes);
   const auto found = ellipses_.find(key);
   if (found != ellipses_.end()) return found->second;
-  const HorizonTables& baked = bake(spec, clock);
-  return clock.measure("tables", [&](const Progress&) -> const GpuTable& {
-    const EllipseTable fitted = cache_.remember(keys_.ellipses(spec, texelsPerHeight_), [&] {
-      return fitEllipses(baked, texelsPerHeight_);
-    });
-    return ellipses_.try_emplace(key, storeTable(fitted.values, spec.bits), fitted).first->second;
+  const horizon::HorizonTables& baked = bake(spec, clock);
+  return clock.measure("tables", [&](const Progress&) -> const render::GpuTable& {
+    const horizon::EllipseTable fitted =
+        cache_.remember(keys_.ellipses(spec, texelsPerHeight_),
+                        [&] { return horizon::fitEllipses(baked, texelsPerHeight_); });
+    return ellipses_.try_emplace(key, horizon::storeTable(fitted.values, spec.bits), fitted)
+        .first->second;
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -17,12 +17,12 @@
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// One a light.
-std::vector<TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
-  std::vector<TraceSettings> settings;
+std::vector<truth::TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
+  std::vector<truth::TraceSettings> settings;
   for (const LightSpec& light : scene.study.lights) {
     settings.push_back({light.direction(), scene.study.bake.settings.radiusTexels, rayOffset});
   }
@@ -31,36 +31,38 @@ std::vector<TraceSettings> settingsOf(const RunScene& scene, double rayOffset) {
 
 /// All lights, one truth each. Where more cases may follow, the samples' places are kept.
 /// @param key  of the surface
-std::vector<Truth> trace(RunScene& scene, const TracedSurface& surface, const ContentKey& key,
-                         const BaseCase& base, std::size_t view,
-                         std::span<const TraceSettings> lights, const Progress& progress) {
-  const SampleGrid& samples = base.views[view].samples;
-  const std::uint64_t bytes = (sizeof(RayStart) + sizeof(TexelAxes)) * samples.samples.size();
+std::vector<truth::Truth> trace(RunScene& scene, const TracedSurface& surface,
+                                const cache::ContentKey& key, const BaseCase& base,
+                                std::size_t view, std::span<const truth::TraceSettings> lights,
+                                const Progress& progress) {
+  const surface::SampleGrid& samples = base.views[view].samples;
+  const std::uint64_t bytes =
+      (sizeof(truth::RayStart) + sizeof(truth::TexelAxes)) * samples.samples.size();
   if (!scene.store.expectsCases() || !scene.store.canHold(bytes)) {
-    return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene, samples,
-                        lights, progress);
+    return truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
+                               samples, lights, progress);
   }
-  const auto placed = scene.store.get<PlacedSamples>(
-      KeyBuilder("places")
+  const auto placed = scene.store.get<truth::PlacedSamples>(
+      cache::KeyBuilder("places")
           .add("surface", key)
           .add("samples", scene.keys.samples(base.choice, view))
           .key(),
       [&] {
-        return std::make_shared<const PlacedSamples>(placeSamples(
+        return std::make_shared<const truth::PlacedSamples>(truth::placeSamples(
             scene.surface, scene.study.relief.texelsPerUv(), surface.mesh, samples, progress));
       },
-      [&](const PlacedSamples&) { return bytes; });
-  std::vector<Truth> truths;
-  for (const TraceSettings& light : lights) {
-    truths.push_back(traceShadows(surface.scene, *placed, light, progress));
+      [&](const truth::PlacedSamples&) { return bytes; });
+  std::vector<truth::Truth> truths;
+  for (const truth::TraceSettings& light : lights) {
+    truths.push_back(truth::traceShadows(surface.scene, *placed, light, progress));
   }
   return truths;
 }
 
-void requireFrames(const SampleGrid& samples, const Truth& truth) {
+void requireFrames(const surface::SampleGrid& samples, const truth::Truth& truth) {
   const auto shown =
       std::count_if(samples.samples.begin(), samples.samples.end(),
-                    [](const SurfaceSample& sample) { return sample.isOnSurface(); });
+                    [](const surface::SurfaceSample& sample) { return sample.isOnSurface(); });
   if (truth.undefinedSamples == static_cast<std::size_t>(shown)) {
     throw InputError(
         "no sample of a view has a frame: the surface or its texture coordinates have no area");
@@ -102,25 +104,25 @@ std::vector<Value> rememberLights(RunScene& scene, const KeyOf& keyOf, const Mak
   return values;
 }
 
-std::vector<TraceSettings> some(const std::vector<TraceSettings>& lights,
-                                const std::vector<std::size_t>& which) {
-  std::vector<TraceSettings> chosen;
+std::vector<truth::TraceSettings> some(const std::vector<truth::TraceSettings>& lights,
+                                       const std::vector<std::size_t>& which) {
+  std::vector<truth::TraceSettings> chosen;
   chosen.reserve(which.size());
   for (const std::size_t l : which) chosen.push_back(lights[l]);
   return chosen;
 }
 
 /// Under some of the lights, together: they share the samples' places.
-std::vector<Truth> traceWithSeams(RunScene& scene, const TracedSurface& surface,
-                                  const BaseCase& base, std::size_t view,
-                                  const std::vector<TraceSettings>& lights) {
-  const SampleGrid& samples = base.views[view].samples;
+std::vector<truth::Truth> traceWithSeams(RunScene& scene, const TracedSurface& surface,
+                                         const BaseCase& base, std::size_t view,
+                                         const std::vector<truth::TraceSettings>& lights) {
+  const surface::SampleGrid& samples = base.views[view].samples;
   return scene.clock.measure("truth", [&](const Progress& progress) {
-    std::vector<Truth> truths =
+    std::vector<truth::Truth> truths =
         trace(scene, surface, scene.keys.surface(), base, view, lights, progress);
-    const TextureCharts charts(scene.surface, scene.study.relief);
-    auto crossings = seamCrossings(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                                   charts, samples, truths, lights);
+    const truth::TextureCharts charts(scene.surface, scene.study.relief);
+    auto crossings = truth::seamCrossings(scene.surface, scene.study.relief, surface.mesh,
+                                          surface.scene, charts, samples, truths, lights);
     for (std::size_t i = 0; i < lights.size(); ++i) {
       truths[i].crossesSeam = std::move(crossings[i]);
     }
@@ -129,39 +131,43 @@ std::vector<Truth> traceWithSeams(RunScene& scene, const TracedSurface& surface,
 }
 
 /// The truths of one view on one mesh, one a light.
-std::vector<Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, const BaseCase& base,
-                            std::size_t view) {
+std::vector<truth::Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, const BaseCase& base,
+                                   std::size_t view) {
   const auto keyOf = [&](std::size_t light) { return scene.keys.truth(base.choice, view, light); };
-  return rememberLights<Truth>(scene, keyOf, [&](const std::vector<std::size_t>& missing) {
+  return rememberLights<truth::Truth>(scene, keyOf, [&](const std::vector<std::size_t>& missing) {
     return traceWithSeams(scene, surface.get(), base, view,
-                          some(settingsOf(scene, standardRayOffset), missing));
+                          some(settingsOf(scene, truth::standardRayOffset), missing));
   });
 }
 
 /// How a coarser truth of one view under one light differs from the run's own.
-UncertaintyRecord measured(RunScene& scene, const Truth& coarse, const BaseCase& base,
+UncertaintyRecord measured(RunScene& scene, const truth::Truth& coarse, const BaseCase& base,
                            std::size_t view, std::size_t light) {
-  const Truth& truth = base.views[view].truths[light];
-  const LightField field = scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
-  return {"", "", flipRate(truth.mask, coarse.mask),
+  const truth::Truth& truth = base.views[view].truths[light];
+  const compare::LightField field =
+      scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
+  return {"", "", truth::flipRate(truth.mask, coarse.mask),
           differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
-          compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
+          compare::compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
 }
 
 /// The truth's uncertainty in one view, one a light.
 /// @param half, halfKey  the surface at half the resolution
 std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand& half,
-                                               const ContentKey& halfKey, const TruthRecord& truth,
-                                               const BaseCase& base, std::size_t view) {
+                                               const cache::ContentKey& halfKey,
+                                               const TruthRecord& truth, const BaseCase& base,
+                                               std::size_t view) {
   const auto keyOf = [&](std::size_t light) {
-    return KeyBuilder("uncertainty").add("truth", scene.keys.truth(base.choice, view, light)).key();
+    return cache::KeyBuilder("uncertainty")
+        .add("truth", scene.keys.truth(base.choice, view, light))
+        .key();
   };
   const auto measure = [&](const std::vector<std::size_t>& missing) {
     requireCoarser(half.get(), truth);
     return scene.clock.measure("uncertainty", [&](const Progress& progress) {
-      const std::vector<Truth> coarse =
+      const std::vector<truth::Truth> coarse =
           trace(scene, half.get(), halfKey, base, view,
-                some(settingsOf(scene, standardRayOffset / 2), missing), progress);
+                some(settingsOf(scene, truth::standardRayOffset / 2), missing), progress);
       std::vector<UncertaintyRecord> flips;
       for (std::size_t i = 0; i < coarse.size(); ++i) {
         flips.push_back(measured(scene, coarse[i], base, view, missing[i]));
@@ -174,17 +180,17 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
 
 }  // namespace
 
-TracedSurface::TracedSurface(RunScene& run, const MicroMeshSettings& settings,
+TracedSurface::TracedSurface(RunScene& run, const truth::MicroMeshSettings& settings,
                              std::string_view meshStage, std::string_view sceneStage)
     : mesh(run.clock.measure(meshStage,
                              [&](const Progress& progress) {
                                return withKeys("truth", [&] {
-                                 return MicroMesh(run.surface, run.study.relief, settings,
-                                                  progress);
+                                 return truth::MicroMesh(run.surface, run.study.relief, settings,
+                                                         progress);
                                });
                              })),
       scene(run.clock.measure(sceneStage, [&](const Progress& progress) {
-        return withKeys("truth", [&] { return MicroScene(mesh, progress); });
+        return withKeys("truth", [&] { return truth::MicroScene(mesh, progress); });
       })) {}
 
 SurfaceOnDemand::SurfaceOnDemand(Maker make) : make_(std::move(make)) {}
@@ -195,7 +201,7 @@ const TracedSurface& SurfaceOnDemand::get() {
 }
 
 std::shared_ptr<const TracedSurface> heldSurface(
-    RunScene& scene, const ContentKey& key,
+    RunScene& scene, const cache::ContentKey& key,
     const std::function<std::shared_ptr<const TracedSurface>()>& make) {
   // A study alone asks for each once, and has room for one at a time.
   if (!scene.store.expectsCases()) return make();
@@ -205,9 +211,10 @@ std::shared_ptr<const TracedSurface> heldSurface(
 }
 
 TruthRecord sizesOf(RunScene& scene, SurfaceOnDemand& surface) {
-  const ContentKey key = KeyBuilder("sizes").add("surface", scene.keys.surface()).key();
+  const cache::ContentKey key =
+      cache::KeyBuilder("sizes").add("surface", scene.keys.surface()).key();
   return scene.cache.remember(key, [&] {
-    const MicroMesh& mesh = surface.get().mesh;
+    const truth::MicroMesh& mesh = surface.get().mesh;
     TruthRecord truth;
     truth.microTriangles = mesh.triangleCount();
     truth.stepTexels = mesh.stepTexels();
@@ -223,10 +230,11 @@ const BaseCase* baseWithSamples(const RunScene& scene, const BaseCase& base, std
   for (const auto& [choice, other] : scene.bases) {
     if (&other == &base) return nullptr;
     const auto& samples = other.views[view].samples.samples;
-    const bool isSame = std::equal(samples.begin(), samples.end(), asked.begin(), asked.end(),
-                                   [](const SurfaceSample& a, const SurfaceSample& b) {
-                                     return a.face == b.face && a.s == b.s && a.t == b.t;
-                                   });
+    const bool isSame =
+        std::equal(samples.begin(), samples.end(), asked.begin(), asked.end(),
+                   [](const surface::SurfaceSample& a, const surface::SurfaceSample& b) {
+                     return a.face == b.face && a.s == b.s && a.t == b.t;
+                   });
     if (isSame) return &other;
   }
   return nullptr;
@@ -248,24 +256,24 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface) {
 
 ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double rayOffset,
                              std::string_view stage) {
-  const std::vector<TraceSettings> lights = settingsOf(scene, rayOffset);
+  const std::vector<truth::TraceSettings> lights = settingsOf(scene, rayOffset);
   ViewTruths truths;
   for (const ViewCase& view : scene.standardBase().views) {
     truths.push_back(scene.clock.measure(stage, [&](const Progress& progress) {
-      return traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                          view.samples, lights, progress);
+      return truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
+                                 view.samples, lights, progress);
     }));
   }
   return truths;
 }
 
 void traceUncertainty(RunScene& scene, TruthRecord& truth) {
-  MicroMeshSettings twice = scene.study.truth;
+  truth::MicroMeshSettings twice = scene.study.truth;
   twice.stepTexels = 2 * truth.askedStepTexels;
-  const ContentKey key = KeyBuilder("half the resolution")
-                             .add("surface", scene.keys.surface())
-                             .add("step", truth.askedStepTexels)
-                             .key();
+  const cache::ContentKey key = cache::KeyBuilder("half the resolution")
+                                    .add("surface", scene.keys.surface())
+                                    .add("step", truth.askedStepTexels)
+                                    .key();
   SurfaceOnDemand half([&] {
     return heldSurface(scene, key, [&] {
       return std::make_shared<const TracedSurface>(scene, twice, "uncertainty", "uncertainty");
@@ -284,4 +292,4 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -12,21 +12,21 @@
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The displaced surface, ready to be traced.
 struct TracedSurface {
   /// @param meshStage, sceneStage  of the run's clock
   /// @throws MemoryError for a mesh that cannot fit
-  TracedSurface(RunScene& run, const MicroMeshSettings& settings, std::string_view meshStage,
+  TracedSurface(RunScene& run, const truth::MicroMeshSettings& settings, std::string_view meshStage,
                 std::string_view sceneStage);
 
-  MicroMesh mesh;
-  MicroScene scene;  ///< shares the mesh's vertices
+  truth::MicroMesh mesh;
+  truth::MicroScene scene;  ///< shares the mesh's vertices
 };
 
 /// Truths of the standard base's samples, [view][light].
-using ViewTruths = std::vector<std::vector<Truth>>;
+using ViewTruths = std::vector<std::vector<truth::Truth>>;
 
 /// Traces the standard base's samples under every light.
 /// @param stage  of the run's clock
@@ -53,7 +53,7 @@ class SurfaceOnDemand {
 /// The surface of a key: what the store holds of it, or what `make()` returns, which it keeps where
 /// more cases may follow.
 std::shared_ptr<const TracedSurface> heldSurface(
-    RunScene& scene, const ContentKey& key,
+    RunScene& scene, const cache::ContentKey& key,
     const std::function<std::shared_ptr<const TracedSurface>()>& make);
 
 /// The sizes that a run reports of the surface that its truth is traced on.
@@ -76,4 +76,4 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 /// @throws InputError where the coarser mesh has more than half the triangles: too similar to tell
 void traceUncertainty(RunScene& scene, TruthRecord& truth);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

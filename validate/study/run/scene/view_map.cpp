@@ -8,7 +8,7 @@
 #include "common/parallel.h"
 #include "surface/limit_face.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Where a sample is, and how far a neighbour can be.
@@ -17,8 +17,8 @@ struct Surrounding {
   float spacing = 0;
 };
 
-Surrounding surroundingOf(const ViewMap& map, const TangentPoint& point) {
-  const Vec3 normal = outwardNormal(point);
+Surrounding surroundingOf(const ViewMap& map, const surface::TangentPoint& point) {
+  const Vec3 normal = surface::outwardNormal(point);
   const Vec3 along = glm::normalize(point.ds);
   const Vec3 across = glm::cross(normal, along);
   const double spacing = sampleSpacing(map.image(point, along), map.image(point, across));
@@ -31,17 +31,17 @@ bool isBreak(const Surrounding& a, const Surrounding& b) {
   return glm::distance(a.place, b.place) > std::min(a.spacing, b.spacing);
 }
 
-std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const ViewMap& map,
-                                         const SampleGrid& grid) {
-  const std::vector<LimitFace> faces = limitFaces(surface, grid.samples.size());
+std::vector<std::uint8_t> breaksInCamera(const surface::LimitSurface& surface, const ViewMap& map,
+                                         const surface::SampleGrid& grid) {
+  const std::vector<surface::LimitFace> faces = surface::limitFaces(surface, grid.samples.size());
   std::vector<Surrounding> surroundings(grid.samples.size());
   constexpr std::size_t grain = 1024;
   parallelFor(
       0, surroundings.size(),
       [&](std::size_t i) {
-        const SurfaceSample& sample = grid.samples[i];
+        const surface::SurfaceSample& sample = grid.samples[i];
         if (!sample.isOnSurface()) return;
-        const LimitFace& face = faces[sample.faceIndex()];
+        const surface::LimitFace& face = faces[sample.faceIndex()];
         surroundings[i] = surroundingOf(map, face.at(sample.s, sample.t));
       },
       grain);
@@ -54,24 +54,24 @@ std::vector<std::uint8_t> breaksInCamera(const LimitSurface& surface, const View
           return grid.samples[i].face >= 0 && grid.samples[neighbour].face >= 0 &&
                  isBreak(surroundings[i], surroundings[neighbour]);
         };
-        if ((i + 1) % width != 0 && parts(i + 1)) breaks[i] |= breakRight;
-        if (i + width < breaks.size() && parts(i + width)) breaks[i] |= breakBelow;
+        if ((i + 1) % width != 0 && parts(i + 1)) breaks[i] |= compare::breakRight;
+        if (i + width < breaks.size() && parts(i + width)) breaks[i] |= compare::breakBelow;
       },
       grain);
   return breaks;
 }
 
 /// Columns and rows in texels.
-Vec2 meanSteps(const LimitSurface& surface, Vec2 texelsPerUv, int samplesPerSide) {
+Vec2 meanSteps(const surface::LimitSurface& surface, Vec2 texelsPerUv, int samplesPerSide) {
   Vec2 sum(0);
   for (int face = 0; face < surface.faceCount(); ++face) {
-    const TangentPoint middle = surface.tangentPoint(face, 0.5, 0.5);
+    const surface::TangentPoint middle = surface.tangentPoint(face, 0.5, 0.5);
     sum += Vec2(glm::length(texelsPerUv * middle.uvDs), glm::length(texelsPerUv * middle.uvDt));
   }
   return sum / (static_cast<double>(surface.faceCount()) * samplesPerSide);
 }
 
-Vec2 imageInAtlas(const AtlasSpec& atlas, const TangentPoint& point, const Vec3& tangent) {
+Vec2 imageInAtlas(const AtlasSpec& atlas, const surface::TangentPoint& point, const Vec3& tangent) {
   const double ss = glm::dot(point.ds, point.ds);
   const double st = glm::dot(point.ds, point.dt);
   const double tt = glm::dot(point.dt, point.dt);
@@ -91,7 +91,7 @@ int ViewMap::tileSide() const {
                     kind_);
 }
 
-Vec2 ViewMap::image(const TangentPoint& point, const Vec3& tangent) const {
+Vec2 ViewMap::image(const surface::TangentPoint& point, const Vec3& tangent) const {
   return std::visit(
       Overloaded{[&](const Camera&) { return imageInCamera(point.position, tangent); },
                  [&](const AtlasSpec& atlas) { return imageInAtlas(atlas, point, tangent); }},
@@ -115,13 +115,14 @@ double sampleSpacing(Vec2 image, Vec2 imageAcross) {
   return roundingSamples * (column + row);
 }
 
-SampleLayout makeSampleLayout(const LimitSurface& surface, Vec2 texelsPerUv, const ViewKind& kind,
-                              const RenderView& view, const SampleGrid& samples) {
+compare::SampleLayout makeSampleLayout(const surface::LimitSurface& surface, Vec2 texelsPerUv,
+                                       const ViewKind& kind, const render::RenderView& view,
+                                       const surface::SampleGrid& samples) {
   const ViewMap map(surface, kind, view);
-  return std::visit(Overloaded{[&](const Camera&) -> SampleLayout {
+  return std::visit(Overloaded{[&](const Camera&) -> compare::SampleLayout {
                                  return {1, 1, 0, breaksInCamera(surface, map, samples)};
                                },
-                               [&](const AtlasSpec& atlas) -> SampleLayout {
+                               [&](const AtlasSpec& atlas) -> compare::SampleLayout {
                                  const Vec2 steps =
                                      meanSteps(surface, texelsPerUv, atlas.samplesPerSide);
                                  return {steps.x, steps.y, map.tileSide(), {}};
@@ -129,4 +130,4 @@ SampleLayout makeSampleLayout(const LimitSurface& surface, Vec2 texelsPerUv, con
                     kind);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

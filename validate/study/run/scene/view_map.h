@@ -7,14 +7,15 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// How a view shows the neighbourhood of a surface point.
 class ViewMap {
  public:
   /// All must outlive it.
   /// @param view  of that kind, as it is drawn
-  ViewMap(const LimitSurface& surface, const ViewKind& kind, const RenderView& view)
+  ViewMap(const surface::LimitSurface& surface, const ViewKind& kind,
+          const render::RenderView& view)
       : surface_(surface), kind_(kind), view_(view), clip_(view.clipFromWorld) {}
 
   /// A face's side in samples where neighbouring tiles are no neighbours on the surface: in the
@@ -24,14 +25,14 @@ class ViewMap {
   /// Columns and rows (downward) a world unit along a tangent: in a camera view by the Jacobian of
   /// the projection at P, in an atlas by solving for the tangent as a P_s + b P_t, since there
   /// columns run along s and rows against t. Not finite where the view shows no such thing.
-  [[nodiscard]] Vec2 image(const TangentPoint& point, const Vec3& tangent) const;
+  [[nodiscard]] Vec2 image(const surface::TangentPoint& point, const Vec3& tangent) const;
 
  private:
   [[nodiscard]] Vec2 imageInCamera(const Vec3& position, const Vec3& tangent) const;
 
-  const LimitSurface& surface_;
+  const surface::LimitSurface& surface_;
   const ViewKind& kind_;
-  const RenderView& view_;
+  const render::RenderView& view_;
   glm::dmat4 clip_;
 };
 
@@ -54,7 +55,8 @@ double sampleSpacing(Vec2 image, Vec2 imageAcross);
 /// texture's plane. Nothing breaks within a face, nor between those of a grid chart; the tiles of
 /// other surfaces stand alone. The picture's edge is one too where a closed surface goes on.
 /// @param texelsPerUv  repeats × map size
-SampleLayout makeSampleLayout(const LimitSurface& surface, Vec2 texelsPerUv, const ViewKind& kind,
-                              const RenderView& view, const SampleGrid& samples);
+compare::SampleLayout makeSampleLayout(const surface::LimitSurface& surface, Vec2 texelsPerUv,
+                                       const ViewKind& kind, const render::RenderView& view,
+                                       const surface::SampleGrid& samples);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,25 +8,27 @@
 #include "common/error.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-BudgetShare shareOf(double value, const ConfidenceInterval& confidence, double uncertainty) {
+BudgetShare shareOf(double value, const compare::ConfidenceInterval& confidence,
+                    double uncertainty) {
   return {value, confidence.interval, std::string(confidence.reason),
           isDistinguishable({value, confidence.interval, uncertainty})};
 }
 
 /// A part of the error that is left.
-BudgetShare partOf(const BlockErrors& errors, const BudgetCase& which) {
-  return shareOf(errors.rate(), rateConfidence(errors, which.tiling), which.uncertainty);
+BudgetShare partOf(const compare::BlockErrors& errors, const BudgetCase& which) {
+  return shareOf(errors.rate(), compare::rateConfidence(errors, which.tiling), which.uncertainty);
 }
 
 BudgetShare stepOf(const StateErrors& before, const StateErrors& after, const BudgetCase& which) {
   return shareOf(before.wrong.rate() - after.wrong.rate(),
-                 differenceConfidence(before.wrong, after.wrong, which.tiling), which.uncertainty);
+                 compare::differenceConfidence(before.wrong, after.wrong, which.tiling),
+                 which.uncertainty);
 }
 
-BlockErrors without(BlockErrors all, const BlockErrors& part) {
+compare::BlockErrors without(compare::BlockErrors all, const compare::BlockErrors& part) {
   for (std::size_t i = 0; i < all.wrong.size(); ++i) all.wrong[i] -= part.wrong.at(i);
   return all;
 }
@@ -51,15 +53,16 @@ StateErrors& StateErrors::operator+=(const StateErrors& other) {
   return *this;
 }
 
-StateErrors stateErrors(const Mask& mask, const Truth& truth, const std::vector<double>& weights,
-                        const Tiling& tiling) {
+StateErrors stateErrors(const Mask& mask, const truth::Truth& truth,
+                        const std::vector<double>& weights, const compare::Tiling& tiling) {
   std::vector<std::uint8_t> isDistant(truth.regions.size());
-  std::transform(truth.regions.begin(), truth.regions.end(), isDistant.begin(), [](Region region) {
-    return static_cast<std::uint8_t>(region == Region::distant);
-  });
-  return {blockErrors(mask, truth.mask, tiling.cellSide, weights),
-          blockErrors(mask, truth.mask, tiling.cellSide, weights, isDistant),
-          countSamples(mask, truth.mask, weights)};
+  std::transform(truth.regions.begin(), truth.regions.end(), isDistant.begin(),
+                 [](truth::Region region) {
+                   return static_cast<std::uint8_t>(region == truth::Region::distant);
+                 });
+  return {compare::blockErrors(mask, truth.mask, tiling.cellSide, weights),
+          compare::blockErrors(mask, truth.mask, tiling.cellSide, weights, isDistant),
+          compare::countSamples(mask, truth.mask, weights)};
 }
 
 BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
@@ -78,7 +81,8 @@ BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
   record.view = which.view;
   record.light = which.light;
   record.uncertainty = which.uncertainty;
-  const ConfidenceInterval total = rateConfidence(forward.front().wrong, which.tiling);
+  const compare::ConfidenceInterval total =
+      compare::rateConfidence(forward.front().wrong, which.tiling);
   record.blocks = total.blocks;
   record.total = shareOf(forward.front().wrong.rate(), total, which.uncertainty);
   for (std::size_t k = 0; k < causes; ++k) {
@@ -101,4 +105,4 @@ double orderDependence(const BudgetRecord& budget) {
   return sum / 2;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -11,28 +11,28 @@
 #include "study/spec/study_file.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The errors of one state of a ladder, in the cells of a tiling: under one light, or summed over
 /// several in the same view.
 struct StateErrors {
-  BlockErrors wrong;
-  BlockErrors distant;  ///< wrong in the region `distant`
-  Counts counts;
+  compare::BlockErrors wrong;
+  compare::BlockErrors distant;  ///< wrong in the region `distant`
+  compare::Counts counts;
 
   StateErrors& operator+=(const StateErrors& other);
 };
 
 /// @throws InputError as blockErrors
-StateErrors stateErrors(const Mask& mask, const Truth& truth, const std::vector<double>& weights,
-                        const Tiling& tiling);
+StateErrors stateErrors(const Mask& mask, const truth::Truth& truth,
+                        const std::vector<double>& weights, const compare::Tiling& tiling);
 
 /// What a budget is made of, beside the errors of its states.
 struct BudgetCase {
   std::string view;
   std::string light;
   double uncertainty = 0;  ///< of the truth
-  Tiling tiling;           ///< of the view
+  compare::Tiling tiling;  ///< of the view
 };
 
 /// Attributes an error to its causes: the share of a cause is the error rate before it is corrected
@@ -49,4 +49,4 @@ BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
 /// How much of the error is another cause's in the other order: ½ Σ |forward - backward|.
 double orderDependence(const BudgetRecord& budget);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,11 +6,11 @@
 #include "common/parallel.h"
 #include "study/judge/distinguish.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-BlockErrors together(const MethodErrors& method) {
-  BlockErrors sum = method.lights.front();
+compare::BlockErrors together(const MethodErrors& method) {
+  compare::BlockErrors sum = method.lights.front();
   for (std::size_t l = 1; l < method.lights.size(); ++l) sum += method.lights[l];
   return sum;
 }
@@ -19,7 +19,7 @@ BlockErrors together(const MethodErrors& method) {
 struct LightErrors {
   std::string light;
   double uncertainty = 0;
-  std::vector<BlockErrors> methods;
+  std::vector<compare::BlockErrors> methods;
 };
 
 /// All lights together first, then, where there are several, each.
@@ -41,9 +41,9 @@ std::vector<LightErrors> byLight(const ViewErrors& errors,
 
 DifferenceRecord differenceRecord(const ViewErrors& errors, const LightErrors& light,
                                   std::size_t first, std::size_t second) {
-  const BlockErrors& a = light.methods[first];
-  const BlockErrors& b = light.methods[second];
-  const ConfidenceInterval confidence = differenceConfidence(a, b, errors.tiling);
+  const compare::BlockErrors& a = light.methods[first];
+  const compare::BlockErrors& b = light.methods[second];
+  const compare::ConfidenceInterval confidence = compare::differenceConfidence(a, b, errors.tiling);
   DifferenceRecord record;
   record.view = errors.view;
   record.light = light.light;
@@ -65,8 +65,8 @@ std::vector<ConfidenceRecord> confidenceOf(const ViewErrors& errors) {
   parallelFor(0, records.size(), [&](std::size_t i) {
     const std::size_t method = i / lights.size();
     const LightErrors& light = lights[i % lights.size()];
-    const BlockErrors& cells = light.methods[method];
-    const ConfidenceInterval confidence = rateConfidence(cells, errors.tiling);
+    const compare::BlockErrors& cells = light.methods[method];
+    const compare::ConfidenceInterval confidence = compare::rateConfidence(cells, errors.tiling);
     records[i] = {errors.methods[method].method,
                   errors.view,
                   light.light,
@@ -96,4 +96,4 @@ std::vector<DifferenceRecord> differencesOf(const ViewErrors& errors,
   return records;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -8,18 +8,18 @@
 #include "compare/confidence_interval.h"
 #include "study/record/confidence_record.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// One method's errors in one view, in the cells of the view's tiling.
 struct MethodErrors {
-  std::string method;               ///< a MethodRecord's label
-  std::vector<BlockErrors> lights;  ///< one a light of the study
+  std::string method;                        ///< a MethodRecord's label
+  std::vector<compare::BlockErrors> lights;  ///< one a light of the study
 };
 
 /// All methods' errors in one view, and how the view is cut.
 struct ViewErrors {
   std::string view;
-  Tiling tiling;
+  compare::Tiling tiling;
   std::vector<std::string> lights;
   std::vector<MethodErrors> methods;  ///< those that answer in this view
 };
@@ -35,4 +35,4 @@ std::vector<ConfidenceRecord> confidenceOf(const ViewErrors& errors);
 std::vector<DifferenceRecord> differencesOf(const ViewErrors& errors,
                                             const std::vector<double>& uncertainties);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -12,7 +12,7 @@
 #include "common/parallel.h"
 #include "study/run/scene/cached_fields.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// What is kept of a method's cost.
@@ -22,7 +22,7 @@ struct KeptCost {
   std::string day;  ///< of the measurement
 };
 
-template <typename Stream, SameAs<KeptCost> T>
+template <typename Stream, cache::SameAs<KeptCost> T>
 void fields(Stream& stream, T& cost) {
   stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.day);
 }
@@ -42,9 +42,9 @@ std::optional<std::size_t> firstCamera(const StudySpec& study) {
   return static_cast<std::size_t>(camera - study.views.begin());
 }
 
-ContentKey costKey(const RunScene& scene, const MethodCase& method, std::optional<std::size_t> view,
-                   int frames) {
-  KeyBuilder key("cost");
+cache::ContentKey costKey(const RunScene& scene, const MethodCase& method,
+                          std::optional<std::size_t> view, int frames) {
+  cache::KeyBuilder key("cost");
   key.add("method", method.key).add("host", hostName());
   key.add("threads", threadCount());
   StudyHeader header = scene.study;
@@ -58,7 +58,7 @@ ContentKey costKey(const RunScene& scene, const MethodCase& method, std::optiona
 
 CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) const {
   const auto view = frames > 0 ? firstCamera(scene.study) : std::nullopt;
-  const ContentKey key = costKey(scene, method, view, frames);
+  const cache::ContentKey key = costKey(scene, method, view, frames);
   std::optional<KeptCost> cost = scene.cache.find<KeptCost>(key);
   const bool isKept = cost.has_value();
   if (!cost) {
@@ -69,7 +69,8 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
     cost->day = today();
     if (view) {
       const CompiledMethod& ready = compiled(scene, method);
-      const FirstFrame first = ready.hasDrawn ? FirstFrame::isWarm : FirstFrame::warmsUp;
+      const render::FirstFrame first =
+          ready.hasDrawn ? render::FirstFrame::isWarm : render::FirstFrame::warmsUp;
       cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass->frameMilliseconds(method.base->views[*view].view,
                                              scene.drawing(*method.base, 0), ready.tables, frames,
@@ -89,4 +90,4 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
   return record;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

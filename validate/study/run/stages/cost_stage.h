@@ -5,7 +5,7 @@
 #include "study/run/scene/method_case.h"
 #include "study/run/scene/run_scene.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// What a method costs: on the first camera view under the first light; without a camera view there
 /// is no frame time.
@@ -15,13 +15,13 @@ namespace gnomon {
 /// threads. The record then names the day. To measure it again, run without the cache.
 class CostStage {
  public:
-  explicit CostStage(FrameClock clock) : clock_(clock) {}
+  explicit CostStage(render::FrameClock clock) : clock_(clock) {}
 
   /// @param frames  that are timed at most; with 0 there is no frame time
   CostRecord measure(RunScene& scene, MethodCase& method, int frames) const;
 
  private:
-  FrameClock clock_;
+  render::FrameClock clock_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

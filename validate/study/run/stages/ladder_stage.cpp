@@ -9,7 +9,7 @@
 #include "study/spec/file_names.h"
 #include "study/spec/sections/method_section.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 LadderStage::LadderStage(RunScene& scene, SurfaceOnDemand& surface, RunWriter& writer)
     : scene_(scene), writer_(writer) {
@@ -46,9 +46,9 @@ std::size_t LadderStage::stateOf(const MethodSpec& spec) const {
 }
 
 void LadderStage::measure(std::size_t light,
-                          const std::vector<std::optional<MethodAnswers>>& answers) {
+                          const std::vector<std::optional<render::MethodAnswers>>& answers) {
   const ViewCase& shown = scene_.standardBase().views[*view_];
-  tiling_ = chooseTiling(shown.truths.front().mask, shown.weights);
+  tiling_ = compare::chooseTiling(shown.truths.front().mask, shown.weights);
   for (std::size_t s = 0; s < states_.size(); ++s) {
     const ViewCase& seen = states_[s].base->views[*view_];
     const Mask mask = scene_.clock.measure("ladders", [&](const Progress&) {
@@ -64,8 +64,9 @@ void LadderStage::measure(std::size_t light,
 }
 
 /// A ladder must begin at the very method that it speaks of.
-void LadderStage::requireStarts(std::size_t state, const Mask& mask,
-                                const std::vector<std::optional<MethodAnswers>>& answers) const {
+void LadderStage::requireStarts(
+    std::size_t state, const Mask& mask,
+    const std::vector<std::optional<render::MethodAnswers>>& answers) const {
   const StudySpec& study = scene_.study;
   for (const LadderSpec& ladder : study.ladders) {
     if (stateOf(ladder.forward.front()) != state) continue;
@@ -137,4 +138,4 @@ BudgetRecord LadderStage::attribute(const LadderSpec& ladder, const std::string&
       errorsAlong(ladder.forward, lights), errorsAlong(ladder.backward, lights));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -13,7 +13,7 @@
 #include "study/run/stages/budget.h"
 #include "study/run/stages/run_writer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Runs the states of a study's ladders, each a real method with its real bake, beside the study's
 /// methods, and attributes the errors. A state that several ladders share is run once.
@@ -33,7 +33,7 @@ class LadderStage {
   /// Measures all states under one light.
   /// @param answers  of the study's methods in that view and light
   /// @throws InputError for a ladder whose first state is not its method
-  void measure(std::size_t light, const std::vector<std::optional<MethodAnswers>>& answers);
+  void measure(std::size_t light, const std::vector<std::optional<render::MethodAnswers>>& answers);
 
   /// A budget a ladder: of all lights together if there are several, then of each.
   /// @param truth  its flip rates
@@ -43,7 +43,7 @@ class LadderStage {
   void addState(const MethodSpec& spec, SurfaceOnDemand& surface, const std::string& method);
   [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const;
   void requireStarts(std::size_t state, const Mask& mask,
-                     const std::vector<std::optional<MethodAnswers>>& answers) const;
+                     const std::vector<std::optional<render::MethodAnswers>>& answers) const;
   [[nodiscard]] std::string maskPath(std::size_t state, std::size_t light) const;
   [[nodiscard]] std::vector<StateErrors> errorsAlong(const std::vector<MethodSpec>& way,
                                                      std::span<const std::size_t> lights) const;
@@ -56,9 +56,9 @@ class LadderStage {
   RunScene& scene_;
   RunWriter& writer_;
   std::optional<std::size_t> view_;
-  Tiling tiling_;                                 ///< of that view
+  compare::Tiling tiling_;                        ///< of that view
   std::vector<MethodCase> states_;                ///< of all ladders, without repetition
   std::vector<std::vector<StateErrors>> errors_;  ///< [light][state]
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "study/run/scene/cached_fields.h"
 #include "truth/displaced_picture.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// A picture as a file and as a page embeds it.
@@ -18,7 +18,7 @@ struct PictureBytes {
   std::string embedded;
 };
 
-template <typename Stream, SameAs<PictureBytes> T>
+template <typename Stream, cache::SameAs<PictureBytes> T>
 void fields(Stream& stream, T& bytes) {
   stream(bytes.file, bytes.embedded);
 }
@@ -28,13 +28,13 @@ struct TruthBytes {
   std::string mask, regions, seam;
 };
 
-template <typename Stream, SameAs<TruthBytes> T>
+template <typename Stream, cache::SameAs<TruthBytes> T>
 void fields(Stream& stream, T& bytes) {
   stream(bytes.mask, bytes.regions, bytes.seam);
 }
 
 /// Where a sample's path to the light crosses a seam: lit.
-Mask seamMask(const Truth& truth) {
+Mask seamMask(const truth::Truth& truth) {
   Mask mask = truth.mask;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (mask.samples[i] == Shade::none) continue;
@@ -46,12 +46,12 @@ Mask seamMask(const Truth& truth) {
 /// How file names call the truth at a mesh's samples.
 std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_t view,
                       std::size_t light) {
-  const Truth& own = base.views[view].truths[light];
-  const Truth& other = standard.views[view].truths[light];
+  const truth::Truth& own = base.views[view].truths[light];
+  const truth::Truth& other = standard.views[view].truths[light];
   const bool isSame = own.mask.samples == other.mask.samples && own.regions == other.regions &&
                       own.crossesSeam == other.crossesSeam;
   if (isSame) return "truth";
-  const char* kind = base.choice.kind == DrawnMesh::displaced ? "displaced" : "base";
+  const char* kind = base.choice.kind == render::DrawnMesh::displaced ? "displaced" : "base";
   return fmt::format("truth_{}-{}", kind, base.choice.base.subdivisions);
 }
 
@@ -61,7 +61,7 @@ std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_
 /// has to be made.
 struct PanelPictures::Answer {
   std::string name;  ///< of its files
-  ContentKey key;
+  cache::ContentKey key;
   const Mesh& mesh;
   const Mask* truth;  ///< what the mask is held against; null for the truth itself
   std::function<const Mask&()> mask;
@@ -76,7 +76,7 @@ struct PanelPictures::Mesh {
     std::vector<std::uint8_t> lit;
     std::vector<std::uint8_t> dark;
 
-    template <typename Stream, SameAs<Colours> T>
+    template <typename Stream, cache::SameAs<Colours> T>
     friend void fields(Stream& stream, T& both) {
       stream(both.lit, both.dark);
     }
@@ -138,33 +138,34 @@ std::vector<float> PanelPictures::lightDisplaced(std::size_t view, std::size_t l
                                                  const Camera& camera,
                                                  const TracedSurface& traced) {
   return scene_.clock.measure("displaced picture", [&](const Progress& progress) {
-    const auto bytes = [](const SeenSurface& seen) {
-      return sizeof(SeenSurface::Point) * seen.points.size();
+    const auto bytes = [](const truth::SeenSurface& seen) {
+      return sizeof(truth::SeenSurface::Point) * seen.points.size();
     };
-    const auto seen = scene_.store.get<SeenSurface>(
+    const auto seen = scene_.store.get<truth::SeenSurface>(
         scene_.keys.seenSurface(view),
         [&] {
-          return std::make_shared<const SeenSurface>(
-              seenSurface(traced.mesh, traced.scene, camera, progress));
+          return std::make_shared<const truth::SeenSurface>(
+              truth::seenSurface(traced.mesh, traced.scene, camera, progress));
         },
         bytes);
-    return displacedPicture(*seen, traced.scene, scene_.study.lights[light].direction(), progress);
+    return truth::displacedPicture(*seen, traced.scene, scene_.study.lights[light].direction(),
+                                   progress);
   });
 }
 
 std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t light,
                                                const BaseCase& base, Shade everywhere) {
   return scene_.clock.measure("pictures", [&](const Progress&) {
-    const DrawnMesh kind = base.choice.kind;
+    const render::DrawnMesh kind = base.choice.kind;
     constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
-    const auto pass = scene_.store.get<ShadePass>(
+    const auto pass = scene_.store.get<render::ShadePass>(
         scene_.keys.shading(kind),
         [&] {
-          return std::make_shared<const ShadePass>(scene_.shaders, scene_.study.relief.field.wrap(),
-                                                   kind);
+          return std::make_shared<const render::ShadePass>(scene_.shaders,
+                                                           scene_.study.relief.field.wrap(), kind);
         },
-        [](const ShadePass&) { return bytes; });
-    const RenderView& seen = base.views[view].view;
+        [](const render::ShadePass&) { return bytes; });
+    const render::RenderView& seen = base.views[view].view;
     const auto pixels =
         static_cast<std::size_t>(seen.width) * static_cast<std::size_t>(seen.height);
     return pass->render(seen, scene_.drawing(base, light),
@@ -174,12 +175,13 @@ std::vector<std::uint8_t> PanelPictures::shade(std::size_t view, std::size_t lig
 
 PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light,
                                              const BaseCase& base, PanelRecord& panel) {
-  const ContentKey key = scene_.keys.layers(base.choice, view, light);
+  const cache::ContentKey key = scene_.keys.layers(base.choice, view, light);
   Mesh mesh{0, OnDemand<Mesh::Colours>([this, key, view, light, &base] {
-              return scene_.cache.remember(KeyBuilder("colours").add("layers", key).key(), [&] {
-                return Mesh::Colours{shade(view, light, base, Shade::lit),
-                                     shade(view, light, base, Shade::shadowed)};
-              });
+              return scene_.cache.remember(
+                  cache::KeyBuilder("colours").add("layers", key).key(), [&] {
+                    return Mesh::Colours{shade(view, light, base, Shade::lit),
+                                         shade(view, light, base, Shade::shadowed)};
+                  });
             })};
   const LayersRecord layers = scene_.cache.remember(key, [&] {
     const Mesh::Colours& colours = mesh.colours.get();
@@ -205,7 +207,7 @@ struct PanelPictures::Picture {
   const char* kind;
   std::string path;  ///< empty: none of a file
   std::function<std::string()> make;
-  ContentKey key = {};
+  cache::ContentKey key = {};
   std::optional<std::string> bytes = {};
 };
 
@@ -245,7 +247,7 @@ std::vector<std::string> PanelPictures::writeAnswers(std::size_t view, std::size
     std::vector<Picture>& own = pictures.emplace_back(picturesOf(view, light, answer.name, answer));
     bool isAnyMissing = false;
     for (Picture& picture : own) {
-      picture.key = KeyBuilder(picture.kind).add("answer", answer.key).key();
+      picture.key = cache::KeyBuilder(picture.kind).add("answer", answer.key).key();
       picture.bytes = scene_.cache.find<std::string>(picture.key);
       if (picture.bytes) continue;
       missing.push_back(&picture);
@@ -275,12 +277,13 @@ std::vector<std::string> PanelPictures::writeAnswers(std::size_t view, std::size
 TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
                                            const BaseCase& base) {
   const BaseCase& standard = scene_.standardBase();
-  const Truth& truth = base.views[view].truths[light];
+  const truth::Truth& truth = base.views[view].truths[light];
   const bool crosses =
       std::find(truth.crossesSeam.begin(), truth.crossesSeam.end(), 1) != truth.crossesSeam.end();
   const std::string name = truthName(base, standard, view, light);
-  const ContentKey key =
-      KeyBuilder("truth files").add("truth", scene_.keys.truth(base.choice, view, light)).key();
+  const cache::ContentKey key = cache::KeyBuilder("truth files")
+                                    .add("truth", scene_.keys.truth(base.choice, view, light))
+                                    .key();
   const TruthFilesRecord paths{path("masks", view, light, name), path("regions", view, light, name),
                                crosses ? path("regions", view, light, name + "_seam") : "",
                                writeWeights(view)};
@@ -309,8 +312,8 @@ std::string PanelPictures::writeWeights(std::size_t view) {
   if (atlas.weights.empty()) return "";
   std::string file = fmt::format("regions/{}_weights.exr", names_.views[view]);
   if (!viewsWithWeights_.insert(view).second) return file;
-  const ContentKey key =
-      KeyBuilder("weights").add("samples", scene_.keys.samples(standard.choice, view)).key();
+  const cache::ContentKey key =
+      cache::KeyBuilder("weights").add("samples", scene_.keys.samples(standard.choice, view)).key();
   const std::string bytes = scene_.cache.remember(key, [&] {
     return scene_.clock.measure("writing", [&](const Progress&) {
       return writer_.weights(atlas.samples.width, atlas.samples.height, atlas.weights);
@@ -377,4 +380,4 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   return panel;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

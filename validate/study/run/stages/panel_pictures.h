@@ -18,14 +18,14 @@
 #include "study/run/stages/run_writer.h"
 #include "study/spec/file_names.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// One method's answers, to be shown in a panel.
 struct PanelAnswer {
   std::size_t place;  ///< of the method in the study
   MethodCase* method;
   /// Both, drawn when they are first asked for.
-  std::function<const MethodAnswers&()> answers;
+  std::function<const render::MethodAnswers&()> answers;
 };
 
 /// Makes the pictures of a study's panels, or takes them from the cache, and hands them to the
@@ -88,4 +88,4 @@ class PanelPictures {
   std::map<std::pair<std::size_t, std::size_t>, std::string> displaced_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

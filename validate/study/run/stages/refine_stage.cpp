@@ -10,7 +10,7 @@
 #include "study/run/scene/cached_fields.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr double mostTriangles = 1e9;
@@ -21,7 +21,7 @@ double largestFlipRate(const ViewTruths& fine, const ViewTruths& coarse) {
   double largest = 0;
   for (std::size_t v = 0; v < fine.size(); ++v) {
     for (std::size_t l = 0; l < fine[v].size(); ++l) {
-      largest = std::max(largest, flipRate(fine[v][l].mask, coarse[v][l].mask));
+      largest = std::max(largest, truth::flipRate(fine[v][l].mask, coarse[v][l].mask));
     }
   }
   return largest;
@@ -54,17 +54,17 @@ class Refinement {
       const bool isFiner = !path_.empty() && triangles >= 2 * path_.back().microTriangles;
       path_.push_back({step, triangles, std::nullopt});
       if (isFiner) {
-        path_.back().flipRate =
-            largestFlipRate(traceStandardBase(scene_, *surface, standardRayOffset, stage), coarse_);
+        path_.back().flipRate = largestFlipRate(
+            traceStandardBase(scene_, *surface, truth::standardRayOffset, stage), coarse_);
         if (*path_.back().flipRate <= wanted_) return {std::move(surface), std::move(path_)};
       }
-      coarse_ = traceStandardBase(scene_, *surface, standardRayOffset / 2, stage);
+      coarse_ = traceStandardBase(scene_, *surface, truth::standardRayOffset / 2, stage);
     }
   }
 
  private:
   std::unique_ptr<const TracedSurface> surfaceAt(double step) const {
-    MicroMeshSettings settings = scene_.study.truth;
+    truth::MicroMeshSettings settings = scene_.study.truth;
     settings.stepTexels = step;
     if (!path_.empty() && 4 * static_cast<double>(path_.back().microTriangles) > mostTriangles) {
       throw InputError(
@@ -89,8 +89,8 @@ class Refinement {
   ViewTruths coarse_;
 };
 
-ContentKey pathKey(const RunScene& scene) {
-  return KeyBuilder("refinement").add("surface", scene.keys.surface()).key();
+cache::ContentKey pathKey(const RunScene& scene) {
+  return cache::KeyBuilder("refinement").add("surface", scene.keys.surface()).key();
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ bool TruthSurface::findPath() {
 }
 
 std::shared_ptr<const TracedSurface> TruthSurface::make() {
-  MicroMeshSettings settings = scene_.study.truth;
+  truth::MicroMeshSettings settings = scene_.study.truth;
   if (scene_.study.truth.uncertainty) {
     if (!findPath()) {
       RefinedSurface refined = Refinement(scene_).run();
@@ -133,4 +133,4 @@ TruthRecord TruthSurface::record() {
   return truth;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The surface that a study's truth is traced on, and how its step was found.
 ///
@@ -40,4 +40,4 @@ class TruthSurface {
   SurfaceOnDemand surface_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 #include "common/mask.h"
 #include "truth/shadow_tracer.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// In which size a page embeds a picture: as it is, or as one among many.
 enum class EmbeddedSize { full, small };
@@ -25,7 +25,7 @@ class RunWriter {
   /// A mask as data, for other programs.
   [[nodiscard]] virtual std::string mask(const Mask& mask) const = 0;
   /// In which region each sample of a truth lies, in colours that can be read back.
-  [[nodiscard]] virtual std::string regions(const Truth& truth) const = 0;
+  [[nodiscard]] virtual std::string regions(const truth::Truth& truth) const = 0;
   /// The weight of each sample of an atlas, as sampleWeights gives it: floats hold it exactly.
   [[nodiscard]] virtual std::string weights(int width, int height,
                                             const std::vector<double>& weights) const = 0;
@@ -47,4 +47,4 @@ class RunWriter {
   virtual void write(const std::string& path, const std::string& bytes) = 0;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

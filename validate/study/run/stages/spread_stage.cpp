@@ -5,7 +5,7 @@
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/sample_axes.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Of the truth in one view, one a light; the largest where a light has none of its own.
@@ -21,14 +21,14 @@ std::vector<double> uncertaintiesIn(const TruthRecord& truth, const ViewErrors& 
 }
 
 /// By the samples of the study's own base.
-Tiling tilingOf(RunScene& scene, std::size_t view) {
+compare::Tiling tilingOf(RunScene& scene, std::size_t view) {
   const BaseCase& base = scene.standardBase();
   const ViewCase& shown = base.views[view];
-  KeyBuilder key("tiling");
+  cache::KeyBuilder key("tiling");
   key.add("truth", scene.keys.truth(base.choice, view, 0));
-  key.add("blocks", leastBlocks);
+  key.add("blocks", compare::leastBlocks);
   return scene.cache.remember(
-      key.key(), [&] { return chooseTiling(shown.truths.front().mask, shown.weights); });
+      key.key(), [&] { return compare::chooseTiling(shown.truths.front().mask, shown.weights); });
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ SpreadStage::SpreadStage(RunScene& scene, std::span<const MethodCase> methods, s
   errors_.view = study.views[view].name;
   errors_.tiling = tilingOf(scene, view);
   for (const LightSpec& light : study.lights) errors_.lights.push_back(light.name);
-  std::vector<std::vector<Counts>> none;
+  std::vector<std::vector<compare::Counts>> none;
   for (const SampleAxis& axis : sampleAxes()) none.emplace_back(axis.edges.size() + 1);
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (!answersIn(methods[m], study.views[view])) continue;
@@ -66,7 +66,7 @@ std::vector<BinRecord> SpreadStage::bins() const {
     for (std::size_t a = 0; a < sampleAxes().size(); ++a) {
       const SampleAxis& axis = sampleAxes()[a];
       for (std::size_t b = 0; b <= axis.edges.size(); ++b) {
-        const Counts& counts = counts_[m][a][b];
+        const compare::Counts& counts = counts_[m][a][b];
         if (counts.samples == 0) continue;
         BinRecord bin{errors_.methods[m].method,
                       errors_.view,
@@ -95,4 +95,4 @@ void SpreadStage::report(StudyRecord& record) const {
   append(record.bins, bins());
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -11,7 +11,7 @@
 #include "study/run/scene/run_scene.h"
 #include "study/run/stages/confidence.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// Collects the errors of all methods in one view: block by block, for confidence intervals, and in
 /// the bins of every axis.
@@ -37,7 +37,7 @@ class SpreadStage {
   ViewErrors errors_;
   std::vector<std::size_t> answering_;  ///< which methods those of `errors_` are
   /// [method of errors_][axis][bin], lights summed
-  std::vector<std::vector<std::vector<Counts>>> counts_;
+  std::vector<std::vector<std::vector<compare::Counts>>> counts_;
 };
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,20 +5,22 @@
 #include "horizon/stored_table.h"
 #include "study/spec/sections/study_key.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[bake]`: the tables that methods read.
 struct BakeSpec {
-  BakeSettings settings;
-  TableBits bits = TableBits::eight;
+  horizon::BakeSettings settings;
+  horizon::TableBits bits = horizon::TableBits::eight;
   double angleLimit = pi / 2;  ///< of horizon angles: the largest off the normal, radians
 };
 
 /// @param resample  as Relief::resample: the file counts texels of the map before it
 inline StudyKeys keysOf(BakeSpec& bake, int resample) {
   using enum Enters;
-  const std::vector<std::pair<TableBits, std::string>> bits = {
-      {TableBits::eight, "8"}, {TableBits::sixteen, "16"}, {TableBits::thirtyTwo, "32"}};
+  const std::vector<std::pair<horizon::TableBits, std::string>> bits = {
+      {horizon::TableBits::eight, "8"},
+      {horizon::TableBits::sixteen, "16"},
+      {horizon::TableBits::thirtyTwo, "32"}};
   return {studyKey("azimuths", &bake.settings.azimuths, "directions of a table", {1, 1024}, {},
                    horizons | shotAngles),
           studyKey("radius", numbers(bake.settings.radiusTexels, resample),
@@ -30,4 +32,4 @@ inline StudyKeys keysOf(BakeSpec& bake, int resample) {
                    {1, 180}, {}, flatAngles | shotAngles)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

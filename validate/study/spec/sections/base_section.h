@@ -5,20 +5,20 @@
 #include "study/spec/sections/study_key.h"
 #include "surface/base_mesh.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[base]`: the mesh that a method draws.
 struct BaseSpec {
   int subdivisions = 1;
-  CurvatureSource curvature = CurvatureSource::limit;  ///< of its vertices
+  surface::CurvatureSource curvature = surface::CurvatureSource::limit;  ///< of its vertices
 
   // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison's own 0 for a pointer
   friend auto operator<=>(const BaseSpec&, const BaseSpec&) = default;
 };
 
 inline StudyKeys keysOf(BaseSpec& base) {
-  const std::vector<std::pair<CurvatureSource, std::string>> sources = {
-      {CurvatureSource::limit, "limit"}, {CurvatureSource::vertices, "vertices"}};
+  const std::vector<std::pair<surface::CurvatureSource, std::string>> sources = {
+      {surface::CurvatureSource::limit, "limit"}, {surface::CurvatureSource::vertices, "vertices"}};
   return {
       studyKey("subdivisions", &base.subdivisions, "pieces of every face's side", {1, 1024}),
       studyKey(
@@ -27,4 +27,4 @@ inline StudyKeys keysOf(BaseSpec& base) {
           "without a limit surface must")};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -2,7 +2,7 @@
 
 #include "study/spec/sections/threshold_section.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[[claim]]`, of one of two forms: that one method's metric is smaller than another's in every
 /// light and view (or, with `gainExceeds`, that the mean difference between them is larger than in
@@ -54,4 +54,4 @@ inline StudyKeys boundKeys(ClaimSpec& claim, const StudyNames& names) {
                    "none, `above` is there", nothing)};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 
 #include "study/spec/sections/method_section.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// One cause of a ladder, and what corrects it.
 struct CauseSpec {
@@ -53,4 +53,4 @@ inline StudyKeys keysOf(LadderSpec& ladder, const std::vector<std::string>& labe
   return keys;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The name of a light that its study gives none, from its angles in degrees:
 /// "elevation 24° azimuth 165°".
@@ -12,4 +12,4 @@ inline std::string lightName(double azimuth, double elevation) {
   return fmt::format("elevation {}° azimuth {}°", elevation, azimuth);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -5,7 +5,7 @@
 #include "common/degrees.h"
 #include "study/spec/sections/light_name.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 Vec3 LightSpec::direction() const {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
@@ -34,4 +34,4 @@ LightSection sectionOf(const LightSpec& light) {
   return {{degreesOf(light.elevation)}, {degreesOf(light.azimuth)}, light.name};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 #include "common/vec.h"
 #include "study/spec/sections/study_key.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A directional light. Azimuth counter-clockwise from +x about +z, elevation over the xy plane.
 struct LightSpec {
@@ -40,4 +40,4 @@ std::vector<LightSpec> readLights(const TomlReader& section);
 /// One light as a section of its own.
 LightSection sectionOf(const LightSpec& light);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

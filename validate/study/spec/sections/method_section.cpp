@@ -7,19 +7,19 @@
 #include "render/method.h"
 #include "study/spec/sections/study_paths.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
 fs::path readMethodFile(const TomlReader& section, const MethodDefaults& defaults) {
   if (section.has("file")) return defaults.folder / pathOf(section.text("file"));
   const std::string name = section.text("name");
-  return section.blame("name", [&] { return methodFile(defaults.shaders, name); });
+  return section.blame("name", [&] { return render::methodFile(defaults.shaders, name); });
 }
 
 /// A parameter's value, which the method must have and allow.
-double checkedValue(const TomlReader& section, const Method& method, const std::string& name,
-                    double value) {
+double checkedValue(const TomlReader& section, const render::Method& method,
+                    const std::string& name, double value) {
   const auto found = method.parameters.find(name);
   if (found == method.parameters.end()) {
     std::vector<std::string> names;
@@ -28,7 +28,7 @@ double checkedValue(const TomlReader& section, const Method& method, const std::
                  fmt::format("{} has no such parameter, one of {} expected", method.name,
                              names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
-  const MethodParameter& parameter = found->second;
+  const render::MethodParameter& parameter = found->second;
   if (!(value >= parameter.minimum && value <= parameter.maximum)) {
     section.fail(name, fmt::format("{} found, {} to {} expected", value, parameter.minimum,
                                    parameter.maximum));
@@ -36,7 +36,7 @@ double checkedValue(const TomlReader& section, const Method& method, const std::
   return value;
 }
 
-void readParameters(const TomlReader& section, const Method& declared, MethodSpec& method) {
+void readParameters(const TomlReader& section, const render::Method& declared, MethodSpec& method) {
   const TomlReader parameters = section.table("parameters");
   for (const auto& [name, value] : parameters.allNumbers()) {
     method.parameters[name] = checkedValue(parameters, declared, name, value);
@@ -49,7 +49,7 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
   MethodSpec method;
   section.allow(namesOf(keysOf(method)));
   section.requireOneOf("name", "file");
-  const Method declared = readMethod(readMethodFile(section, defaults));
+  const render::Method declared = render::readMethod(readMethodFile(section, defaults));
   method.bake = defaults.bake;
   method.base = defaults.base;
   if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
@@ -73,7 +73,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
     readSection(*bake, keysOf(method.bake, defaults.resample));
   }
   if (const auto base = section.optionalTable("base")) readSection(*base, keysOf(method.base));
-  if (section.has("parameters")) readParameters(section, readMethod(method.file), method);
+  if (section.has("parameters")) readParameters(section, render::readMethod(method.file), method);
   return method;
 }
 
@@ -87,7 +87,7 @@ toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resamp
   table.insert("bake", settingsOf(method.bake, resample));
   table.insert("base", settingsOf(method.base));
   toml::table parameters;
-  for (const auto& [name, parameter] : readMethod(method.file).parameters) {
+  for (const auto& [name, parameter] : render::readMethod(method.file).parameters) {
     parameters.insert(name, parameter.defaultValue);
   }
   for (const auto& [name, value] : method.parameters) parameters.insert_or_assign(name, value);
@@ -96,12 +96,12 @@ toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resamp
 }
 
 bool isBuiltIn(const MethodSpec& method) {
-  return method.file.parent_path() == shaderFolder() / "methods";
+  return method.file.parent_path() == render::shaderFolder() / "methods";
 }
 
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
   const auto keyOf = [](const MethodSpec& method) {
-    KeyBuilder key("method");
+    cache::KeyBuilder key("method");
     key.add("file", method.file.native());
     addSettings(key, method, Enters::everything);
     addSettings(key, method.bake, Enters::everything, 1);
@@ -112,4 +112,4 @@ bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
   return keyOf(a) == keyOf(b);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

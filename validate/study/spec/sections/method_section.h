@@ -10,7 +10,7 @@
 #include "study/spec/sections/study_key.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[[method]]`
 struct MethodSpec {
@@ -18,13 +18,13 @@ struct MethodSpec {
   std::string label = {};           ///< unique in the study
   BakeSpec bake = {};               ///< the study's, with the method's overrides
   BaseSpec base = {};               ///< of the mesh that it draws
-  TableFilter filter = TableFilter::exact;
+  render::TableFilter filter = render::TableFilter::exact;
   std::map<std::string, double> parameters = {};
 };
 
 inline StudyKeys keysOf(MethodSpec& method) {
-  const std::vector<std::pair<TableFilter, std::string>> filters = {
-      {TableFilter::exact, "exact"}, {TableFilter::hardware, "hardware"}};
+  const std::vector<std::pair<render::TableFilter, std::string>> filters = {
+      {render::TableFilter::exact, "exact"}, {render::TableFilter::hardware, "hardware"}};
   return {
       studyKey("name", OwnCode{"text"}, "a method that `gnomon list` names", {}, "`file` is there"),
       studyKey("file", OwnCode{"text"}, "your GLSL, in place of `name`", {}, "`name` is there"),
@@ -70,4 +70,4 @@ bool isBuiltIn(const MethodSpec& method);
 /// Whether two entries ask for the same masks, whatever their labels.
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

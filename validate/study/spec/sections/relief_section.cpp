@@ -7,40 +7,41 @@
 #include "relief/solid_map.h"
 #include "study/spec/sections/study_paths.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
-HeightField heightsOf(const PatternMap& map, const ReliefSection& relief) {
+relief::HeightField heightsOf(const PatternMap& map, const ReliefSection& relief) {
   const auto [width, height] = std::pair(map.texels.x, map.texels.y);
   return std::visit(
-      Overloaded{[&](const ColumnsPattern& pattern) {
-                   return makeColumns(width, height, pattern, relief.height, relief.wrap);
+      Overloaded{[&](const relief::ColumnsPattern& pattern) {
+                   return relief::makeColumns(width, height, pattern, relief.height, relief.wrap);
                  },
-                 [&](const CosinePattern& pattern) {
-                   return makeCosine(width, height, pattern, relief.height, relief.wrap);
+                 [&](const relief::CosinePattern& pattern) {
+                   return relief::makeCosine(width, height, pattern, relief.height, relief.wrap);
                  },
-                 [&](const CellsPattern& pattern) {
-                   return makeCells(width, height, pattern, relief.height, relief.wrap);
+                 [&](const relief::CellsPattern& pattern) {
+                   return relief::makeCells(width, height, pattern, relief.height, relief.wrap);
                  },
-                 [&](const RipplesPattern& pattern) {
-                   return makeRipples(width, height, pattern, relief.height, relief.wrap);
+                 [&](const relief::RipplesPattern& pattern) {
+                   return relief::makeRipples(width, height, pattern, relief.height, relief.wrap);
                  },
-                 [&](const SpectrumPattern& pattern) {
-                   return makeSpectrum(width, height, pattern, relief.height, relief.wrap);
+                 [&](const relief::SpectrumPattern& pattern) {
+                   return relief::makeSpectrum(width, height, pattern, relief.height, relief.wrap);
                  },
-                 [&](const ScratchesPattern& pattern) {
-                   return makeScratches(width, height, pattern, relief.height, relief.wrap);
+                 [&](const relief::ScratchesPattern& pattern) {
+                   return relief::makeScratches(width, height, pattern, relief.height, relief.wrap);
                  }},
       map.pattern);
 }
 
-HeightField heightsOf(const SolidMap& map, const ReliefSection& relief, const Cage& cage) {
-  return makeSolidMap(LimitSurface(cage), map.texels.x, map.texels.y, solidFunction(map.solid),
-                      relief.height, relief.wrap);
+relief::HeightField heightsOf(const SolidMap& map, const ReliefSection& relief,
+                              const surface::Cage& cage) {
+  return relief::makeSolidMap(surface::LimitSurface(cage), map.texels.x, map.texels.y,
+                              relief::solidFunction(map.solid), relief.height, relief.wrap);
 }
 
 /// Heights as far as `height` may go, which is that of the value 1: floats may have others.
-void requireHeights(const TomlReader& section, const HeightField& field) {
+void requireHeights(const TomlReader& section, const relief::HeightField& field) {
   constexpr double highest = 1e6;
   if (field.minimum() >= -highest && field.maximum() <= highest) return;
   section.fail("height", fmt::format("heights from {:g} to {:g} found, {:g} to {:g} expected",
@@ -54,8 +55,8 @@ ReliefSection readReliefSection(const TomlReader& section) {
   PatternMap pattern;
   SolidMap solid;
   ImageMap image;
-  KeyNames names = namesOfAllKinds<Pattern>("pattern");
-  names.merge(namesOfAllKinds<SolidPattern>("solid"));
+  KeyNames names = namesOfAllKinds<Pattern>("pattern", keysOf);
+  names.merge(namesOfAllKinds<relief::SolidPattern>("solid", keysOf));
   for (const StudyKeys& keys : {keysOf(relief), keysOf(pattern), keysOf(image)}) {
     names.merge(namesOf(keys));
   }
@@ -75,11 +76,11 @@ ReliefSection readReliefSection(const TomlReader& section) {
                    "a solid has a texel of its own for every point, no `repeats` "
                    "expected");
     }
-    solid.solid = readKind<SolidPattern>(section, "solid", solidNames);
+    solid.solid = readKind<relief::SolidPattern>(section, "solid", solidNames, keysOf);
     readKeys(section, keysOf(solid));
     relief.map = solid;
   } else {
-    pattern.pattern = readKind<Pattern>(section, "pattern", patternNames);
+    pattern.pattern = readKind<Pattern>(section, "pattern", patternNames, keysOf);
     readKeys(section, keysOf(pattern));
     relief.map = pattern;
   }
@@ -97,9 +98,9 @@ toml::table tableOf(ReliefSection relief) {
   return table;
 }
 
-Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
-                const std::filesystem::path& folder, const Cage& cage) {
-  HeightField field = std::visit(
+relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
+                        const std::filesystem::path& folder, const surface::Cage& cage) {
+  relief::HeightField field = std::visit(
       Overloaded{[&](const PatternMap& map) {
                    return section.blame("texels", [&] { return heightsOf(map, relief); });
                  },
@@ -107,19 +108,20 @@ Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                    return section.blame("solid", [&] { return heightsOf(map, relief, cage); });
                  },
                  [&](const ImageMap& map) {
-                   return readHeightImage(folder / pathOf(map.path), map.channel, relief.height,
-                                          relief.wrap);
+                   return relief::readHeightImage(folder / pathOf(map.path), map.channel,
+                                                  relief.height, relief.wrap);
                  }},
       relief.map);
-  if (relief.isInverted) field = inverted(field, relief.height);
+  if (relief.isInverted) field = relief::inverted(field, relief.height);
   requireHeights(section, field);
   const int resample = relief.resample;
   // Where heights count texels, there are now more of them in the same height.
-  const double scale = relief.space == HeightSpace::texture ? resample : 1;
+  const double scale = relief.space == relief::HeightSpace::texture ? resample : 1;
   if (resample != 1) {
-    field = section.blame("resample", [&] { return resampledHeights(field, resample, scale); });
+    field =
+        section.blame("resample", [&] { return relief::resampledHeights(field, resample, scale); });
   }
   return {std::move(field), relief.space, relief.repeats, resample};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -14,13 +14,14 @@
 #include "study/spec/sections/study_key.h"
 #include "surface/cage/cage.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[relief]`: a height map from a pattern, told by its `pattern`, from a solid, told by its
 /// `solid`, or from an image.
 
-using Pattern = std::variant<ColumnsPattern, CosinePattern, CellsPattern, RipplesPattern,
-                             SpectrumPattern, ScratchesPattern>;
+using Pattern =
+    std::variant<relief::ColumnsPattern, relief::CosinePattern, relief::CellsPattern,
+                 relief::RipplesPattern, relief::SpectrumPattern, relief::ScratchesPattern>;
 constexpr std::array<std::string_view, 6> patternNames = {"columns", "cosine",   "cells",
                                                           "ripples", "spectrum", "scratches"};
 constexpr std::array<std::string_view, 3> solidNames = {"noise", "cells", "ripples"};
@@ -31,7 +32,7 @@ struct PatternMap {
 };
 
 struct SolidMap {
-  SolidPattern solid;
+  relief::SolidPattern solid;
   glm::ivec2 texels{0};
 };
 
@@ -42,8 +43,8 @@ struct ImageMap {
 
 struct ReliefSection {
   double height = 0;
-  HeightSpace space = HeightSpace::world;
-  Wrap wrap = Wrap::repeat;
+  relief::HeightSpace space = relief::HeightSpace::world;
+  relief::Wrap wrap = relief::Wrap::repeat;
   Vec2 repeats{1, 1};
   bool isInverted = false;
   int resample = 1;
@@ -61,34 +62,34 @@ inline StudyKeys keysOf(Pattern& pattern) {
   using Keys = StudyKeys;
   return std::visit(
       Overloaded{
-          [&](ColumnsPattern& p) -> Keys {
+          [&](relief::ColumnsPattern& p) -> Keys {
             return {period(p.period),
                     studyKey("radius", numbers(p.radius), "texels: of a column", positive),
                     studyKey("wall", numbers(p.wall), "texels: width of its slope", {0})};
           },
-          [&](CosinePattern& p) -> Keys { return {period(p.period)}; },
-          [&](CellsPattern& p) -> Keys {
+          [&](relief::CosinePattern& p) -> Keys { return {period(p.period)}; },
+          [&](relief::CellsPattern& p) -> Keys {
             return {period(p.period),
                     studyKey("jitter", numbers(p.jitter),
                              "share of its square in which a point may lie", {0, 1}),
                     studyKey("groove", numbers(p.groove), "texels: width of a rim", positive),
                     seedKey(p.seed, "of the points")};
           },
-          [&](RipplesPattern& p) -> Keys {
+          [&](relief::RipplesPattern& p) -> Keys {
             return {period(p.period),
                     studyKey("windward", numbers(p.windward), "share of the wavelength that rises",
                              {0, 1}),
                     studyKey("meander", numbers(p.meander), "texels that crest lines stray at most",
                              {0})};
           },
-          [&](SpectrumPattern& p) -> Keys {
+          [&](relief::SpectrumPattern& p) -> Keys {
             return {studyKey("beta", numbers(p.beta),
                              "power falls as frequency to the power of minus this", {0, 10}),
                     studyKey("period", numbers(p.period), "texels: of the longest wave", positive),
                     studyKey("shortest", numbers(p.shortest), "texels: of the shortest wave", {2}),
                     seedKey(p.seed, "of the phases")};
           },
-          [&](ScratchesPattern& p) -> Keys {
+          [&](relief::ScratchesPattern& p) -> Keys {
             return {studyKey("density", numbers(p.density),
                              "share of the map that they would cover side by side", {0, 4, true}),
                     studyKey("length", numbers(p.length), "texels: of the longest", {1, 16384}),
@@ -98,21 +99,21 @@ inline StudyKeys keysOf(Pattern& pattern) {
       pattern);
 }
 
-inline StudyKeys keysOf(SolidPattern& solid) {
+inline StudyKeys keysOf(relief::SolidPattern& solid) {
   const auto period = [](double& place) -> StudyKey {
     return studyKey("period", numbers(place), "world units from one feature to the next", positive,
                     required);
   };
   using Keys = StudyKeys;
   return std::visit(
-      Overloaded{[&](SolidNoise& p) -> Keys {
+      Overloaded{[&](relief::SolidNoise& p) -> Keys {
                    return {
                        period(p.period),
                        studyKey("octaves", &p.octaves, "each of half the period", {1, 16}),
                        studyKey("gain", numbers(p.gain), "of an octave on the one before", {0, 1}),
                        seedKey(p.seed, "of the gradients")};
                  },
-                 [&](SolidCells& p) -> Keys {
+                 [&](relief::SolidCells& p) -> Keys {
                    return {period(p.period),
                            studyKey("jitter", numbers(p.jitter),
                                     "share of its cube in which a point may lie", {0, 1}),
@@ -120,7 +121,7 @@ inline StudyKeys keysOf(SolidPattern& solid) {
                                     positive, required),
                            seedKey(p.seed, "of the points")};
                  },
-                 [&](SolidRipples& p) -> Keys {
+                 [&](relief::SolidRipples& p) -> Keys {
                    return {period(p.period),
                            studyKey("windward", numbers(p.windward),
                                     "share of the wavelength that rises", {0, 1}),
@@ -148,10 +149,10 @@ inline StudyKeys keysOf(ImageMap& map) {
 
 /// The keys that all reliefs have in common.
 inline StudyKeys keysOf(ReliefSection& relief) {
-  const std::vector<std::pair<Wrap, std::string>> wraps = {{Wrap::repeat, "repeat"},
-                                                           {Wrap::clamp, "clamp"}};
-  const std::vector<std::pair<HeightSpace, std::string>> spaces = {
-      {HeightSpace::world, "world"}, {HeightSpace::texture, "texture"}};
+  const std::vector<std::pair<relief::Wrap, std::string>> wraps = {{relief::Wrap::repeat, "repeat"},
+                                                                   {relief::Wrap::clamp, "clamp"}};
+  const std::vector<std::pair<relief::HeightSpace, std::string>> spaces = {
+      {relief::HeightSpace::world, "world"}, {relief::HeightSpace::texture, "texture"}};
   return {
       studyKey("height", numbers(relief.height), "of the value 1, in units of `height_space`",
                {-1e6, 1e6}, required),
@@ -190,7 +191,7 @@ toml::table tableOf(ReliefSection relief);
 /// @param folder   of the study: what paths are relative to
 /// @param cage     of the surface, on which a solid is sampled
 /// @throws InputError for an image, pattern or solid that cannot be; for a solid as LimitSurface
-Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
-                const std::filesystem::path& folder, const Cage& cage);
+relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
+                        const std::filesystem::path& folder, const surface::Cage& cage);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

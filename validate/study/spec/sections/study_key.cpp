@@ -10,7 +10,7 @@
 #include "common/overloaded.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// The least whole number that TOML and `int` both hold, where a range leaves it open.
@@ -145,7 +145,7 @@ toml::table tableOf(const StudyKeys& keys) {
   return table;
 }
 
-void addKeys(KeyBuilder& builder, const StudyKeys& keys, Enters result) {
+void addKeys(cache::KeyBuilder& builder, const StudyKeys& keys, Enters result) {
   for (const StudyKey& key : keys) {
     if ((static_cast<unsigned>(key.enters) & static_cast<unsigned>(result)) == 0) continue;
     toml::table value;
@@ -186,4 +186,4 @@ std::string defaultText(const StudyKey& key) {
   return value.empty() ? "" : fmt::format("`{}`", tomlValueText(*value.get(key.name)));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

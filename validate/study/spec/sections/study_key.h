@@ -16,7 +16,7 @@
 #include "common/vec.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The keys of a study's tables. Each section of a study declares its keys once, in a function
 /// `keysOf` beside its structure: name, place of the value, range, meaning. What the value is
@@ -142,7 +142,7 @@ void readSection(const TomlReader& section, const StudyKeys& keys);
 toml::table tableOf(const StudyKeys& keys);
 
 /// Adds the values that enter a result to its key.
-void addKeys(KeyBuilder& key, const StudyKeys& keys, Enters result);
+void addKeys(cache::KeyBuilder& key, const StudyKeys& keys, Enters result);
 
 /// The type and range of a key in words, "a whole number from 1 to 1024", and its default as TOML
 /// or in words, "required" where there is none.
@@ -163,7 +163,7 @@ std::vector<Variant> allKinds() {
 
 /// The names of the keys of all kinds, and `tag`.
 template <typename Variant>
-KeyNames namesOfAllKinds(std::string_view tag) {
+KeyNames namesOfAllKinds(std::string_view tag, StudyKeys (*keysOf)(Variant&)) {
   KeyNames names = {std::string(tag)};
   for (Variant& kind : allKinds<Variant>()) names.merge(namesOf(keysOf(kind)));
   return names;
@@ -174,7 +174,7 @@ KeyNames namesOfAllKinds(std::string_view tag) {
 /// @param names  of all kinds, in the variant's order
 template <typename Variant, std::size_t size>
 Variant readKind(const TomlReader& section, std::string_view tag,
-                 const std::array<std::string_view, size>& names) {
+                 const std::array<std::string_view, size>& names, StudyKeys (*keysOf)(Variant&)) {
   static_assert(size == std::variant_size_v<Variant>);
   Variant kind = allKinds<Variant>().at(section.choice(tag, {names.begin(), names.end()}));
   readKeys(section, keysOf(kind));
@@ -190,8 +190,8 @@ toml::table settingsOf(Section section, const With&... with) {
 
 /// Adds the settings of a section that enter a result to its key.
 template <typename Section, typename... With>
-void addSettings(KeyBuilder& key, Section section, Enters result, const With&... with) {
+void addSettings(cache::KeyBuilder& key, Section section, Enters result, const With&... with) {
   addKeys(key, keysOf(section, with...), result);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

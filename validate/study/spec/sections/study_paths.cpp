@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -104,4 +104,4 @@ void movePaths(toml::table& study, const fs::path& from, const fs::path& to) {
   });
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

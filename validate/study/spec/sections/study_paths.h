@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A path as a study holds it: itself, or, since file names may be any bytes but TOML is UTF-8,
 /// `file:` and the bytes with all but letters, digits and `-._~/` percent-encoded (RFC 3986):
@@ -31,4 +31,4 @@ void movePath(toml::table& table, const char* key, const std::filesystem::path& 
 void movePaths(toml::table& study, const std::filesystem::path& from,
                const std::filesystem::path& to);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -11,7 +11,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Angle that an arc of `length` spans at `curvature`; a full turn where it comes within rounding.
@@ -20,57 +20,58 @@ double arcAngle(double length, double curvature) {
   return std::abs(angle - 2 * pi) < 1e-6 ? 2 * pi : angle;
 }
 
-Cage cageOf(const PlaneShape& plane) {
-  return makePlane(plane.size.x, plane.size.y, plane.quads.x, plane.quads.y);
+surface::Cage cageOf(const PlaneShape& plane) {
+  return surface::makePlane(plane.size.x, plane.size.y, plane.quads.x, plane.quads.y);
 }
 
-Cage cageOf(const CylinderShape& cylinder) {
-  return makeCylinder(1 / cylinder.curvature, arcAngle(cylinder.size.x, cylinder.curvature),
-                      cylinder.size.y, cylinder.quads.x, cylinder.quads.y);
+surface::Cage cageOf(const CylinderShape& cylinder) {
+  return surface::makeCylinder(1 / cylinder.curvature,
+                               arcAngle(cylinder.size.x, cylinder.curvature), cylinder.size.y,
+                               cylinder.quads.x, cylinder.quads.y);
 }
 
-Cage cageOf(const SphereShape& sphere) {
+surface::Cage cageOf(const SphereShape& sphere) {
   if (sphere.curvature == 0) {
     throw InputError("sphere: curvature is 0, a number above or below 0 expected");
   }
   const double bend = std::abs(sphere.curvature);
-  return makeSphere(1 / sphere.curvature, arcAngle(sphere.size.x, bend), sphere.size.y * bend,
-                    sphere.quads.x, sphere.quads.y);
+  return surface::makeSphere(1 / sphere.curvature, arcAngle(sphere.size.x, bend),
+                             sphere.size.y * bend, sphere.quads.x, sphere.quads.y);
 }
 
-Cage cageOf(const TorusShape& torus) {
-  return makeTorus(torus.major, torus.minor, torus.quads.x, torus.quads.y);
+surface::Cage cageOf(const TorusShape& torus) {
+  return surface::makeTorus(torus.major, torus.minor, torus.quads.x, torus.quads.y);
 }
 
-Cage cageOf(const BezierShape& bezier) {
+surface::Cage cageOf(const BezierShape& bezier) {
   std::array<Vec3, 16> points{};
   if (bezier.points.size() != points.size()) {
     throw InputError(
         fmt::format("bezier: {} points found, 16 expected, row by row", bezier.points.size()));
   }
   std::copy(bezier.points.begin(), bezier.points.end(), points.begin());
-  return makeBezier(points, bezier.quads.x, bezier.quads.y);
+  return surface::makeBezier(points, bezier.quads.x, bezier.quads.y);
 }
 
-Cage cageOf(const BSplineShape& spline) {
+surface::Cage cageOf(const BSplineShape& spline) {
   const int points = static_cast<int>(spline.points.size());
   const int rows = points / spline.columns;
   if (rows < 4 || rows * spline.columns != points) {
     throw InputError(fmt::format("b-spline: {} points found, at least 4 rows of {} expected",
                                  points, spline.columns));
   }
-  return makeBSpline(spline.points, spline.columns, rows);
+  return surface::makeBSpline(spline.points, spline.columns, rows);
 }
 
 }  // namespace
 
 SurfaceSection readSurfaceSection(const TomlReader& section) {
   SurfaceMesh mesh;
-  KeyNames names = namesOfAllKinds<Shape>("shape");
+  KeyNames names = namesOfAllKinds<Shape>("shape", keysOf);
   names.merge(namesOf(keysOf(mesh)));
   section.allow(names);
   section.requireOneOf("shape", "mesh");
-  if (!section.has("mesh")) return readKind<Shape>(section, "shape", shapeNames);
+  if (!section.has("mesh")) return readKind<Shape>(section, "shape", shapeNames, keysOf);
   readKeys(section, keysOf(mesh));
   return mesh;
 }
@@ -83,18 +84,18 @@ toml::table tableOf(SurfaceSection surface) {
   return table;
 }
 
-Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
-            const std::filesystem::path& folder) {
-  return std::visit(Overloaded{[&](const Shape& shape) {
-                                 return section.blame("shape", [&] {
-                                   return std::visit([](const auto& one) { return cageOf(one); },
-                                                     shape);
-                                 });
-                               },
-                               [&](const SurfaceMesh& mesh) {
-                                 return readMeshFile(folder / pathOf(mesh.path), mesh.scheme);
-                               }},
-                    surface);
+surface::Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
+                     const std::filesystem::path& folder) {
+  return std::visit(
+      Overloaded{[&](const Shape& shape) {
+                   return section.blame("shape", [&] {
+                     return std::visit([](const auto& one) { return cageOf(one); }, shape);
+                   });
+                 },
+                 [&](const SurfaceMesh& mesh) {
+                   return surface::readMeshFile(folder / pathOf(mesh.path), mesh.scheme);
+                 }},
+      surface);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "study/spec/sections/study_key.h"
 #include "surface/cage/cage.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[surface]`: a built-in shape, told by its `shape`, or a mesh file. A new shape is a type its
 /// name and keys below, and a `cageOf`.
@@ -45,7 +45,7 @@ using Shape =
 
 struct SurfaceMesh {
   std::string path;  ///< as the file has it, see pathOf
-  SubdivisionScheme scheme = SubdivisionScheme::catmullClark;
+  surface::SubdivisionScheme scheme = surface::SubdivisionScheme::catmullClark;
 };
 
 using SurfaceSection = std::variant<Shape, SurfaceMesh>;
@@ -99,8 +99,9 @@ inline StudyKeys keysOf(Shape& shape) {
 }
 
 inline StudyKeys keysOf(SurfaceMesh& mesh) {
-  const std::vector<std::pair<SubdivisionScheme, std::string>> schemes = {
-      {SubdivisionScheme::catmullClark, "catmull-clark"}, {SubdivisionScheme::loop, "loop"}};
+  const std::vector<std::pair<surface::SubdivisionScheme, std::string>> schemes = {
+      {surface::SubdivisionScheme::catmullClark, "catmull-clark"},
+      {surface::SubdivisionScheme::loop, "loop"}};
   return {studyKey("mesh", &mesh.path,
                    "an OBJ or PLY file: a control cage with texture coordinates", {}, required,
                    Enters::nothing),  // the file's content enters
@@ -123,7 +124,7 @@ toml::table tableOf(SurfaceSection surface);
 /// @param section  for messages
 /// @param folder   of the study: what paths are relative to
 /// @throws InputError for a shape that cannot be; as readMeshFile
-Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
-            const std::filesystem::path& folder);
+surface::Cage cageOf(const SurfaceSection& surface, const TomlReader& section,
+                     const std::filesystem::path& folder);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "study/record/gate.h"
 #include "study/spec/sections/study_key.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The names in a study that its gates and claims may speak of.
 struct StudyNames {
@@ -60,4 +60,4 @@ inline StudyKeys keysOf(Gate& gate, const StudyNames& names) {
   return keys;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

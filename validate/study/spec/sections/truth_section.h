@@ -5,10 +5,10 @@
 #include "study/spec/sections/study_key.h"
 #include "truth/micro_mesh.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[truth]`: how finely the displaced surface is cut for the truth.
-struct TruthSpec : MicroMeshSettings {
+struct TruthSpec : truth::MicroMeshSettings {
   /// Largest flip rate that is wanted; the step is then found by refinement.
   std::optional<double> uncertainty;
 };
@@ -29,4 +29,4 @@ inline StudyKeys keysOf(TruthSpec& truth, int resample) {
                "in place of `step`: at least so many micro-triangles", {1, 1e9})};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// The quick form of a side, and the longest side whose quick form it can be.
@@ -30,10 +30,10 @@ void makeQuick(ViewKind& kind) {
 
 ViewSpec readView(const TomlReader& section, bool quick) {
   ViewSpec view;
-  KeyNames names = namesOfAllKinds<ViewKind>("type");
+  KeyNames names = namesOfAllKinds<ViewKind>("type", keysOf);
   names.merge(namesOf(keysOf(view)));
   section.allow(names);
-  view.kind = readKind<ViewKind>(section, "type", viewKindNames);
+  view.kind = readKind<ViewKind>(section, "type", viewKindNames, keysOf);
   view.name = viewKindNames.at(view.kind.index());
   readKeys(section, keysOf(view));
   section.finish();
@@ -48,13 +48,13 @@ toml::table tableOf(ViewSpec view) {
   return table;
 }
 
-PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int faces) {
-  return std::visit(Overloaded{[&](const Camera& camera) -> PictureExtent {
+compare::PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int faces) {
+  return std::visit(Overloaded{[&](const Camera& camera) -> compare::PictureExtent {
                                  const double width = fullSide(camera.width, quick);
                                  const double height = fullSide(camera.height, quick);
                                  return {std::hypot(width, height), width * height};
                                },
-                               [&](const AtlasSpec& atlas) -> PictureExtent {
+                               [&](const AtlasSpec& atlas) -> compare::PictureExtent {
                                  const double side = fullSide(atlas.samplesPerSide, quick);
                                  return {glm::length(texelsPerUv), faces * side * side};
                                }},
@@ -64,40 +64,44 @@ PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int
 ViewTraits traitsOf(const ViewSpec& view) {
   using Traits = ViewTraits;
   return std::visit(Overloaded{[](const Camera& camera) {
-                                 return Traits{&camera, false, PassKind::cameraSamples};
+                                 return Traits{&camera, false, render::PassKind::cameraSamples};
                                },
                                [](const AtlasSpec&) {
-                                 return Traits{nullptr, true, PassKind::atlasSamples};
+                                 return Traits{nullptr, true, render::PassKind::atlasSamples};
                                }},
                     view.kind);
 }
 
-RenderView pictureSize(const ViewSpec& view, const LimitSurface& surface) {
+render::RenderView pictureSize(const ViewSpec& view, const surface::LimitSurface& surface) {
+  return std::visit(Overloaded{[](const Camera& camera) {
+                                 render::RenderView size;
+                                 size.width = camera.width;
+                                 size.height = camera.height;
+                                 return size;
+                               },
+                               [&](const AtlasSpec& atlas) {
+                                 return render::atlasView(surface, atlas.samplesPerSide);
+                               }},
+                    view.kind);
+}
+
+render::RenderView renderView(const ViewSpec& view, const surface::LimitSurface& surface,
+                              const surface::BaseMesh& mesh) {
   return std::visit(
-      Overloaded{[](const Camera& camera) {
-                   RenderView size;
-                   size.width = camera.width;
-                   size.height = camera.height;
-                   return size;
-                 },
-                 [&](const AtlasSpec& atlas) { return atlasView(surface, atlas.samplesPerSide); }},
+      Overloaded{
+          [&](const Camera& camera) { return render::cameraView(camera, mesh); },
+          [&](const AtlasSpec& atlas) { return render::atlasView(surface, atlas.samplesPerSide); }},
       view.kind);
 }
 
-RenderView renderView(const ViewSpec& view, const LimitSurface& surface, const BaseMesh& mesh) {
-  return std::visit(
-      Overloaded{[&](const Camera& camera) { return cameraView(camera, mesh); },
-                 [&](const AtlasSpec& atlas) { return atlasView(surface, atlas.samplesPerSide); }},
-      view.kind);
-}
-
-std::vector<double> sampleWeights(const ViewSpec& view, const LimitSurface& surface,
-                                  const SampleGrid& samples) {
+std::vector<double> sampleWeights(const ViewSpec& view, const surface::LimitSurface& surface,
+                                  const surface::SampleGrid& samples) {
   return std::visit(Overloaded{[](const Camera&) { return std::vector<double>(); },
                                [&](const AtlasSpec& atlas) {
-                                 return sampleAreas(surface, samples, atlas.samplesPerSide);
+                                 return surface::sampleAreas(surface, samples,
+                                                             atlas.samplesPerSide);
                                }},
                     view.kind);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -14,7 +14,7 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// `[[view]]`: which samples of the surface are compared. Each kind is a type, told by its `type`;
 /// what differs between kinds is behind std::visit here, in `ViewMap` and in the export's JSON, so
@@ -71,15 +71,15 @@ toml::table tableOf(ViewSpec view);
 
 /// The largest picture that the view's full form may have: in pixels, or in texels of the map and
 /// samples.
-PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int faces);
+compare::PictureExtent fullExtent(const ViewSpec& view, bool quick, Vec2 texelsPerUv, int faces);
 
 /// What a kind of view can and cannot do.
 struct ViewTraits {
   /// The view's camera; null where its samples are no pixels of one. Only camera views count shadow
   /// volumes, show the displaced surface and time frames.
   const Camera* camera;
-  bool hasFixedSamples;  ///< whatever mesh is drawn, the samples are the same
-  PassKind samplesPass;  ///< by which the driver renders the samples
+  bool hasFixedSamples;          ///< whatever mesh is drawn, the samples are the same
+  render::PassKind samplesPass;  ///< by which the driver renders the samples
 };
 ViewTraits traitsOf(const ViewSpec& view);
 
@@ -91,14 +91,15 @@ inline bool hasFixedSamples(const ViewSpec& view) {
 }
 
 /// The view's picture without its projection: its size in samples.
-RenderView pictureSize(const ViewSpec& view, const LimitSurface& surface);
+render::RenderView pictureSize(const ViewSpec& view, const surface::LimitSurface& surface);
 
 /// The view of a mesh, to draw.
 /// @throws InputError as cameraView
-RenderView renderView(const ViewSpec& view, const LimitSurface& surface, const BaseMesh& mesh);
+render::RenderView renderView(const ViewSpec& view, const surface::LimitSurface& surface,
+                              const surface::BaseMesh& mesh);
 
 /// The world area of each sample, or nothing where every sample counts the same.
-std::vector<double> sampleWeights(const ViewSpec& view, const LimitSurface& surface,
-                                  const SampleGrid& samples);
+std::vector<double> sampleWeights(const ViewSpec& view, const surface::LimitSurface& surface,
+                                  const surface::SampleGrid& samples);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

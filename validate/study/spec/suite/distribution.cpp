@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// 2¹⁰ steps in geometric progression: the products of the ratio's square root, that one's square
@@ -94,4 +94,4 @@ Distribution readDistribution(const TomlReader& section, std::string_view key, N
   return Distribution(std::move(values));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

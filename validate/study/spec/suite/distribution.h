@@ -7,7 +7,7 @@
 #include "common/random_stream.h"
 #include "study/spec/toml/toml_reader.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A number with four significant digits, as they are written in decimals. Its text is the same on
 /// every machine unless the number lies within rounding of the middle between two of them.
@@ -38,4 +38,4 @@ class Distribution {
 Distribution readDistribution(const TomlReader& section, std::string_view key,
                               NumberRange range = anyNumber);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

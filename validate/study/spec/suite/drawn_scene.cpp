@@ -10,7 +10,7 @@
 #include "study/spec/suite/drawn_surface.h"
 #include "study/spec/suite/exact_degrees.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 RandomStream streamOf(const std::string& name) {
@@ -273,6 +273,8 @@ DrawnScene drawScene(const SuiteSpec& suite, SuiteSplit split, const std::string
     header.insert("title", fmt::format("{}on {}", relief.form == "image" ? what : what + " ",
                                        article(surface.name)));
     header.insert("source", fmt::format("{}, {}, scene {}", suite.name, part, number));
+    // A population of its own: statistics never mix training and test scenes.
+    header.insert("suite", fmt::format("{}-{}", suite.name, part));
     header.insert("frames", suite.frames);
     scene.study.insert("study", header);
     if (!surface.file.empty()) scene.files.push_back(surface.file);
@@ -283,4 +285,4 @@ DrawnScene drawScene(const SuiteSpec& suite, SuiteSplit split, const std::string
                                suite.file.string(), relief.name, surface.name, suite.tries));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 
 #include "study/spec/suite/suite_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 enum class SuiteSplit { train, test };
 std::string splitName(SuiteSplit split);
@@ -34,4 +34,4 @@ struct DrawnScene {
 /// @throws InputError naming the file where no scene keeps the limits in `suite.tries` tries
 DrawnScene drawScene(const SuiteSpec& suite, SuiteSplit split, const std::string& seed, int number);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -9,7 +9,7 @@
 #include "common/text/sha256.h"
 #include "study/spec/suite/suite_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace fs = std::filesystem;
 namespace {
 
@@ -86,4 +86,4 @@ void writeSuite(const DrawnSuite& suite, const std::string& manifest, const fs::
   writeTextAtomically(folder / "manifest.json", manifest);
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 #include "study/spec/suite/drawn_scene.h"
 #include "study/spec/suite/suite_methods.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A file of a drawn suite.
 struct SuiteStudy {
@@ -47,4 +47,4 @@ DrawnSuite drawSuite(const SuiteSpec& suite, const SuiteMethods& methods, SuiteS
 void writeSuite(const DrawnSuite& suite, const std::string& manifest,
                 const std::filesystem::path& folder);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -7,7 +7,7 @@
 #include "surface/cage/shapes.h"
 #include "surface/curvature.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 toml::array arrayOf(std::initializer_list<double> numbers) {
@@ -107,7 +107,8 @@ std::optional<DrawnSurface> torus(const SuiteSpec& suite, const SurfaceMap& map)
 
 /// The largest |κ| × height of a patch in the relief's own scale |P_x × P_y|^½; none where the
 /// patch folds over.
-std::optional<double> largestCurvature(const LimitSurface& surface, const SurfaceMap& map) {
+std::optional<double> largestCurvature(const surface::LimitSurface& surface,
+                                       const SurfaceMap& map) {
   constexpr int points = 17;
   const auto grid = *surface.grid();
   const double texelsPerFace = static_cast<double>(map.texels.x) / grid.columns *
@@ -116,11 +117,12 @@ std::optional<double> largestCurvature(const LimitSurface& surface, const Surfac
   for (int face = 0; face < surface.faceCount(); ++face) {
     for (int j = 0; j < points; ++j) {
       for (int i = 0; i < points; ++i) {
-        const LimitPoint point = surface.evaluate(face, i / (points - 1.0), j / (points - 1.0));
+        const surface::LimitPoint point =
+            surface.evaluate(face, i / (points - 1.0), j / (points - 1.0));
         constexpr double steepest = 0.3;
-        if (outwardNormal(point).z < steepest) return std::nullopt;
+        if (surface::outwardNormal(point).z < steepest) return std::nullopt;
         const double texel = glm::length(glm::cross(point.ds, point.dt)) / texelsPerFace;
-        const PrincipalCurvatures bends = principalCurvatures(point);
+        const surface::PrincipalCurvatures bends = surface::principalCurvatures(point);
         const double bend = std::max(std::abs(bends.k1), std::abs(bends.k2));
         largest = std::max(largest, bend * map.height * std::sqrt(texel));
       }
@@ -154,7 +156,8 @@ std::optional<DrawnSurface> bezier(const SuiteSpec& suite, const SuiteSurface& s
   const std::vector<Vec3> points = strayingPoints(surface, map, {4, 4}, spacing, random);
   std::array<Vec3, 16> net{};
   std::copy(points.begin(), points.end(), net.begin());
-  const auto curvature = largestCurvature(LimitSurface(makeBezier(net, 1, 1)), map);
+  const auto curvature =
+      largestCurvature(surface::LimitSurface(surface::makeBezier(net, 1, 1)), map);
   if (!curvature || !isWithin(suite, *curvature)) return std::nullopt;
   DrawnSurface drawn = plane(suite, map);
   drawn.section.erase("size");
@@ -215,8 +218,8 @@ std::optional<DrawnSurface> bSpline(const SuiteSpec& suite, const SuiteSurface& 
   const Vec2 spacing = Vec2(map.texels) / Vec2(across.pieces, up.pieces);
   glm::ivec2 columns(across.pieces + 3, up.pieces + 3);
   std::vector<Vec3> points = strayingPoints(surface, map, columns, spacing, random);
-  const auto curvature =
-      largestCurvature(LimitSurface(makeBSpline(points, columns.x, columns.y)), map);
+  const auto curvature = largestCurvature(
+      surface::LimitSurface(surface::makeBSpline(points, columns.x, columns.y)), map);
   if (!curvature || !isWithin(suite, *curvature)) return std::nullopt;
   for (int k = 0; k < across.doublings; ++k) {
     points = refinedRows(points, columns.x);
@@ -281,4 +284,4 @@ std::optional<DrawnSurface> drawSurface(const SuiteSpec& suite, const SuiteSurfa
   throw InternalError("a kind of surface without its draw");
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 
 #include "study/spec/suite/suite_file.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A surface that carries a map, in world units.
 struct DrawnSurface {
@@ -38,4 +38,4 @@ std::optional<DrawnSurface> drawSurface(const SuiteSpec& suite, const SuiteSurfa
 /// @param points  row by row, `columns` a row
 std::vector<Vec3> refinedPoints(const std::vector<Vec3>& points, int columns);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

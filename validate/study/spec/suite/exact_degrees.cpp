@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 /// Σ (-1)^k x^(2k + first) / (2k + first)! for |x| ≤ π/4.
@@ -41,4 +41,4 @@ Vec3 exactDirection(double elevation, double azimuth) {
   return {up.cosine * round.cosine, up.cosine * round.sine, up.sine};
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

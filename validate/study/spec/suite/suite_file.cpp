@@ -4,7 +4,7 @@
 
 #include "render/shader_files.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 constexpr NumberRange angle{-360, 360};
@@ -185,7 +185,7 @@ SuiteSpec readSuite(const std::filesystem::path& file) {
 }
 
 std::filesystem::path standardSuiteFile() {
-  return shaderFolder().parent_path() / "scenes/suite/suite-1.toml";
+  return render::shaderFolder().parent_path() / "scenes/suite/suite-1.toml";
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

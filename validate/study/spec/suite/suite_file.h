@@ -8,7 +8,7 @@
 
 #include "study/spec/suite/distribution.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The file of a suite, as scenes/suite/suite-1.toml: what its scenes are drawn from. Its comments
 /// and docs/suite.md say what every key means. Lengths on open patches and on the torus are texels,
@@ -91,4 +91,4 @@ SuiteSpec readSuite(const std::filesystem::path& file);
 /// The suite that comes with the program: scenes/suite/suite-1.toml beside its shaders.
 std::filesystem::path standardSuiteFile();
 
-}  // namespace gnomon
+}  // namespace gnomon::study

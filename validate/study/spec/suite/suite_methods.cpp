@@ -5,7 +5,7 @@
 #include "render/shader_files.h"
 #include "study/spec/toml/toml_text.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 const KeyNames methodKeys = {"name", "file", "label", "filter", "bake", "base", "parameters"};
@@ -90,7 +90,7 @@ SuiteMethods readSuiteMethods(const std::filesystem::path& file,
 }
 
 std::filesystem::path standardMethodsFile() {
-  return shaderFolder().parent_path() / "scenes/suite/methods.toml";
+  return render::shaderFolder().parent_path() / "scenes/suite/methods.toml";
 }
 
 toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, SuiteSplit split) {
@@ -110,4 +110,4 @@ toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, Suit
   return list;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

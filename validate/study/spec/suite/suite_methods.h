@@ -10,7 +10,7 @@
 
 #include "study/spec/suite/drawn_scene.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The methods that a suite's scenes are measured with, as scenes/suite/methods.toml. They are no
 /// part of a suite: new methods may come, and its scenes stay.
@@ -39,4 +39,4 @@ std::filesystem::path standardMethodsFile();
 /// own base mesh, so that a piece has the same size in texels everywhere.
 toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, SuiteSplit split);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

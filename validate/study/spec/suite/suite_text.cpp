@@ -5,7 +5,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 std::string suiteString(std::string_view text) {
@@ -82,4 +82,4 @@ std::string suiteText(const toml::table& study, const std::vector<std::string_vi
   return fmt::format("{}", fmt::join(sections, "\n"));
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

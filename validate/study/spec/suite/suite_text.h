@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The sections of a study as the text of a TOML file: `[key]`, or `[[key]]` for each table of a
 /// list, in the given order; below them `key = value`, in alphabetical order. Every byte is made
@@ -15,4 +15,4 @@ namespace gnomon {
 /// @param order  all sections; those that are not there are left out
 std::string suiteText(const toml::table& study, const std::vector<std::string_view>& order);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 std::size_t mistakes(std::string_view a, std::string_view b) {
@@ -43,4 +43,4 @@ std::optional<std::string> nearestName(std::string_view typed,
   return nearest;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

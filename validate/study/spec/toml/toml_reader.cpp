@@ -14,7 +14,7 @@
 #include "common/text/utf8.h"
 #include "study/spec/toml/nearest_name.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 std::string describe(const toml::node& node) {
@@ -344,4 +344,4 @@ toml::table parseTomlText(const std::string& text, const std::string& file,
   }
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -14,7 +14,7 @@
 #include "common/error.h"
 #include "common/vec.h"
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// The numbers that a key takes, both ends included unless said.
 struct NumberRange {
@@ -137,4 +137,4 @@ toml::table parseTomlText(const std::string& text, const std::string& file,
 ///   something that is not a table or list, or past a list's end
 void applyOverrides(toml::table& table, const std::vector<std::string>& overrides);
 
-}  // namespace gnomon
+}  // namespace gnomon::study

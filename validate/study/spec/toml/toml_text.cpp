@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 
-namespace gnomon {
+namespace gnomon::study {
 namespace {
 
 std::string keyText(std::string_view key) {
@@ -109,4 +109,4 @@ std::string tomlText(const toml::table& table, const std::vector<std::string_vie
   return text;
 }
 
-}  // namespace gnomon
+}  // namespace gnomon::study

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gnomon {
+namespace gnomon::study {
 
 /// A value in line, as a TOML file has it. Numbers have the fewest digits that read back to the
 /// bit.
@@ -20,4 +20,4 @@ std::string tomlValueText(const toml::node& node);
 ///   that is not UTF-8
 std::string tomlText(const toml::table& table, const std::vector<std::string_view>& order = {});
 
-}  // namespace gnomon
+}  // namespace gnomon::study
