@@ -78,10 +78,11 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
               HasSubstr("best is not distinguishable from a; b; c and 1 more."));
   EXPECT_THAT(
       confidenceNote(recordOfThree(), "camera"),
-      HasSubstr("over all draws of the bumps, on the same surface, in the same view, under the "
-                "same lights. It comes from 25 blocks of 40 × 40 samples. ≈ not "
-                "distinguishable from the best: the interval of the difference holds 0, "
-                "there is none, or it is within the truth’s uncertainty of 0.30 %."));
+      HasSubstr(
+          "over all random draws of the bumps, on the same surface, in the same view, under the "
+          "same lights. It comes from 25 blocks of 40 × 40 samples. ≈ not "
+          "distinguishable from the best: the interval of the difference holds 0, "
+          "there is none, or it is within the truth’s uncertainty of 0.30 %."));
 }
 
 TEST(ConfidenceText, StatesTheUncertaintyThatItsMarksWereJudgedBy) {

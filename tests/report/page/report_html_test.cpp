@@ -242,7 +242,7 @@ TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
   test::addDifferences(record, 1e-6);
   const std::string html = reportText(record, folder_);
   EXPECT_TRUE(
-      holds(html, "<b>best</b> has the fewest wrong samples of 2 methods: <b>1.00&#8239;%</b>"));
+      holds(html, "<b>best</b> has the fewest wrong samples of 3 methods: <b>1.00&#8239;%</b>"));
   EXPECT_TRUE(holds(html, "1 of 2 thresholds met"));
   EXPECT_TRUE(holds(html, "not distinguishable from close"));
   EXPECT_TRUE(holds(html, "<b>1.00 <small>±&#8239;0.30</small></b>"));

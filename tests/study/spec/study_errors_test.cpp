@@ -18,7 +18,7 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       // unknown keys, in every section
       {"extra=1", "extra: unknown key, expected bake, base, claim, ladder"},
       {"study.titel=x",
-       "study.titel: unknown key, expected frames, name, quick, ranked, source, title"},
+       "study.titel: unknown key, expected frames, name, quick, ranked, source, suite, title"},
       {"surface.sise=[1, 1]", "surface.sise: unknown key"},
       {"surface.curvature=0.1", "surface.curvature: unknown key"},
       {"relief.amplitude=1", "relief.amplitude: unknown key"},
