@@ -27,6 +27,7 @@ TEST(ShardArguments, AnotherOutTakesThePlaceOfTheFirst) {
               ElementsAre("run", "--out=all", "a.toml"));
   EXPECT_THAT(withOut({"run", "a.toml"}, "all"), ElementsAre("run", "a.toml", "--out", "all"));
   EXPECT_THAT(withOut({"run", "a.toml"}, "out"), ElementsAre("run", "a.toml"));
+  EXPECT_THAT(withOut({"run", "--out", "s1", "a.toml"}, "out"), ElementsAre("run", "a.toml"));
 }
 
 ShardManifest sample() {

@@ -301,7 +301,7 @@ TEST(RankingHtml, LinksEveryStudyAndListsAllClaims) {
   for (const char* part :
        {"href=\"a/report.html\"", "href=\"b/report.html\"", "href=\"c/report.html\"",
         "First &lt;claim&gt;", "Second claim", "tag failed\">failed<", "gnomon run a &amp; b",
-        "Over 3 studies <b>curved</b>", "in 2 of 6 cases: no rank; curved has 2.00 % on the same",
+        "in 3 studies, <b>curved</b>", "in 2 of 6 cases: no rank; curved has 2.00 % on the same",
         "Title of &lt;a&gt;"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }

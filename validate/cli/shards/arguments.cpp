@@ -35,19 +35,20 @@ Arguments withoutOption(const Arguments& arguments, std::string_view name) {
 
 Arguments withOut(const Arguments& arguments, const std::string& out) {
   Arguments result;
-  bool isThere = false;
+  // The folder that a run without the option writes to needs none.
+  bool isDone = out == RunRequest().out;
   for (std::size_t i = 0; i < arguments.size();) {
     const std::size_t words = wordsOf(arguments, i, outOption);
     if (words == 0) {
       result.push_back(arguments[i]);
-    } else if (!isThere) {
-      isThere = true;
+    } else if (!isDone) {
+      isDone = true;
       if (words == 2) result.emplace_back(outOption);
       result.push_back(words == 2 ? out : std::string(outOption) + "=" + out);
     }
     i += words == 0 ? 1 : words;
   }
-  if (!isThere && out != RunRequest().out) {
+  if (!isDone) {
     result.emplace_back(outOption);
     result.push_back(out);
   }

@@ -17,7 +17,7 @@ std::string commandText(std::span<const std::string> arguments);
 Arguments withoutOption(const Arguments& arguments, std::string_view name);
 
 /// With another folder of results: in the place of `--out` where it is there, else at the end,
-/// unless it is the folder that holds without the option.
+/// and without the option where it is the folder that a run without it writes to.
 Arguments withOut(const Arguments& arguments, const std::string& out);
 
 }  // namespace gnomon::cli

@@ -29,6 +29,11 @@ double samplesOf(const ViewSpec& view, int faces) {
                     view.kind);
 }
 
+/// Of the limit surface, which a grid's outermost ring of faces is no part of.
+int limitFaceCount(const surface::Cage& cage) {
+  return cage.grid ? cage.grid->columns * cage.grid->rows : cage.faceCount();
+}
+
 /// Azimuths of all bakes that differ in them.
 double azimuthsOf(const StudySpec& study) {
   std::set<int> bakes;
@@ -44,7 +49,8 @@ StudyWork workOf(const StudySpec& study) {
   const double texels = std::max(1.0, texelsPerUv.x * texelsPerUv.y);
   const double step = stepOf(study, texels);
   work.microTriangles = 2 * texels / (step * step);
-  for (const ViewSpec& view : study.views) work.samples += samplesOf(view, study.cage.faceCount());
+  for (const ViewSpec& view : study.views)
+    work.samples += samplesOf(view, limitFaceCount(study.cage));
   work.rays = work.samples * static_cast<double>(study.lights.size());
   std::size_t methods = study.methods.size();
   for (const LadderSpec& ladder : study.ladders) {

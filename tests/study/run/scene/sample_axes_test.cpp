@@ -247,7 +247,7 @@ TEST(BinSamples, LeavesOutSamplesWithoutFrame) {
 }
 
 TEST(BinSamples, FromPlacesAreTheSame) {
-  const surface::LimitSurface surface(surface::makeTorus(30, 10, 12, 12));
+  const surface::LimitSurface surface(surface::makeTorus(30, 10, 60, 60));
   const relief::Relief relief = plateau(5);
   surface::SampleGrid samples{300, 1, {}};
   for (int i = 0; i < 300; ++i) {
