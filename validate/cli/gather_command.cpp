@@ -62,8 +62,11 @@ std::string requireSuite(const std::vector<study::StudyMeans>& scenes, const fs:
   return *suites.begin();
 }
 
-/// Where a scene's page is, seen from the folder of the suite's page.
+/// Where a scene's page is, seen from the folder of the suite's page; empty where its run wrote
+/// none.
 std::string relativeReport(const fs::path& scene, const fs::path& out) {
+  std::error_code failure;
+  if (!fs::exists(scene / "report.html", failure)) return "";
   const fs::path page = fs::absolute(scene / "report.html").lexically_normal();
   return page.lexically_relative(fs::absolute(out).lexically_normal()).generic_string();
 }

@@ -234,13 +234,16 @@ void reportRanking(std::span<const study::StudyMeans> studies, const RunRequest&
                    report::RunFolder& folder) {
   for (const study::StudyMeans& study : studies) folder.add(study.name + "/");
   folder.write("ranking.csv", report::csvTable(report::studyMeansTable(studies)));
+  const report::SuiteParts parts =
+      request.metricsOnly ? report::SuiteParts::figures : report::SuiteParts::all;
+  if (report::writeSuiteOf(studies, request.command, parts, folder)) {
+    const char* name = request.metricsOnly ? "suite.json" : "suite.html";
+    printLine("Over the scenes: " + (request.out / name).string());
+  }
   if (request.metricsOnly) return folder.finish(report::rankingJson(studies, request.command));
   folder.write("ranking.md", report::markdownTable(report::rankedOverStudiesTable(
                                  studies, study::rankOverStudies(studies))));
   folder.write("ranking.html", report::rankingHtml(studies, request.command).text());
-  if (report::writeSuiteOf(studies, request.command, folder)) {
-    printLine("Over the scenes: " + (request.out / "suite.html").string());
-  }
   folder.finish(report::rankingJson(studies, request.command));
 }
 

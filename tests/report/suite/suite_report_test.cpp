@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "common/error.h"
@@ -131,15 +132,27 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   std::filesystem::create_directories(folder.path());
   std::vector<study::StudyMeans> few = studies();
   few.resize(19);
-  EXPECT_FALSE(writeSuiteOf(few, "", folder));
+  EXPECT_FALSE(writeSuiteOf(few, "", SuiteParts::all, folder));
   EXPECT_FALSE(folder.names("suite.html"));
-  EXPECT_TRUE(writeSuiteOf(studies(), "", folder));
+  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::all, folder));
   for (const char* name :
        {"suite.csv", "suite.md", "suite.html", "suite.json", "plots/suite-errors.svg",
         "plots/suite-wins.pdf", "plots/suite-bins.svg"}) {
     EXPECT_TRUE(folder.names(name)) << name;
     EXPECT_GT(std::filesystem::file_size(folder.path() / name), 100U) << name;
   }
+}
+
+TEST_F(SuiteFiles, OfFiguresAloneLeadToNoPage) {
+  RunFolder folder(file("out"), {"ranking.json", {}, "ranking.txt"});
+  std::filesystem::create_directories(folder.path());
+  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::figures, folder));
+  EXPECT_TRUE(folder.names("suite.csv"));
+  EXPECT_TRUE(folder.names("suite.json"));
+  EXPECT_FALSE(folder.names("suite.html"));
+  EXPECT_FALSE(folder.names("plots/suite-errors.svg"));
+  std::ifstream text(folder.path() / "suite.json");
+  EXPECT_TRUE(nlohmann::json::parse(text)["scenes"][0]["report"].is_null());
 }
 
 }  // namespace

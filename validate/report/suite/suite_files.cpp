@@ -26,23 +26,33 @@ std::vector<DrawnPlot> writePlots(const std::vector<PlotSheet>& sheets, RunFolde
   return plots;
 }
 
+void writeTables(const study::SuiteStatistics& statistics,
+                 std::span<const study::StudyMeans> studies, RunFolder& folder) {
+  folder.write("suite.csv", csvTable(suiteResultsTable(statistics, studies)));
+  folder.write("suite.md", markdownTable(suiteRankedTable(statistics)));
+}
+
 }  // namespace
 
 void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
                      RunFolder& folder) {
-  folder.write("suite.csv", csvTable(suiteResultsTable(statistics, studies)));
-  folder.write("suite.md", markdownTable(suiteRankedTable(statistics)));
+  writeTables(statistics, studies, folder);
   const std::vector<DrawnPlot> plots = writePlots(suitePlots(statistics), folder);
   folder.write("suite.html", suiteHtml(statistics, plots, command).text());
 }
 
 bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,
-                  RunFolder& folder) {
+                  SuiteParts parts, RunFolder& folder) {
   const std::string suite = study::suiteOf(studies);
   if (suite.empty()) return false;
-  const study::SuiteStatistics statistics = study::suiteStatistics(suite, studies);
-  writeSuiteFiles(statistics, studies, command, folder);
+  study::SuiteStatistics statistics = study::suiteStatistics(suite, studies);
+  if (parts == SuiteParts::all) {
+    writeSuiteFiles(statistics, studies, command, folder);
+  } else {
+    for (study::SuiteScene& scene : statistics.scenes) scene.report.clear();
+    writeTables(statistics, studies, folder);
+  }
   folder.write("suite.json", suiteJson(statistics, command));
   return true;
 }

@@ -18,9 +18,13 @@ void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
                      RunFolder& folder);
 
-/// Writes them, and suite.json, where suiteOf names a suite.
+/// What of a suite is written.
+enum class SuiteParts { all, figures };
+
+/// Writes them, and suite.json, where suiteOf names a suite; of the figures alone suite.csv,
+/// suite.md and suite.json, without pages to lead to.
 /// @returns whether it does
 bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,
-                  RunFolder& folder);
+                  SuiteParts parts, RunFolder& folder);
 
 }  // namespace gnomon::report

@@ -76,7 +76,7 @@ Json binJson(const study::SuiteBin& bin) {
 Json sceneJson(const study::SuiteScene& scene) {
   return {{"name", scene.name},
           {"title", scene.title},
-          {"report", scene.report},
+          {"report", scene.report.empty() ? Json(nullptr) : Json(scene.report)},
           {"median", jsonNumber(scene.median, "scenes.median")},
           {"best", scene.best.empty() ? Json(nullptr) : Json(scene.best)},
           {"best_error_rate", jsonNumber(scene.bestError, "scenes.best_error_rate")},

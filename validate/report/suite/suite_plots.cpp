@@ -126,7 +126,9 @@ std::string edgeBetween(const Ends& left, const Ends& right) {
 }
 
 std::string ticks(const std::vector<Ends>& ends) {
-  std::string edges;
+  // A single bin has no edge.
+  std::string edges =
+      ends.size() == 1 ? gnuplotText(binText(ends.front().first, ends.front().second)) + " 0" : "";
   for (std::size_t i = 1; i < ends.size(); ++i) {
     edges +=
         fmt::format("{}{} {}", i > 1 ? ", " : "", gnuplotText(edgeBetween(ends[i - 1], ends[i])),

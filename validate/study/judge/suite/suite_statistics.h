@@ -59,7 +59,7 @@ struct SuiteBin {
 struct SuiteScene {
   std::string name;
   std::string title;
-  std::string report;                 ///< its page, relative to where the suite's page will lie
+  std::string report;                 ///< its page, relative to the suite's; empty without one
   std::optional<double> median;       ///< of their errors
   std::string best;                   ///< of them, label of that with the smallest error; of equal
                                       ///< ones the first by name
