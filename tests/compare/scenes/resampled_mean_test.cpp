@@ -93,7 +93,7 @@ TEST(ResampledMean, HoldsTheMeanOfNormalScenesIn95Of100Cases) {
 }
 
 /// Errors of scenes are skewed: here nine of ten lie within a factor of 5 about the median. Then it
-/// is a little too narrow, but less so than Student's t, which holds it in 0.89 of the cases.
+/// is a little too narrow, but less than Student's t, which gets 0.90.
 TEST(ResampledMean, HoldsTheMeanOfSkewedScenesNearlyAsOften) {
   Normals normals(2);
   const double share = coverage(2000, 40, std::exp(0.5), [&] { return std::exp(normals.next()); });
@@ -119,7 +119,7 @@ TEST(ResampledMean, IsNearlyStudentsOnManyScenes) {
 /// An interval leaves 0 out just where p is no more than its error.
 TEST(ResampledMean, IntervalAndProbabilitySayTheSame) {
   Normals normals(4);
-  const SceneResamples resamples(25, 1999);
+  const SceneResamples resamples(25, 999);
   int left = 0;
   int kept = 0;
   for (int i = 0; i < 300; ++i) {
@@ -164,15 +164,15 @@ TEST(ResampledMean, OneSceneDecidesNothing) {
   values[7] = 0.5;
   const ResampledMean mean(values, SceneResamples(25));
   EXPECT_EQ(mean.reason(), "");
-  EXPECT_GT(mean.probabilityOfZero(), 0.05);
+  EXPECT_GT(mean.probabilityOfZero(), 0.3);
   EXPECT_FALSE(mean.interval(0.05));
 }
 
 TEST(ResampledMean, HasNoIntervalForAnErrorThatTheResamplesCannotTell) {
   Normals normals(6);
   const ResampledMean mean(normals.next(30, 1), SceneResamples(30, 199));
-  EXPECT_TRUE(mean.interval(0.01));
-  EXPECT_FALSE(mean.interval(0.009));
+  EXPECT_TRUE(mean.interval(0.005));
+  EXPECT_FALSE(mean.interval(0.004));
   EXPECT_THROW((void)mean.interval(0.06), InternalError);
   EXPECT_THROW(ResampledMean(std::vector<double>(3), SceneResamples(4)), InternalError);
   EXPECT_THROW(SceneResamples(0), InternalError);

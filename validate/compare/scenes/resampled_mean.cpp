@@ -30,10 +30,8 @@ double deviationOf(std::span<const std::uint32_t> draws, const std::vector<doubl
   const auto n = static_cast<double>(draws.size());
   const double variance = (squares - sum * sum / n) / (n - 1);
   // What cancellation leaves of values that are all the same.
-  if (!(variance > 1e-12 * squares)) {
-    return sum == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), sum);
-  }
-  return sum / std::sqrt(n * variance);
+  if (!(variance > 1e-12 * squares)) return sum == 0 ? 0 : std::numeric_limits<double>::infinity();
+  return std::abs(sum) / std::sqrt(n * variance);
 }
 
 }  // namespace
@@ -82,16 +80,11 @@ ResampledMean::ResampledMean(std::span<const double> values, const SceneResample
     resamples.draw(b, drawn);
     all.push_back(deviationOf(drawn, deviations));
   }
-  const double found = mean_ / standardError_;
-  const auto above = std::count_if(all.begin(), all.end(), [&](double t) { return t >= found; });
-  const auto below = std::count_if(all.begin(), all.end(), [&](double t) { return t <= found; });
-  probabilityOfZero_ = std::min(1.0, 2 * (1 + static_cast<double>(std::min(above, below))) /
-                                         (1 + static_cast<double>(resamples_)));
-  const auto kept =
-      static_cast<std::size_t>(largestError / 2 * static_cast<double>(resamples_) + 2);
-  smallest_.resize(std::min(kept, all.size()));
-  largest_.resize(smallest_.size());
-  std::partial_sort_copy(all.begin(), all.end(), smallest_.begin(), smallest_.end());
+  const double found = std::abs(mean_) / standardError_;
+  const auto reached = std::count_if(all.begin(), all.end(), [&](double t) { return t >= found; });
+  probabilityOfZero_ = (1 + static_cast<double>(reached)) / (1 + static_cast<double>(resamples_));
+  const auto kept = static_cast<std::ptrdiff_t>(largestError * static_cast<double>(resamples_) + 2);
+  largest_.resize(static_cast<std::size_t>(std::min(kept, std::ssize(all))));
   std::partial_sort_copy(all.begin(), all.end(), largest_.begin(), largest_.end(),
                          std::greater<>());
 }
@@ -102,12 +95,11 @@ std::optional<Interval> ResampledMean::interval(double error) const {
         fmt::format("an error of {} found, {} or less expected", error, largestError));
   }
   const auto place =
-      static_cast<std::size_t>(error / 2 * (1 + static_cast<double>(resamples_)) + rounding);
+      static_cast<std::size_t>(error * (1 + static_cast<double>(resamples_)) + rounding);
   if (!reason_.empty() || place < 1 || place > largest_.size()) return std::nullopt;
-  const double low = mean_ - largest_[place - 1] * standardError_;
-  const double high = mean_ - smallest_[place - 1] * standardError_;
-  if (!std::isfinite(low) || !std::isfinite(high)) return std::nullopt;
-  return Interval{low, high};
+  const double half = largest_[place - 1] * standardError_;
+  if (!std::isfinite(half)) return std::nullopt;
+  return Interval{mean_ - half, mean_ + half};
 }
 
 }  // namespace gnomon::compare

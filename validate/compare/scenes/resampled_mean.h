@@ -20,7 +20,7 @@ constexpr std::size_t leastScenes = 20;
 class SceneResamples {
  public:
   /// @param scenes  n, 1 or more
-  /// @param resamples  1 more than these is best a multiple of 40: then 2.5 % of them are a whole
+  /// @param resamples  1 more than these is best a multiple of 20: then 5 % of them are a whole
   ///   number
   explicit SceneResamples(std::size_t scenes, std::size_t resamples = 19'999);
   [[nodiscard]] std::size_t scenes() const { return scenes_; }
@@ -32,13 +32,12 @@ class SceneResamples {
   std::size_t scenes_, count_;
 };
 
-/// What a mean over scenes is known by: the equal-tailed bootstrap-t (Efron 1979; Hall 1988).
+/// What a mean over scenes is known by: the symmetric bootstrap-t (Hall 1988).
 ///
 /// With the mean v̄ of n values, their standard deviation s and that of a resample s*, every
-/// resample gives t* = (v̄* - v̄) √n / s*. A t* stands for how far, in standard errors, a mean lies
-/// from what it estimates. Errors of scenes are skewed, and so are the t*: both tails count by
-/// themselves. Where all values of a resample are the same, t* is 0 if that is v̄ and else infinite:
-/// such a resample says nothing of the error.
+/// resample gives t* = |v̄* - v̄| √n / s*. A t* stands for how far, in standard errors, a mean lies
+/// from what it estimates. Where all values of a resample are the same, t* is 0 if that is v̄ and
+/// else infinite: such a resample says nothing of the error.
 class ResampledMean {
  public:
   /// @param values  one a scene, as many as the resamples have scenes
@@ -48,17 +47,15 @@ class ResampledMean {
   /// Why nothing can be said of the mean's error; empty if something can.
   [[nodiscard]] std::string_view reason() const { return reason_; }
 
-  /// v̄ - q s / √n for two q: that which a share `error` / 2 of all t* reach or exceed, and that
-  /// which as many reach or fall below, rounded to the wider side. It leaves out 0 just where
-  /// probabilityOfZero() is no more than `error`.
+  /// v̄ ± q s / √n, where q is what a share `error` of all t* reaches or exceeds, rounded to the
+  /// wider side. It leaves out 0 just where probabilityOfZero() is no more than `error`.
   /// @param error  0.05 for 95 %; largestError or less
   /// @returns none where there is a reason, and where the resamples are too few to tell so small an
   ///   error or some of them too uniform
   [[nodiscard]] std::optional<Interval> interval(double error) const;
 
-  /// p: how probable a mean at least as far from 0 would be if it estimated 0. With T = v̄ √n / s,
-  /// and the smaller of the numbers of t* that are T or more and T or less, c, it is
-  /// 2 (1 + c) / (1 + B) over B resamples, 1 at most; never 0; 1 where there is a reason.
+  /// p: how probable a mean at least as far from 0 would be if it estimated 0. With c of the B
+  /// t* that reach |v̄| √n / s it is (1 + c) / (1 + B), never 0; 1 where there is a reason.
   [[nodiscard]] double probabilityOfZero() const { return probabilityOfZero_; }
 
   static constexpr double largestError = 0.05;
@@ -69,8 +66,7 @@ class ResampledMean {
   double probabilityOfZero_ = 1;
   std::string_view reason_;
   std::size_t resamples_ = 0;
-  /// The t* of both tails, from the outermost inward; as many as `largestError` asks for.
-  std::vector<double> smallest_, largest_;
+  std::vector<double> largest_;  ///< of the t*, falling; as many as `largestError` asks for
 };
 
 }  // namespace gnomon::compare
