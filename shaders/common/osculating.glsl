@@ -26,3 +26,25 @@ float osculatingHorizon(float curvature, float height, float slope, float arcLen
   float sineOfHalf = sin(0.5 * angle);
   return (slope * angle / peak - 2.0 * sineOfHalf * sineOfHalf) / sin(angle);
 }
+
+// Where a ray at a slope from height h₀ is above all that a relief up to height H has: from the first
+// arc length on, up to the second, in a bowl, where the circle rises to it again. With P = 1 + κH,
+// p = 1 + κh₀ and a = κ × the way along the tangent, it meets the circle of height H where
+//   (1 + slope²) a² + 2 slope p a + p² - P² = 0;
+// each root is written without a difference. 1e30 where it never does.
+vec2 aboveRelief(float curvature, float height, float slope, float highest) {
+  float own = 1.0 + curvature * height;
+  float top = 1.0 + curvature * highest;
+  float squared = 1.0 + slope * slope;
+  float root = squared * top * top - own * own;
+  // It stays below them, or they come near the circle's centre.
+  if (root < 0.0 || top < 1e-2 || (slope <= 0.0 && curvature < 1e-9)) return vec2(1e30);
+  float far = abs(slope * own) + sqrt(root);
+  vec2 along = slope > 0.0 ? vec2((highest - height) * (own + top) / far, 1e30)
+                           : vec2(far / (squared * curvature), 1e30);
+  if (curvature < -1e-9) along.y = -far / (squared * curvature);
+  vec2 up = own + slope * curvature * along;
+  vec2 turns = curvature * along / up;
+  vec2 arcs = mix(atan(turns) / curvature, along / up, lessThan(abs(turns), vec2(1e-4)));
+  return mix(vec2(1e30), arcs, bvec2(up.x > 0.0, up.y > 0.0 && curvature < -1e-9));
+}

@@ -111,6 +111,37 @@ TEST_F(Gather, ComparesRankings) {
   EXPECT_THAT(other.out, HasSubstr("before unshadowed here, behind it there"));
 }
 
+TEST_F(Gather, ChoosesTheSettingsOfScenesOfTrain) {
+  write("methods.toml",
+        "[[method]]\nname = \"max-forsyth\"\nvary = { \"bake.azimuths\" = [8] }\n");
+  copyScenes("out/drawn", "train", 20);
+  const std::vector<std::string> choose = {"gather",    "train",        "--out",    "statistics",
+                                           "--methods", "methods.toml", "--choose", "chosen.toml"};
+  const Outcome refused = gnomon(choose);
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.err, HasSubstr("\"max-forsyth, azimuths 8\" not found among the methods"));
+  EXPECT_FALSE(std::filesystem::exists(file("statistics/suite.json")));
+  for (int i = 0; i < 20; ++i) {
+    const std::string path = fmt::format("train/scene-{:02}/summary.json", i);
+    auto scene = nlohmann::json::parse(read(path));
+    const auto rename = [](nlohmann::json& text) {
+      if (text == "unshadowed") text = "max-forsyth, azimuths 8";
+    };
+    for (auto& row : scene["results"]) rename(row["method"]);
+    for (auto& method : scene["methods"]) rename(method["label"]);
+    write(path, scene.dump());
+  }
+  const Outcome outcome = gnomon(choose);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Chosen settings: chosen.toml"));
+  // One of both has the smaller mean; the text names it.
+  EXPECT_THAT(read("chosen.toml"), HasSubstr("# max-forsyth, bake.azimuths: as declared "));
+  EXPECT_EQ(gnomon({"suite", "--seed", "1", "--scenes", "1", "--methods", "methods.toml",
+                    "--settings", "chosen.toml"})
+                .status,
+            0);
+}
+
 TEST_F(Gather, RefusesWhatIsNoSuite) {
   copyScenes("out/drawn", "few", 19);
   expectRefused({"few"}, "few: 19 finished scenes of a suite found, 20 or more expected");

@@ -21,7 +21,7 @@ TEST(LimitSurfaceErrors, NameTheFault) {
       const LimitSurface surface(cage);
     };
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double undefined = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   expectInputError([] { const LimitSurface surface{Cage{}}; }, {"no faces"});
   expectInputError(broken([](Cage& c) { c.faceVertices[5] = 8; }),
@@ -32,7 +32,7 @@ TEST(LimitSurfaceErrors, NameTheFault) {
   expectInputError(broken([](Cage& c) { c.uvs.clear(); }), {"texture coordinate", "none"});
   expectInputError(broken([](Cage& c) { c.faceUvs.pop_back(); }), {"24", "23"});
   expectInputError(broken([](Cage& c) { c.faceVertices.pop_back(); }), {"20", "23"});
-  expectInputError(broken([&](Cage& c) { c.positions[3].y = nan; }),
+  expectInputError(broken([&](Cage& c) { c.positions[3].y = undefined; }),
                    {"vertex 3", "coordinate 2", "nan"});
   expectInputError(broken([&](Cage& c) { c.uvs[2].x = infinity; }),
                    {"texture coordinate 2", "inf"});
@@ -47,7 +47,7 @@ TEST(LimitSurfaceErrors, NameTheFault) {
                    {"crease", "0 and 7", "no edge"});
   expectInputError(broken([](Cage& c) { c.creases.push_back({{0, 9}, 2}); }), {"vertex 9"});
   expectInputError(broken([](Cage& c) { c.creases.push_back({{0, 1}, -2}); }), {"sharpness -2"});
-  expectInputError(broken([&](Cage& c) { c.sharpVertices.push_back({0, nan}); }), {"nan"});
+  expectInputError(broken([&](Cage& c) { c.sharpVertices.push_back({0, undefined}); }), {"nan"});
   expectInputError(broken([](Cage& c) { c.sharpVertices.push_back({8, 1}); }), {"vertex 8"});
   expectInputError(broken([](Cage& c) { c.grid = GridChart{2, 2}; }), {"6 faces", "2 × 2"});
 }

@@ -9,10 +9,13 @@
 
 #include "cli/output.h"
 #include "cli/run_folders.h"
+#include "common/files/atomic_file.h"
 #include "compare/scenes/resampled_mean.h"
 #include "report/suite/finished_scenes.h"
 #include "report/suite/suite_files.h"
 #include "report/suite/suite_json.h"
+#include "report/suite/suite_settings.h"
+#include "report/tables/formats/terminal_format.h"
 #include "study/judge/suite/suite_agreement.h"
 
 namespace gnomon::cli {
@@ -25,6 +28,7 @@ DIR holds the folders of scenes that were drawn for a suite, as `gnomon run` lea
 Examples:
   gnomon gather out
   gnomon gather night-1 night-2 --out both
+  gnomon gather train --choose chosen.toml     # for gnomon suite --split test --settings
   gnomon gather second-seed --out second --against first/suite.json)";
 
 const report::FolderKind suiteKind{
@@ -88,6 +92,30 @@ void printAgreement(const study::SuiteAgreement& agreement, const fs::path& othe
   }
 }
 
+/// Settings that were chosen on the scenes of train.
+struct Choice {
+  study::SuiteMethods methods;
+  std::vector<study::TriedSetting> tried;
+};
+
+/// @throws InputError
+Choice chooseSettings(const GatherRequest& request, const compare::SceneTable& train) {
+  Choice choice;
+  choice.methods =
+      study::readSuiteMethods(request.methods.value_or(study::standardMethodsFile()), {});
+  choice.tried = study::triedSettings(choice.methods, train);
+  return choice;
+}
+
+void writeChoice(const Choice& choice, const study::SuiteStatistics& statistics,
+                 const fs::path& file) {
+  const std::string scenes =
+      fmt::format("{}, {} scenes", statistics.suite, statistics.table.scenes.size());
+  printText(report::terminalTable(report::suiteSettingsTable(choice.methods, choice.tried)));
+  writeTextAtomically(file, report::chosenSettingsText(choice.methods, choice.tried, scenes));
+  printLine("Chosen settings: " + file.string());
+}
+
 }  // namespace
 
 CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request) {
@@ -100,6 +128,16 @@ CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request) {
   command
       ->add_option("--against", request.against,
                    "Also compare the ranking with that of another suite.json")
+      ->type_name("FILE");
+  command
+      ->add_option("--choose", request.choose,
+                   "Of scenes of train: write the settings with the least mean error to this file")
+      ->type_name("FILE");
+  command
+      ->add_option("--methods", request.methods,
+                   "The list of methods that they were drawn with; scenes/suite/methods.toml by "
+                   "default")
+      ->needs("--choose")
       ->type_name("FILE");
   command->footer(gatherExamples);
   return command;
@@ -121,6 +159,8 @@ ExitStatus gatherScenes(const GatherRequest& request) {
       }
     }
   }
+  std::optional<Choice> choice;
+  if (request.choose) choice = chooseSettings(request, statistics.table);
   report::RunFolder claimed(request.out, suiteKind);
   const FileLock lock = lockFolder(claimed);
   // Once more: while it was not locked another command may have changed it.
@@ -130,8 +170,10 @@ ExitStatus gatherScenes(const GatherRequest& request) {
   folder.finish(report::suiteJson(statistics, request.command));
   printLine(fmt::format("{}: {} scenes, {} methods", suite, statistics.table.scenes.size(),
                         statistics.methods.size()));
-  if (other)
+  if (other) {
     printAgreement(study::agreementOf(study::rankingOf(statistics), *other), *request.against);
+  }
+  if (choice) writeChoice(*choice, statistics, *request.choose);
   printLine("Report: " + (request.out / "suite.html").string());
   return ExitStatus::pass;
 }

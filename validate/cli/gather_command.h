@@ -18,6 +18,8 @@ struct GatherRequest {
   std::vector<std::filesystem::path> folders;  ///< of results
   std::filesystem::path out = "out/suite";
   std::optional<std::filesystem::path> against;  ///< another suite's suite.json
+  std::optional<std::filesystem::path> choose;   ///< where the chosen settings go
+  std::optional<std::filesystem::path> methods;  ///< the list whose settings were tried
   std::string command;                           ///< the command line, for the report
 };
 
@@ -26,9 +28,9 @@ CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request);
 
 /// Writes the statistics over the scenes that finished runs left: suite.csv, suite.md, suite.html,
 /// plots/suite-* and last suite.json. With `against` it also prints how the ranking agrees with the
-/// other one.
+/// other one. With `choose` it chooses the methods' settings, where the scenes are those of train.
 /// @throws InputError where the folders hold fewer than 20 scenes of a suite, scenes of several
-///   suites or one scene twice, and as readFinishedScenes
+///   suites or one scene twice, and as readFinishedScenes; as triedSettings
 ExitStatus gatherScenes(const GatherRequest& request);
 
 }  // namespace gnomon::cli

@@ -72,7 +72,7 @@ std::string_view frameClockName(FrameClock clock) {
 }
 
 double medianMilliseconds(const std::function<double()>& frame, int frames, FirstFrame first) {
-  constexpr double enoughMilliseconds = 200;
+  constexpr double enoughMilliseconds = 100;
   std::vector<double> sorted;
   double total = 0;
   if (first == FirstFrame::warmsUp) (void)frame();

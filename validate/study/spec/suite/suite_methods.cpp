@@ -24,13 +24,32 @@ std::string shaderOf(const toml::table& method) {
 }
 
 toml::table labelled(toml::table method, const std::string& what) {
-  const std::string label = fmt::format("{}, {}", textOf(method, {"label", "name", "file"}), what);
+  const std::string label = fmt::format("{}, {}", labelOfMethod(method), what);
   method.insert_or_assign("label", label);
   return method;
 }
 
-/// A method with one key changed, as "bake.azimuths".
-toml::table with(toml::table method, const std::string& key, const toml::node& value) {
+/// @param of  index of the method
+std::vector<VariedMethod> variedOf(const toml::table& method, std::size_t of,
+                                   const TomlReader& vary) {
+  std::vector<VariedMethod> varied;
+  for (const auto& [key, values] : vary.written()) {
+    const std::string name(key.str());
+    const toml::array* list = values.as_array();
+    if (list == nullptr || list->empty()) vary.fail(name, "a list of values expected");
+    const std::string what = name.substr(name.find('.') + 1);
+    for (const toml::node& value : *list) {
+      const std::string text = tomlValueText(value);
+      varied.push_back({of, name, text,
+                        labelled(withSetting(method, name, value), what + " " + text)});
+    }
+  }
+  return varied;
+}
+
+}  // namespace
+
+toml::table withSetting(toml::table method, const std::string& key, const toml::node& value) {
   const std::size_t dot = key.find('.');
   if (dot == std::string::npos) {
     method.insert_or_assign(key, value);
@@ -42,22 +61,13 @@ toml::table with(toml::table method, const std::string& key, const toml::node& v
   return method;
 }
 
-std::vector<toml::table> variedOf(const toml::table& method, const TomlReader& vary) {
-  std::vector<toml::table> varied;
-  for (const auto& [key, values] : vary.written()) {
-    const std::string name(key.str());
-    const toml::array* list = values.as_array();
-    if (list == nullptr || list->empty()) vary.fail(name, "a list of values expected");
-    for (const toml::node& value : *list) {
-      const std::string what = name.substr(name.find('.') + 1);
-      varied.push_back(
-          labelled(with(method, name, value), fmt::format("{} {}", what, tomlValueText(value))));
-    }
-  }
-  return varied;
+const toml::node* settingOf(const toml::table& method, const std::string& key) {
+  return method.at_path(key).node();
 }
 
-}  // namespace
+std::string labelOfMethod(const toml::table& method) {
+  return textOf(method, {"label", "name", "file"});
+}
 
 SuiteMethods readSuiteMethods(const std::filesystem::path& file,
                               const std::optional<std::filesystem::path>& settings) {
@@ -74,7 +84,9 @@ SuiteMethods readSuiteMethods(const std::filesystem::path& file,
     method.erase("camera");
     if (section.has("camera") && section.flag("camera")) all.ofCameras.insert(shaderOf(method));
     if (const auto vary = section.optionalTable("vary")) {
-      for (toml::table& one : variedOf(method, *vary)) all.varied.push_back(std::move(one));
+      for (VariedMethod& one : variedOf(method, all.methods.size(), *vary)) {
+        all.varied.push_back(std::move(one));
+      }
     }
     all.methods.push_back(std::move(method));
   }
@@ -82,6 +94,7 @@ SuiteMethods readSuiteMethods(const std::filesystem::path& file,
   const toml::table chosen = parseToml(*settings);
   const TomlReader chosenRoot(chosen, settings->string(), "");
   chosenRoot.allow({"method"});
+  if (!chosenRoot.has("method")) return all;  // the authors' settings were the best
   for (const TomlReader& section : chosenRoot.tables("method")) {
     section.allow(methodKeys);
     all.chosen.push_back(labelled(section.written(), "chosen"));
@@ -105,8 +118,11 @@ toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, Suit
     list.push_back(std::move(method));
   };
   for (const toml::table& method : methods.methods) add(method);
-  const auto& more = split == SuiteSplit::train ? methods.varied : methods.chosen;
-  for (const toml::table& method : more) add(method);
+  if (split == SuiteSplit::train) {
+    for (const VariedMethod& method : methods.varied) add(method.changed);
+  } else {
+    for (const toml::table& method : methods.chosen) add(method);
+  }
   return list;
 }
 

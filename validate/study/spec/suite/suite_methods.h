@@ -12,6 +12,14 @@
 
 namespace gnomon::study {
 
+/// A method of the list with one setting changed.
+struct VariedMethod {
+  std::size_t of = 0;   ///< index of the method with its authors' settings
+  std::string key;      ///< as "bake.azimuths"
+  std::string value;    ///< as a TOML file has it
+  toml::table changed;  ///< labelled "NAME, azimuths 16"
+};
+
 /// The methods that a suite's scenes are measured with, as scenes/suite/methods.toml. They are no
 /// part of a suite: new methods may come, and its scenes stay.
 ///
@@ -21,12 +29,23 @@ namespace gnomon::study {
 /// that a method answers at a camera's pixels alone: a study of an atlas goes without it.
 struct SuiteMethods {
   std::vector<toml::table> methods;  ///< without `vary`
-  std::vector<toml::table> varied;   ///< each with one key changed, labelled "NAME, KEY VALUE"
+  std::vector<VariedMethod> varied;  ///< by method and key, in the order of the file
   std::vector<toml::table> chosen;   ///< of the file of settings, labelled "NAME, chosen"
   std::set<std::string> ofCameras;   ///< names (or files) of those that need a camera
 };
 
-/// @param settings  a file of `[[method]]` tables: the settings that were chosen on train
+/// A method with one setting changed.
+/// @param key  as "bake.azimuths"
+toml::table withSetting(toml::table method, const std::string& key, const toml::node& value);
+
+/// The setting of a method that has it; nullptr where the method's shader declares it alone.
+const toml::node* settingOf(const toml::table& method, const std::string& key);
+
+/// What a report calls a method of the list: its label, else its name, else its file.
+std::string labelOfMethod(const toml::table& method);
+
+/// @param settings  a file of `[[method]]` tables: the settings that were chosen on train; none
+///   where the authors' were the best
 /// @throws InputError naming file, line and key
 SuiteMethods readSuiteMethods(const std::filesystem::path& file,
                               const std::optional<std::filesystem::path>& settings);
