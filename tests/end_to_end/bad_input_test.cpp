@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "end_to_end/bad_input.h"
+#include "end_to_end/support/bad_input.h"
 
 namespace gnomon::test {
 namespace {

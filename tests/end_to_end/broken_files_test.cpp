@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "end_to_end/bad_input.h"
+#include "end_to_end/support/bad_input.h"
 
 namespace gnomon::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <thread>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 // What runs leave to be taken up: nothing of it may show in what a run says.
 

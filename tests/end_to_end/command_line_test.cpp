@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

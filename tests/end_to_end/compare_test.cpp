@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 #include "support/image_files.h"
 
 namespace gnomon::test {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "common/files/atomic_file.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "end_to_end/other_renderer.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/other_renderer.h"
+#include "end_to_end/support/program.h"
 #include "support/image_files.h"
 
 namespace gnomon::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 // The same scene in other numbers must have the same shadows. Shadows do not depend on the unit of
 // length, on how a periodic map is cut into tiles, or on which way the world is turned.

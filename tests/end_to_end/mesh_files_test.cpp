@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 // A method is one GLSL file and no C++: files of this folder run as the built-in ones do.
 

@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 // [truth] uncertainty: the micro-mesh is refined until the truth is as certain as is asked for.
 

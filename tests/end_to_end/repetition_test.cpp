@@ -1,5 +1,5 @@
-#include "end_to_end/lasting_files.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/lasting_files.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

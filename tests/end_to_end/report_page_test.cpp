@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "end_to_end/browser.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/browser.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 // What a run leaves is enough to make it again.
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "end_to_end/other_renderer.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/other_renderer.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 namespace {

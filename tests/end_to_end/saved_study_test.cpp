@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 // A saved state of the viewer, run: the same figures and masks as the study run with the state's
 // settings.

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "end_to_end/suite_scenes.h"
+#include "end_to_end/support/suite_scenes.h"
 #include "study/record/result_metrics.h"
 #include "study/run/scene/sample_axes.h"
 

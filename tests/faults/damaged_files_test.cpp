@@ -12,7 +12,7 @@
 #include "cli/failure.h"
 #include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
 #include "render/method.h"

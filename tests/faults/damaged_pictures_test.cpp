@@ -20,7 +20,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/system/memory.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 #include "image/mask_picture.h"
 #include "relief/height_image.h"
 #include "support/sanitized.h"

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 #include "support/test_length.h"
 
 namespace gnomon::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 
 namespace gnomon::test {
 

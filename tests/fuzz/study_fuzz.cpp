@@ -1,7 +1,7 @@
 // Any bytes as a study file.
 
 #include "fuzz/reader_fuzz.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   gnomon::test::fuzzReader(data, size, ".toml", [](const std::filesystem::path& path) {

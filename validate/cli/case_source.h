@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "cache/cache.h"
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "cli/terminal_progress.h"
 #include "render/gl_context.h"
 #include "report/run_folder.h"

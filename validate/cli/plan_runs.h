@@ -8,11 +8,11 @@
 
 #include "cache/cache.h"
 #include "cli/case_source.h"
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "cli/run_folders.h"
 #include "study/judge/study_ranking.h"
 #include "study/record/record.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

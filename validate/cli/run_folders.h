@@ -8,7 +8,7 @@
 
 #include "common/files/file_lock.h"
 #include "report/run_folder.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

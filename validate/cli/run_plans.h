@@ -4,10 +4,10 @@
 
 #include "cache/cache.h"
 #include "cli/case_source.h"
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "common/error.h"
 #include "study/record/record.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

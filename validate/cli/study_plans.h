@@ -7,7 +7,7 @@
 
 #include "cli/output.h"
 #include "common/error.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

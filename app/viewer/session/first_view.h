@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/view_request.h"
+#include "cli/commands/view_request.h"
 #include "viewer/session/view_state.h"
 
 namespace gnomon::app {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/view_request.h"
+#include "cli/commands/view_request.h"
 #include "viewer/session/background_worker.h"
 #include "viewer/session/drawn_scene.h"
 #include "viewer/session/first_view.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/view_request.h"
+#include "cli/commands/view_request.h"
 
 namespace gnomon::app {
 

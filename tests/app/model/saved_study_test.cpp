@@ -7,7 +7,7 @@
 
 #include "study/record/sweep_record.h"
 #include "study/spec/sections/method_section.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"
 

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "study/spec/study_file_fixture.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 #include "study/spec/toml/nearest_name.h"
 #include "study/spec/toml/toml_reader.h"
 

@@ -9,7 +9,7 @@
 #include "common/text/sha256.h"
 #include "study/spec/sections/method_section.h"
 #include "study/spec/study_inputs.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 #include "study/spec/toml/toml_text.h"
 #include "support/error_messages.h"
 #include "support/temporary_folder.h"

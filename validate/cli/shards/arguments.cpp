@@ -1,6 +1,6 @@
 #include "cli/shards/arguments.h"
 
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "common/text/shell_quote.h"
 
 namespace gnomon::cli {

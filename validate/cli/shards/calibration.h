@@ -3,10 +3,10 @@
 #include <string>
 
 #include "cache/cache.h"
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "study/record/record.h"
 #include "study/spec/study_work.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

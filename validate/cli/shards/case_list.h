@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/shards/shard.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/cache_command.h"
+#include "cli/commands/cache_command.h"
 #include "cli/case_source.h"
 #include "cli/failure.h"
 #include "cli/plan_runs.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "cli/shards/arguments.h"
 #include "common/error.h"
 

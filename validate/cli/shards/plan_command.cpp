@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/cache_command.h"
+#include "cli/commands/cache_command.h"
 #include "cli/output.h"
 #include "cli/shards/calibration.h"
 #include "cli/shards/case_list.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "common/error.h"
 
 namespace gnomon::cli {

@@ -7,7 +7,7 @@
 
 #include "cli/shards/kept_case.h"
 #include "cli/shards/shard_manifest.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "cli/cache_command.h"
+#include "cli/commands/cache_command.h"
 #include "cli/case_source.h"
 #include "cli/failure.h"
 #include "cli/output.h"

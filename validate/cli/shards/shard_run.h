@@ -1,9 +1,9 @@
 #pragma once
 
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 #include "cli/shards/shard_manifest.h"
 #include "common/error.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "study/record/sweep_record.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 
 namespace gnomon::study {
 

@@ -8,7 +8,7 @@
 #include "render/shader_files.h"
 #include "study/record/result_metrics.h"
 #include "study/spec/study_file.h"
-#include "study/spec/sweep.h"
+#include "study/spec/sweep/sweep.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/viewer/virtual_display.h"
-#include "end_to_end/program.h"
+#include "end_to_end/support/program.h"
 #include "support/columns_study.h"
 
 namespace gnomon::test {

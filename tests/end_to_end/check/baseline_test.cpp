@@ -1,0 +1,314 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "end_to_end/support/program.h"
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class BaselineCheck : public EndToEnd {
+ protected:
+  void writeStudy(const std::string& more = {}) const {
+    write("small.toml", smallStudy() + "\n[[threshold]]\nmax = 0.9\n" + more);
+  }
+  [[nodiscard]] Outcome check(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"check", "small.toml", "--baseline", "ref"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return gnomon(arguments);
+  }
+  [[nodiscard]] Outcome update(const std::string& reason = "a test",
+                               const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"--update-baseline", "--reason", reason};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return check(arguments);
+  }
+  static constexpr const char* anotherMethod = "\n[[method]]\nname = \"onoue-2004\"\n";
+  [[nodiscard]] nlohmann::json reference() const {
+    return nlohmann::json::parse(read("ref/small.json"));
+  }
+};
+
+TEST_F(BaselineCheck, PassesWhatItWasWrittenOf) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome outcome = check();
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("ref/small.json: "));
+  EXPECT_THAT(outcome.out, HasSubstr(" references hold"));
+  const nlohmann::json values = reference().at("values");
+  EXPECT_GE(values.size(), 8U);
+  EXPECT_EQ(values.at(0).at("value"),
+            resultOf(summary("small"), "unshadowed", "evening", "camera").at("error_rate"));
+  EXPECT_EQ(values.at(0).at("spread"),
+            summary("small").at("truth").at("flips").at(0).at("flip_rate"));
+}
+
+TEST_F(BaselineCheck, FailsWhatHasBecomeWorse) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome worse =
+      check({"--set", "method.1.bake.azimuths=1", "--junit", "junit.xml", "--github"});
+  EXPECT_EQ(worse.status, 1) << worse.out;
+  EXPECT_THAT(worse.out, HasSubstr("max-forsyth, error_rate ≤ "));
+  EXPECT_THAT(worse.out, HasSubstr(" committed"));
+  EXPECT_THAT(worse.out,
+              HasSubstr("gnomon check small.toml --set method.1.bake.azimuths=1 --method "
+                        "max-forsyth --baseline ref\n"));
+  EXPECT_THAT(worse.out,
+              HasSubstr("::error file=ref/small.json,title=small%3A reference failed::"));
+  EXPECT_THAT(read("junit.xml"), HasSubstr("<testcase classname=\"small.reference\""));
+  EXPECT_THAT(read("junit.xml"), HasSubstr("<failure type=\"reference\""));
+  EXPECT_THAT(worse.out, Not(HasSubstr("unshadowed, error_rate ≤"))) << "that one is as it was";
+}
+
+/// Exit status, summary and report have one opinion.
+TEST_F(BaselineCheck, IsToldByTheSummaryAndTheReport) {
+  writeStudy();
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  EXPECT_EQ(summary("small").at("status"), "pass");
+  EXPECT_EQ(filesBelow("ref/pictures/small").size(), 3U) << "one for each method, and their list";
+
+  ASSERT_EQ(check().status, 0);
+  EXPECT_EQ(summary("small").at("status"), "pass");
+  EXPECT_EQ(summary("small").at("baseline"), "ref/small.json");
+  EXPECT_EQ(summary("small").at("references").size(), reference().at("values").size());
+  EXPECT_THAT(read("out/small/report.html"),
+              HasSubstr("<span class=\"tag held\">pass</span> 2 of 2 thresholds met, "));
+  EXPECT_THAT(read("out/small/report.html"), Not(HasSubstr("what changed")));
+  EXPECT_TRUE(filesBelow("out/small/references").empty());
+
+  ASSERT_EQ(check({"--set", "method.1.bake.azimuths=1"}).status, 1);
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  const nlohmann::json references = summary("small").at("references");
+  std::size_t failed = 0;
+  for (const nlohmann::json& row : references) {
+    const bool fails = row.at("verdict") == "fail";
+    failed += fails ? 1U : 0U;
+    EXPECT_TRUE(!fails || row.at("method") == "max-forsyth") << row;
+    if (row.at("metric") != "error_rate") continue;
+    EXPECT_EQ(row.at("value"), resultOf(summary("small"), row.at("method"), "evening", "camera",
+                                        "all", row.at("answer"))
+                                   .at("error_rate"));
+    EXPECT_EQ(row.at("verdict") == "fail", row.at("value") > row.at("maximum"));
+  }
+  EXPECT_GT(failed, 0U);
+  const std::string report = read("out/small/report.html");
+  EXPECT_THAT(report, HasSubstr("<span class=\"tag failed\">fail</span> 2 of 2 thresholds met, "));
+  EXPECT_THAT(report, HasSubstr("as committed, against its truth"));
+  EXPECT_THAT(report, HasSubstr("what changed: orange has become dark, blue lit"));
+}
+
+/// The change is that of the masks, sample by sample.
+TEST_F(BaselineCheck, DrawsWhatChanged) {
+  writeStudy();
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  const GreyImage before = mask("small", "camera_evening_max-forsyth");
+  const std::string kept = read("ref/pictures/small/camera_evening_max-forsyth_difference.png");
+  EXPECT_EQ(kept, read("out/small/images/camera_evening_max-forsyth_difference.png"));
+  ASSERT_EQ(check({"--set", "method.1.bake.azimuths=1"}).status, 1);
+  const GreyImage after = mask("small", "camera_evening_max-forsyth");
+  const std::string name = "out/small/references/camera_evening_max-forsyth_difference_";
+  EXPECT_EQ(read(name + "before.png"), kept);
+  const GreyImage red = readGrey(file(name + "change.png"));
+  ASSERT_EQ(red.pixels.size(), after.pixels.size());
+  int changed = 0;
+  for (std::size_t i = 0; i < red.pixels.size(); ++i) {
+    // Red of the colours of a signed difference.
+    const int expected = before.pixels[i] == 128               ? 255
+                         : before.pixels[i] == after.pixels[i] ? (after.pixels[i] == 255 ? 226 : 92)
+                         : after.pixels[i] == 0                ? 230
+                                                               : 26;
+    ASSERT_EQ(red.pixels[i], expected) << i;
+    changed += before.pixels[i] != after.pixels[i] ? 1 : 0;
+  }
+  EXPECT_GT(changed, 20);
+  // Nothing of it stays once the reference holds again.
+  ASSERT_EQ(check().status, 0);
+  EXPECT_TRUE(filesBelow("out/small/references").empty());
+}
+
+TEST_F(BaselineCheck, RemovesItsOwnPicturesAndNoOthers) {
+  writeStudy(anotherMethod);
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  const std::string pictures = "ref/pictures/small/";
+  const std::size_t kept = filesBelow(pictures).size();
+  write(pictures + "mine_difference.png", "mine");
+  writeStudy();
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  EXPECT_EQ(filesBelow(pictures).size(), kept) << "one method less, and mine";
+  EXPECT_EQ(read(pictures + "mine_difference.png"), "mine");
+}
+
+TEST_F(BaselineCheck, WithoutKeptPicturesSaysSo) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  EXPECT_TRUE(filesBelow("ref/pictures").empty());
+  ASSERT_EQ(check({"--set", "method.1.bake.azimuths=1"}).status, 1);
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("No picture was kept with the reference"));
+}
+
+TEST_F(BaselineCheck, ASummaryOfWhatCouldNotBeJudgedIsNoPass) {
+  writeStudy();
+  EXPECT_EQ(check().status, 3) << "no references";
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  EXPECT_THAT(summary("small").at("problems").at(0).at("message").get<std::string>(),
+              HasSubstr("ref/small.json: missing"));
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("ref/small.json: missing"));
+  ASSERT_EQ(update().status, 0);
+  writeStudy(anotherMethod);
+  EXPECT_EQ(check().status, 3) << "no reference for a method";
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  write("ref/small.json", "no JSON");
+  EXPECT_EQ(update().status, 3);
+  EXPECT_EQ(summary("small").at("status"), "fail");
+}
+
+/// Of a sweep each value is judged by its own.
+TEST_F(BaselineCheck, OfASweepFailsTheValueThatFails) {
+  writeStudy("\n[sweep]\nkey = \"relief.height\"\nvalues = [1, 6]\n");
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  ASSERT_EQ(check().status, 0);
+  const std::string text = read("ref/small.json");
+  const std::size_t row = text.find("\"study\":\"small/6\"");
+  const std::size_t value = text.find("\"value\":", row) + 8;
+  write("ref/small.json", text.substr(0, value) + "0.0001" + text.substr(text.find(',', value)));
+  EXPECT_EQ(check().status, 1);
+  EXPECT_EQ(summary("small/1").at("status"), "pass");
+  EXPECT_EQ(summary("small/6").at("status"), "fail");
+  EXPECT_EQ(summary("small").at("status"), "fail");
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("6/report.html#references"));
+}
+
+TEST_F(BaselineCheck, TellsWhatHasBecomeBetter) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome better = check({"--replace", "max-forsyth=resampled-horizon"});
+  EXPECT_EQ(better.status, 0) << better.out;
+  EXPECT_THAT(better.out, HasSubstr("the reference of error_rate for max-forsyth, evening, camera, "
+                                    "small could"));
+}
+
+TEST_F(BaselineCheck, KeepsTheReasonsAndGivesTheSameBytes) {
+  writeStudy();
+  ASSERT_EQ(update("first: \"why\"").status, 0);
+  const std::string first = read("ref/small.json");
+  std::filesystem::remove(file("ref/small.json"));
+  ASSERT_EQ(update("first: \"why\"", {"--threads", "1"}).status, 0);
+  EXPECT_EQ(read("ref/small.json"), first);
+  writeStudy(anotherMethod);
+  ASSERT_EQ(update("second").status, 0);
+  const nlohmann::json history = reference().at("history");
+  ASSERT_EQ(history.size(), 2U);
+  EXPECT_EQ(history.at(0).at("reason"), "first: \"why\"");
+  EXPECT_EQ(history.at(1).at("reason"), "second");
+}
+
+TEST_F(BaselineCheck, IsNotWrittenWhereNoValueHasChanged) {
+  writeStudy();
+  ASSERT_EQ(update("first").status, 0);
+  const std::string first = read("ref/small.json");
+  const Outcome again = update("second");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_THAT(again.out, HasSubstr("ref/small.json left as it is: no value has changed"));
+  EXPECT_EQ(read("ref/small.json"), first);
+  writeStudy(anotherMethod);
+  ASSERT_EQ(update("third").status, 0);
+  ASSERT_EQ(reference().at("history").size(), 2U);
+  EXPECT_EQ(reference().at("history").at(1).at("reason"), "third");
+}
+
+TEST_F(BaselineCheck, AMissingReferenceIsAnError) {
+  writeStudy();
+  const Outcome missing = check({"--junit", "junit.xml"});
+  EXPECT_EQ(missing.status, 3);
+  EXPECT_THAT(missing.err, HasSubstr("gnomon: ref/small.json: missing, the references of small"));
+  EXPECT_THAT(read("junit.xml"), HasSubstr("<testcase classname=\"small\" name=\"baseline\">"));
+  ASSERT_EQ(update().status, 0);
+  writeStudy(anotherMethod);
+  const Outcome added = check();
+  EXPECT_EQ(added.status, 3);
+  EXPECT_THAT(added.err, HasSubstr("ref/small.json: no reference for error_rate of onoue-2004"));
+}
+
+TEST_F(BaselineCheck, ReferencesOfAnotherStudyAreRefused) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome otherLight = check({"--set", "light.0.name=noon"});
+  EXPECT_EQ(otherLight.status, 3);
+  EXPECT_THAT(otherLight.err,
+              HasSubstr("the run has no row for error_rate of unshadowed, drawn, evening"));
+  const Outcome otherForm = check({"--quick", "--set", "truth.step=0.125"});
+  EXPECT_EQ(otherForm.status, 3);
+  EXPECT_THAT(otherForm.err, HasSubstr("form: references of the full form found"));
+  write("ref/small.json",
+        replaced(read("ref/small.json"), "\"study\": \"small\"", "\"study\": \"other\""));
+  EXPECT_THAT(check().err, HasSubstr("study: \"other\" found, \"small\" expected"));
+}
+
+TEST_F(BaselineCheck, AnotherTruthIsNoticed) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome outcome = check({"--set", "relief.height=5"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("prevalence"));
+}
+
+TEST_F(BaselineCheck, ACorruptFileIsRefusedWithItsLineAndNotWrittenOver) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const std::string corrupt = replaced(read("ref/small.json"), "\"history\"", "history");
+  write("ref/small.json", corrupt);
+  for (const Outcome& outcome : {check(), update()}) {
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("gnomon: ref/small.json:6: no JSON: "));
+  }
+  EXPECT_EQ(read("ref/small.json"), corrupt);
+}
+
+TEST_F(BaselineCheck, IsNotWrittenWhereAThresholdFails) {
+  writeStudy("\n[[threshold]]\nmax = 0.0001\n");
+  const Outcome outcome = update();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(filesBelow("ref").empty());
+  EXPECT_THAT(outcome.out, HasSubstr("left as it is"));
+}
+
+TEST_F(BaselineCheck, OfSomeMethodsSkipsTheOthers) {
+  writeStudy();
+  ASSERT_EQ(update().status, 0);
+  const Outcome outcome = check({"--method", "max-forsyth"});
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(" skipped"));
+}
+
+TEST_F(BaselineCheck, OptionsThatContradictEachOtherAreRefused) {
+  writeStudy();
+  const auto refused = [&](const std::vector<std::string>& options, const char* message) {
+    std::vector<std::string> arguments = {"check", "small.toml"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = gnomon(arguments);
+    EXPECT_EQ(outcome.status, 2) << message;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_TRUE(filesBelow("out").empty() && filesBelow("ref").empty());
+  };
+  refused({"--update-baseline", "--reason", "x"}, "--baseline DIR expected");
+  refused({"--baseline", "ref", "--update-baseline"}, "--reason TEXT expected");
+  refused({"--baseline", "ref", "--update-baseline", "--reason", " "}, "--reason TEXT expected");
+  refused({"--baseline", "ref", "--reason", "x"}, "--update-baseline expected");
+  for (const std::vector<std::string>& change :
+       std::vector<std::vector<std::string>>{{"--set", "relief.height=5"},
+                                             {"--method", "unshadowed"},
+                                             {"--gated"},
+                                             {"--replace", "unshadowed=max-forsyth"}}) {
+    std::vector<std::string> options = {"--baseline", "ref", "--update-baseline", "--reason", "x"};
+    options.insert(options.end(), change.begin(), change.end());
+    refused(options, "the studies as they are expected");
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::test

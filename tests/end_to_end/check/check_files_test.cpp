@@ -1,0 +1,175 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <pugixml.hpp>
+
+#include "end_to_end/support/program.h"
+
+// What a check leaves for a build server, whatever becomes of its studies.
+
+namespace gnomon::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class CheckFiles : public EndToEnd {
+ protected:
+  void writeStudy(const std::string& name, const std::string& thresholds,
+                  const std::string& from = "width = 64", const std::string& to = "width = 64") {
+    const std::string text = replaced(smallStudy(), "\"small\"", "\"" + name + "\"");
+    write(name + ".toml", replaced(text, from, to) + "\n" + thresholds);
+  }
+  [[nodiscard]] pugi::xml_document junit(const std::string& name = "junit.xml") const {
+    const std::string text = read(name);
+    pugi::xml_document document;
+    EXPECT_TRUE(document.load_buffer(text.data(), text.size())) << text;
+    return document;
+  }
+  /// failures, errors, skipped of one study's suite.
+  [[nodiscard]] std::vector<int> countsOf(const std::string& study) const {
+    const pugi::xml_document document = junit();
+    const std::string path = "//testsuite[@name='" + study + "']";
+    const pugi::xml_node suite = document.select_node(path.c_str()).node();
+    return {suite.attribute("failures").as_int(-1), suite.attribute("errors").as_int(-1),
+            suite.attribute("skipped").as_int(-1)};
+  }
+};
+
+const std::string easy = "[[threshold]]\nmethod = \"max-forsyth\"\nmax = 0.9\n";
+const std::string hard = "[[threshold]]\nmethod = \"max-forsyth\"\nmax = 0.0001\n";
+
+TEST_F(CheckFiles, AThresholdBelowTheMeasuredValueIsAFailure) {
+  writeStudy("a", easy);
+  EXPECT_EQ(gnomon({"check", "a.toml", "--junit", "junit.xml"}).status, 0);
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 0, 0}));
+  writeStudy("a", hard);
+  const Outcome outcome = gnomon({"check", "a.toml", "--junit", "junit.xml"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{1, 0, 0}));
+  EXPECT_THAT(outcome.out, HasSubstr("max-forsyth, error_rate ≤ 0.0001, camera, evening: 0."));
+  EXPECT_THAT(outcome.out, HasSubstr("\n    gnomon check a.toml --method max-forsyth\n"));
+  const pugi::xml_document document = junit();
+  EXPECT_THAT(document.select_node("//failure/@message").attribute().value(),
+              HasSubstr("a.toml:44: max-forsyth, error_rate ≤ 0.0001, camera, evening"));
+}
+
+TEST_F(CheckFiles, TheCommandThatItPrintsReproducesTheFailure) {
+  writeStudy("a", hard + easy);
+  write("it's.toml", read("a.toml"));
+  const Outcome first = gnomon({"check", "it's.toml", "--quick", "--set", "truth.step=0.125"});
+  ASSERT_EQ(first.status, 1);
+  const std::string line =
+      "gnomon check 'it'\\''s.toml' --quick --set truth.step=0.125 --method max-forsyth";
+  ASSERT_THAT(first.out, HasSubstr("    " + line + "\n"));
+  const Outcome again = gnomon(
+      {"check", "it's.toml", "--quick", "--set", "truth.step=0.125", "--method", "max-forsyth"});
+  EXPECT_EQ(again.status, 1);
+  EXPECT_EQ(again.out, first.out);
+}
+
+TEST_F(CheckFiles, OneStudyThatCannotBeRunKeepsNoOtherFromIt) {
+  writeStudy("good", easy);
+  writeStudy("typo", easy, "width = 64", "widht = 64");
+  writeStudy("away", easy, "eye = [0, 0, 80]", "eye = [0, 0, 80]\ntarget = [0, 0, 160]");
+  writeStudy("bad", hard);
+  const Outcome outcome = gnomon({"check", "typo.toml", "away.toml", "missing.toml", "bad.toml",
+                                  "good.toml", "--junit", "junit.xml", "--github"});
+  EXPECT_EQ(outcome.status, 3) << "bad input is worse than a threshold that failed";
+  EXPECT_EQ(countsOf("good"), (std::vector<int>{0, 0, 0}));
+  EXPECT_EQ(countsOf("bad"), (std::vector<int>{1, 0, 0}));
+  EXPECT_EQ(countsOf("typo"), (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(countsOf("missing"), (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(countsOf("away"), (std::vector<int>{0, 1, 0})) << "a view that shows nothing";
+  EXPECT_EQ(junit().document_element().attribute("tests").as_int(), 5);
+  EXPECT_THAT(outcome.err, HasSubstr("gnomon: typo.toml:"));
+  EXPECT_THAT(outcome.err, HasSubstr("gnomon: away.toml:"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n::error file=typo.toml,line="));
+  EXPECT_THAT(outcome.out, HasSubstr("\n::error file=bad.toml,line=44,title=bad%3A threshold "
+                                     "failed::max-forsyth, error_rate"));
+  EXPECT_THAT(outcome.out, HasSubstr("Not passed: typo, away, missing, bad\n"));
+  EXPECT_EQ(summary("good").at("status"), "pass");
+}
+
+TEST_F(CheckFiles, WhatIsUndefinedIsAnError) {
+  // No occluder is farther than the radius, the whole map: nothing is distant.
+  writeStudy("a", easy + "region = \"distant\"\n");
+  EXPECT_EQ(gnomon({"check", "a.toml", "--junit", "junit.xml"}).status, 1);
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
+}
+
+TEST_F(CheckFiles, AThresholdThatMatchesNothingIsAnError) {
+  // In an atlas there is no answer by counted shadow volumes.
+  writeStudy("a",
+             "[[method]]\nname = \"shadow-volume\"\n[[view]]\ntype = \"atlas\"\nsamples = 5\n" +
+                 easy + "[[threshold]]\nmethod = \"shadow-volume\"\nview = \"atlas\"\nmax = 0.5\n");
+  const Outcome outcome = gnomon({"check", "a.toml", "--junit", "junit.xml"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
+  EXPECT_THAT(outcome.err, HasSubstr("no result matches it (line "));
+}
+
+TEST_F(CheckFiles, WhatIsLeftOutIsSkippedAndPassesNothing) {
+  writeStudy("a", easy + "[[threshold]]\nmethod = \"unshadowed\"\nmin = 0.01\nquick = false\n");
+  const std::vector<std::string> check = {"check",   "a.toml", "--junit",         "junit.xml",
+                                          "--quick", "--set",  "truth.step=0.125"};
+  EXPECT_EQ(gnomon(check).status, 0);
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 0, 1}));
+  std::vector<std::string> nothing = check;
+  nothing.insert(nothing.end(), {"--method", "unshadowed"});
+  const Outcome outcome = gnomon(nothing);
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("every [[threshold]] is left out"));
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 2}));
+}
+
+TEST_F(CheckFiles, GatedOnlyRunsNoOtherMethod) {
+  writeStudy("a", easy);
+  EXPECT_EQ(gnomon({"check", "a.toml", "--gated"}).status, 0);
+  EXPECT_EQ(summary("a").at("methods").size(), 1U);
+}
+
+TEST_F(CheckFiles, WithoutOpenGlEveryStudyHasAnError) {
+  writeStudy("a", easy);
+  writeStudy("b", easy);
+  const Outcome outcome =
+      gnomon({"check", "a.toml", "b.toml", "--junit", "junit.xml"},
+             {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent", "__EGL_VENDOR_LIBRARY_FILENAMES="});
+  EXPECT_EQ(outcome.status, 77);
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(countsOf("b"), (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(CheckFiles, ACheckThatIsKilledLeavesNoPass) {
+  writeStudy("a", easy);
+  EXPECT_EQ(gnomon({"check", "a.toml", "--junit", "junit.xml"}).status, 0);
+  ASSERT_EQ(countsOf("a"), (std::vector<int>{0, 0, 0}));
+  // Of this size no run ends within the time that it is given. How soon the file is there depends
+  // on the machine's load.
+  writeStudy("a", easy, "width = 64", "width = 8192");
+  std::filesystem::remove(file("junit.xml"));
+  for (int wait = 250; wait <= 16000 && !std::filesystem::exists(file("junit.xml")); wait *= 2) {
+    runAndKill(folder(), {"check", "a.toml", "--junit", "junit.xml", "--set", "truth.step=0.005"},
+               wait);
+  }
+  EXPECT_EQ(countsOf("a"), (std::vector<int>{0, 1, 0}));
+  EXPECT_THAT(read("junit.xml"), HasSubstr("did not come to its end"));
+}
+
+TEST_F(CheckFiles, AnnotationsAreThereOnlyWhereTheyAreAskedFor) {
+  writeStudy("a", hard);
+  EXPECT_THAT(gnomon({"check", "a.toml"}).out, Not(HasSubstr("::error")));
+}
+
+TEST_F(CheckFiles, ANoticeTellsOfALimitThatCouldBeTightened) {
+  writeStudy("a", easy);
+  const Outcome outcome = gnomon({"check", "a.toml", "--github"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("::notice file=a.toml,line=44,title=a%3A notice::the limit on "
+                                     "error_rate of max-forsyth could be tightened: at most 0.9"));
+}
+
+}  // namespace
+}  // namespace gnomon::test

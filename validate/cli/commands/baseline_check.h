@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "study/judge/baseline.h"
+#include "study/record/check_record.h"
+#include "study/spec/sweep/sweep.h"
+
+namespace gnomon::cli {
+
+/// The file of a study's references in a folder: `NAME.json`.
+std::filesystem::path baselineFile(const std::filesystem::path& folder, const std::string& study);
+
+/// The folder of the pictures that are kept with the references of a study, or of a sweep's step:
+/// `pictures/NAME`.
+std::filesystem::path pictureFolder(const std::filesystem::path& folder, const std::string& step);
+
+/// The references of a study, read before it is run.
+/// @throws InputError naming the file: it is missing or no baseline, or is of another study or
+///   form, or holds values of steps that the study does not have
+study::Baseline readReferences(const std::filesystem::path& file, const study::StudyPlan& plan);
+
+/// Judges one run by its part of the references: its gates, and what kept it from being judged.
+/// @param leftOut  labels of the methods that the run takes no part of
+void judgeReferences(const std::filesystem::path& file, const study::Baseline& baseline,
+                     const std::vector<std::string>& leftOut, study::StudyRecord& record);
+
+/// The references that an update replaces; none where there is no file.
+/// @throws InputError for a file that is no baseline, so that its history is not lost
+std::optional<study::Baseline> readFormerReferences(const std::filesystem::path& file);
+
+/// Writes a run's values as references, with the reason after those of the file that was there, and
+/// tells of it in a notice. Leaves the file alone where the check has not passed, and where every
+/// value is the one that it holds: its reasons are those of its values.
+/// @param reason  why it is written
+/// @param former  what the file holds
+/// @return whether the references are now this run's
+/// @throws InputError where the run has no value to write
+bool updateBaseline(const std::filesystem::path& file, const study::StudyPlan& plan,
+                    const std::string& reason, const std::optional<study::Baseline>& former,
+                    std::span<const study::StudyRecord> steps, study::CheckRecord& check);
+
+}  // namespace gnomon::cli

@@ -1,0 +1,160 @@
+#include "cli/commands/export_command.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "cli/commands/cache_command.h"
+#include "cli/failure.h"
+#include "cli/output.h"
+#include "cli/run_folders.h"
+#include "cli/study_plans.h"
+#include "cli/terminal_progress.h"
+#include "export/export_files.h"
+#include "export/export_json.h"
+#include "export/mesh_files.h"
+#include "export/truth_files.h"
+#include "report/text/number_text.h"
+#include "report/text/refinement_text.h"
+#include "study/run/truth_study.h"
+
+namespace gnomon::cli {
+namespace fs = std::filesystem;
+namespace {
+
+/// The folder of one step, locked.
+struct StepFolder {
+  report::RunFolder folder;
+  FileLock lock;
+};
+
+/// Locks `out/NAME/SUBFOLDER` of every step, then removes what an earlier command left in them.
+std::vector<StepFolder> claimFolders(const std::vector<study::StudyPlan>& plans,
+                                     const fs::path& out, const std::string& subfolder) {
+  const report::FolderKind kind{subfolder + ".json"};
+  std::vector<StepFolder> steps;
+  for (const study::StudyPlan& plan : plans) {
+    for (const study::StudySpec& study : plan.steps) {
+      const fs::path path = out / study.name / subfolder;
+      FileLock lock = lockFolder(report::RunFolder(path, kind));
+      steps.push_back({report::RunFolder(path, kind), std::move(lock)});
+    }
+  }
+  for (StepFolder& step : steps) step.folder.removeIndex();
+  for (StepFolder& step : steps) step.folder.clear();
+  return steps;
+}
+
+/// Calls `work(study, folder, gl, clock, cache)` for every step of every study, whatever becomes of
+/// one.
+template <typename Work>
+ExitStatus forEachStudy(const RunRequest& request, const std::string& subfolder, const Work& work) {
+  const std::vector<study::StudyPlan> plans = readPlans(request.studies, request.options);
+  const render::GlContext gl;
+  std::vector<StepFolder> folders = claimFolders(plans, request.out, subfolder);
+  auto next = folders.begin();
+  const std::unique_ptr<cache::Cache> cache = openCache(request.noCache);
+  Failures failures;
+  for (const study::StudyPlan& plan : plans) {
+    for (const study::StudySpec& study : plan.steps) {
+      report::RunFolder& folder = (next++)->folder;
+      failures.attempt([&] {
+        TerminalProgress progress(study.name);
+        study::StageClock clock(
+            [&](std::string_view stage, double share) { progress.update(stage, share); });
+        inStudy(study, [&] { work(study, folder, gl, clock, *cache); });
+      });
+    }
+  }
+  failures.print();
+  return failures.status();
+}
+
+void printNotices(const study::StudyRecord& record) {
+  for (const std::string& notice : record.notices) printLine("Notice: " + notice);
+}
+
+void traceOne(const study::StudySpec& study, report::RunFolder& folder, const render::GlContext& gl,
+              study::StageClock& clock, cache::Cache& cache, const RunRequest& request) {
+  study::SceneStore store;
+  study::RunScene scene(study, clock, gl, cache, store);
+  study::StudyRecord record = study::traceStudy(scene, gl);
+  record.command = request.command;
+  exporting::writeTruth(folder, scene, record);
+  printLine(fmt::format("{}: {} views, {} lights, {} micro-triangles, uncertain by at most {} %",
+                        (folder.path() / "truth.json").string(), study.views.size(),
+                        study.lights.size(), report::groupedText(record.truth.microTriangles),
+                        report::percentText(record.truth.uncertainty)));
+  if (record.truth.wantedUncertainty) printLine(report::refinementText(record.truth));
+  printNotices(record);
+}
+
+exporting::ExportedMesh writeDisplaced(const fs::path& path, const study::RunScene& scene,
+                                       std::optional<int> subdivisions) {
+  const int pieces = subdivisions.value_or(
+      displaced::subdivisionsForTexels(scene.surface, scene.study.relief.texelsPerUv()));
+  const displaced::WeldedMesh mesh =
+      displaced::makeWeldedMesh(scene.surface, scene.study.relief, pieces);
+  exporting::writePly(path, mesh,
+                      fmt::format("displaced surface, {} x {} pieces a face", pieces, pieces));
+  return {pieces, mesh.vertices.size(), mesh.triangleCount(), mesh.closed};
+}
+
+void writeBase(const fs::path& path, study::RunScene& scene) {
+  const int pieces = scene.study.base.subdivisions;
+  exporting::writeObj(path, scene.standardBase().drawn.get()->mesh,
+                      scene.study.relief.texelsPerUv(),
+                      fmt::format("base mesh, {} x {} pieces a face", pieces, pieces));
+}
+
+void exportOne(const study::StudySpec& study, report::RunFolder& folder,
+               const render::GlContext& gl, study::StageClock& clock, cache::Cache& cache,
+               const RunRequest& request, std::optional<int> subdivisions) {
+  study::SceneStore store;
+  study::RunScene scene(study, clock, gl, cache, store);
+  const exporting::ExportedMesh mesh = clock.measure("meshes", [&](const Progress&) {
+    return writeDisplaced(folder.newFile("displaced.ply"), scene, subdivisions);
+  });
+  writeBase(folder.newFile("base.obj"), scene);
+  exporting::writeHeights(folder, study.relief.field);
+  const horizon::StoredHorizons tables = clock.measure("bake", [&](const Progress& progress) {
+    return study::bakeStudyTables(study, cache, progress);
+  });
+  horizon::writeHorizons(folder.newFile("tables.exr"), tables);
+  double rayLift = 0;
+  study::StudyRecord record =
+      study::traceStudy(scene, gl, [&](const study::TracedSurface& surface) {
+        rayLift = surface.mesh.rayOffset();
+        exporting::writeSampleMaps(folder, scene, surface.mesh);
+      });
+  record.command = request.command;
+  exporting::writeTruthMasks(folder, scene);
+  exporting::writeRegionsOfInterest(folder, scene);
+  folder.finish(exporting::exportJson(scene, record, mesh, tables, rayLift));
+  printLine(fmt::format("{}: {} triangles displaced ({} pieces a face's side), {} views, {} lights",
+                        (folder.path() / "export.json").string(),
+                        report::groupedText(mesh.triangles), mesh.subdivisions, study.views.size(),
+                        study.lights.size()));
+  printNotices(record);
+}
+
+}  // namespace
+
+ExitStatus traceStudies(const RunRequest& request) {
+  return forEachStudy(
+      request, "truth",
+      [&](const study::StudySpec& study, report::RunFolder& folder, const render::GlContext& gl,
+          study::StageClock& clock,
+          cache::Cache& cache) { traceOne(study, folder, gl, clock, cache, request); });
+}
+
+ExitStatus exportStudies(const RunRequest& request, std::optional<int> subdivisions) {
+  return forEachStudy(
+      request, "export",
+      [&](const study::StudySpec& study, report::RunFolder& folder, const render::GlContext& gl,
+          study::StageClock& clock, cache::Cache& cache) {
+        exportOne(study, folder, gl, clock, cache, request, subdivisions);
+      });
+}
+
+}  // namespace gnomon::cli

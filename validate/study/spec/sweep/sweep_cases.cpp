@@ -1,0 +1,235 @@
+#include "study/spec/sweep/sweep_cases.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "study/spec/sweep/case_names.h"
+#include "study/spec/sweep/sweep_values.h"
+
+namespace gnomon::study {
+namespace {
+
+/// One table on its way to the cases.
+struct Column {
+  const TomlReader* section;
+  SweepTable table;
+  std::size_t dimension = 0;
+  std::vector<SweptValue> values = {};  ///< one a step of its dimension
+};
+
+/// Whether one key is the other or holds it.
+bool overlap(const std::string& a, const std::string& b) {
+  return a == b || a.starts_with(b + ".") || b.starts_with(a + ".");
+}
+
+void requireSweepable(const Column& column, const std::vector<Column>& before,
+                      const StudyOptions& options) {
+  const TomlReader& section = *column.section;
+  const std::string& key = column.table.key;
+  if (key.starts_with("study.") || key.starts_with("sweep.")) {
+    section.fail("key", fmt::format("\"{}\" found, a key of what is measured expected", key));
+  }
+  for (const std::string& change : options.overrides) {
+    if (change.starts_with(key + "=")) {
+      section.fail("key",
+                   fmt::format("\"{}\" found, but --set {} gives it one value", key, change));
+    }
+  }
+  for (const Column& other : before) {
+    if (!overlap(key, other.table.key)) continue;
+    section.fail(
+        "key", fmt::format("\"{}\" found, but the table above sets \"{}\"", key, other.table.key));
+  }
+}
+
+void requireTogether(const TomlReader& section) {
+  const bool isDrawn = section.has("draw");
+  for (const char* key : {"count", "seed"}) {
+    if (!isDrawn && section.has(key)) section.fail(key, "found without `draw`");
+  }
+  if (isDrawn && section.has("with")) {
+    section.fail("with", "found beside `draw`: all drawn keys are drawn together");
+  }
+}
+
+/// What all drawn tables agree on.
+struct Draws {
+  std::optional<int> count, seed;
+};
+
+Draws drawsOf(const std::vector<Column>& columns) {
+  Draws draws;
+  const auto agree = [](const Column& column, const char* key, int value,
+                        std::optional<int>& shared) {
+    if (!column.section->has(key)) return;
+    if (shared && *shared != value) {
+      column.section->fail(key,
+                           fmt::format("{} found, but another drawn key has {}", value, *shared));
+    }
+    shared = value;
+  };
+  const Column* first = nullptr;
+  for (const Column& column : columns) {
+    if (column.table.draw.empty()) continue;
+    if (first == nullptr) first = &column;
+    agree(column, "count", column.table.count, draws.count);
+    agree(column, "seed", column.table.seed, draws.seed);
+  }
+  if (first != nullptr && !draws.count) {
+    first->section->fail("count", "missing, the number of draws expected");
+  }
+  return draws;
+}
+
+void draw(Column& column, const Draws& draws) {
+  const SweptDistribution distribution = distributionOf(*column.section);
+  const auto seed = static_cast<std::uint64_t>(draws.seed.value_or(1));
+  for (int i = 0; i < *draws.count; ++i) {
+    column.values.push_back(
+        drawnValue(distribution, seed, column.table.key, static_cast<std::size_t>(i)));
+  }
+}
+
+/// The table above that a table steps with.
+const Column& leaderOf(const Column& column, const std::vector<Column>& columns) {
+  const Column* leader = nullptr;
+  for (const Column& other : columns) {
+    if (&other == &column) break;
+    if (other.table.key == column.table.with) leader = &other;
+  }
+  if (leader == nullptr || !leader->table.draw.empty()) {
+    column.section->fail("with", fmt::format("\"{}\" found, the key of a table above it with "
+                                             "values of its own expected",
+                                             column.table.with));
+  }
+  return *leader;
+}
+
+void readValues(Column& column) {
+  column.values = sweepValues(*column.section, "values");
+  if (column.values.size() < 2) {
+    column.section->fail("values", "one value found, at least two expected");
+  }
+}
+
+/// Gives each table its dimension and its values.
+void arrange(std::vector<Column>& columns) {
+  const Draws draws = drawsOf(columns);
+  std::size_t dimensions = 0;
+  std::optional<std::size_t> drawn;
+  for (Column& column : columns) {
+    if (!column.table.draw.empty()) {
+      if (!drawn) drawn = dimensions++;
+      column.dimension = *drawn;
+      draw(column, draws);
+      continue;
+    }
+    readValues(column);
+    if (column.table.with.empty()) {
+      column.dimension = dimensions++;
+      continue;
+    }
+    const Column& leader = leaderOf(column, columns);
+    column.dimension = leader.dimension;
+    if (leader.values.size() != column.values.size()) {
+      column.section->fail(
+          "values", fmt::format("{} values found, as many as of {} expected: {}",
+                                column.values.size(), leader.table.key, leader.values.size()));
+    }
+  }
+}
+
+/// Numbers that are equal are the same value, however they are written.
+std::pair<double, std::string> identity(const SweptValue& value) {
+  return value.number ? std::pair(*value.number, std::string()) : std::pair(0.0, value.written);
+}
+
+/// That no step of a dimension repeats another; draws may.
+void requireDistinct(const std::vector<Column>& columns, std::size_t dimension) {
+  std::vector<const Column*> members;
+  for (const Column& column : columns) {
+    if (column.dimension == dimension) members.push_back(&column);
+  }
+  if (!members.front()->table.draw.empty()) return;
+  std::set<std::vector<std::pair<double, std::string>>> seen;
+  for (std::size_t i = 0; i < members.front()->values.size(); ++i) {
+    std::vector<std::pair<double, std::string>> step;
+    std::string text;
+    for (const Column* member : members) {
+      step.push_back(identity(member->values[i]));
+      text += (text.empty() ? "" : " with ") + member->values[i].text;
+    }
+    if (seen.insert(step).second) continue;
+    members.back()->section->fail("values",
+                                  fmt::format("{} found twice, distinct values expected", text));
+  }
+}
+
+std::vector<std::size_t> dimensionSizes(const std::vector<Column>& columns) {
+  std::vector<std::size_t> sizes;
+  for (const Column& column : columns) {
+    if (column.dimension == sizes.size()) sizes.push_back(column.values.size());
+  }
+  return sizes;
+}
+
+std::size_t caseCountOf(const std::vector<Column>& columns, const std::vector<std::size_t>& sizes,
+                        std::size_t most) {
+  double count = 1;
+  for (const std::size_t size : sizes) count *= static_cast<double>(size);
+  if (count > static_cast<double>(most)) {
+    columns.back().section->fail(
+        "key", fmt::format("{:.0f} cases found over all tables, at most {} expected", count, most));
+  }
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace
+
+std::vector<TomlReader> sweepTables(const TomlReader& root) {
+  const toml::node* node = root.find("sweep");
+  if (node == nullptr) return {};
+  if (node->is_table()) return {root.table("sweep")};
+  return root.tables("sweep");
+}
+
+Sweep readSweepTables(const std::vector<TomlReader>& tables, const StudyOptions& options) {
+  std::vector<Column> columns;
+  for (const TomlReader& section : tables) {
+    Column column{&section, {}};
+    readSection(section, keysOf(column.table));
+    requireTogether(section);
+    requireSweepable(column, columns, options);
+    if (column.table.axis.empty()) column.table.axis = column.table.key;
+    columns.push_back(std::move(column));
+  }
+  arrange(columns);
+  const std::vector<std::size_t> sizes = dimensionSizes(columns);
+  const std::size_t count = caseCountOf(columns, sizes, options.mostCases);
+  Sweep sweep;
+  for (const Column& column : columns) {
+    const SweepTable& table = column.table;
+    sweep.keys.push_back({table.key, table.axis, column.dimension, !table.draw.empty()});
+  }
+  for (std::size_t d = 0; d < sizes.size(); ++d) requireDistinct(columns, d);
+  std::vector<std::vector<std::size_t>> places;
+  for (std::size_t c = 0; c < count; ++c) {
+    std::vector<std::size_t> place(sizes.size());
+    std::size_t rest = c;
+    for (std::size_t d = sizes.size(); d-- > 0; rest /= sizes[d]) place[d] = rest % sizes[d];
+    SweepCase one;
+    for (const Column& column : columns) {
+      one.values.push_back(column.values[place[column.dimension]]);
+    }
+    sweep.cases.push_back(std::move(one));
+    places.push_back(std::move(place));
+  }
+  nameCases(sweep.keys, places, sweep.cases);
+  return sweep;
+}
+
+}  // namespace gnomon::study
