@@ -8,7 +8,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr const char* heights = R"(
+constexpr const char* sweptHeights = R"(
 [sweep]
 key = "relief.height"
 values = [1, 6]
@@ -25,7 +25,7 @@ gain_grows = true
 )";
 
 std::string sweepStudy() {
-  return smallStudy() + growingGain + heights;
+  return smallStudy() + growingGain + sweptHeights;
 }
 
 class SweepRun : public EndToEnd {};
