@@ -123,8 +123,46 @@ TEST(Method, DeclaresPassesMeshAndItsAuthorsNumbers) {
   EXPECT_TRUE(all.tables.surfaceAngles && all.tables.ellipse);
   EXPECT_FALSE(all.tables.angles || all.tables.horizon);
 
+  EXPECT_FALSE(all.lightMesh.has_value());
   const MethodFile base(declared("mesh = \"base\""));
   EXPECT_EQ(readMethod(base.path()).mesh, DrawnMesh::base);
+}
+
+/// A method whose light sees a mesh of its own, with that many pieces at most.
+std::string ofTwoMeshes(const std::string& lines, int most = 64) {
+  return lines + "\n[parameters.depth_side]\ndefault = 64\nminimum = 1\nmaximum = 99\n" +
+         "[parameters.light_pieces]\ndefault = 9\nminimum = 1\nmaximum = " + std::to_string(most);
+}
+
+TEST(Method, DeclaresTheMeshOfItsLight) {
+  const MethodFile file(
+      declared(ofTwoMeshes("passes = [\"light-depth\"]\nlight_mesh = \"displaced\"")));
+  const Method method = readMethod(file.path());
+  EXPECT_EQ(method.mesh, DrawnMesh::base);
+  EXPECT_EQ(method.lightMesh, DrawnMesh::displaced);
+  EXPECT_EQ(lightPieces(method, {}), 9);
+  EXPECT_EQ(lightPieces(method, {{"light_pieces", 12}}), 12);
+  EXPECT_THROW((void)lightPieces(method, {{"light_pieces", 2.5}}), InputError);
+  EXPECT_THROW((void)lightPieces(method, {{"light_pieces", 65}}), InputError);
+}
+
+TEST(Method, NamesTheLineOfAFaultInTheMeshOfItsLight) {
+  const std::string depth = "passes = [\"light-depth\"]\n";
+  const std::string light = "light_mesh = \"displaced\"";
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {depth + "light_mesh = \"base\"", ".glsl:5: light_mesh `base`, expected displaced"},
+      {"light_mesh = 3", ".glsl:4: light_mesh ``, expected displaced"},
+      {light, ".glsl:4: `light_mesh` needs passes = [\"light-depth\"]"},
+      {depth + "mesh = \"displaced\"\n" + light, ".glsl:6: `light_mesh` needs mesh = \"base\""},
+      {depth + light, ".glsl:5: `light_mesh` needs the parameter light_pieces"},
+      {ofTwoMeshes(depth + light, 2000),
+       ".glsl:5: the parameter light_pieces: a range within 1 … 1024 expected"},
+  };
+  for (const auto& [lines, message] : faults) {
+    const std::string error = errorOf(declared(lines));
+    EXPECT_NE(error.find(message), std::string::npos) << lines << "\n" << error;
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 0) << error;
+  }
 }
 
 TEST(Method, NamesTheLineOfAFaultInItsPassesMeshOrNumbers) {

@@ -101,8 +101,17 @@ class RenderScene {
     }
     if (angles) gpu.angles = &*angles;
     if (ellipses) gpu.ellipse = &*ellipses;
+    std::optional<render::GpuMesh> lightMesh;
+    if (method.lightMesh) {
+      const int pieces = render::lightPieces(method, parameters);
+      lightMesh.emplace(displaced::makeDisplacedMesh(surface, relief, pieces).mesh);
+    }
     std::vector<render::MethodAnswers> found;
-    for (const Vec3& light : lights) found.push_back(pass.render(view, drawing(light), gpu));
+    for (const Vec3& light : lights) {
+      render::Drawing drawn = drawing(light);
+      if (lightMesh) drawn.lightMesh = &*lightMesh;
+      found.push_back(pass.render(view, drawn, gpu));
+    }
     return found;
   }
 

@@ -145,6 +145,16 @@ DrawnMesh readMesh(const Declaration& declaration) {
   return name == "base" ? DrawnMesh::base : DrawnMesh::displaced;
 }
 
+std::optional<DrawnMesh> readLightMesh(const Declaration& declaration) {
+  const toml::node_view<const toml::node> found = declaration.table()["light_mesh"];
+  if (!found) return std::nullopt;
+  const auto name = found.value<std::string>().value_or("");
+  if (name != "displaced") {
+    declaration.fail(*found.node(), fmt::format("light_mesh `{}`, expected displaced", name));
+  }
+  return DrawnMesh::displaced;
+}
+
 std::optional<int> readCount(const Declaration& declaration, std::string_view key) {
   const toml::node_view<const toml::node> found = declaration.table()[key];
   if (!found) return std::nullopt;
@@ -182,7 +192,27 @@ std::map<std::string, MethodParameter> readParameters(const Declaration& declara
   return parameters;
 }
 
+/// Of the mesh that is drawn from the light alone.
+void requireLightMesh(const Declaration& declaration, const Method& method) {
+  if (!method.lightMesh) return;
+  const toml::node& node = *declaration.table().get("light_mesh");
+  if (!method.passes.lightDepth) {
+    declaration.fail(node, "`light_mesh` needs passes = [\"light-depth\"]");
+  }
+  if (method.mesh == DrawnMesh::displaced) {
+    declaration.fail(node, "`light_mesh` needs mesh = \"base\"");
+  }
+  const auto pieces = method.parameters.find("light_pieces");
+  if (pieces == method.parameters.end()) {
+    declaration.fail(node, "`light_mesh` needs the parameter light_pieces");
+  }
+  if (!(pieces->second.minimum >= 1 && pieces->second.maximum <= 1024)) {
+    declaration.fail(node, "the parameter light_pieces: a range within 1 … 1024 expected");
+  }
+}
+
 void requirePasses(const Declaration& declaration, const Method& method) {
+  requireLightMesh(declaration, method);
   if (method.passes.lightDepth && method.parameters.count("depth_side") == 0) {
     declaration.fail(declaration.table(), "pass `light-depth` needs the parameter depth_side");
   }
@@ -240,13 +270,15 @@ Method readMethod(const fs::path& path) {
   method.source = readShader(path);
   method.name = path.stem().string();
   const Declaration declaration(method.source.file, method.source.text);
-  declaration.allowOnly(declaration.table(), {"title", "citation", "tables", "passes", "mesh",
-                                              "subdivisions", "azimuths", "parameters"});
+  declaration.allowOnly(declaration.table(),
+                        {"title", "citation", "tables", "passes", "mesh", "light_mesh",
+                         "subdivisions", "azimuths", "parameters"});
   method.title = declaration.text("title");
   method.citation = declaration.text("citation");
   method.tables = readTables(declaration);
   method.passes = readPasses(declaration);
   method.mesh = readMesh(declaration);
+  method.lightMesh = readLightMesh(declaration);
   method.subdivisions = readCount(declaration, "subdivisions");
   method.azimuths = readCount(declaration, "azimuths");
   method.parameters = readParameters(declaration);
@@ -262,6 +294,27 @@ Method readMethod(const fs::path& path) {
                                  method.source.file, *line, method.name));
   }
   return method;
+}
+
+double parameterValue(const Method& method, const std::string& name,
+                      const std::map<std::string, double>& chosen) {
+  const MethodParameter& parameter = method.parameters.at(name);
+  const auto value = chosen.find(name);
+  if (value == chosen.end()) return parameter.defaultValue;
+  if (!(value->second >= parameter.minimum && value->second <= parameter.maximum)) {
+    throw InputError(fmt::format("method {}: parameter {} = {}, {} to {} expected", method.name,
+                                 name, value->second, parameter.minimum, parameter.maximum));
+  }
+  return value->second;
+}
+
+int lightPieces(const Method& method, const std::map<std::string, double>& chosen) {
+  const double pieces = parameterValue(method, "light_pieces", chosen);
+  if (pieces != std::floor(pieces)) {
+    throw InputError(fmt::format("method {}: parameter light_pieces = {}, a whole number expected",
+                                 method.name, pieces));
+  }
+  return static_cast<int>(pieces);
 }
 
 fs::path methodFile(const fs::path& shaders, const std::string& name) {

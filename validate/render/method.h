@@ -34,7 +34,7 @@ struct MethodPasses {
   /// the horizon angles that the method reads, as floats where it reads none.
   bool texture = false;
   /// The mesh's depth seen from the light, in a map of `depth_side` texels a side: a parameter that
-  /// such a method must have.
+  /// such a method must have. With `light_mesh` of a mesh of its own.
   bool lightDepth = false;
   /// Depth, then shadow volumes counted in the stencil. Only a camera has pixels to count at.
   bool shadowVolumes = false;
@@ -57,6 +57,7 @@ enum class DrawnMesh {
 ///   tables        list of "height", "horizon", "distance", "angles", "surface-angles", "ellipse"
 ///   passes        list of "texture", "light-depth", "shadow-volumes": drawn before the answer
 ///   mesh          "base" (default) or "displaced"
+///   light_mesh    "displaced", where the pass "light-depth" draws that mesh and not the method's
 ///   subdivisions  pieces of every face's side, where the authors state them
 ///   azimuths      of its tables, where the authors state them
 ///   parameters.NAME with `default`, `minimum`, `maximum`, `about`
@@ -69,6 +70,9 @@ struct Method {
   MethodTables tables;
   MethodPasses passes;
   DrawnMesh mesh = DrawnMesh::base;
+  /// What the pass from the light draws; nothing where that is the method's own mesh. Its pieces of
+  /// every face's side are the parameter `light_pieces`, which such a method must have.
+  std::optional<DrawnMesh> lightMesh;
   std::optional<int> subdivisions;  ///< the authors', over a study's own
   std::optional<int> azimuths;      ///< the authors', over a study's own
   std::map<std::string, MethodParameter> parameters;
@@ -78,6 +82,16 @@ struct Method {
 /// @throws InputError naming file and line for a declaration that is missing, malformed, or holds a
 ///   key that it should not
 Method readMethod(const std::filesystem::path& path);
+
+/// A parameter's value: the chosen one, or the authors'.
+/// @param chosen  values by the parameters' names
+/// @throws InputError for a value outside the parameter's range
+double parameterValue(const Method& method, const std::string& name,
+                      const std::map<std::string, double>& chosen);
+
+/// The pieces of every face's side of the mesh that the pass from the light draws: `light_pieces`.
+/// @throws InputError as `parameterValue`, and for a number that is not whole
+int lightPieces(const Method& method, const std::map<std::string, double>& chosen);
 
 /// The method's file: `methods/NAME.glsl` in the shader folder.
 /// @throws InputError listing the methods there are, if that is none of them

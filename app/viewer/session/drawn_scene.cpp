@@ -162,6 +162,12 @@ render::Drawing DrawnScene::drawing(study::MeshChoice choice, const Vec3& light)
           &drawn.texture};
 }
 
+render::Drawing DrawnScene::drawing(const MethodData& method, const Vec3& light) const {
+  render::Drawing drawn = drawing(method.mesh, light);
+  if (method.lightMesh) drawn.lightMesh = &mesh(*method.lightMesh).gpu;
+  return drawn;
+}
+
 std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) const {
   if (!data_) return std::nullopt;
   const auto found = data_->methods.find(label);

@@ -44,6 +44,8 @@ class DrawnScene {
   [[nodiscard]] std::shared_ptr<const SceneData> sharedData() const { return data_; }
   [[nodiscard]] const DrawnMeshData& mesh(study::MeshChoice choice) const;
   [[nodiscard]] render::Drawing drawing(study::MeshChoice choice, const Vec3& light) const;
+  /// What the passes of a method draw.
+  [[nodiscard]] render::Drawing drawing(const MethodData& method, const Vec3& light) const;
 
   /// A method with its tables, if all of it is there.
   struct Ready {

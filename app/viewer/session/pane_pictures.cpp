@@ -100,10 +100,10 @@ const Mask* PanePictures::methodMask(const DrawnScene& scene, const ViewState& s
   const study::MeshChoice mesh = ready->data->mesh;
   const render::RenderView view =
       render::cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
-  Mask mask =
-      ready->pass
-          ->render(view, scene.drawing(mesh, lightSpec(state.light).direction()), ready->tables)
-          .drawn;
+  Mask mask = ready->pass
+                  ->render(view, scene.drawing(*ready->data, lightSpec(state.light).direction()),
+                           ready->tables)
+                  .drawn;
   CachedMask& kept = masks_[label];
   kept = {serial, std::move(mask)};
   return &kept.mask;

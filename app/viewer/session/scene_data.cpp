@@ -109,10 +109,11 @@ void SceneMaker::requireTried(const study::MethodSpec& spec, relief::Wrap wrap) 
 std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene,
                                                      const study::MethodSpec& spec,
                                                      const StageProgress& progress) {
-  MethodData data{spec, render::readMethod(spec.file), {}, {}, {}, {}};
+  MethodData data{spec, render::readMethod(spec.file), {}, {}, {}, {}, {}};
   progress("Trying methods")(0);
   requireTried(spec, scene.heights->wrap());
-  data.mesh = {data.method.mesh, spec.base};
+  data.mesh = study::meshOf(spec, data.method);
+  data.lightMesh = study::lightMeshOf(spec, data.method);
   const render::MethodTables& declared = data.method.tables;
   if (declared.horizon || declared.distance)
     data.tables = pair(*scene.heights, spec.bake, progress);
@@ -188,6 +189,7 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
     }
     auto prepared = method(*scene, spec, progress);
     addMesh(*scene, prepared->mesh, meshes);
+    if (prepared->lightMesh) addMesh(*scene, *prepared->lightMesh, meshes);
     scene->methods.emplace(spec.label, std::move(prepared));
   }
   if (request.directions) {

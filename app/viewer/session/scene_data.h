@@ -58,6 +58,7 @@ struct MethodData {
   study::MethodSpec spec;
   render::Method method;
   study::MeshChoice mesh;
+  std::optional<study::MeshChoice> lightMesh;  ///< drawn from the light alone
   std::shared_ptr<const TableImagePair> tables;
   std::shared_ptr<const horizon::AngleTable> angles;  ///< of the flat relief
   std::shared_ptr<const TableImage> ellipses;

@@ -23,6 +23,7 @@ struct Drawing {
   Vec3 light{0, 0, 1};                  ///< unit vector toward the light, world
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
   const RenderView* texture = nullptr;  ///< the texture's own plane, for methods that draw there
+  const GpuMesh* lightMesh = nullptr;   ///< of a method that has one of its own for its light
 };
 
 /// The texture units, each with one texture for all passes.

@@ -38,18 +38,6 @@ std::string parameterUniforms(const Method& method) {
   return text;
 }
 
-double parameterValue(const Method& method, const std::string& name,
-                      const std::map<std::string, double>& values) {
-  const MethodParameter& parameter = method.parameters.at(name);
-  const auto chosen = values.find(name);
-  if (chosen == values.end()) return parameter.defaultValue;
-  if (!(chosen->second >= parameter.minimum && chosen->second <= parameter.maximum)) {
-    throw InputError(fmt::format("method {}: parameter {} = {}, {} to {} expected", method.name,
-                                 name, chosen->second, parameter.minimum, parameter.maximum));
-  }
-  return chosen->second;
-}
-
 std::map<std::string, double> parameterValues(const Method& method,
                                               const std::map<std::string, double>& values) {
   for (const auto& [name, value] : values) {
@@ -137,6 +125,7 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wr
     : name_(method.name),
       tables_(method.tables),
       passes_(method.passes),
+      hasLightMesh_(method.lightMesh.has_value()),
       values_(parameterValues(method, values)) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
   answer_ = makeMethodProgram(shaders, method, "mask.frag", defines);
@@ -190,7 +179,7 @@ class MethodPass::Frame {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
                     fmt::format("method {}: depth_side = {}", pass.name_, side));
-      light_ = lightView(drawing.mesh.bounds(), drawing.light, pass.depthSide());
+      light_ = lightView(seenFromLight().bounds(), drawing.light, pass.depthSide());
       depth_.emplace(light_.width, light_.height, std::vector<GLenum>{});
     }
     if (pass.volumes_) {
@@ -200,7 +189,7 @@ class MethodPass::Frame {
 
   void draw() const {
     if (resolved_) drawResolved();
-    if (depth_) pass_.lightDepth_->draw(light_, drawing_.mesh, *depth_);
+    if (depth_) pass_.lightDepth_->draw(light_, seenFromLight(), *depth_);
     if (counts_) pass_.volumes_->draw(view_, drawing_, *counts_);
     const std::array<GLuint, 4> none = {noAnswer, 0, 0, 0};
     glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 0, none.data());
@@ -216,6 +205,15 @@ class MethodPass::Frame {
   }
 
  private:
+  /// What the pass from the light draws.
+  [[nodiscard]] const GpuMesh& seenFromLight() const {
+    if (!pass_.hasLightMesh_) return drawing_.mesh;
+    if (drawing_.lightMesh == nullptr) {
+      throw InternalError(fmt::format("method {} got no mesh for its light", pass_.name_));
+    }
+    return *drawing_.lightMesh;
+  }
+
   void drawResolved() const {
     const std::array<GLfloat, 4> nothing = {0, 0, 0, 0};
     glClearNamedFramebufferfv(resolved_->framebuffer(), GL_COLOR, 0, nothing.data());
@@ -278,7 +276,7 @@ class MethodPass::Frame {
       const glm::mat4 mapFromClip = glm::scale(glm::mat4(1), {side / 2, side / 2, 0.5F}) *
                                     glm::translate(glm::mat4(1), glm::vec3(1, 1, 1));
       setUniform(program, "lightMapFromWorld", mapFromClip * light_.clipFromWorld);
-      const auto diameter = static_cast<float>(2.0002 * drawing_.mesh.bounds().radius);
+      const auto diameter = static_cast<float>(2.0002 * seenFromLight().bounds().radius);
       setUniform(program, "lightMapLengths", glm::vec2(diameter / side, diameter));
     }
     if (counts_) {

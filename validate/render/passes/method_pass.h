@@ -50,7 +50,8 @@ class MethodPass {
              TableFilter filter, const std::map<std::string, double>& values);
 
   /// The method's answers for every sample of the view.
-  /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass
+  /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
+  ///                 `lightMesh` for a method that declares one
   [[nodiscard]] MethodAnswers render(const RenderView& view, const Drawing& drawing,
                                      const GpuTables& tables) const;
 
@@ -71,6 +72,7 @@ class MethodPass {
   std::string name_;
   MethodTables tables_;
   MethodPasses passes_;
+  bool hasLightMesh_;
   std::map<std::string, double> values_;  ///< every parameter's
   gl::Program answer_;
   std::optional<gl::Program> resolve_;

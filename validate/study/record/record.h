@@ -105,7 +105,7 @@ struct ResultRecord {
 
 struct CostRecord {
   std::string method;
-  std::uint64_t polygons = 0;     ///< triangles drawn a frame
+  std::uint64_t polygons = 0;     ///< triangles that camera and light see, each mesh once
   std::uint64_t tableBytes = 0;   ///< tables, and textures that its passes fill each frame
   std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
   std::optional<double> frameMs;  ///< median time of one frame of the first camera view

@@ -186,6 +186,33 @@ TEST_F(RunKeysTest, ShadersEnterByTheirText) {
             namesIn("bins onoue-2004 relief-march samples sloan-cohen-surface truth unshadowed"));
 }
 
+TEST_F(RunKeysTest, TheMeshOfAMethodsLightEntersItsMasks) {
+  (void)keysOf({});
+  const StudySpec study = readStudy(file("keys.toml"), {});
+  MethodSpec spec = study.methods.front();
+  spec.file = render::methodFile(render::shaderFolder(), "two-scales");
+  render::Method method = render::readMethod(spec.file);
+  const RunKeys keys(study, gl_, render::shaderFolder());
+  const cache::ContentKey nine = keys.method(spec, method);
+  EXPECT_EQ(meshOf(spec, method).kind, render::DrawnMesh::base);
+  ASSERT_TRUE(lightMeshOf(spec, method).has_value());
+  EXPECT_EQ(lightMeshOf(spec, method)->kind, render::DrawnMesh::displaced);
+  EXPECT_EQ(lightMeshOf(spec, method)->base.subdivisions, 9);
+  // By another default as well as by a value of its own.
+  method.parameters.at("light_pieces").defaultValue = 10;
+  EXPECT_NE(keys.method(spec, method), nine);
+  method.parameters.at("light_pieces").defaultValue = 9;
+  EXPECT_EQ(keys.method(spec, method), nine);
+  spec.parameters["light_pieces"] = 10;
+  EXPECT_NE(keys.method(spec, method), nine);
+  EXPECT_EQ(lightMeshOf(spec, method)->base.subdivisions, 10);
+  spec.parameters["light_pieces"] = 9.5;
+  EXPECT_THROW((void)keys.method(spec, method), InputError);
+
+  const MethodSpec& other = study.methods.front();
+  EXPECT_FALSE(lightMeshOf(other, render::readMethod(other.file)).has_value());
+}
+
 TEST_F(RunKeysTest, AMethodEntersByItsText) {
   (void)keysOf({});
   fs::copy(render::methodFile(render::shaderFolder(), "onoue-2004"), file("onoue-2004.glsl"));

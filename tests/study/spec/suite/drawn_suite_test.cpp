@@ -174,6 +174,10 @@ TEST_F(WrittenSuite, TrainVariesOneSettingAtATimeAndTestHasTheChosenOnes) {
     if (method["name"] == "shadow-volume" && !label) {
       EXPECT_EQ(method["base"]["subdivisions"].value<int>(), 27);
     }
+    if (method["name"] == "two-scales" && !label) {
+      EXPECT_EQ(method["base"]["subdivisions"].value<int>(), 12);
+      EXPECT_EQ(method["parameters"]["light_pieces"].value<int>(), 27);
+    }
   }
   EXPECT_EQ(labels.size(), train.size());
   EXPECT_TRUE(labels.contains("max-forsyth, azimuths 16"));

@@ -106,20 +106,23 @@ std::uint64_t heldBytes(const ChosenSamples& chosen) {
 
 }  // namespace
 
-BaseCase makeBaseCase(const StudySpec& study, const surface::LimitSurface& surface,
-                      MeshChoice choice, CaseMakers with) {
+OnDemand<std::shared_ptr<const DrawnBase>> drawnOnDemand(const StudySpec& study,
+                                                         const surface::LimitSurface& surface,
+                                                         MeshChoice choice, CaseMakers with) {
   const auto make = [&study, &surface, choice] {
     return std::make_shared<const DrawnBase>(choice.kind == render::DrawnMesh::displaced
                                                  ? displaced(study, surface, choice)
                                                  : undisplaced(study, surface, choice));
   };
-  BaseCase base{choice,
-                OnDemand<std::shared_ptr<const DrawnBase>>([make, with, choice] {
-                  return with.store.get<DrawnBase>(
-                      with.keys.mesh(choice), make,
-                      [](const DrawnBase& drawn) { return heldBytes(drawn); });
-                }),
-                {}};
+  return OnDemand<std::shared_ptr<const DrawnBase>>([make, with, choice] {
+    return with.store.get<DrawnBase>(with.keys.mesh(choice), make,
+                                     [](const DrawnBase& drawn) { return heldBytes(drawn); });
+  });
+}
+
+BaseCase makeBaseCase(const StudySpec& study, const surface::LimitSurface& surface,
+                      MeshChoice choice, CaseMakers with) {
+  BaseCase base{choice, drawnOnDemand(study, surface, choice, with), {}};
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     const ViewSpec& spec = study.views[v];
     const render::RenderView size = pictureSize(spec, surface);

@@ -58,6 +58,12 @@ struct CaseMakers {
   const RunKeys& keys;
 };
 
+/// A mesh that is made, or taken from the store, when it is first asked for.
+/// @param study  outlives it, as do `surface` and `with`'s
+OnDemand<std::shared_ptr<const DrawnBase>> drawnOnDemand(const StudySpec& study,
+                                                         const surface::LimitSurface& surface,
+                                                         MeshChoice choice, CaseMakers with);
+
 /// Chooses the samples of every view by drawing the mesh, or takes what the store or the cache has
 /// of them.
 /// @param study    outlives the case, as do `surface` and `with`'s

@@ -140,6 +140,19 @@ const CompiledMethod& compiled(RunScene& scene, MethodCase& method) {
   return *method.compiled;
 }
 
+render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light) {
+  render::Drawing drawing = scene.drawing(*method.base, light);
+  const auto lightMesh = lightMeshOf(*method.spec, method.method);
+  if (lightMesh) drawing.lightMesh = &scene.mesh(*lightMesh).gpu;
+  return drawing;
+}
+
+std::uint64_t polygonsOf(RunScene& scene, const MethodCase& method) {
+  const auto lightMesh = lightMeshOf(*method.spec, method.method);
+  return method.base->drawn.get()->gpu.triangleCount() +
+         (lightMesh ? scene.mesh(*lightMesh).gpu.triangleCount() : 0);
+}
+
 void requireView(const MethodCase& method, const StudySpec& study) {
   const bool isSeen = std::any_of(study.views.begin(), study.views.end(),
                                   [&](const ViewSpec& view) { return answersIn(method, view); });
@@ -179,7 +192,7 @@ render::MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t
   render::MethodAnswers answers = scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
     render::MethodAnswers rendered =
-        ready.pass->render(seen.view, scene.drawing(*method.base, light), ready.tables);
+        ready.pass->render(seen.view, drawingOf(scene, method, light), ready.tables);
     method.compiled->hasDrawn = true;
     return rendered;
   });
@@ -211,7 +224,7 @@ std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   if (declared.distance) bytes += tables.distance->byteCount();
   if (declared.ellipse) bytes += tables.ellipse->byteCount();
   if (tables.angles != nullptr) bytes += tables.angles->byteCount();
-  return bytes + ready.pass->passBytes(scene.drawing(*method.base, 0), tables);
+  return bytes + ready.pass->passBytes(drawingOf(scene, method, 0), tables);
 }
 
 }  // namespace gnomon::study

@@ -43,6 +43,12 @@ MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDeman
 /// @throws InputError as prepareMethod
 const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 
+/// What the method's passes draw under one of the study's lights.
+render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light);
+
+/// Triangles that it draws: of its own mesh, and of the one that its light alone sees.
+std::uint64_t polygonsOf(RunScene& scene, const MethodCase& method);
+
 /// A method that only a camera can see needs one.
 /// @throws InputError where the study has no camera view
 void requireView(const MethodCase& method, const StudySpec& study);

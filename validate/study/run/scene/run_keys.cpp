@@ -200,6 +200,7 @@ cache::ContentKey RunKeys::method(const MethodSpec& spec, const render::Method& 
   key.add("source", method.source.text).add("shaders", shaders_);
   addSettings(key, spec, Enters::answers);
   key.add("mesh", mesh(meshOf(spec, method)));
+  if (const auto light = lightMeshOf(spec, method)) key.add("light mesh", mesh(*light));
   for (const auto& [name, value] : spec.parameters) {
     key.add("parameter", name).add("value", value);
   }
@@ -242,6 +243,13 @@ cache::ContentKey RunKeys::mask(const cache::ContentKey& method, const MeshChoic
 
 MeshChoice meshOf(const MethodSpec& spec, const render::Method& method) {
   return {method.mesh, spec.base};
+}
+
+std::optional<MeshChoice> lightMeshOf(const MethodSpec& spec, const render::Method& method) {
+  if (!method.lightMesh) return std::nullopt;
+  MeshChoice choice{*method.lightMesh, spec.base};
+  choice.base.subdivisions = render::lightPieces(method, spec.parameters);
+  return choice;
 }
 
 }  // namespace gnomon::study

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 
 #include "cache/content_key.h"
 #include "render/gl_context.h"
@@ -95,5 +96,9 @@ class RunKeys {
 
 /// The mesh that a method draws in a study.
 MeshChoice meshOf(const MethodSpec& spec, const render::Method& method);
+
+/// The mesh that it draws from the light alone, if it has one of its own for that.
+/// @throws InputError for a number of pieces that is not whole or outside its range
+std::optional<MeshChoice> lightMeshOf(const MethodSpec& spec, const render::Method& method);
 
 }  // namespace gnomon::study

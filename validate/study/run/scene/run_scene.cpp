@@ -45,6 +45,18 @@ BaseCase& RunScene::base(MeshChoice choice) {
   });
 }
 
+const DrawnBase& RunScene::mesh(MeshChoice choice) {
+  const auto base = bases.find(choice);
+  if (base != bases.end()) return *base->second.drawn.get();
+  auto found = lightMeshes.find(choice);
+  if (found == lightMeshes.end()) {
+    auto made = drawnOnDemand(study, surface, choice, {shaders, cache, store, keys});
+    found = lightMeshes.emplace(choice, std::move(made)).first;
+  }
+  return clock.measure("samples",
+                       [&](const Progress&) -> const DrawnBase& { return *found->second.get(); });
+}
+
 BaseCase& RunScene::standardBase() {
   return base(standardMesh());
 }

@@ -41,9 +41,13 @@ struct RunScene {
   render::GpuHeights heights;
   TableSet tables;
   std::map<MeshChoice, BaseCase> bases;
+  /// Meshes that are drawn from the light alone.
+  std::map<MeshChoice, OnDemand<std::shared_ptr<const DrawnBase>>> lightMeshes;
 
   /// A mesh with its views, built if it is not there yet.
   BaseCase& base(MeshChoice choice);
+  /// A mesh without its views, built if it is not there yet.
+  const DrawnBase& mesh(MeshChoice choice);
   /// The study's own base mesh: the one that is shown and whose truth is tested.
   BaseCase& standardBase();
   [[nodiscard]] MeshChoice standardMesh() const;

@@ -63,7 +63,7 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
   const bool isKept = cost.has_value();
   if (!cost) {
     cost.emplace();
-    cost->polygons = method.base->drawn.get()->gpu.triangleCount();
+    cost->polygons = polygonsOf(scene, method);
     cost->tableBytes = tableBytes(scene, method);
     if (method.method.tables.height) cost->heightBytes = scene.heights.byteCount();
     cost->day = today();
@@ -73,7 +73,7 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
           ready.hasDrawn ? render::FirstFrame::isWarm : render::FirstFrame::warmsUp;
       cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
         return ready.pass->frameMilliseconds(method.base->views[*view].view,
-                                             scene.drawing(*method.base, 0), ready.tables, frames,
+                                             drawingOf(scene, method, 0), ready.tables, frames,
                                              first, clock_);
       });
     }

@@ -47,6 +47,12 @@ std::vector<VariedMethod> variedOf(const toml::table& method, std::size_t of,
   return varied;
 }
 
+/// Of a whole number, if there is one.
+void multiply(toml::node* number, std::int64_t factor) {
+  toml::value<std::int64_t>* whole = number == nullptr ? nullptr : number->as_integer();
+  if (whole != nullptr) *whole = whole->get() * factor;
+}
+
 }  // namespace
 
 toml::table withSetting(toml::table method, const std::string& key, const toml::node& value) {
@@ -112,9 +118,8 @@ toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, Suit
   toml::array list;
   const auto add = [&](toml::table method) {
     if (!isCamera && methods.ofCameras.contains(shaderOf(method))) return;
-    if (toml::node* pieces = method["base"]["subdivisions"].node()) {
-      *pieces->as_integer() = pieces->value_or<std::int64_t>(1) * sceneSubdivisions;
-    }
+    multiply(method["base"]["subdivisions"].node(), sceneSubdivisions);
+    multiply(method["parameters"]["light_pieces"].node(), sceneSubdivisions);
     list.push_back(std::move(method));
   };
   for (const toml::table& method : methods.methods) add(method);

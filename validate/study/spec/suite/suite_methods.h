@@ -54,8 +54,8 @@ SuiteMethods readSuiteMethods(const std::filesystem::path& file,
 std::filesystem::path standardMethodsFile();
 
 /// The list `method` of one scene's study: all methods; on train with every varied setting, on test
-/// with the chosen ones. `base.subdivisions` of a method counts pieces of a piece of the scene's
-/// own base mesh, so that a piece has the same size in texels everywhere.
+/// with the chosen ones. `base.subdivisions` and `parameters.light_pieces` of a method count pieces
+/// of a piece of the scene's own base mesh, so that a piece has the same size in texels everywhere.
 toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, SuiteSplit split);
 
 }  // namespace gnomon::study

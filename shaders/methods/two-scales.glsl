@@ -1,0 +1,150 @@
+/* gnomon-method
+title = "Two scales: the relief marched nearby, the body's depth from the light"
+citation = "this project"
+tables = ["height"]
+passes = ["light-depth"]
+subdivisions = 4
+light_mesh = "displaced"
+
+[parameters.light_pieces]
+default = 9
+minimum = 1
+maximum = 1024
+about = "pieces of every face's side of the displaced mesh that the light sees"
+
+[parameters.depth_side]
+default = 2048
+minimum = 16
+maximum = 8192
+about = "texels a side of the depth map, which holds the whole surface"
+
+[parameters.samples]
+default = 4
+minimum = 1
+maximum = 32
+about = "percentage-closer filtering: samples a side of its square"
+
+[parameters.width]
+default = 3
+minimum = 0
+maximum = 64
+about = "side of that square, texels of the depth map; 0 samples one point"
+
+[parameters.bias]
+default = 1
+minimum = 0
+maximum = 64
+about = "how far places on the displaced mesh may be off, texels of the depth map, beside piece_bias"
+
+[parameters.piece_bias]
+default = 0.5
+minimum = 0
+maximum = 16
+about = "the same, pieces of the displaced mesh; the depth map hides, and the march sees, what is nearer"
+
+[parameters.edge]
+default = 0.125
+minimum = 0
+maximum = 16
+about = "how far from its silhouettes the depth map leaves the answer to the march, pieces"
+*/
+
+// A march over the height map knows the relief to the texel, but not where the texture's seams and
+// the body's bends lead; a depth map knows the whole body, but no more of the relief than the
+// displaced mesh has, and nothing nearer than its bias. Each answers where the other cannot:
+//
+//  - A sample of the depth map is off by up to u = bias × its texel + piece_bias × a piece of the
+//    mesh. On a facet at the angle φ to the light its depth is off by u tan φ at most. Samples are
+//    compared with the depths of the plane of the displaced facet, which leaves half of that, and u
+//    itself for pieces whose facets have other slopes:  A = u (1 + ½ tan φ), tan φ ≤ 16.
+//  - What is nearer than A along the ray is therefore lost to the depth map. Over t texels of the
+//    path, σ long each, a ray at the slope tan θ gets t σ √(1 + tan² θ) far, so that the march must
+//    go up to  t = A / (σ √(1 + tan² θ)). That is a few texels, whatever the body.
+//  - Silhouettes of flat pieces run beside the relief's. Where the depth map says lit, but sees
+//    something nearer to the light within `edge` pieces of the place, the march goes on to its end.
+//
+// The camera draws the base mesh. It lies below the surface where that is convex: see surfacePoint.
+
+const float steepest = 16.0;  // tan φ
+
+// n_x along a tangent vector of P_x's kind (Weingarten: the normal turns with the curvature).
+vec3 turnOfNormal(Pixel pixel, vec3 along) {
+  float first = dot(along, pixel.v1) / max(dot(pixel.v1, pixel.v1), 1e-30);
+  float second = dot(along, pixel.v2) / max(dot(pixel.v2, pixel.v2), 1e-30);
+  return pixel.k1 * first * pixel.v1 + pixel.k2 * second * pixel.v2;
+}
+
+// The normal of D = P + a h n with all its terms: D_x = P_x + a h_x n + a h n_x. Bump mapping leaves
+// out the last.
+vec3 displacedNormal(Pixel pixel, float height) {
+  vec2 rise = pixel.worldPerHeight * heightGradient(pixel.texel);
+  vec3 alongX = pixel.px + rise.x * pixel.normal + height * turnOfNormal(pixel, pixel.px);
+  vec3 alongY = pixel.py + rise.y * pixel.normal + height * turnOfNormal(pixel, pixel.py);
+  vec3 facet = normalize(cross(alongX, alongY));
+  return dot(facet, pixel.normal) < 0.0 ? -facet : facet;
+}
+
+// P from the drawn triangle. Where corners p_i with normals n_i have the weights w_i, the surface
+// stands ½ Σ w_i κ |p_i - p|² above, and the interpolated normal is shorter than 1 by
+// ½ Σ w_i |n_i - n|² = ½ Σ w_i κ² |p_i - p|². With corners spread alike along both principal
+// directions the quotient is (κ₁ + κ₂) / (κ₁² + κ₂²); on a sphere 1 / κ, exactly of second order.
+vec3 surfacePoint(Pixel pixel) {
+  float rounding = 4e-7;
+  float shorter = max(1.0 - length(normal) - rounding, 0.0);
+  float squares = pixel.k1 * pixel.k1 + pixel.k2 * pixel.k2;
+  float above = squares > 0.0 ? shorter * (pixel.k1 + pixel.k2) / squares : 0.0;
+  return pixel.position + above * pixel.normal;
+}
+
+// World length of a piece's side: (s, t) is even over a triangle, as the position is, so that the
+// quotient of areas on the screen holds in every view. Calls derivatives.
+float pieceLength() {
+  vec2 stX = dFdx(st);
+  vec2 stY = dFdy(st);
+  float world = length(cross(dFdx(position), dFdy(position)));
+  return sqrt(world / max(abs(stX.x * stY.y - stX.y * stY.x), 1e-20)) / light_pieces;
+}
+
+// Change of depth per texel of the depth map along a plane. The first two rows of the map's matrix
+// are its axes in the world over a texel's length.
+vec2 depthTilt(vec3 facet, float cosine) {
+  mat3 axes = transpose(mat3(lightMapFromWorld));
+  float texel = lightMapLengths.x;
+  vec2 across = texel * vec2(dot(facet, axes[0]), dot(facet, axes[1]));
+  return across * texel / (lightMapLengths.y * max(cosine, 1.0 / steepest));
+}
+
+// Share of the samples in a square about a place of the depth map, `side` texels wide, that are
+// nearer to the light than the plane through place.z.
+float shareNearer(vec3 place, vec2 tilt, float side) {
+  float nearer = 0.0;
+  for (float j = 0.5; j < samples; j += 1.0) {
+    for (float i = 0.5; i < samples; i += 1.0) {
+      vec2 texel = floor(place.xy + side * (vec2(i, j) / samples - 0.5));
+      float plane = place.z + dot(tilt, texel + 0.5 - place.xy);
+      nearer += lightDepthOf(ivec2(texel)) < plane ? 1.0 : 0.0;
+    }
+  }
+  return nearer / (samples * samples);
+}
+
+bool isShadowed(Pixel pixel, LocalLight light) {
+  Path path = makePath(pixel, light);
+  float piece = pieceLength();
+  vec3 facet = displacedNormal(pixel, path.height);
+  float cosine = dot(facet, lightDirection);
+  if (!(cosine > 0.0)) return true;
+
+  float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / cosine, steepest);
+  float off = bias * lightMapLengths.x + piece_bias * piece;
+  float allowance = off * (1.0 + 0.5 * slope);
+  float near = allowance / (path.worldPerTexel * sqrt(1.0 + path.slope * path.slope));
+  if (shadowedAtCrossings(path, min(near, path.limit))) return true;
+
+  vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
+  place.z -= allowance / lightMapLengths.y;
+  vec2 tilt = depthTilt(facet, cosine);
+  if (shareNearer(place, tilt, width) > 0.5) return true;
+  if (!(shareNearer(place, tilt, 2.0 * edge * piece / lightMapLengths.x) > 0.0)) return false;
+  return shadowedAtCrossings(path, crossingsFrom(path, near), path.limit);
+}

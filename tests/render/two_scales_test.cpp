@@ -1,0 +1,171 @@
+// The mesh that a method's light alone sees, and the method that lives on it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "render/displaced_rays.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon::render {
+namespace {
+
+using test::cameraAt;
+using test::difference;
+using test::DisplacedScene;
+using test::judge;
+using test::lightToward;
+using test::randomRelief;
+using test::Rays;
+using test::RenderScene;
+using test::shareShadowed;
+
+relief::Relief worldRelief(int width, int height, std::vector<float> texels) {
+  return {relief::HeightField(width, height, std::move(texels), relief::Wrap::clamp),
+          relief::HeightSpace::world, Vec2(1)};
+}
+
+/// A method that says shadowed where the light sees something else than P + `height` n.
+Method depthProbe(const std::string& lines, double height) {
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".glsl");
+  std::ofstream(path)
+      << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\npasses = [\"light-depth\"]\n"
+      << lines
+      << "[parameters.depth_side]\ndefault = 64\nminimum = 1\nmaximum = 64\n"
+         "[parameters.light_pieces]\ndefault = 2\nminimum = 1\nmaximum = 64\n*/\n"
+         "bool isShadowed(Pixel pixel, LocalLight light) {\n"
+         "  vec3 place = lightMapPlace(pixel.position + "
+      << height
+      << " * pixel.normal);\n"
+         "  float off = place.z - lightDepthOf(ivec2(floor(place.xy)));\n"
+         "  return abs(off) * lightMapLengths.y > 0.01;\n}\n";
+  Method method = readMethod(path);
+  std::filesystem::remove(path);
+  return method;
+}
+
+TEST(LightMesh, IsWhatTheLightSees) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(16, 16, 4, 4),
+                          worldRelief(16, 16, std::vector<float>(256, 3)), {4, 4},
+                          horizon::TableBits::thirtyTwo);
+  const RenderView view = atlasView(scene.surface, 16);
+  const auto share = [&](const std::string& lines, double height) {
+    return shareShadowed(scene.answer(depthProbe(lines, height), view, {0, 0, 1}));
+  };
+  const std::string displaced = "light_mesh = \"displaced\"\n";
+  EXPECT_EQ(share(displaced, 3), 0);
+  EXPECT_EQ(share(displaced, 0), 1);
+  EXPECT_EQ(share("", 0), 0) << "its own mesh, without a declaration";
+  EXPECT_EQ(share("", 3), 1);
+}
+
+TEST(LightMesh, IsAskedFor) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(16, 16, 4, 4), test::flatRelief(16, 16), {4, 4},
+                          horizon::TableBits::eight);
+  const MethodPass pass(shaderFolder(), depthProbe("light_mesh = \"displaced\"\n", 0),
+                        relief::Wrap::clamp, TableFilter::exact, {});
+  EXPECT_THROW((void)pass.render(atlasView(scene.surface, 4), scene.drawing({0, 0, 1}), {}),
+               InternalError);
+}
+
+/// A ridge of height 4 over x = 20.5 texels of 48, the map's columns at unit distance; the light
+/// comes over it from low x at tan θ = 1/3. It shadows what lies up to 12 behind it.
+struct Ridge {
+  RenderScene scene{
+      surface::makePlane(48, 48, 6, 6), heights(), {4, 48}, horizon::TableBits::thirtyTwo};
+  RenderView view = atlasView(scene.surface, 40);
+  Vec3 light = glm::normalize(Vec3(-3, 0, 1));
+
+  static relief::Relief heights() {
+    std::vector<float> texels(48 * 48, 0);
+    for (std::size_t j = 0; j < 48; ++j) texels[48 * j + 20] = 4;
+    return worldRelief(48, 48, std::move(texels));
+  }
+
+  /// Share of the samples that are not as they must be, those nearer to an edge than 0.1 left out.
+  [[nodiscard]] double wrong(const Mask& mask) const {
+    const surface::SampleGrid samples = scene.samples(view);
+    std::size_t all = 0;
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      const surface::SurfaceSample& sample = samples.samples[i];
+      if (!sample.isOnSurface()) continue;
+      const double x = scene.surface.evaluate(sample.face, sample.s, sample.t).position.x + 24;
+      const double behind = x - 20.5;
+      if (std::abs(behind) < 0.1 || std::abs(behind - 12) < 0.1) continue;
+      ++all;
+      const bool isDark = behind > 0 && behind < 12;
+      differ += isDark == (mask.samples[i] == Shade::shadowed) ? 0 : 1;
+    }
+    return static_cast<double>(differ) / static_cast<double>(all);
+  }
+};
+
+TEST(TwoScales, CastsTheShadowOfARidge) {
+  const GlContext gl;
+  const Ridge ridge;
+  const Method method = readMethod(methodFile(shaderFolder(), "two-scales"));
+  const auto with = [&](const std::map<std::string, double>& values) {
+    return ridge.wrong(
+        ridge.scene.answer(method, ridge.view, ridge.light, TableFilter::exact, values));
+  };
+  EXPECT_EQ(with({{"light_pieces", 16}}), 0) << "a mesh with the ridge on its lines";
+  EXPECT_LT(with({}), 0.02);
+  // All of the depth map's bias is marched, however much it is.
+  EXPECT_EQ(with({{"light_pieces", 1}, {"piece_bias", 2}}), 0);
+  EXPECT_GT(with({{"light_pieces", 1}, {"piece_bias", 0}, {"edge", 0}}), 0.2) << "no ridge to see";
+  EXPECT_GT(ridge.wrong(ridge.scene.answer("unshadowed", ridge.view, ridge.light)), 0.2);
+}
+
+/// A bumpy ring, whose far side shades the near one.
+struct Ring {
+  explicit Ring(double scale)
+      : relief(randomRelief(58, 58, 0.3 * scale, 3)),
+        scene(cage(scale), relief, {4, 48}, horizon::TableBits::thirtyTwo) {}
+  static surface::Cage cage(double scale) {
+    return surface::makeTorus(30 * scale, 10 * scale, 58, 58);
+  }
+  [[nodiscard]] Mask answer(const std::string& method) const {
+    return scene.answer(method, atlasView(scene.surface, 1), light);
+  }
+  relief::Relief relief;
+  RenderScene scene;
+  Vec3 light = lightToward(20, 8);
+};
+
+TEST(TwoScales, SeesTheFarSideOfABodyWhereAMarchOverTheTextureDoesNot) {
+  const GlContext gl;
+  const Ring ring(1);
+  const RenderView view = cameraView(cameraAt({20, 90, 90}, {0, 0, 0}, 45, 64), ring.scene.mesh);
+  const surface::SampleGrid samples = ring.scene.samples(view);
+  const Mask truth =
+      Rays(DisplacedScene(Ring::cage(1), ring.relief, 2), 2).mask(samples, ring.light);
+  const auto error = [&](const std::string& method) {
+    const test::Verdict verdict =
+        judge(ring.scene.answer(method, view, ring.light), truth, samples);
+    return static_cast<double>(verdict.wrong) / static_cast<double>(verdict.lit + verdict.dark);
+  };
+  EXPECT_LT(error("two-scales"), 0.02);
+  EXPECT_GT(error("geodesic-march"), 2 * error("two-scales"));
+  EXPECT_GT(error("unshadowed"), 0.02);
+}
+
+TEST(TwoScales, KnowsNoUnit) {
+  const GlContext gl;
+  const Mask one = Ring(1).answer("two-scales");
+  EXPECT_LT(difference(one, Ring(1000).answer("two-scales")), 0.002);
+  EXPECT_LT(difference(one, Ring(1e-3).answer("two-scales")), 0.002);
+}
+
+}  // namespace
+}  // namespace gnomon::render
