@@ -58,7 +58,8 @@ std::vector<std::vector<std::string>> commandsOf(const DocPage& page) {
 /// What is wrong with a command line; empty for nothing.
 std::string faultOf(const std::vector<std::string>& words) {
   const std::string& command = words[1];
-  if (words[0] == "./gnomon" && command == "test") return "";  // the wrapper's own
+  // The wrapper's own.
+  if (words[0] == "./gnomon" && (command == "test" || command == "python")) return "";
   const std::string& help = helpOf(command);
   if (help.find("Usage: gnomon " + command + " ") == std::string::npos)
     return "no command " + command;

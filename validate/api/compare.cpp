@@ -12,6 +12,7 @@
 #include "compare/mask_checks.h"
 #include "compare/mask_metrics.h"
 #include "compare/rates.h"
+#include "image/mask_picture.h"
 
 namespace gnomon {
 inline namespace api {
@@ -63,6 +64,18 @@ std::optional<double> MaskFigures::value(std::string_view metric) const {
     throw Exception(FailureKind::badInput, fmt::format("no metric is named \"{}\"", metric));
   }
   return found->value;
+}
+
+MaskPixels readMask(const std::filesystem::path& file) {
+  return translated([&] {
+    const Mask mask = image::readMaskPicture(file).mask;
+    MaskPixels pixels{mask.width, mask.height, {}};
+    pixels.samples.reserve(mask.samples.size());
+    for (const Shade shade : mask.samples) {
+      pixels.samples.push_back(static_cast<std::uint8_t>(shade));
+    }
+    return pixels;
+  });
 }
 
 MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,16 @@ struct MaskView {
   int width = 0, height = 0;
   std::span<const std::uint8_t> samples;  ///< width × height
 };
+
+/// A mask with its own samples.
+struct MaskPixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> samples;  ///< as in MaskView; row 0 at the top
+};
+
+/// Reads a picture of a mask as Gnomon writes it: white lit, black shadowed, mid-grey no answer.
+/// @throws Exception  badInput naming the file, for any other value too
+GNOMON_API MaskPixels readMask(const std::filesystem::path& file);
 
 /// Which samples count, and how much.
 struct CompareOptions {

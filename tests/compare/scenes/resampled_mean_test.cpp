@@ -56,6 +56,18 @@ TEST(SceneResamples, AreThoseOfTheDefinition) {
 }
 
 /// Each scene is drawn as often as the others: χ² of 24 degrees, which 52 exceeds once in 1000.
+/// Else Holm's correction leaves every pair of a large family in doubt, however far apart.
+TEST(SceneResamples, AreEnoughToTellOneOfManyPairsApart) {
+  for (const std::size_t comparisons : {0UL, 1UL, 100UL, 499UL, 500UL, 501UL, 1378UL, 100000UL}) {
+    const std::size_t resamples = resamplesFor(comparisons);
+    EXPECT_GE(resamples, standardResamples);
+    const double smallest = 1.0 / static_cast<double>(1 + resamples);
+    EXPECT_LE(smallest * static_cast<double>(comparisons), 0.025 + 1e-12) << comparisons;
+    EXPECT_EQ((1 + resamples) % 20, 0U);
+  }
+  EXPECT_EQ(resamplesFor(325), standardResamples);
+}
+
 TEST(SceneResamples, DrawEveryScene) {
   const SceneResamples resamples(25, 4000);
   std::array<double, 25> counts{};

@@ -47,6 +47,23 @@ study::SweepRecord gridSweep(const std::vector<double>& a, const std::vector<dou
   return sweep;
 }
 
+TEST(SweepSlices, ValuesOfOneRatioHaveALogarithmicAxis) {
+  const auto axisOf = [](const std::vector<double>& positions) {
+    SweepSlice slice;
+    slice.positions = positions;
+    return axisCommands(slice);
+  };
+  EXPECT_EQ(axisOf({1, 2.52, 6.35, 16}), "set logscale x\n");
+  EXPECT_EQ(axisOf({1, 2, 3, 4}), "");
+  EXPECT_EQ(axisOf({1, 2, 4}), "");         // three say little
+  EXPECT_EQ(axisOf({-8, -4, -2, -1}), "");  // of one ratio, but without a logarithm
+  EXPECT_EQ(axisOf({0, 1, 2, 4}), "");
+  SweepSlice named;
+  named.positions = {1, 2, 4, 8};
+  named.categories = {"a", "b", "c", "d"};
+  EXPECT_THAT(axisCommands(named), HasSubstr("set xtics ("));
+}
+
 TEST(SweepSlices, OneDimensionIsOneSliceInTheOrderOfItsValues) {
   study::SweepRecord sweep = gridSweep({3, 1, 2}, {8});
   for (study::SweepCase& which : sweep.cases) which.values.pop_back();

@@ -36,6 +36,10 @@ double deviationOf(std::span<const std::uint32_t> draws, const std::vector<doubl
 
 }  // namespace
 
+std::size_t resamplesFor(std::size_t comparisons) {
+  return std::max(standardResamples, 40 * std::max<std::size_t>(comparisons, 1) - 1);
+}
+
 SceneResamples::SceneResamples(std::size_t scenes, std::size_t resamples)
     : scenes_(scenes), count_(resamples) {
   if (scenes == 0) throw InternalError("no scene found to draw from, 1 or more expected");

@@ -14,6 +14,14 @@ namespace gnomon::compare {
 /// Fewer scenes than this give no interval.
 constexpr std::size_t leastScenes = 20;
 
+/// How many resamples are drawn unless told otherwise.
+constexpr std::size_t standardResamples = 19'999;
+
+/// How many resamples so many comparisons of one family take. The smallest p of B resamples is
+/// 1 / (1 + B); corrected for the number of comparisons it must be able to fall well below 0.05, or
+/// no pair is ever distinguishable. At least standardResamples, else the fewest that make it 0.025.
+std::size_t resamplesFor(std::size_t comparisons);
+
 /// Scenes drawn anew with replacement, as often as there are resamples. Draw k of resample b is
 /// ⌊n u⌋, where u is randomUnit(0, "scenes", b n + k) of common/counted_random.h: the same on every
 /// machine.
@@ -22,7 +30,7 @@ class SceneResamples {
   /// @param scenes  n, 1 or more
   /// @param resamples  1 more than these is best a multiple of 20: then 5 % of them are a whole
   ///   number
-  explicit SceneResamples(std::size_t scenes, std::size_t resamples = 19'999);
+  explicit SceneResamples(std::size_t scenes, std::size_t resamples = standardResamples);
   [[nodiscard]] std::size_t scenes() const { return scenes_; }
   [[nodiscard]] std::size_t count() const { return count_; }
   /// Fills n places with the scenes of a resample, each below n.

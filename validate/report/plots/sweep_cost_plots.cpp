@@ -96,8 +96,7 @@ PlotSheet framePlot(std::vector<Line> lines, const SweepSlice& slice) {
   PlotSheet sheet =
       sheetOf(lines,
               "set logscale y\nset xlabel " + gnuplotText(slice.axis) +
-                  "\nset ylabel 'time of a frame, ms'\n" +
-                  (slice.categories.empty() ? "" : categoryTics("xtics", slice.categories)),
+                  "\nset ylabel 'time of a frame, ms'\n" + axisCommands(slice),
               [](const Point& point) {
                 return fmt::format("{} {}", exactText(point.value),
                                    point.frameMs ? exactText(*point.frameMs) : "NaN");

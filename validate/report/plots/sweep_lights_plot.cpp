@@ -115,7 +115,7 @@ std::optional<PlotSheet> sweepLightsPlot(const study::SweepRecord& sweep, const 
   std::string text = grid.opening(slice.axis) +
                      "set yrange [0:*]\n"
                      "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n";
-  if (!slice.categories.empty()) text += categoryTics("xtics", slice.categories);
+  text += axisCommands(slice);
   for (std::size_t m = 0; m < curves.methods.size(); ++m) {
     text += grid.panel(m) + panelCommands(sweep, slice, curves, m);
   }

@@ -197,7 +197,7 @@ PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
           "set key at screen {:.3f}, screen 0.94 left top Left reverse samplen 2 spacing 1.1 "
           "maxcols 1\n",
           gnuplotText(slice.axis), legendLeft(series));
-  if (!slice.categories.empty()) text += categoryTics("xtics", slice.categories);
+  text += axisCommands(slice);
   for (Panel panel : panels) {
     if (panel.margins[1] == 0) panel.margins[1] = legendLeft(series) - 0.025;
     text += panelCommands(series, panel);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -122,6 +123,16 @@ std::vector<std::string> labelsOf(const Dimension& dimension) {
   return labels;
 }
 
+bool isGeometric(const std::vector<double>& positions) {
+  constexpr std::size_t fewest = 4;
+  if (positions.size() < fewest || !(positions.front() > 0)) return false;
+  const double ratio = positions[1] / positions[0];
+  for (std::size_t i = 1; i < positions.size(); ++i) {
+    if (std::abs(positions[i] / positions[i - 1] / ratio - 1) > 0.01) return false;
+  }
+  return ratio > 1;
+}
+
 }  // namespace
 
 std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep) {
@@ -174,6 +185,11 @@ SweepGrid gridOf(const study::SweepRecord& sweep) {
     grid.cases[row * columns.size() + placeIn(columns, across.positions[i])] = i;
   }
   return grid;
+}
+
+std::string axisCommands(const SweepSlice& slice) {
+  if (!slice.categories.empty()) return categoryTics("xtics", slice.categories);
+  return isGeometric(slice.positions) ? "set logscale x\n" : "";
 }
 
 std::string categoryTics(const char* axis, const std::vector<std::string>& labels) {

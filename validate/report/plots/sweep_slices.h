@@ -39,6 +39,10 @@ bool isGrid(const study::SweepRecord& sweep);
 /// @param sweep  one for which isGrid
 SweepGrid gridOf(const study::SweepRecord& sweep);
 
+/// The slice's axis across a plot: its labels where its values are no numbers, logarithmic where
+/// each of four or more is the same multiple of the one before, to a hundredth.
+std::string axisCommands(const SweepSlice& slice);
+
 /// "set xtics (…)" for labels at 0, 1, …, of many only some.
 std::string categoryTics(const char* axis, const std::vector<std::string>& labels);
 

@@ -41,7 +41,7 @@ Table suiteSettingsTable(const study::SuiteMethods& methods,
     for (std::size_t i = 0; i < setting.values.size(); ++i) {
       const study::TriedValue& value = setting.values[i];
       const std::string note =
-          i != setting.best ? "" : (i == 0 ? "as the authors have it" : "chosen");
+          i != setting.best ? "" : (i == 0 ? "the authors'" : "chosen");
       table.rows.push_back({{textCell(study::labelOfMethod(methods.methods[setting.method])),
                              textCell(setting.key), textCell(valueText(value)),
                              valueCell(value.mean), countCell(setting.scenes), textCell(note)}});

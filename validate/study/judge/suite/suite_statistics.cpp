@@ -80,13 +80,13 @@ struct Comparison {
   std::optional<compare::ResampledMean> mean;
 };
 
-void compare(const compare::SceneTable& table, Comparison& comparison) {
+void compare(const compare::SceneTable& table, Comparison& comparison, std::size_t resamples) {
   const std::vector<double> first = errorsOn(table, comparison.first, comparison.scenes);
   const std::vector<double> second = errorsOn(table, comparison.second, comparison.scenes);
   const std::vector<double> uncertainty = chosen(table.uncertainty, comparison.scenes);
   std::vector<double> differences;
   for (std::size_t s = 0; s < first.size(); ++s) differences.push_back(first[s] - second[s]);
-  comparison.mean.emplace(differences, compare::SceneResamples(differences.size()));
+  comparison.mean.emplace(differences, compare::SceneResamples(differences.size(), resamples));
   const compare::ResampledMean& mean = *comparison.mean;
   SuitePair& pair = comparison.pair;
   pair.wins = compare::winShare(first, second, uncertainty);
@@ -303,8 +303,9 @@ SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyM
   SuiteStatistics statistics{suite, tableOf(scenes), {}, {}, {}, {}};
   statistics.methods = methodsOf(statistics.table, scenes);
   std::vector<Comparison> comparisons = comparisonsOf(statistics.table, statistics.methods);
+  const std::size_t resamples = compare::resamplesFor(comparisons.size());
   parallelFor(0, comparisons.size(),
-              [&](std::size_t i) { compare(statistics.table, comparisons[i]); });
+              [&](std::size_t i) { compare(statistics.table, comparisons[i], resamples); });
   statistics.comparisons = judge(comparisons);
   for (Comparison& comparison : comparisons) statistics.pairs.push_back(std::move(comparison.pair));
   statistics.bins = binsOf(scenes, statistics.methods);

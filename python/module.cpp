@@ -1,0 +1,315 @@
+// The library's public face (validate/api) for Python: arrays in, arrays out. gnomon/__init__.py
+// has what is easier said in Python.
+
+#include <gnomon/compare.h>
+#include <gnomon/horizon.h>
+#include <gnomon/study.h>
+#include <gnomon/truth.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace {
+
+/// An array of some type in C order; another type is converted.
+template <typename T>
+using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
+
+/// The sizes of an array as people write them: "(2, 3)".
+std::string shapeText(const py::array& array) {
+  return py::str(array.attr("shape")).cast<std::string>();
+}
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw gnomon::Exception(gnomon::FailureKind::badInput, message);
+}
+
+/// @throws gnomon::Exception where an array has another number of dimensions, or another last size
+void requireShape(const py::array& array, const char* name, py::ssize_t dimensions,
+                  const char* expected, py::ssize_t last = -1) {
+  const bool fits = array.ndim() == dimensions && (last < 0 || array.shape(dimensions - 1) == last);
+  if (!fits)
+    refuse(std::string(name) + ": shape " + shapeText(array) + " found, " + expected + " expected");
+}
+
+template <typename T>
+std::span<const T> spanOf(const Array<T>& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// Values that Python owns from now on, without a copy.
+template <typename T>
+py::array_t<T> arrayOf(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
+  auto* kept = new std::vector<T>(std::move(values));
+  const py::capsule owner(kept, [](void* data) { delete static_cast<std::vector<T>*>(data); });
+  return py::array_t<T>(std::move(shape), kept->data(), owner);
+}
+
+/// A mask's samples: 0 lit, 1 shadowed, 2 no answer. Booleans are taken as they are; numbers of
+/// another type are refused, since 0.5 would become lit without a word.
+Array<std::uint8_t> maskOf(const py::array& mask, const char* name) {
+  requireShape(mask, name, 2, "(height, width)");
+  const char kind = mask.dtype().kind();
+  if (kind != 'b' && kind != 'u' && kind != 'i') {
+    refuse(std::string(name) + ": numbers of type " + py::str(mask.dtype()).cast<std::string>() +
+           " found, True where it is shadowed or 0 lit, 1 shadowed, 2 no answer expected");
+  }
+  if (kind != 'b' && mask.size() > 0) {
+    const auto within = py::bool_(mask.attr("min")() >= py::int_(0)) &&
+                        py::bool_(mask.attr("max")() <= py::int_(2));
+    if (!within) refuse(std::string(name) + ": a sample that is not 0, 1 or 2 found");
+  }
+  return Array<std::uint8_t>(mask);
+}
+
+gnomon::MaskView viewOf(const Array<std::uint8_t>& mask) {
+  return {static_cast<int>(mask.shape(1)), static_cast<int>(mask.shape(0)), spanOf(mask)};
+}
+
+py::dict compare(const py::array& candidate, const py::array& truth,
+                 const std::optional<Array<bool>>& roi,
+                 const std::optional<Array<double>>& weights) {
+  const Array<std::uint8_t> answers = maskOf(candidate, "candidate");
+  const Array<std::uint8_t> expected = maskOf(truth, "truth");
+  gnomon::CompareOptions options;
+  if (roi) {
+    requireShape(*roi, "roi", 2, "(height, width)");
+    options.region = {reinterpret_cast<const std::uint8_t*>(roi->data()),
+                      static_cast<std::size_t>(roi->size())};
+  }
+  if (weights) {
+    requireShape(*weights, "weights", 2, "(height, width)");
+    options.weights = spanOf(*weights);
+  }
+  gnomon::MaskFigures figures;
+  {
+    const py::gil_scoped_release released;
+    figures = gnomon::compareMasks(viewOf(answers), viewOf(expected), options);
+  }
+  py::dict result("tp"_a = figures.truePositive, "fp"_a = figures.falsePositive,
+                  "fn"_a = figures.falseNegative, "tn"_a = figures.trueNegative,
+                  "samples"_a = figures.samples);
+  py::dict undefined;
+  for (const gnomon::MaskMetric& metric : figures.metrics) {
+    result[py::str(metric.name)] = metric.value;
+    if (!metric.value) undefined[py::str(metric.name)] = metric.reason;
+  }
+  result["undefined"] = undefined;
+  return result;
+}
+
+py::array_t<std::uint8_t> readMask(const std::filesystem::path& file) {
+  gnomon::MaskPixels mask;
+  {
+    const py::gil_scoped_release released;
+    mask = gnomon::readMask(file);
+  }
+  return arrayOf(std::move(mask.samples), {mask.height, mask.width});
+}
+
+gnomon::HeightMap heightMapOf(const Array<float>& heights, bool repeats) {
+  requireShape(heights, "heights", 2, "(rows, columns)");
+  return {static_cast<int>(heights.shape(1)), static_cast<int>(heights.shape(0)), spanOf(heights),
+          repeats};
+}
+
+py::tuple horizons(const Array<float>& heights, int azimuths, double radius, bool repeats) {
+  const gnomon::HeightMap map = heightMapOf(heights, repeats);
+  auto* kept = new gnomon::HorizonMaps;
+  const py::capsule owner(kept, [](void* data) { delete static_cast<gnomon::HorizonMaps*>(data); });
+  {
+    const py::gil_scoped_release released;
+    *kept = gnomon::bakeHorizons(map, azimuths, radius);
+  }
+  const std::vector<py::ssize_t> shape = {kept->azimuths, kept->height, kept->width};
+  return py::make_tuple(py::array_t<float>(shape, kept->slopes.data(), owner),
+                        py::array_t<float>(shape, kept->distances.data(), owner));
+}
+
+gnomon::Surface makeSurface(const Array<double>& positions, const Array<int>& faces,
+                            const Array<double>& uvs, const std::optional<Array<int>>& faceUvs) {
+  requireShape(positions, "positions", 2, "(vertices, 3)", 3);
+  requireShape(uvs, "uvs", 2, "(texture vertices, 2)", 2);
+  requireShape(faces, "faces", 2, "(faces, 3 or 4)");
+  const py::ssize_t corners = faces.shape(1);
+  if (corners != 3 && corners != 4)
+    refuse("faces: shape " + shapeText(faces) + " found, (faces, 3 or 4) expected");
+  gnomon::ControlMesh mesh{spanOf(positions), spanOf(faces), spanOf(uvs), {}, corners == 3};
+  if (faceUvs) mesh.faceUvs = spanOf(*faceUvs);
+  const py::gil_scoped_release released;
+  return gnomon::makeSurface(mesh);
+}
+
+/// One member of every place, as an array that shows the samples' own memory.
+template <typename T>
+py::array_t<T> memberOf(const py::object& samples, T gnomon::SurfacePlace::*member) {
+  const auto& grid = samples.cast<const gnomon::SurfaceSamples&>();
+  constexpr py::ssize_t stride = sizeof(gnomon::SurfacePlace);
+  const T* first = grid.places.empty() ? nullptr : &(grid.places.front().*member);
+  return py::array_t<T>({grid.height, grid.width}, {stride * grid.width, stride}, first, samples);
+}
+
+py::object weightsOf(const py::object& samples) {
+  const auto& grid = samples.cast<const gnomon::SurfaceSamples&>();
+  if (grid.weights.empty()) return py::none();
+  return py::array_t<double>({grid.height, grid.width}, grid.weights.data(), samples);
+}
+
+gnomon::SurfaceSamples samplesOf(const Array<int>& face, const Array<float>& s,
+                                 const Array<float>& t) {
+  requireShape(face, "face", 2, "(height, width)");
+  for (const auto& [values, name] : {std::pair(&s, "s"), std::pair(&t, "t")}) {
+    requireShape(*values, name, 2, "(height, width) as of face");
+    if (values->shape(0) != face.shape(0) || values->shape(1) != face.shape(1)) {
+      refuse(std::string(name) + ": shape " + shapeText(*values) + " found, " + shapeText(face) +
+             " as of face expected");
+    }
+  }
+  gnomon::SurfaceSamples samples{
+      static_cast<int>(face.shape(1)), static_cast<int>(face.shape(0)), {}, {}};
+  for (py::ssize_t i = 0; i < face.size(); ++i) {
+    samples.places.push_back({face.data()[i], s.data()[i], t.data()[i]});
+  }
+  return samples;
+}
+
+py::list trace(const gnomon::Surface& surface, const Array<float>& heights,
+               const gnomon::SurfaceSamples& samples,
+               const std::vector<std::array<double, 3>>& lights,
+               const std::array<double, 2>& repeats, bool heightsInTexels, bool mapRepeats,
+               std::optional<double> step, std::optional<double> radius) {
+  const gnomon::Displacement relief{heightMapOf(heights, mapRepeats), repeats, heightsInTexels};
+  std::vector<gnomon::ShadowTruth> truths;
+  {
+    const py::gil_scoped_release released;
+    truths = gnomon::traceTruth(surface, relief, samples, lights, {step, radius});
+  }
+  py::list list;
+  for (gnomon::ShadowTruth& truth : truths) {
+    const std::vector<py::ssize_t> shape = {truth.height, truth.width};
+    list.append(py::dict("mask"_a = arrayOf(std::move(truth.mask), shape),
+                         "regions"_a = arrayOf(std::move(truth.regions), shape),
+                         "uncertainty"_a = truth.uncertainty));
+  }
+  return list;
+}
+
+/// What ends a run from within, when Python was interrupted.
+struct Interrupted {};
+
+/// Runs on another thread, while this one looks after Python's signals: only Python's main thread
+/// may, and a run takes long.
+py::tuple run(const std::filesystem::path& study, const std::filesystem::path& out,
+              const std::vector<std::string>& methods, const std::vector<std::string>& settings,
+              bool quick, bool cache, const py::object& progress) {
+  std::atomic<bool> isInterrupted = false;
+  gnomon::RunOptions options{out, methods, settings, quick, cache, {}};
+  options.progress = [&](std::string_view stage, double share) {
+    if (isInterrupted) throw Interrupted();
+    if (progress.is_none()) return;
+    const py::gil_scoped_acquire acquired;
+    progress(std::string(stage), share);
+  };
+  const py::gil_scoped_release released;
+  std::future<gnomon::RunResult> done =
+      std::async(std::launch::async, [&] { return gnomon::runStudy(study, options); });
+  while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+    const py::gil_scoped_acquire acquired;
+    if (isInterrupted || PyErr_CheckSignals() == 0) continue;
+    isInterrupted = true;
+    PyErr_Clear();
+  }
+  gnomon::RunResult result;
+  try {
+    result = done.get();
+  } catch (const Interrupted&) {
+  }
+  const py::gil_scoped_acquire acquired;
+  if (isInterrupted) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+  }
+  return py::make_tuple(result.summary, result.passed, result.failures);
+}
+
+/// The types of Python's exceptions, by the kind of failure.
+void addExceptions(py::module_& module) {
+  static const py::exception<gnomon::Exception> any(module, "Error", PyExc_RuntimeError);
+  static const py::exception<gnomon::Exception> input(
+      module, "InputError", py::make_tuple(any, py::handle(PyExc_ValueError)));
+  static const py::exception<gnomon::Exception> noGl(module, "NoOpenGLError", any);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const gnomon::Exception& error) {
+      const py::handle type = error.kind() == gnomon::FailureKind::badInput   ? input
+                              : error.kind() == gnomon::FailureKind::noOpenGl ? noGl
+                                                                              : any;
+      PyErr_SetString(type.ptr(), error.what());
+    }
+  });
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_gnomon, module) {
+  module.doc() = "The compiled part of gnomon.";
+  addExceptions(module);
+  py::class_<gnomon::Surface>(module, "Surface", "A smooth limit surface with texture coordinates.")
+      .def_property_readonly("face_count", &gnomon::Surface::faceCount,
+                             "Faces, each a square of parameters (s, t) from 0 to 1.");
+  py::class_<gnomon::SurfaceSamples>(module, "Samples",
+                                     "Points of a surface at which masks answer: row 0 at the top.")
+      .def(py::init(&samplesOf), "face"_a, "s"_a, "t"_a,
+           "Samples of another renderer: arrays (height, width); face -1 shows no surface.")
+      .def_property_readonly(
+          "face",
+          [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::face); },
+          "(height, width) int32; -1 where there is no surface.")
+      .def_property_readonly(
+          "s", [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::s); },
+          "(height, width) float32, 0 to 1.")
+      .def_property_readonly(
+          "t", [](const py::object& self) { return memberOf(self, &gnomon::SurfacePlace::t); },
+          "(height, width) float32, 0 to 1.")
+      .def_property_readonly("weights", &weightsOf,
+                             "(height, width) world area of each; None where all count alike.");
+  module.def("make_shape", &gnomon::makeShape, "shape"_a, "sizes"_a, "columns"_a, "rows"_a,
+             py::call_guard<py::gil_scoped_release>());
+  module.def("read_surface", &gnomon::readSurface, "file"_a, "triangles"_a = false,
+             py::call_guard<py::gil_scoped_release>());
+  module.def("make_surface", &makeSurface, "positions"_a, "faces"_a, "uvs"_a,
+             "face_uvs"_a = py::none());
+  module.def("atlas", &gnomon::atlasSamples, "surface"_a, "side"_a,
+             py::call_guard<py::gil_scoped_release>());
+  module.def(
+      "camera",
+      [](const gnomon::Surface& surface, const std::array<double, 3>& eye,
+         const std::array<double, 3>& target, const std::array<double, 3>& up, double fov,
+         int width, int height, int subdivisions) {
+        return gnomon::cameraSamples(surface, {eye, target, up, fov, width, height}, subdivisions);
+      },
+      "surface"_a, "eye"_a, "target"_a, "up"_a, "fov"_a, "width"_a, "height"_a, "subdivisions"_a,
+      py::call_guard<py::gil_scoped_release>());
+  module.def("horizons", &horizons, "heights"_a, "azimuths"_a, "radius"_a, "repeats"_a);
+  module.def("trace", &trace, "surface"_a, "heights"_a, "samples"_a, "lights"_a, "repeats"_a,
+             "heights_in_texels"_a, "map_repeats"_a, "step"_a, "radius"_a);
+  module.def("compare", &compare, "candidate"_a, "truth"_a, "roi"_a, "weights"_a);
+  module.def("read_mask", &readMask, "file"_a);
+  module.def("run", &run, "study"_a, "out"_a, "methods"_a, "settings"_a, "quick"_a, "cache"_a,
+             "progress"_a);
+}

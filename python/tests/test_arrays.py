@@ -1,0 +1,131 @@
+import math
+
+import numpy as np
+import pytest
+
+import gnomon
+
+
+def test_horizons_are_those_of_a_plain_search():
+    """On rows that are all alike the horizon toward +x is the largest slope to any texel: the
+    bilinear function has its maxima at texel centres, as seen from one of them."""
+    random = np.random.default_rng(1)
+    row = random.random(24, dtype=np.float32) * 5
+    found = gnomon.horizons(np.tile(row, (8, 1)), azimuths=4, radius=10)
+    assert found.slopes.shape == found.distances.shape == (4, 8, 24)
+    steps = np.arange(1, 11)
+    for x in range(24):
+        slopes = (row[(x + steps) % 24] - row[x]) / steps
+        assert found.slopes[0, 3, x] == pytest.approx(slopes.max(), rel=1e-5, abs=1e-5)
+    # Along y nothing rises.
+    assert np.allclose(found.slopes[1], 0, atol=1e-6)
+
+
+def test_spacing_turns_texels_into_lengths():
+    heights = np.zeros((16, 16), np.float32)
+    heights[8, 8] = 3
+    plain = gnomon.horizons(heights, 8, 12)
+    spaced = gnomon.horizons(heights, 8, 12, spacing=0.5)
+    assert np.allclose(spaced.slopes, plain.slopes * 2)
+    assert np.allclose(spaced.distances, plain.distances / 2)
+    with pytest.raises(gnomon.InputError, match="spacing: 0 found"):
+        gnomon.horizons(heights, 8, 12, spacing=0)
+
+
+def test_arrays_are_not_copied():
+    found = gnomon.horizons(np.zeros((4, 4), np.float32), 2, 2)
+    assert not found.slopes.flags.owndata
+    samples = gnomon.atlas(gnomon.make_shape("plane", [1, 1], 1, 1), 4)
+    assert not samples.face.flags.owndata
+    face = samples.face
+    del samples  # the array keeps what it shows
+    assert (face == 0).all()
+
+
+def test_a_wall_on_a_plane_casts_its_shadow_in_closed_form():
+    """A wall of height 4 along y, light from -x at 45 degrees: dark for 4 texels behind it."""
+    heights = np.zeros((64, 64), np.float32)
+    heights[:, 20:24] = 4
+    plane = gnomon.make_shape("plane", [64, 64], 8, 8)
+    samples = gnomon.atlas(plane, 32)
+    truth = gnomon.trace(plane, heights, samples, [(-1, 0, 1)], step=0.25, map_repeats=False)[0]
+    assert truth.mask.shape == truth.regions.shape == samples.face.shape
+    x = 64 * ((samples.face % 8 + samples.s) / 8)
+    dark = truth.mask == 1
+    # Between the wall's foot (centre 23.5, falling to 24.5) and 27.5 + the slope's own width.
+    assert dark[(x > 24.6) & (x < 27.4)].all()
+    assert not dark[(x > 27.6) | (x < 19)].any()
+    assert truth.uncertainty < 0.02
+
+
+def test_samples_of_another_renderer():
+    plane = gnomon.make_shape("plane", [8, 8], 1, 1)
+    own = gnomon.atlas(plane, 8)
+    given = gnomon.Samples(own.face, own.s, own.t)
+    heights = np.random.default_rng(2).random((8, 8), dtype=np.float32)
+    first, second = (
+        gnomon.trace(plane, heights, samples, [(1, 0.3, 0.5)], step=0.25)[0]
+        for samples in (own, given)
+    )
+    assert (first.mask == second.mask).all()
+    with pytest.raises(gnomon.InputError, match=r"s: shape \(8, 4\) found, \(8, 8\) as of face"):
+        gnomon.Samples(own.face, own.s[:, :4], own.t)
+
+
+def test_a_surface_from_arrays_is_the_shape():
+    """A plane of one quadrilateral: its limit surface is the plane itself but for the boundary."""
+    surface = gnomon.make_surface(
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]],
+        [[0, 1, 2, 3]],
+        [[0, 0], [1, 0], [1, 1], [0, 1]],
+    )
+    assert surface.face_count == 1
+    seen = gnomon.camera(surface, (0.5, 0.5, 2), (0.5, 0.5, 0), width=9, height=9)
+    assert seen.face[4, 4] == 0
+    assert seen.s[4, 4] == pytest.approx(0.5, abs=1e-5)
+
+
+def test_compare_by_hand():
+    truth = np.array([[1, 1, 0, 0], [1, 0, 0, 2]], np.uint8)
+    candidate = np.array([[1, 0, 0, 1], [1, 0, 0, 0]], np.uint8)
+    found = gnomon.compare(candidate, truth)
+    assert (found["tp"], found["fp"], found["fn"], found["tn"]) == (2, 1, 1, 3)
+    assert found["samples"] == 7
+    assert found["error_rate"] == pytest.approx(2 / 7)
+    # The complement is wrong wherever the candidate is right.
+    complement = np.where(truth == 2, 2, 1 - truth % 2)
+    assert gnomon.compare(complement, truth)["error_rate"] == 1
+    assert gnomon.compare(truth, truth)["error_rate"] == 0
+    upper = np.array([[True] * 4, [False] * 4])
+    assert gnomon.compare(candidate, truth, roi=upper)["samples"] == 4
+    weighted = gnomon.compare(candidate, truth, weights=np.array([[0, 0, 0, 3.0], [1, 1, 1, 1]]))
+    assert weighted["fp"] == 3
+    lit = np.zeros((2, 2), bool)
+    figures = gnomon.compare(lit, lit)
+    assert figures["iou"] is None and "iou" in figures["undefined"]
+
+
+@pytest.mark.parametrize(
+    "mask, message",
+    [
+        (np.zeros((2, 3), np.uint8), "candidate"),
+        (np.zeros(4, np.uint8), r"candidate: shape \(4,\) found, \(height, width\) expected"),
+        (np.zeros((2, 2)), "candidate: numbers of type float64 found, True where it is shadowed"),
+        (np.full((2, 2), 3), "candidate: a sample that is not 0, 1 or 2 found"),
+        (np.full((2, 2), -1), "candidate: a sample that is not 0, 1 or 2 found"),
+    ],
+)
+def test_masks_that_are_none_are_refused(mask, message):
+    with pytest.raises(gnomon.InputError, match=message) as refused:
+        gnomon.compare(mask, np.zeros((2, 2), np.uint8))
+    assert "\n" not in str(refused.value)
+    assert isinstance(refused.value, ValueError)
+
+
+def test_errors_are_one_line():
+    heights = np.full((4, 4), math.nan, np.float32)
+    with pytest.raises(gnomon.InputError) as refused:
+        gnomon.horizons(heights, 4, 4)
+    assert "\n" not in str(refused.value)
+    with pytest.raises(gnomon.InputError, match="nowhere.obj"):
+        gnomon.read_surface("nowhere.obj")
