@@ -252,6 +252,8 @@ void addExceptions(py::module_& module) {
   static const py::exception<gnomon::Exception> input(
       module, "InputError", py::make_tuple(any, py::handle(PyExc_ValueError)));
   static const py::exception<gnomon::Exception> noGl(module, "NoOpenGLError", any);
+  // pybind11 asks for a function that takes the pointer by value.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

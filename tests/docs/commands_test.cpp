@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -67,7 +68,7 @@ std::string faultOf(const std::vector<std::string>& words) {
     word.erase(0, word.starts_with("[") ? 1 : 0);
     if (!word.starts_with("--")) continue;
     word = word.substr(0, word.find_first_of("=]"));
-    if (help.find("  " + word + " ") == std::string::npos && word != "--help") {
+    if (help.find(fmt::format("  {} ", word)) == std::string::npos && word != "--help") {
       return command + " has no " + word;
     }
   }

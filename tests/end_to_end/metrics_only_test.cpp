@@ -182,14 +182,15 @@ TEST_F(MetricsOnly, TheLongTableHasTheMetricsOfEveryStep) {
         const bool isTold = isDrawn || (metrics.at("region") == "all" && isError);
         // f1 has two letters too, as the counts have.
         if ((isColumn && metric != "f1") || !isTold || value.empty()) continue;
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
-          return other.at("case") == std::to_string(step.at("case").get<int>()) &&
-                 other.at("metric") == metric && other.at("method") == metrics.at("method") &&
-                 other.at("view") == metrics.at("view") &&
-                 other.at("light") == metrics.at("light") &&
-                 other.at("answer") == metrics.at("answer") &&
-                 other.at("region") == metrics.at("region");
-        });
+        const auto row =
+            std::find_if(rows.begin(), rows.end(), [&, &metric = metric](const Row& other) {
+              return other.at("case") == std::to_string(step.at("case").get<int>()) &&
+                     other.at("metric") == metric && other.at("method") == metrics.at("method") &&
+                     other.at("view") == metrics.at("view") &&
+                     other.at("light") == metrics.at("light") &&
+                     other.at("answer") == metrics.at("answer") &&
+                     other.at("region") == metrics.at("region");
+            });
         ASSERT_NE(row, rows.end()) << name << ' ' << metric;
         EXPECT_EQ(row->at("value"), value);
         EXPECT_EQ(row->at("relief.height"), std::to_string(step.at("values").at(0).get<int>()));

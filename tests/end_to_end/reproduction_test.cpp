@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -43,7 +44,10 @@ class Reproduction : public EndToEnd {
     EXPECT_FALSE(files.empty());
     EXPECT_EQ(files, filesBelow(b + "/masks"));
     for (const std::string& name : files) {
-      EXPECT_TRUE(read(a + "/masks/" + name) == read(b + "/masks/" + name)) << name;
+      const auto maskIn = [&](const std::string& folder) {
+        return read(fmt::format("{}/masks/{}", folder, name));
+      };
+      EXPECT_TRUE(maskIn(a) == maskIn(b)) << name;
     }
     const nlohmann::json x = nlohmann::json::parse(read(a + "/summary.json"));
     const nlohmann::json y = nlohmann::json::parse(read(b + "/summary.json"));

@@ -1,6 +1,7 @@
 // Every row follows from the files of a run alone: from a method's mask, the truth at its samples,
 // the regions there, where paths cross a seam, and in an atlas what each sample counts.
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -124,7 +125,8 @@ TEST_F(RowsFromFiles, GiveEveryRow) {
         }
         return true;
       });
-      const std::string where = method + ", " + source.view + ", " + source.light + ", " + region;
+      const std::string where =
+          fmt::format("{}, {}, {}, {}", method, source.view, source.light, region);
       EXPECT_EQ(row.samples, result.at("samples")) << where;
       EXPECT_EQ(row.tp, result.at("tp")) << where;
       EXPECT_EQ(row.fp, result.at("fp")) << where;

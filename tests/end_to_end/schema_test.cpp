@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -64,7 +65,7 @@ void addKeys(const nlohmann::json& json, const std::string& path, std::set<std::
   const bool hasAllMetrics = json.contains("undefined");
   for (const auto& [key, value] : json.items()) {
     const std::string name = hasAllMetrics && isMetric(key) ? "METRIC" : key;
-    const std::string below = path.empty() ? name : path + "." + name;
+    const std::string below = path.empty() ? name : fmt::format("{}.{}", path, name);
     // What a list holds is documented under its own name.
     if (!value.is_array()) keys.insert(below);
     addKeys(value, below, keys);

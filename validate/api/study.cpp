@@ -5,8 +5,8 @@
 
 #include "api/inner/translated.h"
 #include "cli/commands/cache_command.h"
-#include "cli/plan_runs.h"
 #include "cli/commands/run_command.h"
+#include "cli/plan_runs.h"
 #include "cli/study_plans.h"
 #include "common/text/shell_quote.h"
 #include "render/gl_context.h"

@@ -24,6 +24,10 @@ class BackgroundThread {
   class LowPriority : public tbb::task_scheduler_observer {
    public:
     explicit LowPriority(tbb::task_arena& arena);
+    LowPriority(const LowPriority&) = delete;
+    LowPriority& operator=(const LowPriority&) = delete;
+    LowPriority(LowPriority&&) = delete;
+    LowPriority& operator=(LowPriority&&) = delete;
     ~LowPriority() override;
     void on_scheduler_entry(bool isWorker) override;
   };

@@ -18,7 +18,8 @@ namespace {
 
 TableImage imageOf(std::span<const float> values, const horizon::HorizonTables& baked,
                    horizon::TableBits bits) {
-  return {horizon::storeTable(values, bits), baked};
+  const horizon::TableShape& shape = baked;
+  return {horizon::storeTable(values, bits), shape};
 }
 
 /// The entry of a cache, made by `make` where it is not there yet.
@@ -72,8 +73,9 @@ std::shared_ptr<const TableImage> SceneMaker::ellipses(const SceneData& scene,
     const auto baked = bake(*scene.heights, spec.settings, progress);
     progress("Fitting ellipses")(0);
     const horizon::EllipseTable fitted = horizon::fitEllipses(*baked, scene.texelsPerHeight);
+    const horizon::TableShape& shape = fitted;
     return std::make_shared<const TableImage>(
-        TableImage{horizon::storeTable(fitted.values, spec.bits), fitted});
+        TableImage{horizon::storeTable(fitted.values, spec.bits), shape});
   });
 }
 

@@ -35,8 +35,9 @@ class SuiteScenes : public EndToEnd {
         row["tn"] = lit - moved;
         row["fp"] = row["fp"].get<double>() + moved;
       }
-      std::filesystem::create_directories(file(folder + "/" + name));
-      write(folder + "/" + name + "/summary.json", scene.dump());
+      const std::string place = fmt::format("{}/{}", folder, name);
+      std::filesystem::create_directories(file(place));
+      write(place + "/summary.json", scene.dump());
     }
   }
 };

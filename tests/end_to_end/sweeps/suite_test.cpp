@@ -8,7 +8,6 @@ namespace gnomon::test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 class SuiteRuns : public SuiteScenes {
  protected:
@@ -112,8 +111,7 @@ TEST_F(Gather, ComparesRankings) {
 }
 
 TEST_F(Gather, ChoosesTheSettingsOfScenesOfTrain) {
-  write("methods.toml",
-        "[[method]]\nname = \"max-forsyth\"\nvary = { \"bake.azimuths\" = [8] }\n");
+  write("methods.toml", "[[method]]\nname = \"max-forsyth\"\nvary = { \"bake.azimuths\" = [8] }\n");
   copyScenes("out/drawn", "train", 20);
   const std::vector<std::string> choose = {"gather",    "train",        "--out",    "statistics",
                                            "--methods", "methods.toml", "--choose", "chosen.toml"};

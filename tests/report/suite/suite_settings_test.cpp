@@ -82,8 +82,7 @@ TEST_F(SuiteSettings, MayAllBeTheAuthors) {
   const std::string text = chosenSettingsText(methods_, tried, "suite-t, 3 scenes");
   EXPECT_THAT(text, Not(HasSubstr("[[method]]")));
   writeTextAtomically(file("chosen.toml"), text);
-  EXPECT_TRUE(
-      study::readSuiteMethods(file("methods.toml"), file("chosen.toml")).chosen.empty());
+  EXPECT_TRUE(study::readSuiteMethods(file("methods.toml"), file("chosen.toml")).chosen.empty());
 }
 
 TEST_F(SuiteSettings, NeedEveryEntryOfTheList) {

@@ -13,15 +13,17 @@ using ::testing::HasSubstr;
 
 // Studies that together have every key there is.
 
+const std::string sixteenPoints =
+    "[[0,0,0],[1,0,0],[2,0,0],[3,0,0],[0,1,0],[1,1,0],[2,1,0],[3,1,0],"
+    "[0,2,0],[1,2,0],[2,2,0],[3,2,0],[0,3,0],[1,3,0],[2,3,0],[3,3,0]]\n";
+
 const std::vector<std::string> surfaces = {
     "shape = \"plane\"\nquads = [8, 8]\nsize = [64, 64]\n",
     "shape = \"cylinder\"\nquads = [8, 8]\nsize = [64, 64]\ncurvature = 0.01\n",
     "shape = \"sphere\"\nquads = [8, 8]\nsize = [64, 64]\ncurvature = 0.01\n",
     "shape = \"torus\"\nquads = [60, 60]\nmajor = 40\nminor = 20\n",
-    "shape = \"bezier\"\nquads = [4, 4]\npoints = [[0,0,0],[1,0,0],[2,0,0],[3,0,0],[0,1,0],[1,1,0],"
-    "[2,1,0],[3,1,0],[0,2,0],[1,2,0],[2,2,0],[3,2,0],[0,3,0],[1,3,0],[2,3,0],[3,3,0]]\n",
-    "shape = \"b-spline\"\ncolumns = 4\npoints = [[0,0,0],[1,0,0],[2,0,0],[3,0,0],[0,1,0],[1,1,0],"
-    "[2,1,0],[3,1,0],[0,2,0],[1,2,0],[2,2,0],[3,2,0],[0,3,0],[1,3,0],[2,3,0],[3,3,0]]\n",
+    "shape = \"bezier\"\nquads = [4, 4]\npoints = " + sixteenPoints,
+    "shape = \"b-spline\"\ncolumns = 4\npoints = " + sixteenPoints,
     "mesh = \"square.obj\"\nscheme = \"catmull-clark\"\n"};
 
 const std::vector<std::string> reliefs = {
@@ -33,8 +35,8 @@ const std::vector<std::string> reliefs = {
     "pattern = \"scratches\"\ntexels = [32, 32]\ndensity = 0.3\nlength = 16\nwidth = 4\nseed = 2\n",
     "solid = \"noise\"\ntexels = [32, 32]\nperiod = 16\noctaves = 2\ngain = 0.5\nseed = 2\n",
     "solid = \"cells\"\ntexels = [32, 32]\nperiod = 16\njitter = 0.5\ngroove = 3\nseed = 2\n",
-    "solid = \"ripples\"\ntexels = [32, 32]\nperiod = 16\nwindward = 0.7\nmeander = 2\n"
-    "direction = [1, 0, 0]\nseed = 2\n",
+    ("solid = \"ripples\"\ntexels = [32, 32]\nperiod = 16\nwindward = 0.7\nmeander = 2\n"
+     "direction = [1, 0, 0]\nseed = 2\n"),
     "image = \"heights.pgm\"\nchannel = 0\n"};
 
 std::string everyKey(const std::string& surface, const std::string& relief,
@@ -267,7 +269,8 @@ TEST_F(EveryKey, MistypedIsToldWithTheOneThatWasMeant) {
       toml::table changed = table;
       toml::node* at = &changed;
       std::size_t begin = 0;
-      for (std::size_t dot; (dot = path.find('.', begin)) != std::string::npos; begin = dot + 1) {
+      for (std::size_t dot = 0; (dot = path.find('.', begin)) != std::string::npos;
+           begin = dot + 1) {
         const std::string part = path.substr(begin, dot - begin);
         at = at->is_table() ? at->as_table()->get(part) : at->as_array()->get(std::stoul(part));
       }

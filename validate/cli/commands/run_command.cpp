@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "cli/commands/cache_command.h"
 #include "cli/case_source.h"
+#include "cli/commands/cache_command.h"
 #include "cli/failure.h"
 #include "cli/output.h"
 #include "cli/plan_runs.h"

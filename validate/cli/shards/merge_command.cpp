@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "cli/commands/cache_command.h"
 #include "cli/case_source.h"
+#include "cli/commands/cache_command.h"
 #include "cli/failure.h"
 #include "cli/plan_runs.h"
 #include "cli/run_plans.h"

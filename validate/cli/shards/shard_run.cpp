@@ -9,8 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "cli/commands/cache_command.h"
 #include "cli/case_source.h"
+#include "cli/commands/cache_command.h"
 #include "cli/failure.h"
 #include "cli/output.h"
 #include "cli/plan_runs.h"

@@ -93,14 +93,13 @@ PlotSheet sheetOf(const std::vector<Line>& lines, const std::string& axes, const
 
 PlotSheet framePlot(std::vector<Line> lines, const SweepSlice& slice) {
   std::erase_if(lines, [](const Line& line) { return !isTimed(line); });
-  PlotSheet sheet =
-      sheetOf(lines,
-              "set logscale y\nset xlabel " + gnuplotText(slice.axis) +
-                  "\nset ylabel 'time of a frame, ms'\n" + axisCommands(slice),
-              [](const Point& point) {
-                return fmt::format("{} {}", exactText(point.value),
-                                   point.frameMs ? exactText(*point.frameMs) : "NaN");
-              });
+  PlotSheet sheet = sheetOf(lines,
+                            "set logscale y\nset xlabel " + gnuplotText(slice.axis) +
+                                "\nset ylabel 'time of a frame, ms'\n" + axisCommands(slice),
+                            [](const Point& point) {
+                              return fmt::format("{} {}", exactText(point.value),
+                                                 point.frameMs ? exactText(*point.frameMs) : "NaN");
+                            });
   sheet.name = "sweep_frames";
   sheet.title = "Time of a frame";
   sheet.about = "Time of a frame of each method against " + slice.axis;

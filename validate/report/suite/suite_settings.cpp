@@ -40,8 +40,7 @@ Table suiteSettingsTable(const study::SuiteMethods& methods,
   for (const study::TriedSetting& setting : tried) {
     for (std::size_t i = 0; i < setting.values.size(); ++i) {
       const study::TriedValue& value = setting.values[i];
-      const std::string note =
-          i != setting.best ? "" : (i == 0 ? "the authors'" : "chosen");
+      const std::string note = i != setting.best ? "" : (i == 0 ? "the authors'" : "chosen");
       table.rows.push_back({{textCell(study::labelOfMethod(methods.methods[setting.method])),
                              textCell(setting.key), textCell(valueText(value)),
                              valueCell(value.mean), countCell(setting.scenes), textCell(note)}});
@@ -54,7 +53,8 @@ std::string chosenSettingsText(const study::SuiteMethods& methods,
                                const std::vector<study::TriedSetting>& tried,
                                const std::string& scenes) {
   std::string text = fmt::format(
-      "# Settings with the least mean error on {}, one setting at a time; the authors' value stands "
+      "# Settings with the least mean error on {}, one setting at a time; the authors' value "
+      "stands "
       "first.\n",
       scenes);
   for (const study::TriedSetting& setting : tried) text += commentOf(methods, setting);

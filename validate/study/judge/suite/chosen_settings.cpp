@@ -43,9 +43,9 @@ TriedSetting measured(TriedSetting setting, const compare::SceneTable& train) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     setting.values[i].mean = meanOn(train, rows[i], scenes);
   }
-  const auto best = std::min_element(
-      setting.values.begin(), setting.values.end(),
-      [](const TriedValue& a, const TriedValue& b) { return a.mean < b.mean; });
+  const auto best =
+      std::min_element(setting.values.begin(), setting.values.end(),
+                       [](const TriedValue& a, const TriedValue& b) { return a.mean < b.mean; });
   setting.best = static_cast<std::size_t>(best - setting.values.begin());
   return setting;
 }

@@ -40,8 +40,8 @@ std::vector<VariedMethod> variedOf(const toml::table& method, std::size_t of,
     const std::string what = name.substr(name.find('.') + 1);
     for (const toml::node& value : *list) {
       const std::string text = tomlValueText(value);
-      varied.push_back({of, name, text,
-                        labelled(withSetting(method, name, value), what + " " + text)});
+      varied.push_back(
+          {of, name, text, labelled(withSetting(method, name, value), what + " " + text)});
     }
   }
   return varied;
