@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// Beside those of the small study.
-const std::string methods =
+const std::string surfaceMethods =
     "[[method]]\nname = \"shadow-volume\"\n[[method]]\nname = \"shadow-map\"\n";
 
 class DriverFaults : public EndToEnd {
@@ -54,7 +54,7 @@ class DriverFaults : public EndToEnd {
 };
 
 TEST_F(DriverFaults, RefuseTheMethodsThatNeedWhatIsWrongAndNoOther) {
-  write("small.toml", smallStudy() + methods);
+  write("small.toml", smallStudy() + surfaceMethods);
   const std::vector<std::string> run = {"run", "small.toml", "--out", "right"};
   ASSERT_EQ(gnomon(run).status, 0);
   const Outcome outcome = gnomon({"run", "small.toml", "--out", "wrong"}, withOpenVolumes());
@@ -81,7 +81,7 @@ TEST_F(DriverFaults, FailTheGatesOfARefusedMethod) {
   const std::string gates =
       "[[threshold]]\nmethod = \"shadow-volume\"\nmetric = \"error_rate\"\nmax = 0.9\n"
       "[[threshold]]\nmethod = \"max-forsyth\"\nmetric = \"error_rate\"\nmax = 0.9\n";
-  write("small.toml", smallStudy() + methods + gates);
+  write("small.toml", smallStudy() + surfaceMethods + gates);
   ASSERT_EQ(gnomon({"check", "small.toml"}).status, 0);
   const Outcome outcome =
       gnomon({"check", "small.toml", "--junit", "junit.xml"}, withOpenVolumes());
@@ -98,12 +98,12 @@ TEST_F(DriverFaults, FailTheGatesOfARefusedMethod) {
   }
   EXPECT_GT(failed, 0U);
   // Without a gate of its own a refused method does not pass either.
-  write("small.toml", smallStudy() + methods + gates.substr(gates.rfind("[[")));
+  write("small.toml", smallStudy() + surfaceMethods + gates.substr(gates.rfind("[[")));
   EXPECT_EQ(gnomon({"check", "small.toml"}, withOpenVolumes()).status, 4);
 }
 
 TEST_F(DriverFaults, LeaveNothingWhereAllMethodsNeedWhatIsWrong) {
-  write("small.toml", smallStudy() + methods);
+  write("small.toml", smallStudy() + surfaceMethods);
   const Outcome outcome =
       gnomon({"run", "small.toml"},
              withFault("samples.frag", "sampleSt = clamp(st", "sampleSt = clamp(st.yx"));

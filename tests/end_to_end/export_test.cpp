@@ -9,7 +9,6 @@
 namespace gnomon::test {
 namespace {
 
-using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -68,7 +67,7 @@ name = "unshadowed"
 )";
 }
 
-Point pointOf(const json& list) {
+Point pointOf(const nlohmann::json& list) {
   return {list.at(0), list.at(1), list.at(2)};
 }
 
@@ -90,33 +89,33 @@ TestPicture rendered(const Channels& samples, const Triangles& mesh, const Point
 
 class Export : public EndToEnd {
  protected:
-  json exported(const std::string& name, const std::string& text,
-                const std::vector<std::string>& options = {}) const {
+  nlohmann::json exported(const std::string& name, const std::string& text,
+                          const std::vector<std::string>& options = {}) const {
     write(name + ".toml", text);
     std::vector<std::string> arguments = {"export", name + ".toml"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Outcome outcome = gnomon(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    return json::parse(read("out/" + name + "/export/export.json"));
+    return nlohmann::json::parse(read("out/" + name + "/export/export.json"));
   }
 
   /// Renders every view under every light from the export alone and has the masks compared.
-  void expectReproduced(const std::string& name, const json& about, double lift) const {
+  void expectReproduced(const std::string& name, const nlohmann::json& about, double lift) const {
     const auto part = [&](const std::string& path) { return "out/" + name + "/export/" + path; };
     const Triangles mesh = readPly(file(part(about.at("displaced_mesh").at("file"))));
-    for (const json& view : about.at("views")) {
+    for (const nlohmann::json& view : about.at("views")) {
       const Channels samples = readChannels(file(part(view.at("samples"))));
       for (std::size_t l = 0; l < about.at("lights").size(); ++l) {
         const Point light = pointOf(about.at("lights").at(l).at("direction"));
         writePicture(file("mine.exr"), rendered(samples, mesh, light, lift));
-        const json& mask = view.at("masks").at(l);
+        const nlohmann::json& mask = view.at("masks").at(l);
         EXPECT_EQ(mask.at("light"), about.at("lights").at(l).at("name"));
         const Outcome outcome =
             gnomon({"compare", "mine.exr", part(mask.at("truth")), "--roi", part(view.at("roi")),
                     "--max", "error_rate=0.01", "--json", "-"});
         EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
-        const json found = json::parse(outcome.out);
+        const nlohmann::json found = nlohmann::json::parse(outcome.out);
         EXPECT_GT(found.at("samples"), 1000) << view.at("name");
         // There is light and shadow to agree on.
         EXPECT_GT(found.at("prevalence"), 0.05);
@@ -129,14 +128,14 @@ class Export : public EndToEnd {
 };
 
 TEST_F(Export, AnotherRendererReproducesTheTruthOnAPlane) {
-  const json about = exported("small", smallStudy());
+  const nlohmann::json about = exported("small", smallStudy());
   EXPECT_EQ(about.at("displaced_mesh").at("subdivisions"), 32) << "4 a texel";
   EXPECT_EQ(about.at("displaced_mesh").at("closed"), false);
   expectReproduced("small", about, about.at("ray_lift"));
 }
 
 TEST_F(Export, AnotherRendererReproducesTheTruthOnAClosedSurface) {
-  const json about = exported("ring", torusStudy(), {"--subdivisions", "8"});
+  const nlohmann::json about = exported("ring", torusStudy(), {"--subdivisions", "8"});
   EXPECT_EQ(about.at("displaced_mesh").at("triangles"), 64 * 60 * 8 * 8 * 2);
   const Triangles mesh = readPly(file("out/ring/export/displaced.ply"));
   EXPECT_EQ(mesh.faces.size(), 64U * 60U * 8U * 8U * 2U);
@@ -148,10 +147,10 @@ TEST_F(Export, AnotherRendererReproducesTheTruthOnAClosedSurface) {
 }
 
 TEST_F(Export, TheCameraPutsEverySampleOnItsPixel) {
-  const json about = exported("small", smallStudy());
-  const json& view = about.at("views").at(0);
+  const nlohmann::json about = exported("small", smallStudy());
+  const nlohmann::json& view = about.at("views").at(0);
   const Channels samples = readChannels(file("out/small/export/samples/camera.exr"));
-  const auto transformed = [](const json& matrix, const std::array<double, 4>& v) {
+  const auto transformed = [](const nlohmann::json& matrix, const std::array<double, 4>& v) {
     std::array<double, 4> result{};
     for (std::size_t r = 0; r < 4; ++r) {
       for (std::size_t c = 0; c < 4; ++c) {
@@ -178,7 +177,7 @@ TEST_F(Export, TheCameraPutsEverySampleOnItsPixel) {
 
 TEST_F(Export, TheHeightMapIsTheStudysOwn) {
   runStudy("small", smallStudy());
-  const json about = exported("small", smallStudy());
+  const nlohmann::json about = exported("small", smallStudy());
   EXPECT_EQ(about.at("height_map").at("maximum"), 4);
   const std::string own = smallStudy();
   const std::size_t begin = own.find("pattern");
@@ -200,10 +199,10 @@ TEST_F(Export, TruthsAndTablesAreThoseOfTheOtherCommands) {
   EXPECT_EQ(read("out/small/export/" + mask), read("out/small/" + mask));
   EXPECT_EQ(read("out/small/truth/" + mask), read("out/small/" + mask));
   EXPECT_EQ(read("out/small/export/tables.exr"), read("out/small/tables.exr"));
-  const json run = summary("small");
-  const json truth = json::parse(read("out/small/truth/truth.json"));
+  const nlohmann::json run = summary("small");
+  const nlohmann::json truth = nlohmann::json::parse(read("out/small/truth/truth.json"));
   EXPECT_EQ(truth.at("truth").at("uncertainty"), run.at("truth").at("uncertainty"));
-  const json& found = truth.at("cases").at(0);
+  const nlohmann::json& found = truth.at("cases").at(0);
   for (const char* region : {"lit", "attached", "cast", "distant", "beyond-terminator"}) {
     EXPECT_EQ(found.at("region_samples").at(region),
               resultOf(run, "unshadowed", "evening", "camera", region).at("samples"))
@@ -234,7 +233,7 @@ TEST_F(Export, TheSameStudyGivesTheSameBytes) {
 }
 
 TEST_F(Export, TheBaseMeshIsWhatTheRasteriserDraws) {
-  const json about = exported("small", smallStudy());
+  const nlohmann::json about = exported("small", smallStudy());
   EXPECT_EQ(about.at("base_mesh").at("triangles"), 4 * 4 * 2);
   std::istringstream lines(read("out/small/export/base.obj"));
   std::vector<Point> points, normals;
@@ -280,8 +279,8 @@ TEST_F(Export, TheBaseMeshIsWhatTheRasteriserDraws) {
 }
 
 TEST_F(Export, AnAtlasWeighsItsSamplesByArea) {
-  const json about = exported("ring", torusStudy(), {"--subdivisions", "1"});
-  const json& atlas = about.at("views").at(1);
+  const nlohmann::json about = exported("ring", torusStudy(), {"--subdivisions", "1"});
+  const nlohmann::json& atlas = about.at("views").at(1);
   EXPECT_EQ(atlas.at("type"), "atlas");
   EXPECT_EQ(atlas.at("atlas").at("columns"), 64);
   EXPECT_EQ(atlas.at("width"), 64 * 3);
