@@ -14,6 +14,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -208,7 +209,7 @@ py::list trace(const gnomon::Surface& surface, const Array<float>& heights,
   return list;
 }
 
-/// What ends a run from within, when Python was interrupted.
+/// Ends a run from within, when a signal has raised an exception in Python.
 struct Interrupted {};
 
 /// Runs on another thread, while this one looks after Python's signals: only Python's main thread
@@ -217,6 +218,7 @@ py::tuple run(const std::filesystem::path& study, const std::filesystem::path& o
               const std::vector<std::string>& methods, const std::vector<std::string>& settings,
               bool quick, bool cache, const py::object& progress) {
   std::atomic<bool> isInterrupted = false;
+  std::optional<py::error_already_set> raised;  // by Python's handler of the signal
   gnomon::RunOptions options{out, methods, settings, quick, cache, {}};
   options.progress = [&](std::string_view stage, double share) {
     if (isInterrupted) throw Interrupted();
@@ -230,8 +232,8 @@ py::tuple run(const std::filesystem::path& study, const std::filesystem::path& o
   while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
     const py::gil_scoped_acquire acquired;
     if (isInterrupted || PyErr_CheckSignals() == 0) continue;
+    raised.emplace();
     isInterrupted = true;
-    PyErr_Clear();
   }
   gnomon::RunResult result;
   try {
@@ -239,10 +241,7 @@ py::tuple run(const std::filesystem::path& study, const std::filesystem::path& o
   } catch (const Interrupted&) {
   }
   const py::gil_scoped_acquire acquired;
-  if (isInterrupted) {
-    PyErr_SetNone(PyExc_KeyboardInterrupt);
-    throw py::error_already_set();
-  }
+  if (raised) throw py::error_already_set(*raised);
   return py::make_tuple(result.summary, result.passed, result.failures);
 }
 

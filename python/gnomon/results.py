@@ -15,6 +15,8 @@ Row = Dict[str, Any]
 
 #: Columns of metrics.csv that say what a row is about; all others are metrics.
 _ABOUT = ("study", "method", "light", "view", "answer", "region")
+#: Columns of names, which stay text even where they look like numbers.
+_NAMES = {*_ABOUT, "metric", "unit"}
 
 
 def _frame(rows: List[Row]) -> Any:
@@ -97,7 +99,10 @@ class Result:
         of a sweep also for each case, with the swept keys."""
         cases = self.folder / "cases.csv"
         if cases.exists():
-            return [{key: _number(text) for key, text in row.items()} for row in _rows_of(cases)]
+            return [
+                {key: text if key in _NAMES else _number(text) for key, text in row.items()}
+                for row in _rows_of(cases)
+            ]
         rows = []
         for row in _rows_of(self.folder / "metrics.csv"):
             about = {key: row[key] for key in _ABOUT}

@@ -69,6 +69,12 @@ def test_a_sweep_has_its_keys_in_the_rows(study):
     assert {"case", "method", "metric", "value", "low", "high"} <= set(rows[0])
 
 
+def test_names_stay_text(study):
+    text = study.read_text().replace('"evening"', '"30"')
+    study.write_text(text + '[sweep]\nkey = "relief.height"\nvalues = [1, 2]\n')
+    assert {row["light"] for row in gnomon.run(study).rows()} == {"30"}
+
+
 def test_a_folder_of_runs_is_one_table(study):
     gnomon.run(study)
     (study.parent / "other.toml").write_text(study.read_text().replace('"small"', '"other"'))

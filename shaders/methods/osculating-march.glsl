@@ -29,7 +29,7 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   for (float t = stride; t <= farthest; t += stride) {
     if (t > leaves && t < returns) {
       if (returns > farthest) break;
-      t = stride * floor(returns / stride);
+      t = max(t, stride * floor(returns / stride));
     }
     float arcLength = t * light.worldPerTexel;
     float occluder = pixel.worldPerHeight * heightAt(pixel.texel + t * light.direction);

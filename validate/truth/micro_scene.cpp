@@ -30,8 +30,8 @@ void throwOnError(RTCDevice device, const char* task) {
 }
 
 embree::Device makeDevice() {
-  // Huge pages: rays that graze a surface touch many nodes far from each other; a seventh of the
-  // time of surface horizons was spent on looking up their pages.
+  // Huge pages: rays that graze a surface touch many nodes far from each other. With small pages
+  // surface horizons take a seventh longer.
   embree::Device device(rtcNewDevice(fmt::format("threads={},hugepages=1", threadCount()).c_str()));
   if (!device) throwOnError(nullptr, "starting");
   return device;

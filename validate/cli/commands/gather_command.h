@@ -28,9 +28,10 @@ CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request);
 
 /// Writes the statistics over the scenes that finished runs left: suite.csv, suite.md, suite.html,
 /// plots/suite-* and last suite.json. With `against` it also prints how the ranking agrees with the
-/// other one. With `choose` it chooses the methods' settings, where the scenes are those of train.
+/// other one. With `choose`, for scenes of train, it writes the settings that are best on them:
+/// see triedSettings.
 /// @throws InputError where the folders hold fewer than 20 scenes of a suite, scenes of several
-///   suites or one scene twice, and as readFinishedScenes; as triedSettings
+///   suites or one scene twice; as readFinishedScenes and triedSettings
 ExitStatus gatherScenes(const GatherRequest& request);
 
 }  // namespace gnomon::cli

@@ -14,7 +14,7 @@ std::string valueText(const study::TriedValue& value) {
   return value.value.empty() ? "as declared" : value.value;
 }
 
-/// "# max-forsyth, bake.azimuths: 32 has 1.20 %, 16 1.54 %, 64 1.08 %"
+/// "# max-forsyth, bake.azimuths: 32 1.20 %, 16 1.54 %, 64 1.08 % (chosen); 200 scenes"
 std::string commentOf(const study::SuiteMethods& methods, const study::TriedSetting& setting) {
   std::string text =
       fmt::format("# {}, {}:", study::labelOfMethod(methods.methods[setting.method]), setting.key);
@@ -53,9 +53,7 @@ std::string chosenSettingsText(const study::SuiteMethods& methods,
                                const std::vector<study::TriedSetting>& tried,
                                const std::string& scenes) {
   std::string text = fmt::format(
-      "# Settings with the least mean error on {}, one setting at a time; the authors' value "
-      "stands "
-      "first.\n",
+      "# Settings with the least mean error on {}, one at a time; the authors' value first.\n",
       scenes);
   for (const study::TriedSetting& setting : tried) text += commentOf(methods, setting);
   toml::array chosen;
