@@ -18,18 +18,6 @@ minimum = 16
 maximum = 8192
 about = "texels a side of the depth map, which holds the whole surface"
 
-[parameters.samples]
-default = 4
-minimum = 1
-maximum = 32
-about = "percentage-closer filtering: samples a side of its square"
-
-[parameters.width]
-default = 3
-minimum = 0
-maximum = 64
-about = "side of that square, texels of the depth map; 0 samples one point"
-
 [parameters.bias]
 default = 1
 minimum = 0
@@ -61,7 +49,7 @@ about = "how far from its silhouettes the depth map leaves the answer to the mar
 //    path, σ long each, a ray at the slope tan θ gets t σ √(1 + tan² θ) far, so that the march must
 //    go up to  t = A / (σ √(1 + tan² θ)). That is a few texels, whatever the body.
 //  - Silhouettes of flat pieces run beside the relief's. Where the depth map says lit, but sees
-//    something nearer to the light within `edge` pieces of the place, the march goes on to its end.
+//    something nearer to the light `edge` pieces beside the place, the march goes on to its end.
 //
 // The camera draws the base mesh. It lies below the surface where that is convex: see surfacePoint.
 
@@ -114,18 +102,33 @@ vec2 depthTilt(vec3 facet, float cosine) {
   return across * texel / (lightMapLengths.y * max(cosine, 1.0 / steepest));
 }
 
-// Share of the samples in a square about a place of the depth map, `side` texels wide, that are
-// nearer to the light than the plane through place.z.
-float shareNearer(vec3 place, vec2 tilt, float side) {
-  float nearer = 0.0;
-  for (float j = 0.5; j < samples; j += 1.0) {
-    for (float i = 0.5; i < samples; i += 1.0) {
-      vec2 texel = floor(place.xy + side * (vec2(i, j) / samples - 0.5));
-      float plane = place.z + dot(tilt, texel + 0.5 - place.xy);
-      nearer += lightDepthOf(ivec2(texel)) < plane ? 1.0 : 0.0;
-    }
+// Whether a texel of the depth map is nearer to the light than the plane through place.z.
+bool isNearer(vec3 place, vec2 tilt, vec2 texel) {
+  return lightDepthOf(ivec2(texel)) < place.z + dot(tilt, texel + 0.5 - place.xy);
+}
+
+// Share of such texels about a place, with bilinear weights (percentage-closer filtering): its half is
+// a smooth outline, finer than the texels.
+float shareNearer(vec3 place, vec2 tilt) {
+  vec2 corner = floor(place.xy - 0.5);
+  vec2 fraction = place.xy - 0.5 - corner;
+  float share = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    vec2 step = vec2(k & 1, k >> 1);
+    vec2 weight = mix(1.0 - fraction, fraction, step);
+    share += isNearer(place, tilt, corner + step) ? weight.x * weight.y : 0.0;
   }
-  return nearer / (samples * samples);
+  return share;
+}
+
+// Whether any texel at the corners of a square of half side `far` about the place is nearer.
+bool isBesideEdge(vec3 place, vec2 tilt, float far) {
+  bool isBeside = false;
+  for (int k = 0; k < 4; ++k) {
+    vec2 corner = vec2(k & 1, k >> 1) * 2.0 - 1.0;
+    isBeside = isBeside || isNearer(place, tilt, floor(place.xy + far * corner));
+  }
+  return isBeside;
 }
 
 bool isShadowed(Pixel pixel, LocalLight light) {
@@ -139,12 +142,11 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float off = bias * lightMapLengths.x + piece_bias * piece;
   float allowance = off * (1.0 + 0.5 * slope);
   float near = allowance / (path.worldPerTexel * sqrt(1.0 + path.slope * path.slope));
-  if (shadowedAtCrossings(path, min(near, path.limit))) return true;
 
   vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
   place.z -= allowance / lightMapLengths.y;
   vec2 tilt = depthTilt(facet, cosine);
-  if (shareNearer(place, tilt, width) > 0.5) return true;
-  if (!(shareNearer(place, tilt, 2.0 * edge * piece / lightMapLengths.x) > 0.0)) return false;
-  return shadowedAtCrossings(path, crossingsFrom(path, near), path.limit);
+  if (shareNearer(place, tilt) > 0.5) return true;
+  bool isLong = isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
+  return shadowedAtCrossings(path, isLong ? path.limit : min(near, path.limit));
 }

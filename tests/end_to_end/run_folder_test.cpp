@@ -46,6 +46,7 @@ TEST_F(RunFolder, SummaryHasTheKeysThatOthersReadItBy) {
   EXPECT_EQ(cost.at("polygons"), 4 * 4 * 2);
   EXPECT_EQ(cost.at("table_bytes"), 32 * 32 * 8);
   EXPECT_GT(cost.at("frame_ms"), 0);
+  EXPECT_EQ(cost.at("still_ms"), cost.at("frame_ms")) << "none of its passes is the light's alone";
   EXPECT_EQ(json.at("cost").at(0).at("table_bytes"), 0) << "bump mapping alone reads no table";
   EXPECT_FALSE(json.at("timings").empty());
   for (const nlohmann::json& timing : json.at("timings")) {

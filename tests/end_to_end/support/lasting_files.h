@@ -38,7 +38,8 @@ inline std::string lastingJson(const std::string& text) {
   for (const char* list : {"cost", "results"}) {
     if (!json.contains(list)) continue;
     for (nlohmann::json& row : json.at(list)) {
-      for (const char* key : {"frame_ms", "frame_ratio", "frame_kept_since"}) row.erase(key);
+      for (const char* key : {"frame_ms", "still_ms", "frame_ratio", "frame_kept_since"})
+        row.erase(key);
     }
   }
   return json.dump();

@@ -215,7 +215,8 @@ nlohmann::json lastingPart(nlohmann::json summary) {
   summary.at("study").erase("command");
   summary.at("truth").erase("bvh_bytes");
   for (nlohmann::json& cost : summary.at("cost")) {
-    for (const char* key : {"frame_ms", "frame_ratio", "frame_kept_since"}) cost.erase(key);
+    for (const char* key : {"frame_ms", "still_ms", "frame_ratio", "frame_kept_since"})
+      cost.erase(key);
   }
   return summary;
 }

@@ -27,9 +27,9 @@ study::StudyRecord threeMethods() {
   record.methods = {{"flat", "max-forsyth", "", ""},
                     {"onoue-2004", "onoue-2004", "", ""},
                     {"shadow-volume", "shadow-volume", "", ""}};
-  record.cost = {{"flat", 960, 524'288, 0, 4.0},
-                 {"onoue-2004", 960, 1'048'576, 16'384, 5.0},
-                 {"shadow-volume", 1'234'567, 0, 0, 16.0, 3}};
+  record.cost = {{"flat", 960, 524'288, 0, 4.0, 4.0},
+                 {"onoue-2004", 960, 1'048'576, 16'384, 5.0, 5.0},
+                 {"shadow-volume", 1'234'567, 0, 0, 16.0, 12.0, 3}};
   return record;
 }
 
@@ -89,10 +89,9 @@ TEST(Cost, StandsInEveryReport) {
   EXPECT_EQ(json["cost"][0]["passes"], 1);
   const std::string table = terminalReport(record, false);
   EXPECT_THAT(table, HasSubstr("  shadow-volume    1\u202f234\u202f567         0 B       3      "
-                               "16.00           4.00×\n"));
-  EXPECT_THAT(
-      table,
-      HasSubstr("  flat                   960      524 kB       1       4.00           1.00×\n"));
+                               "16.00            12.00           4.00×\n"));
+  EXPECT_THAT(table, HasSubstr("  flat                   960      524 kB       1       4.00"
+                               "             4.00           1.00×\n"));
   const std::string html = reportHtml(record, ".").text();
   EXPECT_THAT(html, HasSubstr(">4.00×<"));
   EXPECT_THAT(html, HasSubstr("drawn by A &lt;rasteriser&gt;"));
@@ -103,7 +102,7 @@ TEST(Cost, WithoutTheReferenceIsADash) {
   record.methods[0].name = "another";
   const auto json = nlohmann::json::parse(summaryJson(record));
   EXPECT_TRUE(json["cost"][2]["frame_ratio"].is_null());
-  EXPECT_THAT(terminalReport(record, false), HasSubstr("16.00               –\n"));
+  EXPECT_THAT(terminalReport(record, false), HasSubstr("16.00            12.00               –\n"));
   const std::string html = reportHtml(record, ".").text();
   EXPECT_THAT(html, HasSubstr("max-forsyth was not timed"));
   EXPECT_THAT(html, Not(HasSubstr("section 4")));

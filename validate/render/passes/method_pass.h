@@ -41,6 +41,14 @@ struct MethodAnswers {
   Mask test;
 };
 
+/// Median times of a method's frames, milliseconds: see medianFrameMilliseconds.
+struct FrameTimes {
+  double every = 0;  ///< all its passes
+  /// While the light stands still: without the passes whose result depends on the light alone (a
+  /// depth map, a texture pass), which are kept from one frame to the next.
+  double still = 0;
+};
+
 /// A method ready to render: its shaders and the passes that it declares.
 class MethodPass {
  public:
@@ -55,10 +63,9 @@ class MethodPass {
   [[nodiscard]] MethodAnswers render(const RenderView& view, const Drawing& drawing,
                                      const GpuTables& tables) const;
 
-  /// Median time of one frame, all its passes, milliseconds: see medianFrameMilliseconds.
-  [[nodiscard]] double frameMilliseconds(const RenderView& view, const Drawing& drawing,
-                                         const GpuTables& tables, int frames, FirstFrame first,
-                                         FrameClock clock) const;
+  [[nodiscard]] FrameTimes frameTimes(const RenderView& view, const Drawing& drawing,
+                                      const GpuTables& tables, int frames, FirstFrame first,
+                                      FrameClock clock) const;
 
   /// Bytes of the textures that its passes fill and read again in every frame.
   [[nodiscard]] std::uint64_t passBytes(const Drawing& drawing, const GpuTables& tables) const;

@@ -43,9 +43,9 @@ std::optional<double> timeOf(const study::CostRecord* cost) {
   return time > 0 ? std::optional(time) : std::nullopt;
 }
 
-/// The time of a frame, or that it was not measured.
-Cell frameCell(const study::CostRecord& cost) {
-  return cost.frameMs ? valueCell(cost.frameMs) : textCell("not timed");
+/// A frame's time, or that it was not measured.
+Cell timeCell(std::optional<double> milliseconds) {
+  return milliseconds ? valueCell(milliseconds) : textCell("not timed");
 }
 
 }  // namespace
@@ -66,12 +66,14 @@ Table costTable(const study::StudyRecord& record) {
                           {"Height map", "height_bytes", Q::bytes, byAll & ~onTerminal},
                           {"Passes", "passes", Q::exact},
                           {"Frame", "frame_ms", Q::decimals, byAll, "ms"},
+                          {"Light still", "still_ms", Q::decimals, byAll, "ms"},
                           {fmt::format("To {}", costReference), "frame_ratio", Q::times}}};
   for (const study::CostRecord& cost : record.cost) {
     const auto ratio = frameRatio(record, cost);
     table.rows.push_back(
         {{textCell(cost.method), countCell(cost.polygons), countCell(cost.tableBytes),
-          countCell(cost.heightBytes), valueCell(cost.passes), frameCell(cost),
+          countCell(cost.heightBytes), valueCell(cost.passes), timeCell(cost.frameMs),
+          timeCell(cost.stillMs),
           valueCell(ratio, ratio ? "" : fmt::format("{} was not timed", costReference))}});
   }
   return table;

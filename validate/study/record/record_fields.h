@@ -155,8 +155,8 @@ void fields(Stream& stream, T& bin) {
 
 template <typename Stream, SameAs<study::CostRecord> T>
 void fields(Stream& stream, T& cost) {
-  auto& [method, polygons, tableBytes, heightBytes, frameMs, passes, keptSince] = cost;
-  stream(method, polygons, tableBytes, heightBytes, frameMs, passes, keptSince);
+  auto& [method, polygons, tableBytes, heightBytes, frameMs, stillMs, passes, keptSince] = cost;
+  stream(method, polygons, tableBytes, heightBytes, frameMs, stillMs, passes, keptSince);
 }
 
 template <typename Stream, SameAs<study::TimingRecord> T>

@@ -18,13 +18,13 @@ namespace {
 /// What is kept of a method's cost.
 struct KeptCost {
   std::uint64_t polygons = 0, tableBytes = 0, heightBytes = 0;
-  std::optional<double> frameMs;
+  std::optional<double> frameMs, stillMs;
   std::string day;  ///< of the measurement
 };
 
 template <typename Stream, cache::SameAs<KeptCost> T>
 void fields(Stream& stream, T& cost) {
-  stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.day);
+  stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.stillMs, cost.day);
 }
 
 std::string today() {
@@ -71,11 +71,12 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
       const CompiledMethod& ready = compiled(scene, method);
       const render::FirstFrame first =
           ready.hasDrawn ? render::FirstFrame::isWarm : render::FirstFrame::warmsUp;
-      cost->frameMs = scene.clock.measure("frame times", [&](const Progress&) {
-        return ready.pass->frameMilliseconds(method.base->views[*view].view,
-                                             drawingOf(scene, method, 0), ready.tables, frames,
-                                             first, clock_);
+      const auto times = scene.clock.measure("frame times", [&](const Progress&) {
+        return ready.pass->frameTimes(method.base->views[*view].view, drawingOf(scene, method, 0),
+                                      ready.tables, frames, first, clock_);
       });
+      cost->frameMs = times.every;
+      cost->stillMs = times.still;
     }
     scene.cache.keep(key, *cost);
   }
@@ -85,6 +86,7 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
   record.tableBytes = cost->tableBytes;
   record.heightBytes = cost->heightBytes;
   record.frameMs = cost->frameMs;
+  record.stillMs = cost->stillMs;
   record.passes = method.method.passes.count();
   if (isKept && cost->frameMs) record.keptSince = cost->day;
   return record;
