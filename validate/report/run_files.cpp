@@ -147,7 +147,7 @@ void writeRunFiles(const study::StudyRecord& record, RunFolder& folder, cache::C
     if (!table.rows.empty()) folder.write(name, csvTable(table));
   };
   writeRows("bins.csv", binsTable(record));
-  writeRows("frontier.csv", frontierTable(frontier(record)));
+  writeRows("frontier.csv", frontierTable(frontier(record, Price::memory)));
   writeRows("budget.csv", budgetPartsTable(record));
   const std::vector<DrawnPlot> plots = writePlots(studyPlots(record), folder, cache);
   folder.write("report.html", reportHtml(record, folder.path(), plots).text());

@@ -59,7 +59,9 @@ inline std::string lasting(const std::string& name, const std::string& text) {
   if (name.ends_with("/report.html")) return lastingPage(text);
   if (name.ends_with("/table.csv")) return withoutLastColumn(text, ",");
   if (name.ends_with("/table.tex")) return withoutLastColumn(text, "&");
-  if (name.find("/plots/sweep_frames") != std::string::npos) return {};
+  for (const char* plot : {"/plots/sweep_frames", "/plots/frontier_time"}) {
+    if (name.find(plot) != std::string::npos) return {};
+  }
   // Its rows end with a stroke too.
   if (name.ends_with("/table.md")) return withoutLastColumn(withoutLastColumn(text, "|"), "|");
   return text;

@@ -37,12 +37,16 @@ study::StudyRecord recordOf(const std::vector<Entry>& entries) {
   return record;
 }
 
+std::vector<FrontierPoint> byMemory(const std::vector<Entry>& entries) {
+  return frontier(recordOf(entries), Price::memory);
+}
+
 TEST(Frontier, KeepsWhatNoSmallerTableBeats) {
-  const auto points = frontier(recordOf({{"a 8", "a", 800, 0, 50},
-                                         {"a 16", "a", 1600, 0, 20},
-                                         {"b", "b", 800, 100, 60},
-                                         {"c", "c", 1600, 400, 20},
-                                         {"d", "d", 0, 400, 70}}));
+  const auto points = byMemory({{"a 8", "a", 800, 0, 50},
+                                {"a 16", "a", 1600, 0, 20},
+                                {"b", "b", 800, 100, 60},
+                                {"c", "c", 1600, 400, 20},
+                                {"d", "d", 0, 400, 70}});
   ASSERT_EQ(points.size(), 5U);
   std::vector<std::string> efficient;
   for (const FrontierPoint& point : points) {
@@ -50,14 +54,14 @@ TEST(Frontier, KeepsWhatNoSmallerTableBeats) {
   }
   EXPECT_EQ(efficient, (std::vector<std::string>{"d", "a 8", "a 16"}));
   EXPECT_TRUE(std::is_sorted(points.begin(), points.end(),
-                             [](const auto& p, const auto& q) { return p.bytes < q.bytes; }));
-  EXPECT_DOUBLE_EQ(points.back().bytes, 2000);
+                             [](const auto& p, const auto& q) { return p.price < q.price; }));
+  EXPECT_DOUBLE_EQ(points.back().price, 2000);
   EXPECT_DOUBLE_EQ(points.front().errorRate, 0.07);
 }
 
 TEST(Frontier, OfEqualMemoryTheBetterOneIsEfficient) {
   const auto points =
-      frontier(recordOf({{"a", "a", 800, 0, 50}, {"b", "b", 800, 0, 30}, {"a2", "a", 900, 0, 40}}));
+      byMemory({{"a", "a", 800, 0, 50}, {"b", "b", 800, 0, 30}, {"a2", "a", 900, 0, 40}});
   ASSERT_EQ(points.size(), 3U);
   EXPECT_EQ(points[0].label, "b");
   EXPECT_TRUE(points[0].efficient);
@@ -66,12 +70,10 @@ TEST(Frontier, OfEqualMemoryTheBetterOneIsEfficient) {
 }
 
 TEST(Frontier, IsEmptyWhereThereIsNothingToTrade) {
-  EXPECT_TRUE(frontier(recordOf({{"a", "a", 800, 0, 50}, {"b", "b", 900, 0, 30}})).empty());
-  EXPECT_TRUE(frontier(study::StudyRecord{}).empty());
+  EXPECT_TRUE(byMemory({{"a", "a", 800, 0, 50}, {"b", "b", 900, 0, 30}}).empty());
+  EXPECT_TRUE(byMemory({}).empty());
   // Without tables there is no memory to draw.
-  EXPECT_EQ(
-      frontier(recordOf({{"n", "n", 0, 0, 9}, {"a", "a", 8, 0, 5}, {"a2", "a", 9, 0, 4}})).size(),
-      2U);
+  EXPECT_EQ(byMemory({{"n", "n", 0, 0, 9}, {"a", "a", 8, 0, 5}, {"a2", "a", 9, 0, 4}}).size(), 2U);
 }
 
 TEST(Frontier, LeavesOutWhatAnswersInFewerCases) {
@@ -86,17 +88,38 @@ TEST(Frontier, LeavesOutWhatAnswersInFewerCases) {
   }
   record.results.push_back(record.results.front());
   record.results.back().light = "other light";
-  const auto points = frontier(record);
+  const auto points = frontier(record, Price::memory);
   ASSERT_EQ(points.size(), 2U);
   EXPECT_EQ(points[0].label, "a 8");
   EXPECT_EQ(points[1].label, "a 32");
 }
 
+TEST(Frontier, MayBeAskedForTheTimeOfAFrame) {
+  study::StudyRecord record =
+      recordOf({{"a 8", "a", 800, 0, 50}, {"a 16", "a", 800, 0, 20}, {"b", "b", 0, 0, 10}});
+  EXPECT_TRUE(frontier(record, Price::frameTime).empty()) << "nothing was timed";
+  record.cost[0].frameMs = 4;
+  record.cost[1].frameMs = 3;
+  EXPECT_EQ(frontier(record, Price::frameTime).size(), 2U);
+  record.cost[2].frameMs = 9;
+  const auto points = frontier(record, Price::frameTime);
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points[0].label, "a 16");
+  EXPECT_EQ(points[0].price, 3);
+  EXPECT_FALSE(points[1].efficient) << "slower and worse";
+  EXPECT_TRUE(points[2].efficient) << "no table, and no memory";
+  EXPECT_TRUE(frontier(record, Price::memory).empty()) << "of memory there is one choice";
+  const PlotSheet sheet = frontierPlot(points, Price::frameTime);
+  EXPECT_EQ(sheet.name, "frontier_time");
+  EXPECT_EQ(sheet.section, "cost");
+  EXPECT_NE(svgOf(sheet).find("frame, ms"), std::string::npos);
+}
+
 TEST(Frontier, PlotAndRowsHoldEveryEntry) {
-  const auto points = frontier(recordOf({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}}));
-  const std::string svg = svgOf(frontierPlot(points));
+  const auto points = byMemory({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}});
+  const std::string svg = svgOf(frontierPlot(points, Price::memory));
   EXPECT_NE(svg.find("<svg"), std::string::npos);
-  EXPECT_EQ(svg, svgOf(frontierPlot(points)));
+  EXPECT_EQ(svg, svgOf(frontierPlot(points, Price::memory)));
   EXPECT_EQ(csvTable(frontierTable(points)),
             "method,shader,bytes,error_rate,efficient\n\"a, 8\",a,800,0.05,1\na 16,a,1600,0,1\n");
 }

@@ -137,16 +137,27 @@ Html caseSection(const study::StudyRecord& record, const study::Case& which, std
                      html("{} <span class=\"light\">{}</span>", which.view, which.light), content);
 }
 
-Html costSection(const study::StudyRecord& record) {
+/// The plots of a section of the page, each under its title.
+Html plotsOf(std::span<const DrawnPlot> plots, std::string_view section) {
+  Html content;
+  for (const DrawnPlot& plot : plots) {
+    if (plot.sheet.section != section) continue;
+    content += html("<h3>{}</h3>\n{}", plot.sheet.title, htmlPlot(plot));
+  }
+  return content;
+}
+
+Html costSection(const study::StudyRecord& record, std::span<const DrawnPlot> plots) {
   if (record.cost.empty()) return {};
   const std::string rates = publishedRates(record);
   return htmlSection(
       "cost", "What each method costs",
       htmlNote(
           "Memory of the tables and the height map that a frame reads; drawing passes a frame; "
-          "the median time of one frame, and its ratio to that of max-forsyth.") +
+          "the median time of one frame, the same while the light stands still, without the "
+          "passes that depend on the light alone, and the frame's ratio to that of max-forsyth.") +
           htmlTable(costTable(record)) + htmlNote(keptFrames(record)) +
-          (rates.empty() ? Html() : html("<p>{}</p>\n", rates)));
+          (rates.empty() ? Html() : html("<p>{}</p>\n", rates)) + plotsOf(plots, "cost"));
 }
 
 std::string bytesText(std::uint64_t bytes) {
@@ -214,11 +225,7 @@ Html reproduceSection(const study::StudyRecord& record) {
 }
 
 Html plotSection(std::span<const DrawnPlot> plots) {
-  Html content;
-  for (const DrawnPlot& plot : plots) {
-    if (plot.sheet.section != "plots") continue;
-    content += html("<h3>{}</h3>\n{}", plot.sheet.title, htmlPlot(plot));
-  }
+  const Html content = plotsOf(plots, "plots");
   if (content.empty()) return {};
   return htmlSection("plots", "Where the error grows",
                      html("<p class=\"note\">Each plot lies beside this page as SVG and PDF, in "
@@ -283,7 +290,7 @@ Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& f
     main += caseSection(record, cases[i], i + 1, folder);
   }
   main += confidenceSection(record) + plotSection(plots) + budgetSection(record, plots) +
-          costSection(record) + truthSection(record) + citations(record.methods) +
+          costSection(record, plots) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record);
   return htmlPage(record.heading(), studyHeader(record, ranked), main,
                   hasPictures ? viewerScript() : Html());

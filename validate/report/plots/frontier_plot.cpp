@@ -12,8 +12,32 @@
 namespace gnomon::report {
 namespace {
 
+/// How a plot calls its price.
+struct PriceWords {
+  const char* name;
+  const char* title;
+  const char* about;
+  const char* axis;
+  const char* section;  ///< of the page that shows it
+  double unit;          ///< of the axis, in prices
+};
+
+constexpr PriceWords byMemory = {
+    "frontier",
+    "Error against memory",
+    "Error rate of each method against the memory of its tables and height map",
+    "tables and height map, MB",
+    "plots",
+    1e6};
+constexpr PriceWords byFrameTime = {"frontier_time",
+                                    "Error against the time of a frame",
+                                    "Error rate of each method against the time of its frame",
+                                    "frame, ms",
+                                    "cost",
+                                    1};
+
 /// A third more room on every side, in the logarithm.
-std::string ranges(const std::vector<FrontierPoint>& points) {
+std::string ranges(const std::vector<FrontierPoint>& points, double unit) {
   const auto [low, high] =
       std::minmax_element(points.begin(), points.end(),
                           [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
@@ -21,52 +45,51 @@ std::string ranges(const std::vector<FrontierPoint>& points) {
   // An error of nothing has no place on a logarithmic axis.
   const double least = std::max(low->errorRate, 1e-5);
   return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
-                     exactText(points.front().bytes / 1e6 / room),
-                     exactText(points.back().bytes / 1e6 * room), exactText(100 * least / room),
+                     exactText(points.front().price / unit / room),
+                     exactText(points.back().price / unit * room), exactText(100 * least / room),
                      exactText(100 * std::max(high->errorRate, least) * room));
 }
 
-std::string dataRow(const FrontierPoint& point) {
-  return fmt::format("{} {}\n", exactText(point.bytes / 1e6), exactText(100 * point.errorRate));
+std::string dataRow(const FrontierPoint& point, double unit) {
+  return fmt::format("{} {}\n", exactText(point.price / unit), exactText(100 * point.errorRate));
 }
 
 }  // namespace
 
-PlotSheet frontierPlot(const std::vector<FrontierPoint>& points) {
+PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price) {
+  const PriceWords& words = price == Price::memory ? byMemory : byFrameTime;
   std::vector<std::string> names;
   for (const FrontierPoint& point : points) {
     appendOnce(names, point.name);
   }
   std::string rows;
-  for (const FrontierPoint& point : points) rows += point.efficient ? dataRow(point) : "";
-  // On to the right end: more memory need not be worse.
+  for (const FrontierPoint& point : points)
+    rows += point.efficient ? dataRow(point, words.unit) : "";
+  // On to the right end: a higher price need not be worse.
   const FrontierPoint best =
       *std::min_element(points.begin(), points.end(),
                         [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
-  rows += dataRow({"", "", points.back().bytes, best.errorRate});
+  rows += dataRow({"", "", points.back().price, best.errorRate}, words.unit);
   std::string data = plotData("$frontier", rows);
   std::string plot = "plot $frontier using 1:2 with steps lc rgb '#9aa1a9' lw 2 title 'frontier'";
   for (std::size_t m = 0; m < names.size(); ++m) {
     rows.clear();
-    for (const FrontierPoint& point : points) rows += point.name == names[m] ? dataRow(point) : "";
+    for (const FrontierPoint& point : points) {
+      rows += point.name == names[m] ? dataRow(point, words.unit) : "";
+    }
     data += plotData(fmt::format("$m{}", m), rows);
     plot += fmt::format(", \\\n  $m{} using 1:2 with points lc rgb '{}' pt {} ps 1 lw 2 title {}",
                         m, plotColours.at(m % plotColours.size()),
                         plotPoints.at((m + m / plotColours.size()) % plotPoints.size()),
                         plotLegend(names[m]));
   }
-  const std::string commands = data + plotFrame() + "set logscale xy\n" + ranges(points) +
-                               "set format x '%g'\nset format y '%g'\n"
-                               "set xlabel 'tables and height map, MB'\n"
-                               "set ylabel 'error rate, percent of the samples'\n"
-                               "set key outside right top Left reverse samplen 2 spacing 1.25\n" +
-                               plot + "\n";
-  return {"frontier",
-          "Error against memory",
-          "Error rate of each method against the memory of its tables and height map",
-          1000,
-          560,
-          commands};
+  const std::string commands =
+      data + plotFrame() + "set logscale xy\n" + ranges(points, words.unit) +
+      "set format x '%g'\nset format y '%g'\n" + fmt::format("set xlabel '{}'\n", words.axis) +
+      "set ylabel 'error rate, percent of the samples'\n"
+      "set key outside right top Left reverse samplen 2 spacing 1.25\n" +
+      plot + "\n";
+  return {words.name, words.title, words.about, 1000, 560, commands, words.section};
 }
 
 }  // namespace gnomon::report

@@ -35,8 +35,10 @@ void addBudgets(std::vector<PlotSheet>& plots, const study::StudyRecord& record)
 std::vector<PlotSheet> studyPlots(const study::StudyRecord& record) {
   std::vector<PlotSheet> plots;
   addBins(plots, record);
-  const std::vector<FrontierPoint> points = frontier(record);
-  if (!points.empty()) plots.push_back(frontierPlot(points));
+  for (const Price price : {Price::memory, Price::frameTime}) {
+    const std::vector<FrontierPoint> points = frontier(record, price);
+    if (!points.empty()) plots.push_back(frontierPlot(points, price));
+  }
   addBudgets(plots, record);
   return plots;
 }

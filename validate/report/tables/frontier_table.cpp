@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "report/tables/cost_table.h"
@@ -12,9 +13,9 @@ namespace gnomon::report {
 namespace {
 
 bool hasChoice(const std::vector<FrontierPoint>& points) {
-  std::map<std::string, std::set<double>> memories;
-  for (const FrontierPoint& point : points) memories[point.name].insert(point.bytes);
-  return std::any_of(memories.begin(), memories.end(),
+  std::map<std::string, std::set<double>> prices;
+  for (const FrontierPoint& point : points) prices[point.name].insert(point.price);
+  return std::any_of(prices.begin(), prices.end(),
                      [](const auto& entry) { return entry.second.size() > 1; });
 }
 
@@ -26,21 +27,25 @@ void markEfficient(std::vector<FrontierPoint>& points) {
   }
 }
 
+/// None where the method has no such cost.
+std::optional<double> priceOf(const study::CostRecord& cost, Price price) {
+  const double value =
+      price == Price::memory ? static_cast<double>(memoryBytes(cost)) : cost.frameMs.value_or(0);
+  return value > 0 ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
 
-std::vector<FrontierPoint> frontier(const study::StudyRecord& record) {
+std::vector<FrontierPoint> frontier(const study::StudyRecord& record, Price price) {
   std::vector<FrontierPoint> points;
   for (const study::MethodMeans& method : study::studyMeans(record).methods) {
     const study::CostRecord* cost = costOf(record, method.label);
-    if (cost == nullptr || !method.errorRate || !method.isInEveryCase() ||
-        memoryBytes(*cost) == 0) {
-      continue;
-    }
-    points.push_back(
-        {method.label, method.name, static_cast<double>(memoryBytes(*cost)), *method.errorRate});
+    if (cost == nullptr || !method.errorRate || !method.isInEveryCase()) continue;
+    const auto paid = priceOf(*cost, price);
+    if (paid) points.push_back({method.label, method.name, *paid, *method.errorRate});
   }
   std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.bytes, a.errorRate) < std::pair(b.bytes, b.errorRate);
+    return std::pair(a.price, a.errorRate) < std::pair(b.price, b.errorRate);
   });
   markEfficient(points);
   return hasChoice(points) ? points : std::vector<FrontierPoint>{};
@@ -54,7 +59,7 @@ Table frontierTable(const std::vector<FrontierPoint>& points) {
                           {"error_rate", "", Quantity::exact},
                           {"efficient", "", Quantity::exact}}};
   for (const FrontierPoint& point : points) {
-    table.rows.push_back({{textCell(point.label), textCell(point.name), valueCell(point.bytes),
+    table.rows.push_back({{textCell(point.label), textCell(point.name), valueCell(point.price),
                            valueCell(point.errorRate), flagCell(point.efficient)}});
   }
   return table;

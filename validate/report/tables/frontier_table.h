@@ -8,21 +8,28 @@
 
 namespace gnomon::report {
 
-/// One method entry's memory and mean error.
+/// What an answer costs.
+enum class Price {
+  memory,     ///< bytes of the tables, and of the height map where the method reads it
+  frameTime,  ///< of a frame with all its passes, milliseconds
+};
+
+/// One method entry's price and mean error.
 struct FrontierPoint {
   std::string label;
   std::string name;        ///< the method's own: entries of one name are one series
-  double bytes = 0;        ///< its tables and the height map, where it reads it
+  double price = 0;        ///< bytes or milliseconds
   double errorRate = 0;    ///< mean over lights and views, share of the samples
-  bool efficient = false;  ///< no other entry has as little memory and as small an error
+  bool efficient = false;  ///< no other entry has as low a price and as small an error
 };
 
-/// The entries that read tables or the height map and answer in every case (rankOverStudies), by
-/// memory, then error. Empty unless some method
-/// stands in the study with two different memories: only then there is something to trade.
-std::vector<FrontierPoint> frontier(const study::StudyRecord& record);
+/// The entries that have a price and answer in every case (rankOverStudies), by price, then error.
+/// Empty unless some method stands in the study at two different prices: only then there is
+/// something to trade.
+std::vector<FrontierPoint> frontier(const study::StudyRecord& record, Price price);
 
-/// For programs: method (its label), shader (its name), bytes, error_rate, efficient.
+/// Points by memory, for programs: method (its label), shader (its name), bytes, error_rate,
+/// efficient.
 Table frontierTable(const std::vector<FrontierPoint>& points);
 
 }  // namespace gnomon::report

@@ -110,7 +110,7 @@ struct CostRecord {
   std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
   std::optional<double> frameMs;  ///< median time of one frame of the first camera view
   /// The same while the light stands still: without the passes that depend on the light alone.
-  std::optional<double> stillMs;
+  std::optional<double> stillMs = std::nullopt;
   int passes = 1;  ///< drawing passes a frame
   /// The day, "2026-11-21", on which an earlier run on this machine measured `frameMs`; empty if
   /// this run did.
