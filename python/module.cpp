@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -109,6 +110,8 @@ py::dict compare(const py::array& candidate, const py::array& truth,
     result[py::str(metric.name)] = metric.value;
     if (!metric.value) undefined[py::str(metric.name)] = metric.reason;
   }
+  result["error_interval"] = figures.errorInterval;
+  if (!figures.errorInterval) undefined["error_interval"] = figures.intervalReason;
   result["undefined"] = undefined;
   return result;
 }
@@ -122,6 +125,42 @@ py::array_t<std::uint8_t> readMask(const std::filesystem::path& file) {
   return arrayOf(std::move(mask.samples), {mask.height, mask.width});
 }
 
+/// Ends work from within, when a signal has raised an exception in Python.
+struct Interrupted {};
+
+/// To be called by long work now and then. Throws Interrupted where the work has to end.
+using Stop = std::function<void()>;
+
+/// Does long work on another thread, while this one looks after Python's signals: only Python's
+/// main thread may. Python's other threads run meanwhile.
+/// @param work  gets a Stop
+template <typename Work>
+auto interruptibly(const Work& work) {
+  std::atomic<bool> isInterrupted = false;
+  std::optional<py::error_already_set> raised;  // by Python's handler of the signal
+  std::optional<decltype(work(Stop()))> result;
+  {
+    const py::gil_scoped_release released;
+    auto done = std::async(std::launch::async, [&] {
+      return work([&] {
+        if (isInterrupted) throw Interrupted();
+      });
+    });
+    while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+      const py::gil_scoped_acquire acquired;
+      if (isInterrupted || PyErr_CheckSignals() == 0) continue;
+      raised.emplace();
+      isInterrupted = true;
+    }
+    try {
+      result.emplace(done.get());
+    } catch (const Interrupted&) {
+    }
+  }
+  if (raised) throw py::error_already_set(*raised);
+  return std::move(*result);
+}
+
 gnomon::HeightMap heightMapOf(const Array<float>& heights, bool repeats) {
   requireShape(heights, "heights", 2, "(rows, columns)");
   return {static_cast<int>(heights.shape(1)), static_cast<int>(heights.shape(0)), spanOf(heights),
@@ -132,10 +171,9 @@ py::tuple horizons(const Array<float>& heights, int azimuths, double radius, boo
   const gnomon::HeightMap map = heightMapOf(heights, repeats);
   auto* kept = new gnomon::HorizonMaps;
   const py::capsule owner(kept, [](void* data) { delete static_cast<gnomon::HorizonMaps*>(data); });
-  {
-    const py::gil_scoped_release released;
-    *kept = gnomon::bakeHorizons(map, azimuths, radius);
-  }
+  *kept = interruptibly([&](const Stop& stop) {
+    return gnomon::bakeHorizons(map, azimuths, radius, [&](double) { stop(); });
+  });
   const std::vector<py::ssize_t> shape = {kept->azimuths, kept->height, kept->width};
   return py::make_tuple(py::array_t<float>(shape, kept->slopes.data(), owner),
                         py::array_t<float>(shape, kept->distances.data(), owner));
@@ -194,11 +232,10 @@ py::list trace(const gnomon::Surface& surface, const Array<float>& heights,
                const std::array<double, 2>& repeats, bool heightsInTexels, bool mapRepeats,
                std::optional<double> step, std::optional<double> radius) {
   const gnomon::Displacement relief{heightMapOf(heights, mapRepeats), repeats, heightsInTexels};
-  std::vector<gnomon::ShadowTruth> truths;
-  {
-    const py::gil_scoped_release released;
-    truths = gnomon::traceTruth(surface, relief, samples, lights, {step, radius});
-  }
+  std::vector<gnomon::ShadowTruth> truths = interruptibly([&](const Stop& stop) {
+    return gnomon::traceTruth(surface, relief, samples, lights,
+                              {step, radius, [&](double) { stop(); }});
+  });
   py::list list;
   for (gnomon::ShadowTruth& truth : truths) {
     const std::vector<py::ssize_t> shape = {truth.height, truth.width};
@@ -209,39 +246,19 @@ py::list trace(const gnomon::Surface& surface, const Array<float>& heights,
   return list;
 }
 
-/// Ends a run from within, when a signal has raised an exception in Python.
-struct Interrupted {};
-
-/// Runs on another thread, while this one looks after Python's signals: only Python's main thread
-/// may, and a run takes long.
 py::tuple run(const std::filesystem::path& study, const std::filesystem::path& out,
               const std::vector<std::string>& methods, const std::vector<std::string>& settings,
               bool quick, bool cache, const py::object& progress) {
-  std::atomic<bool> isInterrupted = false;
-  std::optional<py::error_already_set> raised;  // by Python's handler of the signal
-  gnomon::RunOptions options{out, methods, settings, quick, cache, {}};
-  options.progress = [&](std::string_view stage, double share) {
-    if (isInterrupted) throw Interrupted();
-    if (progress.is_none()) return;
-    const py::gil_scoped_acquire acquired;
-    progress(std::string(stage), share);
-  };
-  const py::gil_scoped_release released;
-  std::future<gnomon::RunResult> done =
-      std::async(std::launch::async, [&] { return gnomon::runStudy(study, options); });
-  while (done.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
-    const py::gil_scoped_acquire acquired;
-    if (isInterrupted || PyErr_CheckSignals() == 0) continue;
-    raised.emplace();
-    isInterrupted = true;
-  }
-  gnomon::RunResult result;
-  try {
-    result = done.get();
-  } catch (const Interrupted&) {
-  }
-  const py::gil_scoped_acquire acquired;
-  if (raised) throw py::error_already_set(*raised);
+  const gnomon::RunResult result = interruptibly([&](const Stop& stop) {
+    gnomon::RunOptions options{out, methods, settings, quick, cache, {}};
+    options.progress = [&](std::string_view stage, double share) {
+      stop();
+      if (progress.is_none()) return;
+      const py::gil_scoped_acquire acquired;
+      progress(std::string(stage), share);
+    };
+    return gnomon::runStudy(study, options);
+  });
   return py::make_tuple(result.summary, result.passed, result.failures);
 }
 

@@ -113,7 +113,8 @@ def compare(
     roi: Optional[np.ndarray] = None,
     weights: Optional[np.ndarray] = None,
 ) -> Dict[str, Any]:
-    """A mask against the truth: tp, fp, fn, tn, samples and every metric of `gnomon compare`.
+    """A mask against the truth: tp, fp, fn, tn, samples and every metric of `gnomon compare`, and
+    "error_interval", the 95 % interval [low, high] of error_rate.
 
     All arrays are (height, width). What is not defined is None, with its reason in "undefined".
 

@@ -1,4 +1,8 @@
 import math
+import os
+import signal
+import threading
+import time
 
 import numpy as np
 import pytest
@@ -103,6 +107,42 @@ def test_compare_by_hand():
     lit = np.zeros((2, 2), bool)
     figures = gnomon.compare(lit, lit)
     assert figures["iou"] is None and "iou" in figures["undefined"]
+
+
+def test_compare_gives_the_interval():
+    random = np.random.default_rng(3)
+    truth = random.random((96, 96)) < 0.5
+    candidate = truth ^ (random.random((96, 96)) < 0.1)
+    found = gnomon.compare(candidate, truth)
+    low, high = found["error_interval"]
+    assert 0 < low < found["error_rate"] < high < 0.2
+    few = gnomon.compare(truth[:2, :2], truth[:2, :2])
+    assert few["error_interval"] is None and few["undefined"]["error_interval"]
+
+
+def interrupted(work):
+    """Seconds until Ctrl-C, half a second after its start, has ended the work."""
+    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    timer.join()
+    return time.monotonic() - start
+
+
+def test_an_interrupt_ends_a_trace():
+    """That would take half a minute: 200 million triangles."""
+    plane = gnomon.make_shape("plane", [64, 64], 8, 8)
+    samples = gnomon.atlas(plane, 64)
+    heights = np.random.default_rng(1).random((64, 64), dtype=np.float32)
+    assert interrupted(lambda: gnomon.trace(plane, heights, samples, [(1, 0, 1)], step=0.0064)) < 8
+
+
+def test_an_interrupt_ends_a_bake():
+    """That would take two minutes."""
+    heights = np.random.default_rng(1).random((1024, 1024), dtype=np.float32)
+    assert interrupted(lambda: gnomon.horizons(heights, azimuths=512, radius=500)) < 8
 
 
 @pytest.mark.parametrize(

@@ -45,6 +45,25 @@ TEST(ApiCompare, LeavesOutWhatIsOutsideTheRegion) {
   EXPECT_EQ(figures.value("error_rate"), 0);
 }
 
+TEST(ApiCompare, HasAnIntervalOrAReason) {
+  // Errors that lie here and there: a sixteenth of 64 × 64 samples.
+  constexpr int side = 64;
+  Samples truth(side * side), mine(side * side);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    truth[i] = i / 8 % 2;
+    mine[i] = (i * 2654435761U >> 7U) % 16 == 0 ? 1 - truth[i] : truth[i];
+  }
+  const MaskFigures figures = compareMasks({side, side, mine}, {side, side, truth});
+  const double error = figures.value("error_rate").value();
+  ASSERT_TRUE(figures.errorInterval) << figures.intervalReason;
+  EXPECT_LT(figures.errorInterval->at(0), error);
+  EXPECT_GT(figures.errorInterval->at(1), error);
+  EXPECT_LT(figures.errorInterval->at(1) - figures.errorInterval->at(0), error);
+  const MaskFigures few = compareMasks({3, 2, judged}, {3, 2, right});
+  EXPECT_FALSE(few.errorInterval);
+  EXPECT_NE(few.intervalReason, "");
+}
+
 TEST(ApiCompare, SaysWhyAMetricIsUndefined) {
   const Samples lit(4, 0);
   const MaskFigures figures = compareMasks({2, 2, lit}, {2, 2, lit});

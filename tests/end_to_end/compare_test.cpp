@@ -73,6 +73,100 @@ TEST_F(Compare, AStudysOwnMasksGiveItsOwnFigures) {
     EXPECT_EQ(found.at(key), own.at(key)) << key;
   }
   EXPECT_EQ(found.at("without_sample").get<int>() + found.at("samples").get<int>(), 64 * 64);
+  // And its interval, by the same blocks.
+  for (const nlohmann::json& row : summary("small").at("confidence")) {
+    if (row.at("method") != "max-forsyth") continue;
+    EXPECT_FALSE(row.at("low").is_null());
+    for (const char* key : {"low", "high", "reason", "blocks"}) {
+      EXPECT_EQ(found.at("confidence").at(key), row.at(key)) << key;
+    }
+  }
+}
+
+TEST_F(Compare, TheTruthsUncertaintyIsTheExportsOrTheCommands) {
+  writeTwo();
+  write("small.toml", smallStudy());
+  ASSERT_EQ(gnomon({"export", "small.toml"}).status, 0);
+  const auto exported = nlohmann::json::parse(read("out/small/export/export.json"));
+  const nlohmann::json stated = exported.at("views").at(0).at("masks").at(0).at("uncertainty");
+  ASSERT_GT(stated, 0);
+  const std::string truth = "out/small/export/masks/camera_evening_truth.png";
+  EXPECT_EQ(figures({truth, truth}).at("uncertainty"), stated);
+  EXPECT_EQ(figures({truth, truth, "--uncertainty", "0.3 %"}).at("uncertainty"), 0.003);
+  EXPECT_TRUE(figures({"mine.exr", "truth.png"}).at("uncertainty").is_null());
+  EXPECT_THAT(gnomon({"compare", "mine.exr", "truth.png", "--uncertainty", "0.05"}).out,
+              HasSubstr("The truth is uncertain by 5.00 %"));
+  for (const char* share : {"x", "2", "-1", "nan"}) {
+    expectRefusal({"mine.exr", "truth.png", std::string("--uncertainty=") + share}, 2,
+                  {"--uncertainty", "a share expected"});
+  }
+}
+
+TEST_F(Compare, FoldersAreComparedNameByName) {
+  writeTwo();
+  const std::vector<std::string> one = {"mine.exr", "truth.png"};
+  for (const char* folder : {"mine", "truths"}) std::filesystem::create_directory(file(folder));
+  const auto copy = [&](const char* from, const char* to) {
+    std::filesystem::copy_file(file(from), file(to));
+  };
+  copy("mine.exr", "mine/first.exr");
+  copy("truth.png", "truths/first_truth.png");
+  copy("truth.png", "mine/second.png");
+  copy("truth.png", "truths/second.png");
+  const nlohmann::json found = figures({"mine", "truths"});
+  EXPECT_EQ(found.at("schema"), "gnomon-comparisons/1");
+  ASSERT_EQ(found.at("pairs").size(), 2U);
+  nlohmann::json alone = figures(one);
+  for (const char* key : {"error_rate", "fp", "tn", "iou", "hd95", "confidence"}) {
+    EXPECT_EQ(found.at("pairs").at(0).at(key), alone.at(key)) << key;
+  }
+  EXPECT_EQ(found.at("pairs").at(0).at("name"), "first");
+  EXPECT_EQ(found.at("pairs").at(1).at("error_rate"), 0);
+  EXPECT_EQ(found.at("all").at("samples"), 64);
+  EXPECT_EQ(found.at("all").at("fp"), 4);
+  EXPECT_EQ(found.at("all").at("error_rate"), 4.0 / 64);
+  const Outcome table = gnomon({"compare", "mine", "truths", "--max", "error_rate=10 %"});
+  EXPECT_EQ(table.status, 1);
+  EXPECT_THAT(table.out, AllOf(HasSubstr("first"), HasSubstr("12.50"), HasSubstr("all 2"),
+                               HasSubstr("6.25"), HasSubstr("Gates: 1 of 2 met"),
+                               HasSubstr("first: error_rate is 12.5 %, at most 10 % allowed")));
+}
+
+TEST_F(Compare, FoldersOfTwoLightsHaveTheIntervalOfTheRun) {
+  const std::string second = "\n[[light]]\nname = \"noon\"\nazimuth = 100\nelevation = 45\n";
+  runStudy("small", smallStudy() + second);
+  for (const char* light : {"evening", "noon"}) {
+    for (const char* who : {"max-forsyth", "truth"}) {
+      std::filesystem::create_directories(file(who));
+      std::filesystem::copy_file(
+          file(std::string("out/small/masks/camera_") + light + "_" + who + ".png"),
+          file(std::string(who) + "/" + light + ".png"));
+    }
+  }
+  const nlohmann::json all = figures({"max-forsyth", "truth"}).at("all");
+  for (const nlohmann::json& row : summary("small").at("confidence")) {
+    if (row.at("method") != "max-forsyth" || row.at("light") != "all") continue;
+    EXPECT_EQ(all.at("error_rate"), row.at("error_rate"));
+    ASSERT_FALSE(row.at("low").is_null());
+    for (const char* key : {"low", "high", "blocks"}) {
+      EXPECT_EQ(all.at("confidence").at(key), row.at(key)) << key;
+    }
+  }
+}
+
+TEST_F(Compare, FoldersMustHoldTheSameNames) {
+  writeTwo();
+  for (const char* folder : {"mine", "truths", "none"}) {
+    std::filesystem::create_directory(file(folder));
+  }
+  std::filesystem::copy_file(file("mine.exr"), file("mine/a.exr"));
+  std::filesystem::copy_file(file("truth.png"), file("truths/b_truth.png"));
+  expectRefusal({"mine", "truths"}, 3, {"mine lacks b_truth.png", "truths lacks a.exr"});
+  expectRefusal({"none", "none"}, 3, {"none: no mask found"});
+  expectRefusal({"mine", "truth.png"}, 3, {"mine: a folder found", "two pictures or two folders"});
+  expectRefusal({"mine", "truths", "--difference", "d.png"}, 2, {"--difference", "two folders"});
+  std::filesystem::copy_file(file("truth.png"), file("mine/a.png"));
+  expectRefusal({"mine", "truths"}, 3, {"mine/a.exr: a.png found beside it"});
 }
 
 TEST_F(Compare, FiguresOfTwoFormatsByHand) {
@@ -127,8 +221,8 @@ TEST_F(Compare, WritesTheTableTheFiguresAndTheDifference) {
   const Outcome outcome = gnomon({"compare", "mine.exr", "truth.png", "--json", "f/figures.json",
                                   "--difference", "f/difference.png", "--max", "iou=0.5"});
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("mine.exr against truth.png"), HasSubstr("0.125"),
-                                 HasSubstr("iou is 0.8, at most 0.5 allowed")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("mine.exr against truth.png"), HasSubstr("12.5 %"),
+                                 HasSubstr("iou is 80 %, at most 50 % allowed")));
   EXPECT_EQ(nlohmann::json::parse(read("f/figures.json")).at("status"), "fail");
   const GreyImage red = readGrey(file("f/difference.png"));
   EXPECT_EQ(red.pixels[4], 230) << "false shadow is orange";

@@ -88,10 +88,22 @@ MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,
         maskOf(candidate, "candidate"), std::move(right), region ? &*region : nullptr);
     const compare::Counts counts =
         compare::countSamples(masks.candidate, masks.truth, options.weights);
-    MaskFigures figures{counts.truePositive, counts.falsePositive, counts.falseNegative,
-                        counts.trueNegative, counts.samples,       {}};
+    MaskFigures figures{counts.truePositive,
+                        counts.falsePositive,
+                        counts.falseNegative,
+                        counts.trueNegative,
+                        counts.samples,
+                        {},
+                        {},
+                        {}};
     add(figures.metrics, compare::rates(counts));
     add(figures.metrics, compare::compareBoundaries(masks.candidate, masks.truth));
+    const compare::ConfidenceInterval confidence =
+        compare::maskConfidence({&masks, 1}, options.weights);
+    if (confidence.interval) {
+      figures.errorInterval = {confidence.interval->low, confidence.interval->high};
+    }
+    figures.intervalReason = confidence.reason;
     return figures;
   });
 }

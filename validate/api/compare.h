@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -54,6 +55,10 @@ struct MaskFigures {
   /// mcc, prevalence; then those of the boundaries, by samples without weights, in pixels: assd,
   /// hd95, boundary_iou_1, _2, _4, surface_dice_1, _2, _4. docs/metrics.md defines them.
   std::vector<MaskMetric> metrics;
+
+  /// The 95 % interval of error_rate, by blocks of the picture; docs/metrics.md says of what.
+  std::optional<std::array<double, 2>> errorInterval;
+  std::string intervalReason;  ///< why there is none; empty if there is one
 
   /// The value of a metric, if it is defined.
   /// @throws Exception  badInput for a name that is not in the list

@@ -18,10 +18,11 @@ relief::HeightField heightFieldOf(const HeightMap& map) {
           {map.endsInX, map.endsInY}};
 }
 
-HorizonMaps bakeHorizons(const HeightMap& map, int azimuths, double radius) {
-  return translated([&] {
+HorizonMaps bakeHorizons(const HeightMap& map, int azimuths, double radius,
+                         const std::function<void(double share)>& progress) {
+  return watched(progress, [&](const auto& tell) {
     const auto tables = std::make_shared<const horizon::HorizonTables>(
-        horizon::bakeHorizons(heightFieldOf(map), horizon::BakeSettings{azimuths, radius}));
+        horizon::bakeHorizons(heightFieldOf(map), horizon::BakeSettings{azimuths, radius}, tell));
     return HorizonMaps{tables->width,   tables->height,   tables->layers,
                        tables->horizon, tables->distance, tables};
   });

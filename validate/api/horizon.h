@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -38,9 +39,12 @@ struct HorizonMaps {
 /// bytes depend neither on the number of threads nor on the processor.
 /// @param azimuths  M, at least 1
 /// @param radius    D, texels, above 0
+/// @param progress  told what share is done, 0 to 1, from any thread but never from two at once;
+///   what it throws cancels the bake and comes out of it
 /// @throws Exception  badInput for a size, height or setting out of range; internal where the maps
 ///   do not fit into memory
-GNOMON_API HorizonMaps bakeHorizons(const HeightMap& map, int azimuths, double radius);
+GNOMON_API HorizonMaps bakeHorizons(const HeightMap& map, int azimuths, double radius,
+                                    const std::function<void(double share)>& progress = {});
 
 }  // namespace api
 }  // namespace gnomon

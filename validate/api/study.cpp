@@ -1,6 +1,5 @@
 #include "gnomon/study.h"
 
-#include <exception>
 #include <memory>
 
 #include "api/inner/translated.h"
@@ -70,23 +69,11 @@ RunResult run(const cli::RunRequest& request) {
 }  // namespace
 
 RunResult runStudy(const std::filesystem::path& study, const RunOptions& options) {
-  std::exception_ptr cancelled;
   cli::RunRequest request = requestOf(study, options);
-  request.progress = [&](std::string_view stage, double share) {
-    if (!options.progress) return;
-    try {
-      options.progress(stage, share);
-    } catch (...) {
-      cancelled = std::current_exception();
-      throw;
-    }
-  };
-  try {
-    return translated([&] { return onOwnThread([&] { return run(request); }); });
-  } catch (...) {
-    if (cancelled) std::rethrow_exception(cancelled);
-    throw;
-  }
+  return watched(options.progress, [&](const auto& tell) {
+    request.progress = tell;
+    return onOwnThread([&] { return run(request); });
+  });
 }
 
 }  // namespace api

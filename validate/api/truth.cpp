@@ -9,6 +9,7 @@
 #include "api/inner/surface_data.h"
 #include "api/inner/translated.h"
 #include "common/error.h"
+#include "common/progress.h"
 #include "horizon/search_radius.h"
 #include "relief/patch_border.h"
 #include "relief/relief.h"
@@ -89,19 +90,25 @@ struct Traced {
   std::uint64_t triangles = 0;
 };
 
-Traced trace(const Task& task, std::optional<double> step) {
+/// The progress of a part of some work, as that of the whole.
+Progress partOf(const Progress& whole, double begin, double end) {
+  return [&whole, begin, end](double share) { whole(begin + share * (end - begin)); };
+}
+
+Traced trace(const Task& task, std::optional<double> step, const Progress& progress) {
   truth::MicroMeshSettings settings;
   settings.stepTexels = step;
-  const truth::MicroMesh mesh(task.surface, task.relief, settings);
-  return {truth::traceShadows(task.surface, task.relief, mesh, truth::MicroScene(mesh),
-                              task.samples, task.lights),
+  const truth::MicroMesh mesh(task.surface, task.relief, settings, partOf(progress, 0, 0.2));
+  const truth::MicroScene scene(mesh, partOf(progress, 0.2, 0.4));
+  return {truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples, task.lights,
+                              partOf(progress, 0.4, 1)),
           mesh.askedStepTexels(), mesh.triangleCount()};
 }
 
 /// The same at half the resolution and half the rays' offset, as the uncertainty of a run is found.
-std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine) {
+std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine, const Progress& progress) {
   for (truth::TraceSettings& light : task.lights) light.rayOffset = truth::standardRayOffset / 2;
-  Traced coarse = trace(task, 2 * fine.step);
+  Traced coarse = trace(task, 2 * fine.step, progress);
   if (2 * coarse.triangles > fine.triangles) {
     throw InputError(
         fmt::format(
@@ -130,7 +137,8 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
                                     const SurfaceSamples& samples,
                                     const std::vector<std::array<double, 3>>& lights,
                                     const TraceOptions& options) {
-  return translated([&] {
+  return watched(options.progress, [&](const auto& tell) {
+    const Progress progress = tell;
     const Surface::Data& data = surface.data();
     const std::vector<Vec3> directions = unitVectors(lights);
     Task task{
@@ -140,8 +148,9 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
                               : horizon::searchRadius(data.limit, task.relief, directions).texels;
     if (!(radius > 0)) throw InputError(fmt::format("radius: {} found, above 0 expected", radius));
     for (const Vec3& direction : directions) task.lights.push_back({direction, radius});
-    const Traced fine = trace(task, options.step);
-    const std::vector<truth::Truth> coarse = traceCoarser(std::move(task), fine);
+    const Traced fine = trace(task, options.step, partOf(progress, 0, 0.8));
+    const std::vector<truth::Truth> coarse =
+        traceCoarser(std::move(task), fine, partOf(progress, 0.8, 1));
     std::vector<ShadowTruth> truths;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       truths.push_back(shadowTruthOf(fine.truths[i], coarse[i]));

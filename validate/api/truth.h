@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct TraceOptions {
   /// Occluders farther than this along the surface are `distant`, texels; where unset, the longest
   /// shadow that the lights can cast.
   std::optional<double> radius;
+  /// Told what share is done, 0 to 1, from any thread but never from two at once. What it throws
+  /// cancels the trace and comes out of `traceTruth`.
+  std::function<void(double share)> progress = {};
 };
 
 /// The exact shadow of a displaced surface under one light.

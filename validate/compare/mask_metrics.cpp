@@ -33,6 +33,12 @@ void requireAll(const Missing& missing, const ComparedMasks& masks) {
       missing.count, missing.count + masks.compared, missing.first % width, missing.first / width));
 }
 
+bool haveSameSamples(const Mask& a, const Mask& b) {
+  return a.width == b.width && a.height == b.height &&
+         std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(),
+                    [](Shade one, Shade other) { return isAnswer(one) == isAnswer(other); });
+}
+
 void requireSome(const ComparedMasks& masks, const Mask* roi) {
   if (masks.compared > 0) return;
   if (roi == nullptr || masks.outsideRoi == 0) throw InputError("truth: no pixel has a sample");
@@ -71,6 +77,21 @@ std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth) {
   const std::vector<Metric> boundaries = compareBoundaries(candidate, truth);
   metrics.insert(metrics.end(), boundaries.begin(), boundaries.end());
   return metrics;
+}
+
+ConfidenceInterval maskConfidence(std::span<const ComparedMasks> lights,
+                                  std::span<const double> weights) {
+  const Mask& view = lights.front().truth;
+  for (const ComparedMasks& light : lights) {
+    if (!haveSameSamples(light.truth, view)) return {{}, "the pictures are of several views", 0};
+  }
+  const Tiling tiling = chooseTiling(view, weights);
+  const auto errorsOf = [&](const ComparedMasks& light) {
+    return blockErrors(light.candidate, light.truth, tiling.cellSide, weights);
+  };
+  BlockErrors errors = errorsOf(lights.front());
+  for (const ComparedMasks& light : lights.subspan(1)) errors += errorsOf(light);
+  return rateConfidence(errors, tiling);
 }
 
 const std::vector<std::string_view>& maskMetricNames() {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "common/mask.h"
+#include "compare/confidence_interval.h"
 #include "compare/rates.h"
 
 namespace gnomon::compare {
@@ -30,7 +32,16 @@ ComparedMasks commonPixels(Mask candidate, Mask truth, const Mask* roi);
 /// @throws as `countSamples` and `compareBoundaries`
 std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth);
 
-/// The names of those, in order.
+/// The 95 % interval of the error rate, as a run gives it: of one picture, or of the mean over
+/// several lights in one view.
+/// @param lights   at least one
+/// @param weights  one a sample, or empty for 1 each
+/// @return none with a reason as `rateConfidence`, or where the pictures are of several views
+/// @throws as `blockErrors`
+ConfidenceInterval maskConfidence(std::span<const ComparedMasks> lights,
+                                  std::span<const double> weights = {});
+
+/// The names of those metrics, in order.
 const std::vector<std::string_view>& maskMetricNames();
 
 }  // namespace gnomon::compare

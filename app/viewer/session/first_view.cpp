@@ -64,7 +64,9 @@ StudyNumbers numbersOf(const cli::ViewRequest& request) {
 
 std::vector<std::string> labelsOf(const study::StudySpec& study) {
   std::vector<std::string> labels;
-  for (const study::MethodSpec& method : study.methods) labels.push_back(method.label);
+  for (const study::MethodSpec& method : study.methods) {
+    if (!method.isGiven()) labels.push_back(method.label);
+  }
   return labels;
 }
 

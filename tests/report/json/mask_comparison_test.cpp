@@ -78,10 +78,10 @@ TEST(MaskComparison, TableFitsTheTerminalAndSaysWhy) {
   comparison.candidate.file = std::string(150, 'm') + ".exr";
   const std::string table = maskComparisonTable(comparison, false);
   EXPECT_THAT(table, AllOf(HasSubstr("2 × 2 pixels: 3 compared, 1 without a sample"),
-                           HasSubstr("3 by the threshold"), HasSubstr("0.333333"),
+                           HasSubstr("3 by the threshold"), HasSubstr("33.3333 %"),
                            HasSubstr("there is no shadow"), HasSubstr("Gates: 0 of 2 met"),
-                           HasSubstr("error_rate is 0.3333333333333333, at most 0.1 allowed"),
-                           HasSubstr("iou is undefined: there is no shadow, at most 1 allowed"),
+                           HasSubstr("error_rate is 33.3333333333 %, at most 10 % allowed"),
+                           HasSubstr("iou is undefined: there is no shadow, at most 100 % allowed"),
                            Not(HasSubstr("\033"))));
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
@@ -92,7 +92,7 @@ TEST(MaskComparison, ADifferenceIsNeverRoundedAway) {
   MaskComparison comparison = sampleComparison();
   comparison.metrics = {{"iou", 1 - 1e-9, {}}, {"error_rate", 1e-9, {}}};
   EXPECT_THAT(maskComparisonTable(comparison, false),
-              AllOf(HasSubstr("0.999999999"), HasSubstr("1e-09")));
+              AllOf(HasSubstr("99.9999999 %"), HasSubstr("1e-07 %")));
 }
 
 }  // namespace

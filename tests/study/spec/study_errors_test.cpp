@@ -73,7 +73,7 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       {"surface.mesh=a.obj", "surface.mesh: `shape` found beside it, one of the two expected"},
       {"relief.image=a.exr", "relief.image: `pattern` found beside it"},
       {"method.0.file=a.glsl", "method.0.file: `name` found beside it"},
-      {"method=[{}]", "method.0.name: missing, either `name` or `file` expected"},
+      {"method=[{}]", "method.0.name: missing, either `name` or `file` or `masks` expected"},
       {"surface={quads=[1, 1]}", "surface.shape: missing, either `shape` or `mesh` expected"},
       {"view=[{type=\"camera\"}]", "view.0.eye: missing, a list of 3 numbers expected"},
       {"light=[{azimuth=3}]", "light.0.elevation: missing, a number or a list of numbers"},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <future>
 #include <utility>
@@ -19,6 +20,30 @@ auto translated(const Work& work) -> decltype(work()) {
     return work();
   } catch (...) {
     throwTranslated();
+  }
+}
+
+/// Does the work of a public function that somebody watches: what the watcher throws cancels the
+/// work and leaves as it is, everything else leaves as an Exception.
+/// @param watcher  a function, or none
+/// @param work     takes a function that tells the watcher
+template <typename Watcher, typename Work>
+auto watched(const Watcher& watcher, const Work& work) {
+  std::exception_ptr cancelled;
+  const auto tell = [&](auto... news) {
+    if (!watcher) return;
+    try {
+      watcher(news...);
+    } catch (...) {
+      cancelled = std::current_exception();
+      throw;
+    }
+  };
+  try {
+    return translated([&] { return work(tell); });
+  } catch (...) {
+    if (cancelled) std::rethrow_exception(cancelled);
+    throw;
   }
 }
 

@@ -7,30 +7,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "cli/output.h"
 #include "common/files/atomic_file.h"
 #include "common/lists.h"
 #include "compare/mask_metrics.h"
 #include "compare/metric_range.h"
+#include "export/exported_uncertainty.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
 #include "report/json/mask_comparison.h"
+#include "report/json/mask_folders.h"
 #include "study/judge/gates.h"
+#include "study/spec/mask_files.h"
 
 namespace gnomon::cli {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* compareExamples = R"(
 White is lit, black is shadowed; Gnomon's grey (128) and alpha 0 mean no sample. All pixels count the
 same. --max and --min take any metric of the table, shares as 0.02 or "2 %"; a metric that is not
-defined fails.
+defined fails. Of two folders, the pictures of one name are compared, whatever their formats; a name
+that only one of them holds is an error. `_truth` at a name's end is no part of it.
 
 Exit status: 0 all gates hold, 1 a gate failed, 2 usage, 3 the pictures cannot be compared.
 
 Examples:
   gnomon compare mine.exr out/figure8/masks/camera_elevation-24-azimuth-165_truth.png
   gnomon compare mine.png truth.png --binarise 0.5 --roi roi.png --max error_rate=0.02 --min iou=0.9
+  gnomon compare mine/ out/figure8/export/masks/ --max error_rate=0.05
   gnomon compare layers.exr truth.png --channel shadow.R --invert --json - )";
 
 /// The option that a gate comes from, as typed.
@@ -110,40 +117,162 @@ report::MaskFileRecord recordOf(const std::filesystem::path& file,
   return {file.string(), picture.mask, picture.binarised};
 }
 
-compare::ComparedMasks common(const CompareRequest& request, const Mask& candidate,
-                              const Mask& truth, const std::optional<image::MaskPicture>& roi) {
+/// The share that --uncertainty gives, if it does.
+std::optional<double> givenUncertainty(const CompareRequest& request) {
+  if (request.uncertainty.empty()) return std::nullopt;
+  const auto share = compare::limitOfText(request.uncertainty, {});
+  if (!share || !(*share >= 0 && *share <= 1)) {
+    throw UsageError(fmt::format("--uncertainty {}: a share expected, as 0.001 or \"0.1 %\"",
+                                 request.uncertainty));
+  }
+  return share;
+}
+
+/// What every picture of a command is compared with.
+struct Comparing {
+  const CompareRequest& request;
+  std::vector<study::Gate> gates;
+  std::optional<double> uncertainty;      ///< given by the command
+  std::optional<image::MaskPicture> roi;  ///< likewise
+};
+
+Comparing comparingFor(const CompareRequest& request) {
+  Comparing with{request, gatesOf(request), givenUncertainty(request), {}};
+  if (request.threshold && !(*request.threshold > 0 && *request.threshold < 1)) {
+    throw UsageError(
+        fmt::format("--binarise {}: a value between 0 and 1 expected", *request.threshold));
+  }
+  if (request.difference && request.difference->extension() != ".png") {
+    throw UsageError(fmt::format("--difference {}: a name that ends in .png expected",
+                                 request.difference->string()));
+  }
+  if (request.roi) {
+    with.roi =
+        image::readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
+  }
+  return with;
+}
+
+compare::ComparedMasks common(const Comparing& with, const fs::path& candidate,
+                              const Mask& candidateMask, const fs::path& truth,
+                              const Mask& truthMask) {
   try {
-    return compare::commonPixels(candidate, truth, roi ? &roi->mask : nullptr);
+    return compare::commonPixels(candidateMask, truthMask, with.roi ? &with.roi->mask : nullptr);
   } catch (const InputError& error) {
-    const std::string with = request.roi ? fmt::format(" with {}", request.roi->string()) : "";
-    throw InputError(fmt::format("{} against {}{}: {}", request.candidate.string(),
-                                 request.truth.string(), with, error.what()));
+    const std::string roi =
+        with.request.roi ? fmt::format(" with {}", with.request.roi->string()) : "";
+    throw InputError(
+        fmt::format("{} against {}{}: {}", candidate.string(), truth.string(), roi, error.what()));
   }
 }
 
-void write(const CompareRequest& request, const report::MaskComparison& comparison,
-           const compare::ComparedMasks& masks) {
-  if (request.difference) {
-    image::writePng(*request.difference, image::differenceImage(masks.candidate, masks.truth));
+/// Two pictures, and what was found of them.
+struct Compared {
+  report::MaskComparison comparison;
+  compare::ComparedMasks masks;
+};
+
+Compared compareTwo(const Comparing& with, const fs::path& candidateFile,
+                    const fs::path& truthFile) {
+  const CompareRequest& request = with.request;
+  const image::MaskPicture candidate = image::readMaskPicture(
+      candidateFile,
+      {request.candidateChannel, request.threshold, request.inverted, request.upward});
+  const image::MaskPicture truth = image::readMaskPicture(
+      truthFile, {.channel = request.truthChannel, .threshold = request.threshold});
+  Compared found{{recordOf(candidateFile, candidate), recordOf(truthFile, truth)},
+                 common(with, candidateFile, candidate.mask, truthFile, truth.mask)};
+  report::MaskComparison& comparison = found.comparison;
+  const compare::ComparedMasks& masks = found.masks;
+  if (with.roi) comparison.roi = recordOf(*request.roi, *with.roi);
+  comparison.command = request.command;
+  comparison.width = truth.mask.width;
+  comparison.height = truth.mask.height;
+  comparison.withoutSample = masks.withoutSample;
+  comparison.outsideRoi = masks.outsideRoi;
+  comparison.counts = compare::countSamples(masks.candidate, masks.truth);
+  comparison.metrics = compare::maskMetrics(masks.candidate, masks.truth);
+  comparison.confidence = compare::maskConfidence({&masks, 1});
+  comparison.uncertainty =
+      with.uncertainty ? with.uncertainty : exporting::exportedUncertainty(truthFile);
+  comparison.judgements = judged(with.gates, truth.mask, comparison.metrics);
+  return found;
+}
+
+/// @throws InputError naming what only one of the folders holds
+void requireSameNames(const CompareRequest& request,
+                      const std::map<std::string, fs::path>& candidates,
+                      const std::map<std::string, fs::path>& truths) {
+  const auto missing = [](const auto& in, const auto& of) {
+    std::vector<std::string> names;
+    for (const auto& [name, file] : of) {
+      if (!in.contains(name)) names.push_back(file.filename().string());
+    }
+    return names;
+  };
+  const std::vector<std::string> extra = missing(truths, candidates);
+  const std::vector<std::string> lacking = missing(candidates, truths);
+  if (truths.empty()) {
+    throw InputError(
+        fmt::format("{}: no mask found, at least one expected", request.truth.string()));
   }
-  if (!request.json.empty() && request.json != "-") {
-    writeTextAtomically(request.json, report::maskComparisonJson(comparison));
-  }
+  if (extra.empty() && lacking.empty()) return;
+  const auto part = [](const fs::path& folder, const char* verb, const auto& names) {
+    return names.empty() ? ""
+                         : fmt::format("{} {} {}; ", folder.string(), verb, fmt::join(names, ", "));
+  };
+  throw InputError(fmt::format("{}{}the same names in both expected",
+                               part(request.candidate, "lacks", lacking),
+                               part(request.truth, "lacks", extra)));
+}
+
+/// Writes and prints what was found, as the options say.
+template <typename Found>
+void write(const CompareRequest& request, const Found& found, std::string (*jsonOf)(const Found&),
+           std::string (*tableOf)(const Found&, bool)) {
   if (request.json == "-") {
-    printUnchanged(report::maskComparisonJson(comparison));
-  } else {
-    printText(report::maskComparisonTable(comparison, coloursWanted()));
+    printUnchanged(jsonOf(found));
+    return;
   }
+  if (!request.json.empty()) writeTextAtomically(request.json, jsonOf(found));
+  printText(tableOf(found, coloursWanted()));
+}
+
+ExitStatus statusOf(bool passed) {
+  return passed ? ExitStatus::pass : ExitStatus::thresholdFailed;
+}
+
+ExitStatus compareFolders(const CompareRequest& request) {
+  if (request.difference) {
+    throw UsageError("--difference: two pictures expected, two folders found");
+  }
+  const Comparing with = comparingFor(request);
+  const std::map<std::string, fs::path> candidates = study::masksIn(request.candidate);
+  const std::map<std::string, fs::path> truths = study::masksIn(request.truth);
+  requireSameNames(request, candidates, truths);
+  report::MaskFolders folders{request.candidate.string(), request.truth.string(), request.command};
+  std::vector<compare::ComparedMasks> masks;
+  for (const auto& [name, truth] : truths) {
+    Compared found = compareTwo(with, candidates.at(name), truth);
+    folders.pairs.push_back({name, std::move(found.comparison)});
+    masks.push_back(std::move(found.masks));
+  }
+  folders.confidence = compare::maskConfidence(masks);
+  write(request, folders, &report::maskFoldersJson, &report::maskFoldersTable);
+  return statusOf(folders.passed());
 }
 
 }  // namespace
 
 CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
-  CLI::App* command = app.add_subcommand("compare", "Compare two mask pictures from any renderer");
-  command->add_option("CANDIDATE", request.candidate, "Mask to judge: EXR, PNG, TIFF, …")
+  CLI::App* command = app.add_subcommand(
+      "compare", "Compare two mask pictures, or two folders of them, from any renderer");
+  command
+      ->add_option("CANDIDATE", request.candidate,
+                   "Mask to judge: EXR, PNG, TIFF, …; or a folder of masks")
       ->required()
       ->type_name("FILE");
-  command->add_option("TRUTH", request.truth, "Mask to compare it with")
+  command->add_option("TRUTH", request.truth, "Mask, or folder of masks, to compare it with")
       ->required()
       ->type_name("FILE");
   command
@@ -157,6 +286,11 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
   };
   addGates("--max", request.maxima, "Fail if a metric is larger; may be repeated");
   addGates("--min", request.minima, "Fail if a metric is smaller; may be repeated");
+  command
+      ->add_option("--uncertainty", request.uncertainty,
+                   "The truth's own, a share as 0.001 or \"0.1 %\"; by default what export.json "
+                   "states of a mask that was exported")
+      ->type_name("SHARE");
   command
       ->add_option("--binarise", request.threshold,
                    "For soft masks: values of at least VALUE are lit, all others are shadowed")
@@ -181,37 +315,21 @@ CLI::App* addCompareCommand(CLI::App& app, CompareRequest& request) {
 }
 
 ExitStatus compareMasks(const CompareRequest& request) {
-  const std::vector<study::Gate> gates = gatesOf(request);
-  if (request.threshold && !(*request.threshold > 0 && *request.threshold < 1)) {
-    throw UsageError(
-        fmt::format("--binarise {}: a value between 0 and 1 expected", *request.threshold));
+  std::error_code failure;  // then it is no folder
+  const bool isFolder = fs::is_directory(request.candidate, failure);
+  if (isFolder != fs::is_directory(request.truth, failure)) {
+    const fs::path& folder = isFolder ? request.candidate : request.truth;
+    throw InputError(
+        fmt::format("{}: a folder found, two pictures or two folders expected", folder.string()));
   }
-  if (request.difference && request.difference->extension() != ".png") {
-    throw UsageError(fmt::format("--difference {}: a name that ends in .png expected",
-                                 request.difference->string()));
+  if (isFolder) return compareFolders(request);
+  const Compared found = compareTwo(comparingFor(request), request.candidate, request.truth);
+  if (request.difference) {
+    image::writePng(*request.difference,
+                    image::differenceImage(found.masks.candidate, found.masks.truth));
   }
-  const image::MaskPicture candidate = image::readMaskPicture(
-      request.candidate,
-      {request.candidateChannel, request.threshold, request.inverted, request.upward});
-  const image::MaskPicture truth = image::readMaskPicture(
-      request.truth, {.channel = request.truthChannel, .threshold = request.threshold});
-  std::optional<image::MaskPicture> roi;
-  if (request.roi)
-    roi = image::readMaskPicture(*request.roi, {.channel = {}, .threshold = request.threshold});
-  const compare::ComparedMasks masks = common(request, candidate.mask, truth.mask, roi);
-  report::MaskComparison comparison{recordOf(request.candidate, candidate),
-                                    recordOf(request.truth, truth)};
-  if (roi) comparison.roi = recordOf(*request.roi, *roi);
-  comparison.command = request.command;
-  comparison.width = truth.mask.width;
-  comparison.height = truth.mask.height;
-  comparison.withoutSample = masks.withoutSample;
-  comparison.outsideRoi = masks.outsideRoi;
-  comparison.counts = compare::countSamples(masks.candidate, masks.truth);
-  comparison.metrics = compare::maskMetrics(masks.candidate, masks.truth);
-  comparison.judgements = judged(gates, truth.mask, comparison.metrics);
-  write(request, comparison, masks);
-  return comparison.passed() ? ExitStatus::pass : ExitStatus::thresholdFailed;
+  write(request, found.comparison, &report::maskComparisonJson, &report::maskComparisonTable);
+  return statusOf(found.comparison.passed());
 }
 
 }  // namespace gnomon::cli

@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "common/error.h"
-#include "report/json/json_values.h"
+#include "compare/metric_range.h"
 #include "report/tables/formats/terminal_format.h"
+#include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "report/text/terminal_page.h"
 
@@ -51,10 +52,21 @@ std::string countsLine(const compare::Counts& counts) {
                      pixels(counts.falseNegative), pixels(counts.trueNegative));
 }
 
-/// Six significant digits; a value that is not 0 or 1 never looks so.
-std::string figureText(double value) {
-  std::string text = fmt::format("{:.6g}", requireFinite(value, "metric"));
-  return text == "1" && value != 1 ? exactText(value) : text;
+bool isShare(std::string_view metric) {
+  return compare::metricRange(metric, {}).isShare;
+}
+
+/// With so many significant digits, a share in percent; a value that is not 1 never looks so.
+std::string figureText(double value, std::string_view metric, int digits) {
+  if (!isShare(metric)) return fmt::format("{:.{}g}", requireFinite(value, metric), digits);
+  const std::string text = fmt::format("{:.{}g}", 100 * requireFinite(value, metric), digits);
+  return (text == "100" && value != 1 ? exactText(100 * value) : text) + " %";
+}
+
+std::string intervalLine(const compare::ConfidenceInterval& confidence) {
+  if (!confidence.interval) return fmt::format("No interval of the error: {}.", confidence.reason);
+  return fmt::format("The error's 95 % interval: {} %, from {} blocks.",
+                     intervalText(confidence.interval), groupedText(confidence.blocks));
 }
 
 Table metricsFound(const std::vector<compare::Metric>& metrics) {
@@ -67,7 +79,7 @@ Table metricsFound(const std::vector<compare::Metric>& metrics) {
   for (const compare::Metric& metric : metrics) {
     Row row{{textCell(std::string(metric.name)), metricCell(metric),
              textCell(std::string(metric.reason))}};
-    if (metric.value) row.cells[1].text = figureText(*metric.value);
+    if (metric.value) row.cells[1].text = figureText(*metric.value, metric.name, 6);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -75,20 +87,14 @@ Table metricsFound(const std::vector<compare::Metric>& metrics) {
 
 std::string failureText(const study::Judgement& judgement) {
   const study::Gate& gate = judgement.gate;
+  constexpr int digits = 12;  // a value and the limit that it misses differ in them
+  const auto figure = [&](double value) { return figureText(value, gate.metric, digits); };
   std::string text =
       fmt::format("{} is {}", gate.metric,
-                  judgement.value ? exactText(*judgement.value) : "undefined: " + judgement.reason);
-  if (gate.maximum) text += fmt::format(", at most {} allowed", exactText(*gate.maximum));
-  if (gate.minimum) text += fmt::format(", at least {} required", exactText(*gate.minimum));
+                  judgement.value ? figure(*judgement.value) : "undefined: " + judgement.reason);
+  if (gate.maximum) text += fmt::format(", at most {} allowed", figure(*gate.maximum));
+  if (gate.minimum) text += fmt::format(", at least {} required", figure(*gate.minimum));
   return text;
-}
-
-std::vector<std::string> failureTexts(const std::vector<study::Judgement>& judgements) {
-  std::vector<std::string> texts;
-  for (const study::Judgement& judgement : judgements) {
-    if (judgement.isFault()) texts.push_back(failureText(judgement));
-  }
-  return texts;
 }
 
 }  // namespace
@@ -105,24 +111,55 @@ bool MaskComparison::passed() const {
                       [](const study::Judgement& judgement) { return judgement.isFault(); });
 }
 
-std::string maskComparisonJson(const MaskComparison& c) {
-  Json json = {{"schema", "gnomon-comparison/1"},
-               {"status", jsonStatus(c.passed() ? study::RunStatus::pass : study::RunStatus::fail)},
-               {"command", c.command},
-               {"candidate", fileJson(c.candidate)},
+void addCounts(Json& json, const compare::Counts& counts) {
+  json["samples"] = counts.samples;
+  json["tp"] = jsonNumber(counts.truePositive, "tp");
+  json["fp"] = jsonNumber(counts.falsePositive, "fp");
+  json["fn"] = jsonNumber(counts.falseNegative, "fn");
+  json["tn"] = jsonNumber(counts.trueNegative, "tn");
+}
+
+Json jsonConfidence(const compare::ConfidenceInterval& confidence) {
+  return {{"low", jsonNumber(lowOf(confidence.interval), "confidence.low")},
+          {"high", jsonNumber(highOf(confidence.interval), "confidence.high")},
+          {"reason", jsonReason(std::string(confidence.reason))},
+          {"blocks", confidence.blocks}};
+}
+
+Json jsonComparison(const MaskComparison& c) {
+  Json json = {{"candidate", fileJson(c.candidate)},
                {"truth", fileJson(c.truth)},
                {"roi", c.roi ? fileJson(*c.roi) : Json(nullptr)},
                {"width", c.width},
                {"height", c.height},
                {"without_sample", c.withoutSample},
-               {"outside_roi", c.outsideRoi},
-               {"samples", c.counts.samples},
-               {"tp", jsonNumber(c.counts.truePositive, "tp")},
-               {"fp", jsonNumber(c.counts.falsePositive, "fp")},
-               {"fn", jsonNumber(c.counts.falseNegative, "fn")},
-               {"tn", jsonNumber(c.counts.trueNegative, "tn")}};
+               {"outside_roi", c.outsideRoi}};
+  addCounts(json, c.counts);
   addMetrics(json, c.metrics);
+  json["confidence"] = jsonConfidence(c.confidence);
+  json["uncertainty"] = jsonNumber(c.uncertainty, "uncertainty");
   json["gates"] = jsonList(c.judgements, jsonJudgement);
+  return json;
+}
+
+std::string uncertaintyText(double share) {
+  return fmt::format("The truth is uncertain by {} % of the pixels: smaller errors mean nothing.",
+                     percentText(share));
+}
+
+std::vector<std::string> failureTexts(const std::vector<study::Judgement>& judgements) {
+  std::vector<std::string> texts;
+  for (const study::Judgement& judgement : judgements) {
+    if (judgement.isFault()) texts.push_back(failureText(judgement));
+  }
+  return texts;
+}
+
+std::string maskComparisonJson(const MaskComparison& c) {
+  Json json = {{"schema", "gnomon-comparison/1"},
+               {"status", jsonStatus(c.passed() ? study::RunStatus::pass : study::RunStatus::fail)},
+               {"command", c.command}};
+  json.update(jsonComparison(c));
   return jsonText(json);
 }
 
@@ -135,6 +172,9 @@ std::string maskComparisonTable(const MaskComparison& c, bool colours) {
   page.paragraph(countsLine(c.counts));
   page.blank();
   appendTable(page, metricsFound(c.metrics));
+  page.blank();
+  page.paragraph(intervalLine(c.confidence));
+  if (c.uncertainty) page.paragraph(uncertaintyText(*c.uncertainty));
   page.met("Gates", c.judgements.size(), failureTexts(c.judgements));
   return page.text();
 }

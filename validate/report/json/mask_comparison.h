@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "compare/confidence_interval.h"
 #include "compare/counts.h"
 #include "compare/rates.h"
+#include "report/json/json_values.h"
 #include "study/record/gate.h"
 
 namespace gnomon::report {
@@ -32,17 +34,33 @@ struct MaskComparison {
   std::size_t outsideRoi = 0;     ///< pixels left out: outside the region of interest
   compare::Counts counts = {};
   std::vector<compare::Metric> metrics = {};
+  compare::ConfidenceInterval confidence = {};    ///< of the error rate
+  std::optional<double> uncertainty = {};         ///< of the truth, a share; none where unknown
   std::vector<study::Judgement> judgements = {};  ///< of the command's options
 
   /// True unless a gate failed.
   [[nodiscard]] bool passed() const;
 };
 
+/// candidate, truth, roi, width, height, what was left out, samples, tp, fp, fn, tn, the metrics,
+/// confidence, uncertainty, gates.
+Json jsonComparison(const MaskComparison& comparison);
+/// samples, tp, fp, fn, tn.
+void addCounts(Json& json, const compare::Counts& counts);
+/// low, high, reason, blocks.
+Json jsonConfidence(const compare::ConfidenceInterval& confidence);
+
+/// What the truth's uncertainty means, as a sentence.
+std::string uncertaintyText(double share);
+
+/// "error_rate is 12.5 %, at most 10 % allowed", of each gate that fails.
+std::vector<std::string> failureTexts(const std::vector<study::Judgement>& judgements);
+
 /// For programs: schema "gnomon-comparison/1". The confusion matrix and the metrics have the names
 /// that a run's summary gives them; a metric without a value is null, its reason in `undefined`.
 std::string maskComparisonJson(const MaskComparison& comparison);
 
-/// For the terminal, at most 100 columns wide; figures as gates take them, six digits.
+/// For the terminal, at most 100 columns wide; figures with six digits, shares in percent.
 /// @param colours  ANSI colours and bold face; without them the text is plain
 std::string maskComparisonTable(const MaskComparison& comparison, bool colours);
 

@@ -40,8 +40,10 @@ std::string_view inputKindName(study::InputRecord::Kind kind) {
       return "image";
     case study::InputRecord::Kind::shader:
       return "shader";
+    case study::InputRecord::Kind::mask:
+      return "mask";
   }
-  throw InternalError("input: not one of its four kinds");
+  throw InternalError("input: not one of its five kinds");
 }
 
 std::string_view differenceVerdictName(study::DifferenceVerdict verdict) {

@@ -9,7 +9,7 @@ namespace gnomon::study {
 
 /// A file that a run was made of.
 struct InputRecord {
-  enum class Kind { study, mesh, image, shader };
+  enum class Kind { study, mesh, image, shader, mask };
   Kind kind = Kind::study;
   /// Relative to the run's folder; of a shader that comes with the program as `shaders/…`.
   std::string file;

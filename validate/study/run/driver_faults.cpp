@@ -40,8 +40,7 @@ std::string DriverFaults::faultText(render::PassKind kind, const std::string& fa
 }
 
 std::string DriverFaults::faultOf(const MethodSpec& method) {
-  for (const render::PassKind kind :
-       render::passesOf(render::readMethod(method.file), method.filter)) {
+  for (const render::PassKind kind : render::passesOf(declarationOf(method), method.filter)) {
     const std::string& fault = passFault(kind);
     if (!fault.empty()) return faultText(kind, fault);
   }

@@ -54,10 +54,11 @@ std::vector<const MethodSpec*> foreignMethods(const StudySpec& study) {
   std::vector<const MethodSpec*> methods;
   const auto add = [&](const std::vector<MethodSpec>& from) {
     for (const MethodSpec& method : from) {
+      if (isBuiltIn(method) || method.isGiven()) continue;
       const bool isKnown = std::any_of(methods.begin(), methods.end(), [&](const auto* known) {
         return known->file == method.file && known->filter == method.filter;
       });
-      if (!isKnown && !isBuiltIn(method)) methods.push_back(&method);
+      if (!isKnown) methods.push_back(&method);
     }
   };
   add(study.methods);

@@ -80,6 +80,13 @@ std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
       100 * shadowShare);
 }
 
+std::string givenNotice(const std::string& method) {
+  return fmt::format(
+      "{}: another program drew its masks. It has no frame time and no memory here, and its answer "
+      "\"test\" is its picture.",
+      method);
+}
+
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods) {
   std::vector<std::string> notices;
@@ -90,6 +97,7 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   add(uncertaintyNotice(scene.study, truth));
   std::optional<double> longestEdge;
   for (const MethodCase& method : methods) {
+    if (method.isGiven()) add(givenNotice(method.spec->label));
     const MeshChoice& mesh = method.base->choice;
     if (mesh.kind != render::DrawnMesh::displaced) continue;
     if (!longestEdge) {

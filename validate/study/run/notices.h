@@ -34,6 +34,9 @@ std::optional<std::string> coarsePiecesNotice(const std::string& method, int pie
 std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
                                            double shadowShare);
 
+/// A notice of what the masks of another program do not tell.
+std::string givenNotice(const std::string& method);
+
 /// All notices of a run, once its truth is traced.
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods);

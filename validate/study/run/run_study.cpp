@@ -62,6 +62,7 @@ class StudyRun {
   void measureCosts() {
     const int frames = isWhole_ ? study_.frames : 0;
     for (MethodCase& method : methods_) {
+      if (method.isGiven()) continue;
       record_.cost.push_back(costs_.measure(scene_, method, frames));
     }
   }

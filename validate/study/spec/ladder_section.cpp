@@ -24,6 +24,7 @@ MethodSpec climb(const TomlReader& rung, const MethodSpec& from, const MethodDef
   MethodSpec changed = from;
   KeyNames names = namesOf(keysOf(changed));
   names.erase("label");
+  names.erase("masks");
   set.allow(names);
   MethodSpec to = changedMethod(set, from, defaults);
   set.finish();
@@ -40,6 +41,10 @@ LadderSpec readLadder(const TomlReader& section, const StudySpec& study,
   readKeys(section, keysOf(ladder, labels));
   const auto method = std::find(labels.begin(), labels.end(), ladder.method) - labels.begin();
   ladder.written = section.written();
+  if (study.methods[static_cast<std::size_t>(method)].isGiven()) {
+    section.fail("method", fmt::format("\"{}\" is given as masks, a method with a shader expected",
+                                       ladder.method));
+  }
   const MethodSpec start =
       changedMethod(section, study.methods[static_cast<std::size_t>(method)], defaults);
   ladder.forward.push_back(start);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "common/error.h"
+#include "study/spec/sections/method_section.h"
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon::study {
@@ -29,7 +30,7 @@ Replacement parsed(const std::string& text) {
 /// Makes a method's table name another shader under its old label.
 void replaceShader(toml::table& method, const Replacement& replacement) {
   method.insert_or_assign("label", replacement.label);
-  for (const char* key : {"name", "file", "parameters"}) method.erase(key);
+  for (const char* key : {"name", "file", "masks", "parameters"}) method.erase(key);
   if (fs::path(replacement.shader).extension() == ".glsl") {
     method.insert("file", pathText(fs::absolute(replacement.shader)));
   } else {
@@ -55,6 +56,7 @@ void removeLadder(toml::table& study, const std::string& label) {
 std::string methodLabel(const toml::table& method) {
   if (const auto label = method["label"].value<std::string>()) return *label;
   if (const auto name = method["name"].value<std::string>()) return *name;
+  if (const auto masks = method["masks"].value<std::string>()) return givenName(pathOf(*masks));
   return stemText(pathOf(method["file"].value_or(std::string())));
 }
 

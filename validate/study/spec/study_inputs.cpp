@@ -7,6 +7,7 @@
 #include "common/files/input_file.h"
 #include "common/text/sha256.h"
 #include "render/shader_files.h"
+#include "study/spec/mask_files.h"
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon::study {
@@ -60,7 +61,12 @@ std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& fol
     inputs.add(Kind::image, home / pathOf(image->path));
   }
   inputs.addCommonShaders();
-  for (const MethodSpec& method : study.methods) inputs.add(Kind::shader, method.file);
+  for (const MethodSpec& method : study.methods) {
+    if (!method.isGiven()) inputs.add(Kind::shader, method.file);
+    for (const GivenMaskFile& mask : givenMaskFiles(study, method)) {
+      inputs.add(Kind::mask, mask.path);
+    }
+  }
   for (const LadderSpec& ladder : study.ladders) {
     for (const auto* states : {&ladder.forward, &ladder.backward}) {
       for (const MethodSpec& state : *states) inputs.add(Kind::shader, state.file);

@@ -105,30 +105,62 @@ horizon::AngleTable shootAngles(RunScene& scene, const MethodCase& method) {
       [](const horizon::AngleTable& angles) { return sizeof(float) * angles.angles.size(); });
 }
 
-/// A shader has to answer wherever the mesh is: one that leaves out pixels would not be scored on
-/// them.
-void requireAnswers(const MethodCase& method, const ViewSpec& view, const Mask& truth,
-                    const Mask& answer) {
+/// A method has to answer wherever the truth does: one that leaves out pixels would not be scored
+/// on them.
+void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t view,
+                    std::size_t light, const Mask& answer) {
+  const Mask& truth = method.base->views[view].truths[light].mask;
   std::size_t left = 0;
   std::size_t samples = 0;
+  std::size_t first = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (truth.samples[i] == Shade::none) continue;
     ++samples;
-    if (answer.samples[i] == Shade::none) ++left;
+    if (answer.samples[i] == Shade::none && left++ == 0) first = i;
   }
   if (left == 0) return;
-  throw InputError(
-      fmt::format("method \"{}\" ({}): its shader leaves out {} of {} samples of view "
-                  "\"{}\", an answer for each expected",
-                  method.spec->label, method.spec->file.string(), left, samples, view.name));
+  if (method.isGiven()) {
+    const auto width = static_cast<std::size_t>(truth.width);
+    throw InputError(fmt::format(
+        "{}: no answer at {} of the {} pixels where the truth has one, first at column {}, row {}; "
+        "lit or shadowed expected",
+        maskOf(method.given, scene.study, view, light).path.string(), left, samples, first % width,
+        first / width));
+  }
+  throw InputError(fmt::format(
+      "method \"{}\" ({}): its shader leaves out {} of {} samples of view "
+      "\"{}\", an answer for each expected",
+      method.spec->label, method.spec->file.string(), left, samples, scene.study.views[view].name));
+}
+
+/// The method's masks, or what its shader draws.
+render::MethodAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view,
+                                   std::size_t light) {
+  if (method.isGiven()) {
+    const Mask& mask = maskOf(method.given, scene.study, view, light).mask;
+    return {mask, mask};
+  }
+  const cache::ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
+  return scene.cache.remember(key, [&] {
+    const CompiledMethod& ready = compiled(scene, method);
+    render::MethodAnswers rendered = ready.pass->render(
+        method.base->views[view].view, drawingOf(scene, method, light), ready.tables);
+    method.compiled->hasDrawn = true;
+    return rendered;
+  });
 }
 
 }  // namespace
 
 MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface) {
-  render::Method method = render::readMethod(spec.file);
-  const cache::ContentKey key = scene.keys.method(spec, method);
+  render::Method method = declarationOf(spec);
   BaseCase& base = scene.base(meshOf(spec, method));
+  if (spec.isGiven()) {
+    GivenMasks given = readGivenMasks(scene.study, spec, base);
+    const cache::ContentKey key = keyOf(given);
+    return {&spec, std::move(method), &base, key, &surface, {}, std::move(given)};
+  }
+  const cache::ContentKey key = scene.keys.method(spec, method);
   MethodCase prepared{&spec, std::move(method), &base, key, &surface};
   if (!hasAllMasks(scene, prepared)) compile(scene, prepared);
   return prepared;
@@ -187,17 +219,9 @@ bool answersIn(const MethodCase& method, const ViewSpec& view) {
 
 render::MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view,
                                 std::size_t light) {
-  const ViewCase& seen = method.base->views[view];
-  const cache::ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
-  render::MethodAnswers answers = scene.cache.remember(key, [&] {
-    const CompiledMethod& ready = compiled(scene, method);
-    render::MethodAnswers rendered =
-        ready.pass->render(seen.view, drawingOf(scene, method, light), ready.tables);
-    method.compiled->hasDrawn = true;
-    return rendered;
-  });
-  const Mask& truth = seen.truths[light].mask;
-  requireAnswers(method, scene.study.views[view], truth, answers.drawn);
+  render::MethodAnswers answers = drawnAnswers(scene, method, view, light);
+  requireAnswers(scene, method, view, light, answers.drawn);
+  const Mask& truth = method.base->views[view].truths[light].mask;
   for (Mask* mask : {&answers.drawn, &answers.test}) {
     for (std::size_t i = 0; i < mask->size(); ++i) {
       if (truth.samples[i] == Shade::none) mask->samples[i] = Shade::none;

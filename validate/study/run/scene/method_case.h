@@ -8,6 +8,7 @@
 #include "common/mask.h"
 #include "render/method.h"
 #include "render/passes/method_pass.h"
+#include "study/run/scene/given_masks.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/truth_stage.h"
 
@@ -26,20 +27,23 @@ struct MethodCase {
   const MethodSpec* spec;
   render::Method method;
   BaseCase* base;
-  cache::ContentKey key;     ///< as `RunKeys::method`
+  cache::ContentKey key;     ///< as `RunKeys::method`; of given masks, their contents
   SurfaceOnDemand* surface;  ///< for tables that are shot on it
   std::optional<CompiledMethod> compiled = {};
+  GivenMasks given = {};  ///< of a method that another program drew, which is never compiled
+
+  [[nodiscard]] bool isGiven() const { return spec->isGiven(); }
 };
 
-/// Reads a method; compiles it unless the cache has all its masks, so that a mistake in it shows
-/// before anything else is computed.
+/// Reads a method, or its masks; compiles it unless the cache has all its masks, so that a mistake
+/// in it shows before anything else is computed.
 /// @param spec     outlives the case
 /// @param surface  likewise
 /// @throws InputError for a method that cannot be used in this study: its file, its parameters, or
-///   a texture plane that the surface does not have
+///   a texture plane that the surface does not have, or masks that are missing or of another size
 MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDemand& surface);
 
-/// The method compiled, with all its tables.
+/// The method compiled, with all its tables; not of given masks.
 /// @throws InputError as prepareMethod
 const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 
@@ -61,7 +65,8 @@ void shootTables(RunScene& scene, std::span<MethodCase> methods);
 bool answersIn(const MethodCase& method, const ViewSpec& view);
 
 /// A method's answers in one view under one light, without the samples for which no frame exists:
-/// the truth must have been traced.
+/// the truth must have been traced. Given masks are pictures: both answers are theirs.
+/// @throws InputError for a sample with a truth and without an answer
 render::MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view,
                                 std::size_t light);
 

@@ -45,7 +45,7 @@ inline StudyKeys keysOf(LadderSpec& ladder, const std::vector<std::string>& labe
       studyKey("rung", OwnCode{"a list of tables"}, "the causes, in their order", {}, required)};
   MethodSpec method;
   for (StudyKey& key : keysOf(method)) {
-    if (key.name == "label") continue;
+    if (key.name == "label" || key.name == "masks") continue;
     key.place = OwnCode{typeText(key)};
     key.otherwise = "the method's";
     keys.push_back(std::move(key));

@@ -43,12 +43,19 @@ void readParameters(const TomlReader& section, const render::Method& declared, M
   }
 }
 
-}  // namespace
-
-MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
+/// A method that another program drew: nothing of it can be set here.
+MethodSpec readGivenMethod(const TomlReader& section, const MethodDefaults& defaults) {
+  section.allow({"label", "masks"});
   MethodSpec method;
-  section.allow(namesOf(keysOf(method)));
-  section.requireOneOf("name", "file");
+  method.masks = defaults.folder / pathOf(section.text("masks"));
+  method.bake = defaults.bake;
+  method.base = defaults.base;
+  method.label = section.has("label") ? section.text("label") : givenName(method.masks);
+  return method;
+}
+
+MethodSpec readOwnMethod(const TomlReader& section, const MethodDefaults& defaults) {
+  MethodSpec method;
   const render::Method declared = render::readMethod(readMethodFile(section, defaults));
   method.bake = defaults.bake;
   method.base = defaults.base;
@@ -56,6 +63,30 @@ MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& de
   if (declared.subdivisions) method.base.subdivisions = *declared.subdivisions;
   method = changedMethod(section, std::move(method), defaults);
   if (method.label.empty()) method.label = stemText(method.file);
+  return method;
+}
+
+}  // namespace
+
+render::Method declarationOf(const MethodSpec& method) {
+  if (!method.isGiven()) return render::readMethod(method.file);
+  render::Method declared;
+  declared.name = givenName(method.masks);
+  declared.title = "masks that another program drew";
+  return declared;
+}
+
+std::string givenName(const fs::path& masks) {
+  const fs::path plain = fs::absolute(masks).lexically_normal();
+  return stemText(plain.has_filename() ? plain : plain.parent_path());
+}
+
+MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults) {
+  MethodSpec any;
+  section.allow(namesOf(keysOf(any)));
+  section.requireOneOf({"name", "file", "masks"});
+  MethodSpec method =
+      section.has("masks") ? readGivenMethod(section, defaults) : readOwnMethod(section, defaults);
   if (method.label == "truth") section.fail("label", "\"truth\" found, that name is taken");
   section.finish();
   return method;
@@ -78,6 +109,9 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
 }
 
 toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resample) {
+  if (method.isGiven()) {
+    return toml::table{{"label", method.label}, {"masks", pathFrom(method.masks, folder)}};
+  }
   toml::table table = settingsOf(method);
   if (isBuiltIn(method)) {
     table.insert("name", method.file.stem().string());
@@ -96,13 +130,13 @@ toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resamp
 }
 
 bool isBuiltIn(const MethodSpec& method) {
-  return method.file.parent_path() == render::shaderFolder() / "methods";
+  return !method.isGiven() && method.file.parent_path() == render::shaderFolder() / "methods";
 }
 
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
   const auto keyOf = [](const MethodSpec& method) {
     cache::KeyBuilder key("method");
-    key.add("file", method.file.native());
+    key.add("file", method.file.native()).add("masks", method.masks.native());
     addSettings(key, method, Enters::everything);
     addSettings(key, method.bake, Enters::everything, 1);
     addSettings(key, method.base, Enters::everything);

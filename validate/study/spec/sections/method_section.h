@@ -14,22 +14,32 @@ namespace gnomon::study {
 
 /// `[[method]]`
 struct MethodSpec {
-  std::filesystem::path file = {};  ///< its GLSL
+  std::filesystem::path file = {};  ///< its GLSL; empty where masks are given
   std::string label = {};           ///< unique in the study
   BakeSpec bake = {};               ///< the study's, with the method's overrides
   BaseSpec base = {};               ///< of the mesh that it draws
   render::TableFilter filter = render::TableFilter::exact;
   std::map<std::string, double> parameters = {};
+  /// The folder with the masks that another program drew; empty for a method that runs here.
+  std::filesystem::path masks = {};
+
+  [[nodiscard]] bool isGiven() const { return !masks.empty(); }
 };
 
 inline StudyKeys keysOf(MethodSpec& method) {
   const std::vector<std::pair<render::TableFilter, std::string>> filters = {
       {render::TableFilter::exact, "exact"}, {render::TableFilter::hardware, "hardware"}};
   return {
-      studyKey("name", OwnCode{"text"}, "a method that `gnomon list` names", {}, "`file` is there"),
-      studyKey("file", OwnCode{"text"}, "your GLSL, in place of `name`", {}, "`name` is there"),
-      studyKey("label", &method.label, "the study's name for it", {}, "`name`, or the file's stem",
-               Enters::nothing),
+      studyKey("name", OwnCode{"text"}, "a method that `gnomon list` names", {},
+               "`file` or `masks` is there"),
+      studyKey("file", OwnCode{"text"}, "your GLSL, in place of `name`", {},
+               "`name` or `masks` is there"),
+      studyKey("masks", OwnCode{"text"},
+               "a folder of masks that another program drew for the exported samples, in place of "
+               "`name`; beside it only `label` is read",
+               {}, "`name` or `file` is there"),
+      studyKey("label", &method.label, "the study's name for it", {},
+               "`name`, or the stem of the file or folder", Enters::nothing),
       studyKey("filter", chosenName(method.filter, filters),
                "interpolation of tables: in floats, or by the GPU's texture filter"),
       studyKey("bake", OwnCode{"a table"}, "keys of `[bake]`, over the study's", {}, "none"),
@@ -37,6 +47,14 @@ inline StudyKeys keysOf(MethodSpec& method) {
       studyKey("parameters", OwnCode{"a table of numbers"},
                "the method's own, which `gnomon list` names with ranges and defaults", {}, "none")};
 }
+
+/// What the method declares: in its shader's first comment. One that is given as masks reads no
+/// table and answers at the samples of the base mesh, which are the exported ones.
+/// @throws InputError as render::readMethod
+render::Method declarationOf(const MethodSpec& method);
+
+/// What a method is called that is given as a folder of masks: the folder's name.
+std::string givenName(const std::filesystem::path& masks);
 
 /// What methods are read against.
 struct MethodDefaults {
@@ -51,8 +69,9 @@ struct MethodDefaults {
 /// @throws InputError for a file that declares no method, and as TomlReader
 MethodSpec readMethodSection(const TomlReader& section, const MethodDefaults& defaults);
 
-/// A method with the keys of a table changed: `name` or `file` (its parameters are then the
-/// authors'), `filter`, `bake`, `base`, `parameters`. Keys of none of these are left to the caller.
+/// A method that runs here with the keys of a table changed: `name` or `file` (its parameters are
+/// then the authors'), `filter`, `bake`, `base`, `parameters`. Keys of none of these are left to
+/// the caller.
 /// @throws InputError as readMethodSection; for a parameter that the method does not have, or a
 ///   value out of its range
 MethodSpec changedMethod(const TomlReader& section, MethodSpec method,

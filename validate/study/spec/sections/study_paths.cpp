@@ -95,7 +95,10 @@ void movePaths(toml::table& study, const fs::path& from, const fs::path& to) {
   if (toml::table* relief = study["relief"].as_table()) movePath(*relief, "image", from, to);
   if (toml::table* surface = study["surface"].as_table()) movePath(*surface, "mesh", from, to);
   const auto moveShader = [&](toml::table& table) { movePath(table, "file", from, to); };
-  forEachTable(study.get("method"), moveShader);
+  forEachTable(study.get("method"), [&](toml::table& method) {
+    moveShader(method);
+    movePath(method, "masks", from, to);
+  });
   forEachTable(study.get("ladder"), [&](toml::table& ladder) {
     moveShader(ladder);
     forEachTable(ladder.get("rung"), [&](toml::table& rung) {

@@ -26,8 +26,8 @@ std::string pathFrom(const std::filesystem::path& file, const std::filesystem::p
 void movePath(toml::table& table, const char* key, const std::filesystem::path& from,
               const std::filesystem::path& to);
 
-/// Rewrites likewise all paths of a study's file: the relief's image, the surface's mesh, and the
-/// shader files of methods, ladders and their rungs.
+/// Rewrites likewise all paths of a study's file: the relief's image, the surface's mesh, the
+/// shader files of methods, ladders and their rungs, and the methods' folders of masks.
 void movePaths(toml::table& study, const std::filesystem::path& from,
                const std::filesystem::path& to);
 

@@ -1,0 +1,63 @@
+#include "study/spec/mask_files.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "common/error.h"
+#include "study/spec/file_names.h"
+
+namespace gnomon::study {
+namespace fs = std::filesystem;
+namespace {
+
+std::string maskName(const fs::path& file) {
+  constexpr std::string_view ending = "_truth";
+  const std::string stem = file.stem().string();
+  return stem.ends_with(ending) ? stem.substr(0, stem.size() - ending.size()) : stem;
+}
+
+}  // namespace
+
+std::map<std::string, fs::path> masksIn(const fs::path& folder) {
+  std::map<std::string, fs::path> masks;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    const fs::path& file = entry.path();
+    if (!entry.is_regular_file() || file.filename().string().starts_with('.')) continue;
+    const auto [other, isNew] = masks.emplace(maskName(file), file);
+    if (isNew) continue;
+    const auto [first, second] = std::minmax(other->second, file);
+    throw InputError(fmt::format("{}: {} found beside it, one mask of that name expected",
+                                 first.string(), second.filename().string()));
+  }
+  if (failure) {
+    throw InputError(
+        fmt::format("{}: {}, a folder of masks expected", folder.string(), failure.message()));
+  }
+  return masks;
+}
+
+std::vector<GivenMaskFile> givenMaskFiles(const StudySpec& study, const MethodSpec& method) {
+  std::vector<GivenMaskFile> masks;
+  if (!method.isGiven()) return masks;
+  const std::map<std::string, fs::path> files = masksIn(method.masks);
+  const CaseNames names = caseNames(study);
+  for (std::size_t v = 0; v < study.views.size(); ++v) {
+    for (std::size_t l = 0; l < study.lights.size(); ++l) {
+      const std::string name = fmt::format("{}_{}", names.views[v], names.lights[l]);
+      const auto file = files.find(name);
+      if (file == files.end()) {
+        throw InputError(fmt::format(
+            "{}: missing, the mask of method \"{}\" in view \"{}\" under light \"{}\" expected",
+            (method.masks / (name + ".png")).string(), method.label, study.views[v].name,
+            study.lights[l].name));
+      }
+      masks.push_back({v, l, file->second});
+    }
+  }
+  return masks;
+}
+
+}  // namespace gnomon::study
