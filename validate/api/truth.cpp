@@ -12,6 +12,7 @@
 #include "horizon/search_radius.h"
 #include "relief/patch_border.h"
 #include "relief/relief.h"
+#include "truth/global_occluder.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
@@ -23,6 +24,7 @@ namespace {
 static_assert(static_cast<int>(Shade::shadowed) == 1 && static_cast<int>(Shade::none) == 2);
 static_assert(static_cast<int>(truth::Region::beyondTerminator) ==
               static_cast<int>(ShadowRegion::beyondTerminator));
+static_assert(static_cast<int>(truth::Region::global) == static_cast<int>(ShadowRegion::global));
 
 relief::Relief reliefOf(const Surface::Data& surface, const Displacement& displacement) {
   const Vec2 repeats(displacement.repeats[0], displacement.repeats[1]);
@@ -93,9 +95,13 @@ Traced trace(const Task& task, std::optional<double> step) {
   truth::MicroMeshSettings settings;
   settings.stepTexels = step;
   const truth::MicroMesh mesh(task.surface, task.relief, settings);
-  return {truth::traceShadows(task.surface, task.relief, mesh, truth::MicroScene(mesh),
-                              task.samples, task.lights),
-          mesh.askedStepTexels(), mesh.triangleCount()};
+  const truth::MicroScene scene(mesh);
+  Traced traced{
+      truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples, task.lights),
+      mesh.askedStepTexels(), mesh.triangleCount()};
+  truth::markGlobal(task.surface, task.relief, mesh, scene, truth::SurfacePaths(task.surface),
+                    task.samples, task.lights, traced.truths);
+  return traced;
 }
 
 /// The same at half the resolution and half the rays' offset, as the uncertainty of a run is found.
