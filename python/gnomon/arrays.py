@@ -64,7 +64,8 @@ def camera(
 class Truth(NamedTuple):
     """The exact shadow under one light; both arrays are (height, width) uint8.
 
-    regions      0 no sample, 1 lit, 2 attached, 3 cast, 4 distant, 5 beyond the terminator
+    regions      0 no sample, 1 lit, 2 attached, 3 cast, 4 distant, 5 beyond the terminator,
+                 6 global
     uncertainty  share of the samples that change at half the resolution: differences between
                  methods below it mean nothing
     """

@@ -203,7 +203,7 @@ TEST_F(Export, TruthsAndTablesAreThoseOfTheOtherCommands) {
   const nlohmann::json truth = nlohmann::json::parse(read("out/small/truth/truth.json"));
   EXPECT_EQ(truth.at("truth").at("uncertainty"), run.at("truth").at("uncertainty"));
   const nlohmann::json& found = truth.at("cases").at(0);
-  for (const char* region : {"lit", "attached", "cast", "distant", "beyond-terminator"}) {
+  for (const char* region : {"lit", "attached", "cast", "distant", "global", "beyond-terminator"}) {
     EXPECT_EQ(found.at("region_samples").at(region),
               resultOf(run, "unshadowed", "evening", "camera", region).at("samples"))
         << region;

@@ -64,7 +64,8 @@ TEST_F(RunFolder, RegionsPartitionTheSamples) {
     const nlohmann::json all = resultOf(json, method, "evening", "camera");
     for (const char* key : {"samples", "tp", "fp", "fn", "tn"}) {
       double sum = 0;
-      for (const char* region : {"lit", "attached", "cast", "distant", "beyond-terminator"}) {
+      for (const char* region :
+           {"lit", "attached", "cast", "distant", "global", "beyond-terminator"}) {
         sum += resultOf(json, method, "evening", "camera", region).at(key).get<double>();
       }
       EXPECT_EQ(sum, all.at(key)) << method << ", " << key;

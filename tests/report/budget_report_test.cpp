@@ -43,8 +43,8 @@ study::BudgetRecord budgetOf(const std::string& method, const std::string& light
   budget.causes = {{"map <interpolation>", "resampled", share(0.03), share(0.025)},
                    {"bits", "float & all", share(-0.01), share(-0.01)},
                    {"formula", "", share(0.005, false), share(0.01)}};
-  budget.distant = share(0.005);
-  budget.other = share(0.02);
+  budget.rest = {
+      {"global", share(0)}, {"distant", share(0.005)}, {"seam", share(0)}, {"other", share(0.02)}};
   budget.forward = {
       {0.05, 0.03, 0.02}, {0.02, 0.01, 0.01}, {0.03, 0.02, 0.01}, {0.025, 0.02, 0.005}};
   budget.backward = {
@@ -96,7 +96,7 @@ TEST(BudgetFiles, HoldEveryFigure) {
 
 TEST(BudgetFiles, CsvHasARowAPart) {
   const std::string csv = csvTable(budgetPartsTable(recordWithBudgets()));
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 6);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 8);
   EXPECT_THAT(csv, HasSubstr("\nclose,atlas,all,total,0.05,0.049,0.052000000000000005,1,0.05,"));
   EXPECT_THAT(csv, HasSubstr("\n\"rough, \"\"old\"\"\",atlas,low,formula,0.005,"));
   EXPECT_THAT(csv, HasSubstr(",0,0.01,0.009000000000000001,0.012,1,0.0004\n"));
@@ -132,8 +132,8 @@ TEST(BudgetPlot, DrawsEveryShareWhereItBelongs) {
   EXPECT_THAT(spans(script, "p0"), ElementsAre(near(0, 3), near(0, 2.5)));
   EXPECT_THAT(spans(script, "p1"), ElementsAre(near(-1, 0), near(-1, 0)));
   EXPECT_THAT(spans(script, "p2"), ElementsAre(near(3, 3.5), near(2.5, 3.5)));
-  EXPECT_THAT(spans(script, "p3"), ElementsAre(near(3.5, 4), near(3.5, 4)));
-  EXPECT_THAT(spans(script, "p4"), ElementsAre(near(4, 6), near(4, 6)));
+  EXPECT_THAT(spans(script, "p4"), ElementsAre(near(3.5, 4), near(3.5, 4)));
+  EXPECT_THAT(spans(script, "p6"), ElementsAre(near(4, 6), near(4, 6)));
   EXPECT_THAT(script, HasSubstr("set arrow from 5,-0.48 to 5,1.48"));
 }
 
@@ -146,8 +146,8 @@ TEST(BudgetPlot, NamesEveryPartOnceWithAColourOfItsOwn) {
     colours.insert((*at)[1]);
     names.push_back((*at)[2]);
   }
-  EXPECT_THAT(names, ElementsAre("map <interpolation>", "bits", "formula",
-                                 "left: distant occluders", "left: other"));
+  EXPECT_THAT(names, ElementsAre("map <interpolation>", "bits", "formula", "left: global",
+                                 "left: distant", "left: seam", "left: other"));
   EXPECT_EQ(colours.size(), names.size());
 }
 
@@ -191,7 +191,7 @@ TEST(BudgetTerminal, FitsTheTerminal) {
   made.budgets[0].causes[0].forward.interval = {-0.123, -0.111};
   const std::string table = terminalReport(made, false);
   EXPECT_THAT(table, AllOf(HasSubstr("Where the error comes from"), HasSubstr("+0.50 ≈"),
-                           HasSubstr("left: distant occluders")));
+                           HasSubstr("left: distant")));
   EXPECT_THAT(table, Not(HasSubstr("low, ")));
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;

@@ -13,6 +13,7 @@
 #include "horizon/search_radius.h"
 #include "relief/patch_border.h"
 #include "relief/relief.h"
+#include "truth/global_occluder.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
@@ -24,6 +25,7 @@ namespace {
 static_assert(static_cast<int>(Shade::shadowed) == 1 && static_cast<int>(Shade::none) == 2);
 static_assert(static_cast<int>(truth::Region::beyondTerminator) ==
               static_cast<int>(ShadowRegion::beyondTerminator));
+static_assert(static_cast<int>(truth::Region::global) == static_cast<int>(ShadowRegion::global));
 
 relief::Relief reliefOf(const Surface::Data& surface, const Displacement& displacement) {
   const Vec2 repeats(displacement.repeats[0], displacement.repeats[1]);
@@ -100,9 +102,12 @@ Traced trace(const Task& task, std::optional<double> step, const Progress& progr
   settings.stepTexels = step;
   const truth::MicroMesh mesh(task.surface, task.relief, settings, partOf(progress, 0, 0.2));
   const truth::MicroScene scene(mesh, partOf(progress, 0.2, 0.4));
-  return {truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples, task.lights,
-                              partOf(progress, 0.4, 1)),
-          mesh.askedStepTexels(), mesh.triangleCount()};
+  Traced traced{truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples,
+                                    task.lights, partOf(progress, 0.4, 1)),
+                mesh.askedStepTexels(), mesh.triangleCount()};
+  truth::markGlobal(task.surface, task.relief, mesh, scene, truth::SurfacePaths(task.surface),
+                    task.samples, task.lights, traced.truths);
+  return traced;
 }
 
 /// The same at half the resolution and half the rays' offset, as the uncertainty of a run is found.

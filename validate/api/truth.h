@@ -28,6 +28,7 @@ enum class ShadowRegion : std::uint8_t {
   cast,              ///< shadowed by an occluder within the search radius
   distant,           ///< shadowed only by an occluder beyond it
   beyondTerminator,  ///< the undisplaced surface is turned from the light
+  global,            ///< shadowed from where the path over the surface does not lead: another limb
 };
 
 struct TraceOptions {

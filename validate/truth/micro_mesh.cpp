@@ -141,4 +141,14 @@ Facet MicroMesh::facet(int face, double s, double t) const {
           area > 0 ? normal / area : Vec3(0)};
 }
 
+surface::SurfaceSample MicroMesh::parametersAt(int face, const Vec2& place) const {
+  const surface::FaceGrid& grid = grids_.faces()[static_cast<std::size_t>(face)];
+  const auto parameter = [](const std::vector<double>& lines, double share) {
+    const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(lines.size() - 1);
+    const std::size_t k = std::min(static_cast<std::size_t>(at), lines.size() - 2);
+    return static_cast<float>(std::lerp(lines[k], lines[k + 1], at - static_cast<double>(k)));
+  };
+  return {face, parameter(grids_.sLines(grid), place.x), parameter(grids_.tLines(grid), place.y)};
+}
+
 }  // namespace gnomon::truth

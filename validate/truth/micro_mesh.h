@@ -8,6 +8,7 @@
 #include "relief/relief.h"
 #include "surface/face_grids.h"
 #include "surface/limit_surface.h"
+#include "surface/surface_sample.h"
 #include "truth/micro_lines.h"
 
 namespace gnomon::truth {
@@ -69,6 +70,8 @@ class MicroMesh {
   [[nodiscard]] Facet facet(const surface::SurfaceSample& sample) const {
     return facet(sample.face, sample.s, sample.t);
   }
+  /// The parameters of a place on a face's grid, as SurfaceHit has it.
+  [[nodiscard]] surface::SurfaceSample parametersAt(int face, const Vec2& place) const;
 
  private:
   MicroMesh(MicroLines lines, const surface::LimitSurface& surface, const relief::Relief& relief,

@@ -196,7 +196,7 @@ std::optional<SurfaceHit> MicroScene::nearest(const Vec3& origin, const Vec3& di
   const Vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
   const double length = glm::length(normal);
   return SurfaceHit{ray.ray.tfar, static_cast<int>(ray.hit.primID),
-                    length > 0 ? normal / length : Vec3(0)};
+                    length > 0 ? normal / length : Vec3(0), Vec2(ray.hit.u, ray.hit.v)};
 }
 
 std::string MicroScene::embreeVersion() {

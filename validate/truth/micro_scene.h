@@ -35,6 +35,7 @@ struct SurfaceHit {
   double distance;  ///< world units along a unit direction
   int face;
   Vec3 normal;  ///< of the facet, unit, outward
+  Vec2 place;   ///< on the face's grid: 0 to 1 from its first to its last line along s and along t
 };
 
 /// A micro-mesh in Embree, as grids that share its vertices: nothing is copied, so the mesh must

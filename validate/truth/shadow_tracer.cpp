@@ -160,24 +160,6 @@ void forEachBand(int width, int height, const Progress& progress, const Work& wo
 
 }  // namespace
 
-std::string_view regionName(Region region) {
-  switch (region) {
-    case Region::none:
-      return "none";
-    case Region::lit:
-      return "lit";
-    case Region::attached:
-      return "attached";
-    case Region::cast:
-      return "cast";
-    case Region::distant:
-      return "distant";
-    case Region::beyondTerminator:
-      return "beyond-terminator";
-  }
-  throw InternalError("a region without a name");
-}
-
 Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
                    const TraceSettings& settings, const Progress& progress) {
   Truth truth = emptyTruth(placed.width, placed.height);

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "common/mask.h"
@@ -12,32 +10,16 @@
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
 #include "truth/micro_scene.h"
+#include "truth/region.h"
 #include "truth/sample_place.h"
 
 namespace gnomon::truth {
 
-/// Why a sample is lit or shadowed. Every sample of a view is in exactly one of these regions; the
-/// region `seam` overlaps them (see seam_crossing.h).
-enum class Region : std::uint8_t {
-  none,              ///< no sample, or no frame there
-  lit,               ///< the light reaches it
-  attached,          ///< its own facet is turned from the light
-  cast,              ///< shadowed by an occluder within the tables' radius
-  distant,           ///< shadowed only by an occluder beyond that radius
-  beyondTerminator,  ///< the undisplaced surface is turned from the light, n·L ≤ 0: lit or not
-};
-
-/// As reports and thresholds spell it: "lit", "attached", "cast", "distant", "beyond-terminator".
-std::string_view regionName(Region region);
-
-/// The regions that results are reported for, in order.
-constexpr std::array<Region, 5> reportedRegions = {Region::lit, Region::attached, Region::cast,
-                                                   Region::distant, Region::beyondTerminator};
-
 /// The exact answer for every sample of a view under one light.
 struct Truth {
   Mask mask;
-  std::vector<Region> regions;       ///< one a sample
+  /// One a sample; none is `global` before `markGlobal` has looked for those.
+  std::vector<Region> regions;
   std::size_t undefinedSamples = 0;  ///< samples without a frame: Shade::none in the mask
   /// One a sample, 1 where its path to the light crosses a texture seam; empty before
   /// `seamCrossings` fills it.

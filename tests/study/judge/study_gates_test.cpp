@@ -43,7 +43,8 @@ TEST_F(StudyGates, AFilterThatMatchesNothingIsAFault) {
   EXPECT_THAT(refused("view = \"front\"\n"), HasSubstr("one of camera, atlas expected"));
   EXPECT_THAT(
       refused("region = \"dark\"\n"),
-      HasSubstr("one of all, lit, attached, cast, distant, beyond-terminator, seam expected"));
+      HasSubstr(
+          "one of all, lit, attached, cast, distant, global, beyond-terminator, seam expected"));
   EXPECT_THAT(refused("metric = \"accuracy\"\n"),
               AllOf(HasSubstr("\"accuracy\" found, one of error_rate"), HasSubstr("mcc")));
   EXPECT_THAT(refused("method = \"\"\n"), HasSubstr("a string that is not empty expected"));

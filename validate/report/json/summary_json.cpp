@@ -147,7 +147,7 @@ Json stateJson(const study::BudgetState& state) {
 }
 
 Json budgetJson(const study::BudgetRecord& budget) {
-  return {
+  Json json = {
       {"method", budget.method},
       {"view", budget.view},
       {"light", budget.light},
@@ -155,11 +155,11 @@ Json budgetJson(const study::BudgetRecord& budget) {
       {"blocks", budget.blocks},
       {"order_dependence", jsonNumber(study::orderDependence(budget), "budget.order_dependence")},
       {"total", shareJson(budget.total)},
-      {"causes", jsonList(budget.causes, causeJson)},
-      {"distant", shareJson(budget.distant)},
-      {"other", shareJson(budget.other)},
-      {"forward_states", jsonList(budget.forward, stateJson)},
-      {"backward_states", jsonList(budget.backward, stateJson)}};
+      {"causes", jsonList(budget.causes, causeJson)}};
+  for (const study::BudgetRest& rest : budget.rest) json[rest.name] = shareJson(rest.share);
+  json["forward_states"] = jsonList(budget.forward, stateJson);
+  json["backward_states"] = jsonList(budget.backward, stateJson);
+  return json;
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ image::Rgb regionColour(truth::Region region) {
       return {26, 133, 255};
     case truth::Region::distant:
       return {230, 97, 0};
+    case truth::Region::global:
+      return {212, 17, 89};
     case truth::Region::beyondTerminator:
       return {0, 0, 0};
   }

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/plots/plot_style.h"
 #include "report/text/budget_text.h"
 #include "report/text/number_text.h"
+#include "study/run/stages/budget.h"
 
 namespace gnomon::report {
 namespace {
@@ -19,6 +21,9 @@ namespace {
 constexpr std::array<const char*, 10> causeColours = {"#332288", "#88ccee", "#117733", "#ddcc77",
                                                       "#cc6677", "#44aa99", "#882255", "#999933",
                                                       "#aa4499", "#ee7733"};
+
+/// What is left has no colour: greys in the order of budgetRestNames.
+constexpr std::array<const char*, 4> restColours = {"#3a3a3a", "#6a6a6a", "#999999", "#c8c8c8"};
 
 /// A part of the errors: what the legend calls it, and its rectangles in all bars.
 struct BudgetPart {
@@ -44,8 +49,10 @@ std::vector<BudgetPart> partsOf(std::span<const study::BudgetRecord> budgets) {
       parts.push_back({cause.name, causeColours.at(parts.size() % causeColours.size())});
     }
   }
-  parts.push_back({distantName, "#5f5f5f"});
-  parts.push_back({otherName, "#bbbbbb"});
+  std::size_t grey = 0;
+  for (const std::string_view name : study::budgetRestNames()) {
+    parts.push_back({restName(name), restColours.at(grey++)});
+  }
   return parts;
 }
 
@@ -66,8 +73,7 @@ void addBar(std::vector<BudgetPart>& parts, const study::BudgetRecord& budget,
         exactText(100 * to), exactText(y - 0.4), exactText(y + 0.4));
   };
   for (const study::BudgetCause& cause : budget.causes) add(cause.name, (cause.*way).value);
-  add(distantName, budget.distant.value);
-  add(otherName, budget.other.value);
+  for (const study::BudgetRest& rest : budget.rest) add(restName(rest.name), rest.share.value);
 }
 
 }  // namespace

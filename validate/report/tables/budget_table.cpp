@@ -61,8 +61,9 @@ Table budgetTable(const study::BudgetRecord& budget) {
   table.columns[0].width = 38;
   for (const std::size_t i : {1U, 3U}) table.columns[i].markWidth = 2;
   for (const study::BudgetCause& cause : budget.causes) table.rows.push_back(causeRow(cause));
-  table.rows.push_back(restRow(distantName, budget.distant));
-  table.rows.push_back(restRow(otherName, budget.other));
+  for (const study::BudgetRest& rest : budget.rest) {
+    table.rows.push_back(restRow(restName(rest.name), rest.share));
+  }
   table.rows.push_back(restRow("all of the error", budget.total));
   return table;
 }
@@ -86,8 +87,9 @@ Table budgetPartsTable(const study::StudyRecord& record) {
     for (const study::BudgetCause& cause : budget.causes) {
       table.rows.push_back(partRow(budget, cause.name, cause.forward, cause.backward));
     }
-    table.rows.push_back(partRow(budget, "distant", budget.distant, budget.distant));
-    table.rows.push_back(partRow(budget, "other", budget.other, budget.other));
+    for (const study::BudgetRest& rest : budget.rest) {
+      table.rows.push_back(partRow(budget, rest.name, rest.share, rest.share));
+    }
   }
   return table;
 }

@@ -1,6 +1,7 @@
 #include "report/text/budget_text.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "common/lists.h"
 #include "report/text/interval_text.h"
@@ -9,6 +10,10 @@
 
 namespace gnomon::report {
 
+std::string restName(std::string_view rest) {
+  return fmt::format("left: {}", rest);
+}
+
 std::string budgetNote(const study::BudgetRecord& budget) {
   return fmt::format(
       "Percent of the samples of view {}, {}. A cause’s share is the error before the cause is "
@@ -16,10 +21,11 @@ std::string budgetNote(const study::BudgetRecord& budget) {
       "from its end (backward), each time starting from the published method. A share below zero: "
       "the correction made the error larger. {} It comes from {} blocks. ≈ not distinguishable "
       "from zero: the interval contains 0, there is none, or the share is within the truth’s "
-      "uncertainty of {} %. The remaining error is split into samples that only an occluder beyond "
-      "the tables’ radius shadows, which takes global geometry to know, and the others.",
+      "uncertainty of {} %. What is left is split by region, each sample in the first that it is "
+      "in: "
+      "{}.",
       budget.view, budget.light == "all" ? "mean over all lights" : budget.light, intervalMeaning,
-      budget.blocks, percentText(budget.uncertainty));
+      budget.blocks, percentText(budget.uncertainty), fmt::join(study::budgetRestNames(), ", "));
 }
 
 std::string orderText(const study::BudgetRecord& budget) {

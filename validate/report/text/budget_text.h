@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/record/record.h"
@@ -9,9 +10,9 @@ namespace gnomon::report {
 
 /// Texts of an error budget, the same in every kind of report.
 
-/// The error that remains when all causes are corrected.
-constexpr const char* distantName = "left: distant occluders";
-constexpr const char* otherName = "left: other";
+/// Of an error that remains when all causes are corrected, "left: seam".
+/// @param rest  as BudgetRest::name
+std::string restName(std::string_view rest);
 
 /// What the figures mean, of how many lights and blocks they are, and the truth's uncertainty.
 std::string budgetNote(const study::BudgetRecord& budget);

@@ -34,8 +34,13 @@ struct BudgetState {
   double falseLight = 0;
 };
 
-/// One method's error and where it comes from: `total` = Σ shares of either order + `distant` +
-/// `other`.
+/// A part of the error that remains when all causes are corrected.
+struct BudgetRest {
+  std::string name;  ///< as `budgetRestNames`
+  BudgetShare share;
+};
+
+/// One method's error and where it comes from: `total` = Σ shares of either order + Σ `rest`.
 struct BudgetRecord {
   std::string method;  ///< a MethodRecord's label
   std::string view;
@@ -44,8 +49,7 @@ struct BudgetRecord {
   std::size_t blocks = 0;  ///< of the view that hold a sample
   BudgetShare total;       ///< the method's error rate
   std::vector<BudgetCause> causes;
-  BudgetShare distant;  ///< remaining, in the region `distant`: no local method can know of it
-  BudgetShare other;    ///< remaining elsewhere
+  std::vector<BudgetRest> rest;       ///< what remains
   std::vector<BudgetState> forward;   ///< one more than there are causes
   std::vector<BudgetState> backward;  ///< likewise
 };

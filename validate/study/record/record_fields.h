@@ -236,12 +236,16 @@ void fields(Stream& stream, T& state) {
   stream(errorRate, falseShadow, falseLight);
 }
 
+template <typename Stream, SameAs<study::BudgetRest> T>
+void fields(Stream& stream, T& rest) {
+  auto& [name, share] = rest;
+  stream(name, share);
+}
+
 template <typename Stream, SameAs<study::BudgetRecord> T>
 void fields(Stream& stream, T& budget) {
-  auto& [method, view, light, uncertainty, blocks, total, causes, distant, other, forward,
-         backward] = budget;
-  stream(method, view, light, uncertainty, blocks, total, causes, distant, other, forward,
-         backward);
+  auto& [method, view, light, uncertainty, blocks, total, causes, rest, forward, backward] = budget;
+  stream(method, view, light, uncertainty, blocks, total, causes, rest, forward, backward);
 }
 
 template <typename Stream, SameAs<study::TruthFilesRecord> T>

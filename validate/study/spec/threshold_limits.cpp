@@ -3,10 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
 #include "compare/metric_range.h"
-#include "truth/shadow_tracer.h"
+#include "truth/region.h"
 
 namespace gnomon::study {
 namespace {
@@ -27,11 +26,10 @@ compare::PictureExtent largestExtent(const StudySpec& study, const std::string& 
 /// of its samples, or shadows all.
 bool isSettledIn(std::string_view region, std::string_view metric) {
   if (region == truth::regionName(truth::Region::lit)) return compare::isSettledByLight(metric);
-  constexpr std::array dark = {truth::Region::attached, truth::Region::cast,
-                               truth::Region::distant};
-  const bool isDark = std::any_of(dark.begin(), dark.end(), [&](truth::Region name) {
-    return region == truth::regionName(name);
-  });
+  const bool isDark = std::any_of(
+      truth::reportedRegions.begin(), truth::reportedRegions.end(), [&](truth::Region candidate) {
+        return truth::isDark(candidate) && region == truth::regionName(candidate);
+      });
   return isDark && compare::isSettledByShadow(metric);
 }
 

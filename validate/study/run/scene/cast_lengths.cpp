@@ -16,11 +16,9 @@ std::vector<compare::ShadowLengths> castLengths(std::span<const Mask* const> mas
                                                 const truth::Truth& truth,
                                                 const compare::LightField& field) {
   std::vector<std::uint8_t> isCast(truth.mask.size());
-  std::transform(truth.regions.begin(), truth.regions.end(), isCast.begin(),
-                 [](truth::Region region) {
-                   return static_cast<std::uint8_t>(region == truth::Region::cast ||
-                                                    region == truth::Region::distant);
-                 });
+  std::transform(
+      truth.regions.begin(), truth.regions.end(), isCast.begin(),
+      [](truth::Region region) { return static_cast<std::uint8_t>(truth::isCastShadow(region)); });
   return compare::compareShadowLengths(masks, truth.mask, field, isCast);
 }
 

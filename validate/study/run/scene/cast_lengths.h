@@ -10,7 +10,7 @@
 namespace gnomon::study {
 
 /// Lengths of a mask's shadows over the truth's, of those alone that an occluder casts (regions
-/// `cast` and `distant`): an attached shadow has no end to measure.
+/// `cast`, `distant` and `global`): an attached shadow has no end to measure.
 /// @throws InputError as `compareShadowLengths`
 compare::ShadowLengths castLengths(const Mask& mask, const truth::Truth& truth,
                                    const compare::LightField& field);

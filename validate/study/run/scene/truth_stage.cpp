@@ -14,6 +14,7 @@
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/cast_lengths.h"
 #include "study/spec/with_keys.h"
+#include "truth/global_occluder.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
 
@@ -112,14 +113,17 @@ std::vector<truth::TraceSettings> some(const std::vector<truth::TraceSettings>& 
   return chosen;
 }
 
-/// Under some of the lights, together: they share the samples' places.
-std::vector<truth::Truth> traceWithSeams(RunScene& scene, const TracedSurface& surface,
-                                         const BaseCase& base, std::size_t view,
-                                         const std::vector<truth::TraceSettings>& lights) {
+/// With their regions `global` and `seam`. Under some of the lights, together: they share the
+/// samples' places.
+std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface& surface,
+                                           const BaseCase& base, std::size_t view,
+                                           const std::vector<truth::TraceSettings>& lights) {
   const surface::SampleGrid& samples = base.views[view].samples;
   return scene.clock.measure("truth", [&](const Progress& progress) {
     std::vector<truth::Truth> truths =
         trace(scene, surface, scene.keys.surface(), base, view, lights, progress);
+    truth::markGlobal(scene.surface, scene.study.relief, surface.mesh, surface.scene,
+                      truth::SurfacePaths(scene.surface), samples, lights, truths);
     const truth::TextureCharts charts(scene.surface, scene.study.relief);
     auto crossings = truth::seamCrossings(scene.surface, scene.study.relief, surface.mesh,
                                           surface.scene, charts, samples, truths, lights);
@@ -135,8 +139,8 @@ std::vector<truth::Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, co
                                    std::size_t view) {
   const auto keyOf = [&](std::size_t light) { return scene.keys.truth(base.choice, view, light); };
   return rememberLights<truth::Truth>(scene, keyOf, [&](const std::vector<std::size_t>& missing) {
-    return traceWithSeams(scene, surface.get(), base, view,
-                          some(settingsOf(scene, truth::standardRayOffset), missing));
+    return traceWithRegions(scene, surface.get(), base, view,
+                            some(settingsOf(scene, truth::standardRayOffset), missing));
   });
 }
 

@@ -7,6 +7,8 @@
 
 #include "common/error.h"
 #include "study/judge/distinguish.h"
+#include "truth/region.h"
+#include "truth/seam_crossing.h"
 
 namespace gnomon::study {
 namespace {
@@ -33,6 +35,13 @@ compare::BlockErrors without(compare::BlockErrors all, const compare::BlockError
   return all;
 }
 
+/// Where a sample counts: as budgetRestNames.
+std::size_t restOf(const truth::Truth& truth, std::size_t sample) {
+  if (truth.regions[sample] == truth::Region::global) return 0;
+  if (truth.regions[sample] == truth::Region::distant) return 1;
+  return !truth.crossesSeam.empty() && truth.crossesSeam[sample] != 0 ? 2 : 3;
+}
+
 std::vector<BudgetState> statesOf(const std::vector<StateErrors>& errors) {
   std::vector<BudgetState> states;
   for (const StateErrors& state : errors) {
@@ -46,23 +55,31 @@ std::vector<BudgetState> statesOf(const std::vector<StateErrors>& errors) {
 
 }  // namespace
 
+const std::vector<std::string_view>& budgetRestNames() {
+  static const std::vector<std::string_view> names = {truth::regionName(truth::Region::global),
+                                                      truth::regionName(truth::Region::distant),
+                                                      truth::seamRegion, "other"};
+  return names;
+}
+
 StateErrors& StateErrors::operator+=(const StateErrors& other) {
   wrong += other.wrong;
-  distant += other.distant;
+  for (std::size_t part = 0; part < rest.size(); ++part) rest[part] += other.rest.at(part);
   counts += other.counts;
   return *this;
 }
 
 StateErrors stateErrors(const Mask& mask, const truth::Truth& truth,
                         const std::vector<double>& weights, const compare::Tiling& tiling) {
-  std::vector<std::uint8_t> isDistant(truth.regions.size());
-  std::transform(truth.regions.begin(), truth.regions.end(), isDistant.begin(),
-                 [](truth::Region region) {
-                   return static_cast<std::uint8_t>(region == truth::Region::distant);
-                 });
-  return {compare::blockErrors(mask, truth.mask, tiling.cellSide, weights),
-          compare::blockErrors(mask, truth.mask, tiling.cellSide, weights, isDistant),
-          compare::countSamples(mask, truth.mask, weights)};
+  StateErrors errors{compare::blockErrors(mask, truth.mask, tiling.cellSide, weights),
+                     {},
+                     compare::countSamples(mask, truth.mask, weights)};
+  std::vector<std::uint8_t> isIn(truth.regions.size());
+  for (std::size_t part = 0; part + 1 < budgetRestNames().size(); ++part) {
+    for (std::size_t i = 0; i < isIn.size(); ++i) isIn[i] = restOf(truth, i) == part ? 1 : 0;
+    errors.rest.push_back(compare::blockErrors(mask, truth.mask, tiling.cellSide, weights, isIn));
+  }
+  return errors;
 }
 
 BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
@@ -89,9 +106,13 @@ BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,
     record.causes.push_back({ladder.causes[k].name, ladder.causes[k].change, step(forward, k),
                              step(backward, causes - 1 - k)});
   }
-  const StateErrors& last = forward.back();
-  record.distant = partOf(last.distant, which);
-  record.other = partOf(without(last.wrong, last.distant), which);
+  compare::BlockErrors other = forward.back().wrong;
+  for (const compare::BlockErrors& part : forward.back().rest) {
+    record.rest.push_back(
+        {std::string(budgetRestNames().at(record.rest.size())), partOf(part, which)});
+    other = without(std::move(other), part);
+  }
+  record.rest.push_back({std::string(budgetRestNames().back()), partOf(other, which)});
   record.forward = statesOf(forward);
   record.backward = statesOf(backward);
   return record;

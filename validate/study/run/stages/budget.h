@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/mask.h"
@@ -13,11 +14,17 @@
 
 namespace gnomon::study {
 
+/// The names of what is left when all causes are corrected, in order: regions, and "other". A wrong
+/// sample counts in the first that it is in: `global`, which no march or table over the map can
+/// know; `distant`; `seam`.
+const std::vector<std::string_view>& budgetRestNames();
+
 /// The errors of one state of a ladder, in the cells of a tiling: under one light, or summed over
 /// several in the same view.
 struct StateErrors {
   compare::BlockErrors wrong;
-  compare::BlockErrors distant;  ///< wrong in the region `distant`
+  /// Those of them that are in the first regions of `budgetRestNames`, each but the last.
+  std::vector<compare::BlockErrors> rest;
   compare::Counts counts;
 
   StateErrors& operator+=(const StateErrors& other);
@@ -36,7 +43,7 @@ struct BudgetCase {
 };
 
 /// Attributes an error to its causes: the share of a cause is the error rate before it is corrected
-/// minus that after, and what is left at the end is split by the region `distant`. By construction
+/// minus that after, and what is left at the end is split by region. By construction
 /// the shares of either order and the rest add up to the error rate of the first state. Intervals
 /// are those of `differenceConfidence`: a step's two states are compared block by block.
 /// @param forward, backward  errors of the ladder's states

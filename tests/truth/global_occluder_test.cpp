@@ -1,0 +1,193 @@
+#include "truth/global_occluder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "truth/truth_scenes.h"
+
+namespace gnomon::truth {
+namespace {
+
+using test::flatRelief;
+using test::lightToward;
+using test::randomRelief;
+using test::sampleAt;
+using test::sampleLine;
+using test::samplesOfAllFaces;
+using test::stepRelief;
+
+/// A surface with its relief, traced and its regions marked.
+struct MarkedScene {
+  surface::LimitSurface surface;
+  relief::Relief relief;
+  MicroMesh mesh;
+  MicroScene scene;
+  SurfacePaths paths;
+
+  MarkedScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
+      : surface(cage),
+        relief(std::move(heights)),
+        mesh(surface, relief, {stepTexels, 0}),
+        scene(mesh),
+        paths(surface) {}
+
+  [[nodiscard]] Truth trace(const surface::SampleGrid& samples, const Vec3& light,
+                            double radiusTexels = 1000) const {
+    const std::array lights = {TraceSettings{light, radiusTexels, standardRayOffset}};
+    std::vector<Truth> truths = traceShadows(surface, relief, mesh, scene, samples, lights);
+    markGlobal(surface, relief, mesh, scene, paths, samples, lights, truths);
+    return truths.front();
+  }
+};
+
+std::ptrdiff_t count(const Truth& truth, Region region) {
+  return std::count(truth.regions.begin(), truth.regions.end(), region);
+}
+
+/// Adds a cage to another that it does not touch.
+void add(surface::Cage& cage, const surface::Cage& other) {
+  const auto points = static_cast<int>(cage.positions.size());
+  const auto uvs = static_cast<int>(cage.uvs.size());
+  cage.positions.insert(cage.positions.end(), other.positions.begin(), other.positions.end());
+  cage.uvs.insert(cage.uvs.end(), other.uvs.begin(), other.uvs.end());
+  for (const int vertex : other.faceVertices) cage.faceVertices.push_back(points + vertex);
+  for (const int uv : other.faceUvs) cage.faceUvs.push_back(uvs + uv);
+  cage.grid.reset();
+}
+
+/// Where a hit says that it is, the facet is too.
+TEST(MicroMesh, KnowsTheParametersOfAHit) {
+  const MarkedScene scene(surface::makeSphere(20, 1.5, 1.5, 40, 40), randomRelief(48, 48, 0.3, 3),
+                          0.4);
+  const surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 3);
+  for (const surface::SurfaceSample& sample : samples.samples) {
+    const Facet facet = scene.mesh.facet(sample);
+    const Vec3 above = facet.rayOrigin(1e-3);
+    const auto hit = scene.scene.nearest(above, -facet.normal);
+    ASSERT_TRUE(hit);
+    const surface::SurfaceSample found = scene.mesh.parametersAt(hit->face, hit->place);
+    const Vec3 met = above - hit->distance * facet.normal;
+    EXPECT_LT(glm::length(scene.mesh.facet(found).point - met), 2e-5);
+  }
+}
+
+/// The path over a plane leads everywhere, also where two charts meet or the map is sheared.
+TEST(GlobalOccluder, AWallOnAPlaneIsNone) {
+  const MarkedScene scene(surface::makePlane(96, 32, 12, 4),
+                          stepRelief(96, 32, 6, [](int i, int) { return i >= 28 && i < 32; }),
+                          0.25);
+  const surface::SampleGrid samples =
+      sampleLine(scene.surface, scene.relief, {1, 16}, {95, 16}, 400);
+  for (const double azimuth : {180.0, 150.0, 0.0}) {
+    const Truth near = scene.trace(samples, lightToward(azimuth, 20));
+    EXPECT_GT(count(near, Region::cast), 10) << azimuth;
+    EXPECT_EQ(count(near, Region::global), 0) << azimuth;
+  }
+  // `distant` stays what a larger radius would find.
+  const Truth distant = scene.trace(samples, lightToward(180, 20), 10);
+  EXPECT_GT(count(distant, Region::distant), 10);
+  EXPECT_EQ(count(distant, Region::global), 0);
+}
+
+TEST(GlobalOccluder, ARoughPlaneHasNone) {
+  const MarkedScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 5, 7), 0.25);
+  const Truth truth = scene.trace(samplesOfAllFaces(scene.surface, 8), lightToward(37, 15));
+  EXPECT_GT(count(truth, Region::cast), 500);
+  EXPECT_EQ(count(truth, Region::global), 0);
+}
+
+/// Two plates, the upper one 12 above the middle half of the lower one and turned up too: whatever
+/// it shades is global. Under a light at 60° its shadow lies 12 / tan 60° farther on.
+TEST(GlobalOccluder, AnotherPlateAboveIsOne) {
+  surface::Cage plates = surface::makePlane(64, 64, 8, 8);
+  surface::Cage upper = surface::makePlane(32, 32, 8, 8);
+  for (Vec3& position : upper.positions) position.z = 12;
+  add(plates, upper);
+  const MarkedScene scene(plates, flatRelief(64, 64), 0.5);
+  surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 8);
+  const Truth truth = scene.trace(samples, lightToward(0, 60));
+  const double shift = 12 / std::tan(radians(60));
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const Vec3 at = scene.surface.evaluate(samples.samples[i]).position;
+    const double fromEdge =
+        std::min(16 - std::abs(at.x + shift), 16 - std::abs(at.y));  // of the shadow
+    if (std::abs(fromEdge) < 0.1) continue;
+    const bool isShaded = at.z < 6 && fromEdge > 0;
+    EXPECT_EQ(truth.regions[i], isShaded ? Region::global : Region::lit) << at.x << ' ' << at.y;
+  }
+  EXPECT_GT(count(truth, Region::global), 500);
+}
+
+/// Not on a ball with columns: each shades what lies on the path behind it.
+TEST(GlobalOccluder, ColumnsOnABallAreNone) {
+  const MarkedScene scene(
+      surface::makeSphere(20, 2, 1.6, 40, 40),
+      stepRelief(64, 64, 1.5, [](int i, int j) { return std::hypot(i % 16 - 8, j % 16 - 8) < 4; }),
+      0.25);
+  const Truth truth = scene.trace(samplesOfAllFaces(scene.surface, 6), Vec3(0.8, 0, 0.6));
+  EXPECT_GT(count(truth, Region::cast), 500);
+  EXPECT_EQ(count(truth, Region::global), 0);
+}
+
+/// Inside a ball of radius R the ray at the elevation θ over the tangent plane meets the wall at
+/// the angle 2θ about the centre, which is where the path leads as long as it is no quarter turn:
+/// 45°.
+TEST(GlobalOccluder, TheFarSideOfABowlIsOneBeyondAQuarterTurn) {
+  surface::Cage ball = surface::makeSphere(-20, 2 * pi, 2.8, 60, 40);
+  const MarkedScene scene(ball, flatRelief(64, 64), 0.5);
+  const surface::SampleGrid samples = samplesOfAllFaces(scene.surface, 3);
+  const Vec3 light = lightToward(0, 0);
+  const Truth truth = scene.trace(samples, light);
+  int near = 0;
+  int far = 0;
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    if (!isCastShadow(truth.regions[i])) continue;
+    const surface::LimitPoint point = scene.surface.evaluate(samples.samples[i]);
+    const double elevation = std::asin(glm::dot(surface::outwardNormal(point), light));
+    // A path that ends at one of the two holes leads no farther.
+    if (std::abs(point.position.y) > 5) continue;
+    // One triangle's side is 20 × 2π / 300.
+    if (std::abs(elevation - pi / 4) < 0.04) continue;
+    EXPECT_EQ(truth.regions[i] == Region::global, elevation > pi / 4) << elevation;
+    (elevation > pi / 4 ? far : near) += 1;
+  }
+  EXPECT_GT(near, 300);
+  EXPECT_GT(far, 300);
+}
+
+/// A torus under a light that comes nearly along its axis' plane: what its own hole's other side
+/// shades is global, and nothing else is. With the light in the plane of the axis through λ = 0 and
+/// 30° up, a sample of the tube's inner side at λ = 0 sees the tube at λ = π.
+TEST(GlobalOccluder, TheOtherSideOfATorusIsOne) {
+  const MarkedScene scene(surface::makeTorus(30, 10, 66, 60), flatRelief(64, 64), 0.5);
+  const double elevation = radians(5);
+  const Vec3 light(0, std::sin(elevation), -std::cos(elevation));
+  // In the plane x = 0: circles of radius 10 about z = 30 and z = -30; columns λ = 0 of the map.
+  int global = 0;
+  for (double angle = 100; angle < 260; angle += 5) {
+    // ψ from the outside over the top; inside is ψ = 180°.
+    const double psi = radians(angle);
+    const surface::SampleGrid one{1,
+                                  1,
+                                  {sampleAt(scene.surface, scene.relief,
+                                            Vec2(32, 64 * std::fmod(0.5 + psi / (2 * pi), 1.0)))}};
+    const Vec3 at = scene.surface.evaluate(one.samples.front()).position;
+    ASSERT_NEAR(at.x, 0, 1e-3);
+    const Truth truth = scene.trace(one, light);
+    if (truth.regions[0] == Region::beyondTerminator) continue;
+    // The ray's distance from the other circle's centre.
+    const Vec3 away = Vec3(0, 0, -30) - at;
+    const double distance = glm::length(glm::cross(away, light));
+    if (std::abs(distance - 10) < 0.2) continue;
+    EXPECT_EQ(truth.regions[0], distance < 10 ? Region::global : Region::lit) << angle;
+    global += distance < 10 ? 1 : 0;
+  }
+  EXPECT_GT(global, 5);
+}
+
+}  // namespace
+}  // namespace gnomon::truth

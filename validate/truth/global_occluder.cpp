@@ -1,0 +1,52 @@
+#include "truth/global_occluder.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "common/parallel.h"
+#include "truth/flush_denormals.h"
+#include "truth/sample_place.h"
+
+namespace gnomon::truth {
+namespace {
+
+/// Below a hit of a ray; world coordinates.
+PathTarget targetOf(const surface::LimitSurface& surface, const MicroMesh& mesh,
+                    const SurfaceHit& hit, const Vec3& occluder) {
+  const surface::SurfaceSample below = mesh.parametersAt(hit.face, hit.place);
+  const surface::TangentPoint point = surface.tangentPoint(below);
+  return {point.position, surface::outwardNormal(point), hit.face,
+          2 * glm::length(occluder - point.position)};
+}
+
+}  // namespace
+
+void markGlobal(const surface::LimitSurface& surface, const relief::Relief& relief,
+                const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,
+                const surface::SampleGrid& samples, std::span<const TraceSettings> lights,
+                std::span<Truth> truths) {
+  const std::size_t count = samples.samples.size();
+  constexpr std::size_t piece = 256;
+  parallelFor(0, (count + piece - 1) / piece, [&](std::size_t p) {
+    const FlushDenormals flush;
+    SamplePlacer placer(surface, relief.texelsPerUv(), mesh);
+    for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i) {
+      const auto isCast = [&](const Truth& truth) { return isCastShadow(truth.regions[i]); };
+      if (std::none_of(truths.begin(), truths.end(), isCast)) continue;
+      const SamplePlace place = placer.place(samples.samples[i]);
+      for (std::size_t l = 0; l < lights.size(); ++l) {
+        if (!isCast(truths[l])) continue;
+        const Vec3& light = lights[l].light;
+        const Vec3 origin = place.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
+        const auto hit = scene.nearest(origin, light);
+        if (!hit) continue;  // a ray that grazes an edge
+        const Vec3 occluder = mesh.centre() + origin + hit->distance * light;
+        const bool isOnPath = paths.leadTo({place.sample, place.frame.normal, light},
+                                           targetOf(surface, mesh, *hit, occluder));
+        if (!isOnPath) truths[l].regions[i] = Region::global;
+      }
+    }
+  });
+}
+
+}  // namespace gnomon::truth
