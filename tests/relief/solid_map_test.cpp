@@ -7,6 +7,7 @@
 
 #include "common/random_stream.h"
 #include "relief/patterns.h"
+#include "relief/triplanar.h"
 #include "surface/cage/shapes.h"
 #include "surface/mesh_file.h"
 #include "surface/shared_sides.h"
@@ -106,6 +107,34 @@ TEST(SolidMap, OfThePlaneJumps) {
       meanJump(seamJumps(surface, makeSolidMap(surface, 512, 512, f, 1, Wrap::clamp)));
   const double planar = meanJump(seamJumps(surface, makeCosine(512, 512, {}, 1, Wrap::clamp)));
   EXPECT_GT(planar, 20 * solid);
+}
+
+/// A projection depends on the normal too, which both sides have in common.
+TEST(SolidMap, OfAProjectionAgreesOnBothSidesOfSeams) {
+  const surface::LimitSurface surface = spot();
+  const HeightField image = makeCosine(64, 64, {32}, 1, Wrap::clamp);
+  const SurfaceFunction f = triplanar(image, 0.5);
+  const auto meanAt = [&](int side) {
+    return meanJump(seamJumps(surface, makeSolidMap(surface, side, side, f, 1, Wrap::clamp)));
+  };
+  const double coarse = meanAt(512);
+  EXPECT_LT(meanAt(1024), 0.45 * coarse);
+  // The control: the same image laid over the texture jumps.
+  EXPECT_GT(meanJump(seamJumps(surface, image)), 20 * coarse);
+}
+
+/// The normal goes on turning in the margin: by atan(d / R) a way d along the tangent.
+TEST(SolidMap, TurnsTheNormalInItsMargin) {
+  surface::Cage cage = surface::makeCylinder(2, 1, 2, 16, 4);
+  for (Vec2& uv : cage.uvs) uv = 0.25 + 0.5 * uv;
+  const SurfaceFunction f = [](const Vec3&, const Vec3& normal) { return normal.x; };
+  const HeightField field = makeSolidMap(surface::LimitSurface(cage), 64, 64, f, 1, Wrap::clamp);
+  constexpr double radiansPerTexel = 1.0 / 32;
+  for (int i = 12; i < 52; ++i) {
+    const double along = radiansPerTexel * (i + 0.5 - 32);
+    const double within = std::clamp(along, -0.5, 0.5);
+    EXPECT_NEAR(field.texel(i, 32), std::sin(within + std::atan(along - within)), 2e-4) << i;
+  }
 }
 
 /// On a closed torus the map meets itself: texels across its border are those of the other side.

@@ -22,6 +22,11 @@ constexpr double longestOfPatterns = 1e9;
 /// @throws InputError naming the parameter, for a value that is not between the two
 void requireBetween(const std::string& parameter, double value, double least, double most);
 
+/// The same for a length: above 0, up to `longestOfPatterns`.
+inline void requireLength(const std::string& parameter, double value) {
+  requireBetween(parameter, value, 1 / longestOfPatterns, longestOfPatterns);
+}
+
 /// @throws InputError for a size that is not positive or an amplitude that is not finite;
 ///   MemoryError for a map that cannot fit
 void requireMap(int width, int height, double amplitude);

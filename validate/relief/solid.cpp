@@ -107,10 +107,6 @@ double cellsHeight(const SolidCells& made, const Vec3& point) {
   return cellHeight(glm::length(*nearest - p), fromBorder, 1, groove);
 }
 
-void requireLength(const std::string& parameter, double value) {
-  requireBetween(parameter, value, 1 / longestOfPatterns, longestOfPatterns);
-}
-
 }  // namespace
 
 SolidFunction solidFunction(const SolidPattern& solid) {

@@ -13,6 +13,7 @@
 #include "common/parallel.h"
 #include "common/system/memory.h"
 #include "relief/pattern_parts.h"
+#include "surface/curvature.h"
 #include "surface/limit_face.h"
 #include "surface/texel_frame.h"
 
@@ -157,10 +158,25 @@ class Owners {
   std::vector<Owner> owners_;
 };
 
+/// n₀ + S T, of length 1.
+Vec3 turnedNormal(const surface::LimitFace& face, Vec2 parameters, const Vec3& normal,
+                  const Vec3& tangent) {
+  const double length = glm::length(tangent);
+  if (!(length > 0)) return normal;
+  const surface::LimitPoint point = face.evaluate(parameters.x, parameters.y);
+  return glm::normalize(normal + length * surface::applyShapeOperator(point, tangent));
+}
+
 }  // namespace
 
 HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int height,
                          const SolidFunction& solid, double amplitude, Wrap wrap) {
+  const SurfaceFunction ofPoint = [&](const Vec3& point, const Vec3&) { return solid(point); };
+  return makeSolidMap(surface, width, height, ofPoint, amplitude, wrap);
+}
+
+HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int height,
+                         const SurfaceFunction& solid, double amplitude, Wrap wrap) {
   requireMap(width, height, amplitude);
   const Vec2 texelsPerUv(width, height);
   const double texels = texelsPerUv.x * texelsPerUv.y;
@@ -180,11 +196,12 @@ HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int he
     const Owner& owner = list[row * static_cast<std::size_t>(width) + column];
     if (owner.face < 0) return 0.0;
     const surface::LimitFace& face = faces[static_cast<std::size_t>(owner.face)];
-    const surface::TangentPoint point =
-        face.at(static_cast<double>(owner.parameters.x), static_cast<double>(owner.parameters.y));
-    const surface::TexelFrame frame = surface::texelFrame(point, texelsPerUv);
-    const Vec2 beyond(owner.beyond);
-    return solid(point.position + beyond.x * frame.px + beyond.y * frame.py);
+    const Vec2 parameters(owner.parameters);
+    const surface::TexelFrame frame =
+        surface::texelFrame(face.at(parameters.x, parameters.y), texelsPerUv);
+    const Vec2 past(owner.beyond);
+    const Vec3 beyond = past.x * frame.px + past.y * frame.py;
+    return solid(frame.position + beyond, turnedNormal(face, parameters, frame.normal, beyond));
   });
 }
 

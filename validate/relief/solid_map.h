@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "relief/height_field.h"
 #include "relief/solid.h"
 #include "surface/limit_surface.h"
@@ -25,6 +27,15 @@ namespace gnomon::relief {
 /// @throws MemoryError naming `relief.size`; InputError for a map without texels
 HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int height,
                          const SolidFunction& solid, double amplitude, Wrap wrap);
+
+/// A function of a point of a surface and of the outward unit normal there.
+using SurfaceFunction = std::function<double(const Vec3& point, const Vec3& normal)>;
+
+/// The same for f(P, n). In the margin n turns with the curvature at the nearest point: by the
+/// shape operator S, n ∝ n₀ + S ((c_x - x₀) P_x + (c_y - y₀) P_y). So both arguments are right to
+/// first order, and what two sides differ by is of second order, as above.
+HeightField makeSolidMap(const surface::LimitSurface& surface, int width, int height,
+                         const SurfaceFunction& solid, double amplitude, Wrap wrap);
 
 constexpr double solidMargin = 4;  ///< texels
 

@@ -37,7 +37,9 @@ const std::vector<std::string> reliefs = {
     "solid = \"cells\"\ntexels = [32, 32]\nperiod = 16\njitter = 0.5\ngroove = 3\nseed = 2\n",
     ("solid = \"ripples\"\ntexels = [32, 32]\nperiod = 16\nwindward = 0.7\nmeander = 2\n"
      "direction = [1, 0, 0]\nseed = 2\n"),
-    "image = \"heights.pgm\"\nchannel = 0\n"};
+    "image = \"heights.pgm\"\nchannel = 0\n",
+    ("projection = \"triplanar\"\nimage = \"heights.pgm\"\nchannel = 0\ntexels = [32, 32]\n"
+     "period = 16\n")};
 
 std::string everyKey(const std::string& surface, const std::string& relief,
                      const std::string& truth) {

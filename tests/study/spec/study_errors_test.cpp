@@ -99,6 +99,15 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       {"method.1.label=max-forsyth", "method label \"max-forsyth\" appears twice"},
       {"light.0.elevation=[30, 30]", "light \"elevation 30° azimuth 20°\" appears twice"},
       {"method.1.label=truth", "method.1.label: \"truth\" found, that name is taken"},
+      // a projected image
+      {R"(relief={image="a.png", projection="cubic", height=1, height_space="world"})",
+       "relief.projection: \"cubic\" found, one of triplanar expected"},
+      {R"(relief={image="a.png", projection="triplanar", texels=[8, 8], height=1, height_space="world"})",
+       "relief.period: missing, a number above 0 expected"},
+      {R"(relief={image="a.png", projection="triplanar", texels=[8, 8], period=1, repeats=[2, 2], height=1, height_space="world"})",
+       "relief.repeats: a solid has a texel of its own for every point"},
+      {R"(relief={pattern="cosine", projection="triplanar", texels=[8, 8], period=1, height=1, height_space="world"})",
+       "relief.image: missing"},
       // names that become a folder
       {"study.name=../up", "study.name: \"../up\" found, letters, digits, - and _ expected"},
       {"study.name=.hidden", "study.name: \".hidden\" found"},

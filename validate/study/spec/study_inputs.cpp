@@ -57,7 +57,7 @@ std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& fol
   if (const auto* mesh = std::get_if<SurfaceMesh>(&study.surfaceSection)) {
     inputs.add(Kind::mesh, home / pathOf(mesh->path));
   }
-  if (const auto* image = std::get_if<ImageMap>(&study.reliefSection.map)) {
+  if (const ImageMap* image = imageOf(study.reliefSection)) {
     inputs.add(Kind::image, home / pathOf(image->path));
   }
   inputs.addCommonShaders();

@@ -122,6 +122,7 @@ std::string studyKeysText() {
   PatternMap pattern;
   SolidMap solid;
   ImageMap image;
+  ProjectedMap projected;
   BakeSpec bake;
   BaseSpec base;
   TruthSpec truth;
@@ -142,6 +143,7 @@ std::string studyKeysText() {
         KeyTable()
             .add(keysOf(relief))
             .add(keysOf(image), "`image`")
+            .add(keysOf(projected), "`projection`")
             .addKinds<Pattern>("pattern", patternNames,
                                "a built-in pattern of the plane, or `solid`, or `image`")
             .add(keysOf(pattern), "`pattern`")

@@ -5,6 +5,7 @@
 #include "relief/height_image.h"
 #include "relief/resampled_heights.h"
 #include "relief/solid_map.h"
+#include "relief/triplanar.h"
 #include "study/spec/sections/study_paths.h"
 
 namespace gnomon::study {
@@ -40,6 +41,20 @@ relief::HeightField heightsOf(const SolidMap& map, const ReliefSection& relief,
                               relief::solidFunction(map.solid), relief.height, relief.wrap);
 }
 
+relief::HeightField heightsOf(const ProjectedMap& map, relief::HeightField image,
+                              const ReliefSection& relief, const surface::Cage& cage) {
+  return relief::makeSolidMap(surface::LimitSurface(cage), map.texels.x, map.texels.y,
+                              relief::triplanar(std::move(image), map.period), relief.height,
+                              relief.wrap);
+}
+
+void requireOneRepeat(const TomlReader& section, const ReliefSection& relief) {
+  if (relief.repeats == Vec2(1)) return;
+  section.fail("repeats",
+               "a solid has a texel of its own for every point, no `repeats` "
+               "expected");
+}
+
 /// Heights as far as `height` may go, which is that of the value 1: floats may have others.
 void requireHeights(const TomlReader& section, const relief::HeightField& field) {
   constexpr double highest = 1e6;
@@ -55,9 +70,11 @@ ReliefSection readReliefSection(const TomlReader& section) {
   PatternMap pattern;
   SolidMap solid;
   ImageMap image;
+  ProjectedMap projected;
   KeyNames names = namesOfAllKinds<Pattern>("pattern", keysOf);
   names.merge(namesOfAllKinds<relief::SolidPattern>("solid", keysOf));
-  for (const StudyKeys& keys : {keysOf(relief), keysOf(pattern), keysOf(image)}) {
+  for (const StudyKeys& keys :
+       {keysOf(relief), keysOf(pattern), keysOf(image), keysOf(projected)}) {
     names.merge(namesOf(keys));
   }
   section.allow(names);
@@ -67,15 +84,16 @@ ReliefSection readReliefSection(const TomlReader& section) {
   if (relief.resample % 2 == 0) {
     section.fail("resample", fmt::format("{} found, an odd number expected", relief.resample));
   }
-  if (section.has("image")) {
+  if (section.has("projection")) {
+    requireOneRepeat(section, relief);
+    readKeys(section, keysOf(projected));
+    readKeys(section, keysOf(projected.image));
+    relief.map = projected;
+  } else if (section.has("image")) {
     readKeys(section, keysOf(image));
     relief.map = image;
   } else if (section.has("solid")) {
-    if (relief.repeats != Vec2(1)) {
-      section.fail("repeats",
-                   "a solid has a texel of its own for every point, no `repeats` "
-                   "expected");
-    }
+    requireOneRepeat(section, relief);
     solid.solid = readKind<relief::SolidPattern>(section, "solid", solidNames, keysOf);
     readKeys(section, keysOf(solid));
     relief.map = solid;
@@ -85,6 +103,11 @@ ReliefSection readReliefSection(const TomlReader& section) {
     relief.map = pattern;
   }
   return relief;
+}
+
+const ImageMap* imageOf(const ReliefSection& relief) {
+  if (const auto* map = std::get_if<ProjectedMap>(&relief.map)) return &map->image;
+  return std::get_if<ImageMap>(&relief.map);
 }
 
 toml::table tableOf(ReliefSection relief) {
@@ -100,6 +123,9 @@ toml::table tableOf(ReliefSection relief) {
 
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                         const std::filesystem::path& folder, const surface::Cage& cage) {
+  const auto imageAt = [&](const ImageMap& image, double height) {
+    return relief::readHeightImage(folder / pathOf(image.path), image.channel, height, relief.wrap);
+  };
   relief::HeightField field = std::visit(
       Overloaded{[&](const PatternMap& map) {
                    return section.blame("texels", [&] { return heightsOf(map, relief); });
@@ -107,10 +133,12 @@ relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                  [&](const SolidMap& map) {
                    return section.blame("solid", [&] { return heightsOf(map, relief, cage); });
                  },
-                 [&](const ImageMap& map) {
-                   return relief::readHeightImage(folder / pathOf(map.path), map.channel,
-                                                  relief.height, relief.wrap);
-                 }},
+                 [&](const ProjectedMap& map) {
+                   relief::HeightField image = imageAt(map.image, 1);
+                   return section.blame(
+                       "period", [&] { return heightsOf(map, std::move(image), relief, cage); });
+                 },
+                 [&](const ImageMap& map) { return imageAt(map, relief.height); }},
       relief.map);
   if (relief.isInverted) field = relief::inverted(field, relief.height);
   requireHeights(section, field);

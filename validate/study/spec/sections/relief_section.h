@@ -17,7 +17,7 @@
 namespace gnomon::study {
 
 /// `[relief]`: a height map from a pattern, told by its `pattern`, from a solid, told by its
-/// `solid`, or from an image.
+/// `solid`, or from an image, which a `projection` carves into the surface.
 
 using Pattern =
     std::variant<relief::ColumnsPattern, relief::CosinePattern, relief::CellsPattern,
@@ -41,6 +41,14 @@ struct ImageMap {
   int channel = 0;
 };
 
+/// An image projected in space, see relief::triplanar.
+struct ProjectedMap {
+  ImageMap image;
+  std::string projection = "triplanar";
+  glm::ivec2 texels{0};
+  double period = 0;
+};
+
 struct ReliefSection {
   double height = 0;
   relief::HeightSpace space = relief::HeightSpace::world;
@@ -48,7 +56,7 @@ struct ReliefSection {
   Vec2 repeats{1, 1};
   bool isInverted = false;
   int resample = 1;
-  std::variant<PatternMap, SolidMap, ImageMap> map;
+  std::variant<PatternMap, SolidMap, ImageMap, ProjectedMap> map;
 };
 
 inline StudyKey seedKey(int& seed, std::string_view meaning) {
@@ -147,6 +155,15 @@ inline StudyKeys keysOf(ImageMap& map) {
           studyKey("channel", &map.channel, "of the picture", {0, 1023})};
 }
 
+inline StudyKeys keysOf(ProjectedMap& map) {
+  return {studyKey("projection", &map.projection,
+                   "along the axes of space, blended by the normal, carved into the surface", {},
+                   required, Enters::everything, {"triplanar"}),
+          studyKey("texels", &map.texels, "columns and rows of the map", {1, 16384}, required),
+          studyKey("period", numbers(map.period), "world units: width of the image", positive,
+                   required)};
+}
+
 /// The keys that all reliefs have in common.
 inline StudyKeys keysOf(ReliefSection& relief) {
   const std::vector<std::pair<relief::Wrap, std::string>> wraps = {{relief::Wrap::repeat, "repeat"},
@@ -176,8 +193,12 @@ inline StudyKeys allKeysOf(ReliefSection& relief) {
   std::visit([&](auto& map) { add(keysOf(map)); }, relief.map);
   if (auto* map = std::get_if<PatternMap>(&relief.map)) add(keysOf(map->pattern));
   if (auto* map = std::get_if<SolidMap>(&relief.map)) add(keysOf(map->solid));
+  if (auto* map = std::get_if<ProjectedMap>(&relief.map)) add(keysOf(map->image));
   return keys;
 }
+
+/// The image that a relief is made from, or null.
+const ImageMap* imageOf(const ReliefSection& relief);
 
 /// Reads `[relief]`.
 /// @throws InputError as TomlReader
@@ -189,8 +210,9 @@ toml::table tableOf(ReliefSection relief);
 /// The relief that the section asks for.
 /// @param section  for messages
 /// @param folder   of the study: what paths are relative to
-/// @param cage     of the surface, on which a solid is sampled
-/// @throws InputError for an image, pattern or solid that cannot be; for a solid as LimitSurface
+/// @param cage     of the surface, on which a solid or a projection is sampled
+/// @throws InputError for an image, pattern or solid that cannot be; for one that is sampled on the
+///   surface as LimitSurface
 relief::Relief reliefOf(const ReliefSection& relief, const TomlReader& section,
                         const std::filesystem::path& folder, const surface::Cage& cage);
 
