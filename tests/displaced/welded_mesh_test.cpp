@@ -91,13 +91,17 @@ TEST(WeldedMesh, EveryVertexIsTheDisplacedPoint) {
   }
 }
 
-TEST(WeldedMesh, SubdivisionsGiveFourATexelOrWhatIsAllowed) {
-  // Faces of 8 × 3 texels.
+TEST(WeldedMesh, SubdivisionsGiveEightATexelOrWhatIsAllowed) {
+  // Faces of 8 × 3 texels: 96 pieces a side have a line at every texel's centre, 64 only along s.
   const surface::LimitSurface surface(surface::makePlane(32, 32, 4, 4));
   const Vec2 texels(32, 12);
-  EXPECT_EQ(subdivisionsForTexels(surface, texels), 32);
+  EXPECT_EQ(subdivisionsForTexels(surface, texels), 96);
+  EXPECT_EQ(subdivisionsForTexels(surface, texels, 2 * 16 * 96 * 96 - 1), 48);
+  EXPECT_EQ(subdivisionsForTexels(surface, Vec2(32, 16)), 64);
+  EXPECT_EQ(subdivisionsForTexels(surface, Vec2(28, 16), 2 * 16 * 56 * 56), 56) << "7 and 4";
+  EXPECT_EQ(subdivisionsForTexels(surface, Vec2(30.4, 16)), 61) << "no whole texels";
   EXPECT_EQ(subdivisionsForTexels(surface, texels, 2 * 16 * 32 * 32), 32);
-  EXPECT_EQ(subdivisionsForTexels(surface, texels, 2 * 16 * 32 * 32 - 1), 16);
+  EXPECT_EQ(subdivisionsForTexels(surface, texels, 2 * 16 * 32 * 32 - 1), 31);
   EXPECT_EQ(subdivisionsForTexels(surface, texels, 2 * 16 * 8 * 8), 8);
   EXPECT_EQ(subdivisionsForTexels(surface, texels, 2 * 16 * 7 * 7), 7);
   EXPECT_EQ(subdivisionsForTexels(surface, texels, 1), 1);

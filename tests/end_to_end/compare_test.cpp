@@ -262,6 +262,9 @@ TEST_F(Compare, PicturesThatCannotBeComparedAreBadInput) {
   expectRefusal({"mine.exr", "truth.png", "--roi", "dark.png"}, 3,
                 {"region of interest: no pixel is white"});
   expectRefusal({"nan.exr", "truth.png"}, 3, {"nan.exr", "column 3, row 1", "not finite"});
+  const std::string longName = "a-name-that-is-too-long-for-a-string-without-memory.png";
+  std::filesystem::copy_file(file("small.png"), file(longName));
+  expectRefusal({longName, "truth.png"}, 3, {longName + " against truth.png", "8 × 4"});
   expectRefusal({"clear.exr", "truth.png"}, 3, {"no sample at 32 of the 32 pixels"});
   expectRefusal({"mine.exr", "clear.exr"}, 3, {"truth: no pixel has a sample"});
   expectRefusal({"mine.exr", "truth.png", "--channel", "Z"}, 3, {"no channel \"Z\", it has Y"});

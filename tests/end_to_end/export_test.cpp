@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "end_to_end/support/other_renderer.h"
 #include "end_to_end/support/program.h"
@@ -128,8 +129,8 @@ class Export : public EndToEnd {
 };
 
 TEST_F(Export, AnotherRendererReproducesTheTruthOnAPlane) {
-  const nlohmann::json about = exported("small", smallStudy());
-  EXPECT_EQ(about.at("displaced_mesh").at("subdivisions"), 32) << "4 a texel";
+  // Cut as the truth's own mesh, so that rays need no more lift than the truth's.
+  const nlohmann::json about = exported("small", smallStudy(), {"--subdivisions", "32"});
   EXPECT_EQ(about.at("displaced_mesh").at("closed"), false);
   expectReproduced("small", about, about.at("ray_lift"));
 }
@@ -173,6 +174,112 @@ TEST_F(Export, TheCameraPutsEverySampleOnItsPixel) {
     EXPECT_LT(std::abs(clip[2] / clip[3]), 1);
   }
   EXPECT_GT(seen, 2000);
+}
+
+TEST_F(Export, SampleMapsAreTheSameInAllForms) {
+  const nlohmann::json about = exported("small", smallStudy());
+  const nlohmann::json& view = about.at("views").at(0);
+  const auto path = [&](const char* form) {
+    return "out/small/export/" + view.at(form).get<std::string>();
+  };
+  const Channels plain = readChannels(file(path("samples")));
+  const Channels layers = readChannels(file(path("samples_layers")));
+  ASSERT_EQ(layers.of.size(), plain.of.size());
+  for (const auto& [name, values] : layers.of) {
+    ASSERT_EQ(name[name.size() - 2], '.') << name;
+    EXPECT_THAT("XYZ", HasSubstr(name.substr(name.size() - 1))) << name;
+  }
+  for (const auto& [name, layer] : std::map<std::string, std::string>{
+           {"face", "place.X"}, {"s", "place.Y"}, {"t", "place.Z"}, {"weight", "texel.Z"}}) {
+    EXPECT_EQ(layers.of.at(layer), plain.of.at(name)) << name;
+  }
+  EXPECT_EQ(layers.of.at("point.Y"), plain.of.at("point.Y"));
+  // NumPy's: a header in whole lines of 64 bytes, then the floats.
+  const std::string bytes = read(path("samples_npy"));
+  const std::size_t begin = bytes.find('\n') + 1;
+  EXPECT_EQ(begin % 64, 0U);
+  EXPECT_EQ(bytes.substr(1, 5), "NUMPY");
+  EXPECT_THAT(bytes.substr(0, begin), HasSubstr("'shape': (64, 64, 18)"));
+  std::vector<float> values((bytes.size() - begin) / sizeof(float));
+  std::memcpy(values.data(), bytes.data() + begin, bytes.size() - begin);
+  const nlohmann::json& order = about.at("channel_order");
+  ASSERT_EQ(values.size(), 64U * 64U * order.size());
+  for (std::size_t c = 0; c < order.size(); ++c) {
+    const std::vector<float>& channel = plain.of.at(order.at(c));
+    for (std::size_t i = 0; i < channel.size(); ++i) {
+      ASSERT_EQ(values[i * order.size() + c], channel[i]) << order.at(c) << " of " << i;
+    }
+  }
+}
+
+TEST_F(Export, TheMeshsDistanceToTheTruthIsMeasured) {
+  const nlohmann::json own = exported("small", smallStudy()).at("displaced_mesh");
+  EXPECT_EQ(own.at("subdivisions"), 64) << "8 a texel";
+  EXPECT_LT(own.at("distance").at("largest_texels"), 0.05);
+  EXPECT_LT(own.at("distance").at("mean_texels"), 0.001);
+  // One piece a face: two triangles, which on a plane lie right below or above every sample.
+  const nlohmann::json about = exported("small", smallStudy(), {"--subdivisions", "1"});
+  const Triangles mesh = readPly(file("out/small/export/displaced.ply"));
+  const Channels samples = readChannels(file("out/small/export/samples/camera.exr"));
+  double largest = 0, sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < samples.of.at("face").size(); ++i) {
+    if (samples.of.at("face")[i] < 0) continue;
+    const double s = samples.of.at("s")[i];
+    const double t = samples.of.at("t")[i];
+    const bool lower = s + t <= 1;
+    const auto& corners =
+        mesh.faces.at(2 * std::size_t(samples.of.at("face")[i]) + (lower ? 0 : 1));
+    const auto height = [&](std::size_t k) { return mesh.vertices.at(corners.at(k))[2]; };
+    const double flat = height(0) + (lower ? s : 1 - s) * (height(1) - height(0)) +
+                        (lower ? t : 1 - t) * (height(2) - height(0));
+    const double apart = std::abs(samples.of.at("point.Z")[i] - flat);
+    largest = std::max(largest, apart);
+    sum += apart;
+    ++count;
+  }
+  const nlohmann::json& distance = about.at("displaced_mesh").at("distance");
+  EXPECT_EQ(distance.at("samples"), count);
+  EXPECT_NEAR(distance.at("largest"), largest, 1e-5);
+  EXPECT_NEAR(distance.at("mean"), sum / double(count), 1e-5);
+  EXPECT_NEAR(distance.at("largest_texels"), largest, 1e-5) << "a texel is one world unit";
+  EXPECT_GT(largest, 1);
+}
+
+TEST_F(Export, WhatACameraDrawsOfTheDisplacedMeshIsThere) {
+  const nlohmann::json about = exported("ring", torusStudy(), {"--subdivisions", "8"});
+  const nlohmann::json& view = about.at("views").at(0);
+  EXPECT_TRUE(about.at("views").at(1).at("drawn").is_null()) << "an atlas has no rays";
+  const auto part = [&](const nlohmann::json& name) {
+    return file("out/ring/export/" + name.get<std::string>());
+  };
+  const Channels drawn = readChannels(part(view.at("drawn").at("samples")));
+  const Triangles mesh = readPly(file("out/ring/export/displaced.ply"));
+  const Point eye = pointOf(view.at("camera").at("eye"));
+  const auto pixels = static_cast<std::size_t>(drawn.width) * std::size_t(drawn.height);
+  for (std::size_t l = 0; l < 2; ++l) {
+    const Point light = pointOf(about.at("lights").at(l).at("direction"));
+    const SunRays rays(mesh, light);
+    const GreyImage mask = readGrey(part(view.at("drawn").at("masks").at(l).at("truth")));
+    std::size_t seen = 0, shadowed = 0, differ = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const Point facet = drawn.point("facet", i);
+      ASSERT_EQ(mask.pixels[i] == 128, dot(facet, facet) == 0) << i;
+      if (mask.pixels[i] == 128) continue;
+      const Point point = drawn.point("point", i);
+      EXPECT_GT(dot(facet, minus(eye, point)), 0) << "it faces the eye";
+      ++seen;
+      // Its mesh is finer than the truth's, whose points lie this near to it.
+      Point origin = point;
+      for (std::size_t k = 0; k < 3; ++k) origin.at(k) += 0.02 * facet.at(k);
+      const bool lit = dot(facet, light) > 0 && !rays.blocked(origin);
+      shadowed += lit ? 0 : 1;
+      differ += lit != (mask.pixels[i] == 255) ? 1 : 0;
+    }
+    EXPECT_GT(seen, 2000U);
+    EXPECT_GT(shadowed, seen / 20);
+    EXPECT_LT(double(differ), 0.01 * double(seen));
+  }
 }
 
 TEST_F(Export, TheHeightMapIsTheStudysOwn) {
@@ -221,10 +328,12 @@ TEST_F(Export, TruthsAndTablesAreThoseOfTheOtherCommands) {
 TEST_F(Export, TheSameStudyGivesTheSameBytes) {
   exported("small", smallStudy());
   const std::vector<std::string> files = filesBelow("out/small/export");
-  EXPECT_EQ(files,
-            (std::vector<std::string>{"base.obj", "displaced.ply", "export.json", "files.txt",
-                                      "heights.exr", "masks/camera_evening_truth.png",
-                                      "roi/camera.png", "samples/camera.exr", "tables.exr"}));
+  EXPECT_EQ(files, (std::vector<std::string>{
+                       "base.obj", "displaced.ply", "drawn/masks/camera_evening_truth.png",
+                       "drawn/samples/camera.exr", "drawn/samples/camera.npy",
+                       "drawn/samples/camera_layers.exr", "export.json", "files.txt", "heights.exr",
+                       "masks/camera_evening_truth.png", "roi/camera.png", "samples/camera.exr",
+                       "samples/camera.npy", "samples/camera_layers.exr", "tables.exr"}));
   exported("small", smallStudy(), {"--out", "again", "--threads", "1"});
   for (const std::string& name : files) {
     if (name == "export.json") continue;  // it names the command and the threads

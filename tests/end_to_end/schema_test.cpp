@@ -186,6 +186,14 @@ than = "unshadowed"
                 .status,
             0);
   add(written, "gnomon compare --json", "same.json");
+  const std::string masks = "out/small/export/masks";
+  ASSERT_EQ(gnomon({"compare", masks, masks, "--json", "folders.json"}).status, 0);
+  add(written, "gnomon compare --json of folders", "folders.json");
+  // Pairs, and their sum, have the keys of a comparison.
+  std::erase_if(written["gnomon compare --json of folders"], [&](const std::string& key) {
+    const std::string below = key.substr(key.find('.') + 1);
+    return below != key && written["gnomon compare --json"].contains(below);
+  });
 
   ASSERT_EQ(gnomon({"run", "small.toml", "--shard", "1/1", "--out", "part"}).status, 0);
   add(written, "shard.json", "part/shard.json");

@@ -283,7 +283,7 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   addQuickOption(*exported, request);
   exported
       ->add_option("--subdivisions", subdivisions,
-                   "Pieces per side of each face in the displaced mesh; by default 4 per texel, at "
+                   "Pieces per side of each face in the displaced mesh; by default 8 per texel, at "
                    "most 4 million triangles in all")
       ->type_name("N");
   exported->footer(exportExamples);

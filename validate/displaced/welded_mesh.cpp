@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -60,6 +61,29 @@ void weld(std::vector<glm::vec3>& positions, std::vector<std::uint32_t>& first) 
   positions.shrink_to_fit();
 }
 
+/// The least common multiple of whole numbers.
+class CommonMultiple {
+ public:
+  /// Any number; one that is not whole leaves no multiple.
+  void add(double number) {
+    const double whole = std::round(number);
+    if (std::abs(number - whole) > 1e-6 * whole || whole < 1 || multiple_ > mostSubdivisions) {
+      multiple_ = none;
+    } else {
+      multiple_ = std::lcm(multiple_, static_cast<long>(whole));
+    }
+  }
+  /// Infinite where there is none, or it is larger than any subdivisions.
+  [[nodiscard]] double value() const {
+    return multiple_ > mostSubdivisions ? std::numeric_limits<double>::infinity()
+                                        : static_cast<double>(multiple_);
+  }
+
+ private:
+  static constexpr long none = mostSubdivisions + 1;
+  long multiple_ = 1;
+};
+
 }  // namespace
 
 WeldedMesh makeWeldedMesh(const surface::LimitSurface& surface, const relief::Relief& relief,
@@ -78,20 +102,44 @@ WeldedMesh makeWeldedMesh(const surface::LimitSurface& surface, const relief::Re
   return {std::move(positions), std::move(triangles), surface::isClosed(surface)};
 }
 
+Vec3 pointOn(const WeldedMesh& mesh, int subdivisions, int face, double s, double t) {
+  const auto pieces = static_cast<std::size_t>(subdivisions);
+  const auto cell = [&](double at) {
+    const double scaled = at * subdivisions;
+    const double piece = std::clamp(std::floor(scaled), 0.0, subdivisions - 1.0);
+    return std::pair{static_cast<std::size_t>(piece), std::clamp(scaled - piece, 0.0, 1.0)};
+  };
+  const auto [column, a] = cell(s);
+  const auto [row, b] = cell(t);
+  const std::size_t quad = (static_cast<std::size_t>(face) * pieces + row) * pieces + column;
+  const bool lower = a + b <= 1;
+  // The corner, then the ends of the sides along s and t that the triangle has there.
+  const std::size_t first = 6 * quad + (lower ? 0 : 3);
+  const auto vertex = [&](std::size_t k) { return Vec3(mesh.vertices[mesh.triangles[first + k]]); };
+  const Vec3 corner = vertex(0);
+  return corner + (lower ? a : 1 - a) * (vertex(1) - corner) +
+         (lower ? b : 1 - b) * (vertex(2) - corner);
+}
+
 int subdivisionsForTexels(const surface::LimitSurface& surface, Vec2 texelsPerUv,
                           double mostTriangles) {
   double longestSide = 0;
+  CommonMultiple sides;
   for (int face = 0; face < surface.faceCount(); ++face) {
     const surface::LimitPoint middle = surface.evaluate(face, 0.5, 0.5);
-    longestSide = std::max({longestSide, glm::length(middle.uvDs * texelsPerUv),
-                            glm::length(middle.uvDt * texelsPerUv)});
+    for (const Vec2& along : {middle.uvDs, middle.uvDt}) {
+      const double side = glm::length(along * texelsPerUv);
+      longestSide = std::max(longestSide, side);
+      sides.add(side);
+    }
   }
   const double most = std::sqrt(mostTriangles / triangleCount(surface, 1));
-  for (const int perTexel : {4, 2, 1}) {
-    const double pieces = std::ceil(perTexel * longestSide - 1e-9);
-    if (pieces <= most) return std::max(1, static_cast<int>(pieces));
+  const double line = 2 * sides.value();  // at its multiples pieces end on texel centres
+  for (const int perTexel : {8, 4, 2, 1}) {
+    const double pieces = line * std::ceil(perTexel * longestSide / line - 1e-9);
+    if (pieces <= most && pieces >= line) return static_cast<int>(pieces);
   }
-  return std::max(1, static_cast<int>(most));
+  return std::max(1, static_cast<int>(std::min(std::ceil(8 * longestSide - 1e-9), most)));
 }
 
 }  // namespace gnomon::displaced

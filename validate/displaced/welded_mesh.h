@@ -29,8 +29,16 @@ struct WeldedMesh {
 WeldedMesh makeWeldedMesh(const surface::LimitSurface& surface, const relief::Relief& relief,
                           int subdivisions);
 
-/// The subdivisions that give 4 pieces a texel along the longest face, measured through its middle;
-/// 2 or 1 where 4 would exceed `mostTriangles`; and where even 1 does, the most that do not.
+/// The point of the mesh above (s, t) of a face: on the triangle that holds it, as MicroMesh::facet
+/// finds it.
+/// @param subdivisions  that the mesh was made with
+Vec3 pointOn(const WeldedMesh& mesh, int subdivisions, int face, double s, double t);
+
+/// The subdivisions that give at least 8 pieces a texel along the longest face, measured through
+/// its middle, or the most of no more than `mostTriangles`. Where the sides of all faces are whole
+/// texels, and such a number is small enough, they are a multiple of twice each side, with 8, 4, 2
+/// or 1 pieces a texel: pieces then end on the lines through the texels' centres, at which the
+/// relief has its kinks.
 int subdivisionsForTexels(const surface::LimitSurface& surface, Vec2 texelsPerUv,
                           double mostTriangles = 4e6);
 

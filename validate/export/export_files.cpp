@@ -6,20 +6,13 @@
 
 #include "common/parallel.h"
 #include "common/system/memory.h"
+#include "export/sample_map.h"
 #include "image/channel_image.h"
 #include "image/images.h"
 #include "truth/sample_place.h"
 
 namespace gnomon::exporting {
 namespace {
-
-const std::vector<std::string>& sampleChannels() {
-  static const std::vector<std::string> names = {
-      "face",    "s",       "t",        "texel.X",  "texel.Y",  "base.X",
-      "base.Y",  "base.Z",  "normal.X", "normal.Y", "normal.Z", "point.X",
-      "point.Y", "point.Z", "facet.X",  "facet.Y",  "facet.Z",  "weight"};
-  return names;
-}
 
 using Pixel = std::array<float, 18>;
 
@@ -70,6 +63,14 @@ image::ChannelImage sampleMap(const study::RunScene& scene, const study::ViewCas
 
 }  // namespace
 
+const std::vector<std::string>& sampleChannels() {
+  static const std::vector<std::string> names = {
+      "face",    "s",       "t",        "texel.X",  "texel.Y",  "base.X",
+      "base.Y",  "base.Z",  "normal.X", "normal.Y", "normal.Z", "point.X",
+      "point.Y", "point.Z", "facet.X",  "facet.Y",  "facet.Z",  "weight"};
+  return names;
+}
+
 std::string sampleMapFile(const study::CaseNames& names, std::size_t view) {
   return fmt::format("samples/{}.exr", names.views[view]);
 }
@@ -93,8 +94,8 @@ void writeSampleMaps(report::RunFolder& folder, study::RunScene& scene,
                      const truth::MicroMesh& mesh) {
   const study::CaseNames names = study::caseNames(scene.study);
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
-    image::writeExr(folder.newFile(sampleMapFile(names, v)),
-                    sampleMap(scene, scene.standardBase().views[v], mesh));
+    writeSampleMap(folder, sampleMapFile(names, v),
+                   sampleMap(scene, scene.standardBase().views[v], mesh));
   }
 }
 

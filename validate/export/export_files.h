@@ -21,7 +21,11 @@ std::string roiFile(const study::CaseNames& names, std::size_t view);
 /// one with the largest v.
 void writeHeights(report::RunFolder& folder, const relief::HeightField& field);
 
-/// Writes a sample map for every view of the standard base, whose truths are not needed. Channels:
+/// The names of a sample map's channels, in the order that its NumPy file has them.
+const std::vector<std::string>& sampleChannels();
+
+/// Writes a sample map, in its three forms (sample_map.h), for every view of the standard base,
+/// whose truths are not needed. Channels:
 ///   face, s, t          the sample; face is -1, and all else 0, where the truth has no answer
 ///   texel.X, .Y         texture coordinates in texels
 ///   base.X, .Y, .Z      P, on the undisplaced limit surface

@@ -1,6 +1,8 @@
 #include "export/export_json.h"
 
+#include "export/drawn_mesh.h"
 #include "export/export_files.h"
+#include "export/sample_map.h"
 #include "export/truth_files.h"
 #include "render/view.h"
 #include "report/json/json_values.h"
@@ -22,7 +24,13 @@ report::Json conventionsJson() {
       {"pictures",
        "Row 0 is the top. Masks: 255 lit, 0 shadowed, 128 no sample. Regions of interest: 255 "
        "where "
-       "the truth has an answer. Sample maps: see channels."},
+       "the truth has an answer. Sample maps: see channels; samples_npy holds them as (height, "
+       "width, channel) in channel_order, samples_layers as layers of X, Y, Z: place (face, s, t), "
+       "texel (x, y, weight), base, normal, point, facet."},
+      {"drawn",
+       "What the camera's own primary rays meet: point and facet of the displaced surface at the "
+       "pixel's centre, 0 where there is nothing, and whether that point is lit. Other points than "
+       "the samples; no score is made of them."},
       {"matrices",
        "Row by row, for column vectors: clip = projection view (x, y, z, 1). The camera looks "
        "along "
@@ -89,6 +97,25 @@ report::Json atlasJson(const study::AtlasSpec& atlas, const render::RenderView& 
           {"rows", view.atlasTiles.y}};
 }
 
+void addMap(report::Json& json, const std::string& file) {
+  json["samples"] = file;
+  json["samples_npy"] = npyName(file);
+  json["samples_layers"] = layersName(file);
+}
+
+report::Json drawnJson(const study::RunScene& scene, const study::CaseNames& names,
+                       std::size_t view) {
+  report::Json json = report::Json::object();
+  addMap(json, drawnMapFile(names, view));
+  report::Json masks = report::Json::array();
+  for (std::size_t l = 0; l < scene.study.lights.size(); ++l) {
+    masks.push_back(
+        {{"light", scene.study.lights[l].name}, {"truth", drawnMaskFile(names, view, l)}});
+  }
+  json["masks"] = std::move(masks);
+  return json;
+}
+
 report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
                       const study::CaseNames& names, std::size_t index) {
   const study::BaseCase& base = scene.standardBase();
@@ -101,7 +128,7 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
       Overloaded{[&](const Camera& camera) { return cameraJson(camera, base.drawn.get()->mesh); },
                  [&](const study::AtlasSpec& atlas) { return atlasJson(atlas, view); }},
       spec.kind);
-  json["samples"] = sampleMapFile(names, index);
+  addMap(json, sampleMapFile(names, index));
   json["roi"] = roiFile(names, index);
   report::Json masks = report::Json::array();
   const std::size_t lights = scene.study.lights.size();
@@ -113,6 +140,8 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
                                             "views.masks.uncertainty")}});
   }
   json["masks"] = std::move(masks);
+  json["drawn"] =
+      cameraOf(spec) == nullptr ? report::Json(nullptr) : drawnJson(scene, names, index);
   return json;
 }
 
@@ -152,11 +181,19 @@ report::Json tablesJson(const horizon::StoredHorizons& tables) {
 }
 
 report::Json displacedJson(const ExportedMesh& mesh) {
-  return {{"file", "displaced.ply"},
-          {"subdivisions", mesh.subdivisions},
-          {"vertices", mesh.vertices},
-          {"triangles", mesh.triangles},
-          {"closed", mesh.closed}};
+  return {
+      {"file", "displaced.ply"},
+      {"subdivisions", mesh.subdivisions},
+      {"vertices", mesh.vertices},
+      {"triangles", mesh.triangles},
+      {"closed", mesh.closed},
+      {"distance",
+       {{"samples", mesh.distance.samples},
+        {"largest", report::jsonNumber(mesh.distance.largest, "distance.largest")},
+        {"mean", report::jsonNumber(mesh.distance.mean, "distance.mean")},
+        {"largest_texels",
+         report::jsonNumber(mesh.distance.largestTexels, "distance.largest_texels")},
+        {"mean_texels", report::jsonNumber(mesh.distance.meanTexels, "distance.mean_texels")}}}};
 }
 
 }  // namespace
@@ -185,6 +222,7 @@ std::string exportJson(study::RunScene& scene, const study::StudyRecord& record,
                              {"lights", report::jsonList(scene.study.lights, lightJson)},
                              {"views", std::move(views)},
                              {"channels", channelsJson()},
+                             {"channel_order", sampleChannels()},
                              {"ray_lift", report::jsonNumber(rayLift, "ray_lift")},
                              {"truth", report::jsonTruth(record.truth)},
                              {"undefined_samples", record.undefinedSamples}};

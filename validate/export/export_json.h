@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "displaced/welded_mesh.h"
+#include "export/mesh_distance.h"
 #include "horizon/table_file.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/truth_study.h"
@@ -16,6 +16,7 @@ struct ExportedMesh {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   bool closed = false;
+  MeshDistance distance = {};  ///< to the truth's surface
 };
 
 /// The export's description, schema "gnomon-export/1": files, units, conventions, camera matrices,

@@ -180,10 +180,9 @@ Compared compareTwo(const Comparing& with, const fs::path& candidateFile,
       {request.candidateChannel, request.threshold, request.inverted, request.upward});
   const image::MaskPicture truth = image::readMaskPicture(
       truthFile, {.channel = request.truthChannel, .threshold = request.threshold});
-  Compared found{{recordOf(candidateFile, candidate), recordOf(truthFile, truth)},
-                 common(with, candidateFile, candidate.mask, truthFile, truth.mask)};
-  report::MaskComparison& comparison = found.comparison;
-  const compare::ComparedMasks& masks = found.masks;
+  // Before the record: GCC 12 destroys parts of an aggregate twice whose other parts throw.
+  compare::ComparedMasks masks = common(with, candidateFile, candidate.mask, truthFile, truth.mask);
+  report::MaskComparison comparison{recordOf(candidateFile, candidate), recordOf(truthFile, truth)};
   if (with.roi) comparison.roi = recordOf(*request.roi, *with.roi);
   comparison.command = request.command;
   comparison.width = truth.mask.width;
@@ -196,7 +195,7 @@ Compared compareTwo(const Comparing& with, const fs::path& candidateFile,
   comparison.uncertainty =
       with.uncertainty ? with.uncertainty : exporting::exportedUncertainty(truthFile);
   comparison.judgements = judged(with.gates, truth.mask, comparison.metrics);
-  return found;
+  return {std::move(comparison), std::move(masks)};
 }
 
 /// @throws InputError naming what only one of the folders holds

@@ -10,6 +10,7 @@
 #include "cli/run_folders.h"
 #include "cli/study_plans.h"
 #include "cli/terminal_progress.h"
+#include "export/drawn_mesh.h"
 #include "export/export_files.h"
 #include "export/export_json.h"
 #include "export/mesh_files.h"
@@ -89,15 +90,22 @@ void traceOne(const study::StudySpec& study, report::RunFolder& folder, const re
   printNotices(record);
 }
 
-exporting::ExportedMesh writeDisplaced(const fs::path& path, const study::RunScene& scene,
-                                       std::optional<int> subdivisions) {
+/// The exported mesh, and what is said of it.
+struct Exported {
+  displaced::WeldedMesh mesh;
+  exporting::ExportedMesh about;
+};
+
+Exported writeDisplaced(const fs::path& path, const study::RunScene& scene,
+                        std::optional<int> subdivisions) {
   const int pieces = subdivisions.value_or(
       displaced::subdivisionsForTexels(scene.surface, scene.study.relief.texelsPerUv()));
-  const displaced::WeldedMesh mesh =
-      displaced::makeWeldedMesh(scene.surface, scene.study.relief, pieces);
+  displaced::WeldedMesh mesh = displaced::makeWeldedMesh(scene.surface, scene.study.relief, pieces);
   exporting::writePly(path, mesh,
                       fmt::format("displaced surface, {} x {} pieces a face", pieces, pieces));
-  return {pieces, mesh.vertices.size(), mesh.triangleCount(), mesh.closed};
+  const exporting::ExportedMesh about{pieces, mesh.vertices.size(), mesh.triangleCount(),
+                                      mesh.closed};
+  return {std::move(mesh), about};
 }
 
 void writeBase(const fs::path& path, study::RunScene& scene) {
@@ -112,7 +120,7 @@ void exportOne(const study::StudySpec& study, report::RunFolder& folder,
                const RunRequest& request, std::optional<int> subdivisions) {
   study::SceneStore store;
   study::RunScene scene(study, clock, gl, cache, store);
-  const exporting::ExportedMesh mesh = clock.measure("meshes", [&](const Progress&) {
+  Exported exported = clock.measure("meshes", [&](const Progress&) {
     return writeDisplaced(folder.newFile("displaced.ply"), scene, subdivisions);
   });
   writeBase(folder.newFile("base.obj"), scene);
@@ -126,15 +134,20 @@ void exportOne(const study::StudySpec& study, report::RunFolder& folder,
       study::traceStudy(scene, gl, [&](const study::TracedSurface& surface) {
         rayLift = surface.mesh.rayOffset();
         exporting::writeSampleMaps(folder, scene, surface.mesh);
+        exported.about.distance = exporting::meshDistance(scene, surface.mesh, exported.mesh,
+                                                          exported.about.subdivisions);
+        exporting::writeDrawnMesh(folder, scene, surface);
       });
   record.command = request.command;
   exporting::writeTruthMasks(folder, scene);
   exporting::writeRegionsOfInterest(folder, scene);
+  const exporting::ExportedMesh& mesh = exported.about;
   folder.finish(exporting::exportJson(scene, record, mesh, tables, rayLift));
-  printLine(fmt::format("{}: {} triangles displaced ({} pieces a face's side), {} views, {} lights",
-                        (folder.path() / "export.json").string(),
-                        report::groupedText(mesh.triangles), mesh.subdivisions, study.views.size(),
-                        study.lights.size()));
+  printLine(fmt::format(
+      "{}: {} triangles displaced ({} pieces a face's side, at most {:.2g} "
+      "texels off the truth's surface), {} views, {} lights",
+      (folder.path() / "export.json").string(), report::groupedText(mesh.triangles),
+      mesh.subdivisions, mesh.distance.largestTexels, study.views.size(), study.lights.size()));
   printNotices(record);
 }
 
