@@ -27,6 +27,7 @@ struct MarkedScene {
   MicroMesh mesh;
   MicroScene scene;
   SurfacePaths paths;
+  std::vector<int> parts = {};
 
   MarkedScene(const surface::Cage& cage, relief::Relief heights, double stepTexels)
       : surface(cage),
@@ -39,7 +40,7 @@ struct MarkedScene {
                             double radiusTexels = 1000) const {
     const std::array lights = {TraceSettings{light, radiusTexels, standardRayOffset}};
     std::vector<Truth> truths = traceShadows(surface, relief, mesh, scene, samples, lights);
-    markGlobal(surface, relief, mesh, scene, paths, samples, lights, truths);
+    markGlobal(surface, relief, mesh, scene, paths, parts, samples, lights, truths);
     return truths.front();
   }
 };
@@ -120,6 +121,17 @@ TEST(GlobalOccluder, AnotherPlateAboveIsOne) {
     EXPECT_EQ(truth.regions[i], isShaded ? Region::global : Region::lit) << at.x << ' ' << at.y;
   }
   EXPECT_GT(count(truth, Region::global), 500);
+  EXPECT_TRUE(truth.casters.empty());
+
+  // Told apart: the upper plate is the caster wherever there is one.
+  MarkedScene told(plates, flatRelief(64, 64), 0.5);
+  told.parts.assign(64, 7);
+  told.parts.insert(told.parts.end(), 64, 3);
+  const Truth same = told.trace(samples, lightToward(0, 60));
+  EXPECT_EQ(same.regions, truth.regions);
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    EXPECT_EQ(same.casters[i], truth.regions[i] == Region::global ? 3 : noCaster);
+  }
 }
 
 /// Not on a ball with columns: each shades what lies on the path behind it.

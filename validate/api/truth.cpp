@@ -105,7 +105,7 @@ Traced trace(const Task& task, std::optional<double> step, const Progress& progr
   Traced traced{truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples,
                                     task.lights, partOf(progress, 0.4, 1)),
                 mesh.askedStepTexels(), mesh.triangleCount()};
-  truth::markGlobal(task.surface, task.relief, mesh, scene, truth::SurfacePaths(task.surface),
+  truth::markGlobal(task.surface, task.relief, mesh, scene, truth::SurfacePaths(task.surface), {},
                     task.samples, task.lights, traced.truths);
   return traced;
 }

@@ -23,9 +23,12 @@ PathTarget targetOf(const surface::LimitSurface& surface, const MicroMesh& mesh,
 
 void markGlobal(const surface::LimitSurface& surface, const relief::Relief& relief,
                 const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,
-                const surface::SampleGrid& samples, std::span<const TraceSettings> lights,
-                std::span<Truth> truths) {
+                std::span<const int> parts, const surface::SampleGrid& samples,
+                std::span<const TraceSettings> lights, std::span<Truth> truths) {
   const std::size_t count = samples.samples.size();
+  if (!parts.empty()) {
+    for (Truth& truth : truths) truth.casters.assign(count, noCaster);
+  }
   constexpr std::size_t piece = 256;
   parallelFor(0, (count + piece - 1) / piece, [&](std::size_t p) {
     const FlushDenormals flush;
@@ -40,6 +43,10 @@ void markGlobal(const surface::LimitSurface& surface, const relief::Relief& reli
         const Vec3 origin = place.facet.rayOrigin(mesh.rayOffset(lights[l].rayOffset));
         const auto hit = scene.nearest(origin, light);
         if (!hit) continue;  // a ray that grazes an edge
+        if (!parts.empty()) {
+          truths[l].casters[i] =
+              static_cast<std::uint8_t>(parts[static_cast<std::size_t>(hit->face)]);
+        }
         const Vec3 occluder = mesh.centre() + origin + hit->distance * light;
         const bool isOnPath = paths.leadTo({place.sample, place.frame.normal, light},
                                            targetOf(surface, mesh, *hit, occluder));

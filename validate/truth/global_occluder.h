@@ -24,11 +24,13 @@ namespace gnomon::truth {
 /// along the surface the path passes P′ at |Q - P′| tan ψ. The factor 2 is that of ψ = 63°.
 /// Limbs that are nearer to each other than this, on one body and turned to the same side, are not
 /// told apart.
+/// Of a surface with parts it also finds the casters.
+/// @param parts   of every face; empty for a surface of one part
 /// @param truths  of these samples, one a light
 /// @param lights  that they were traced with
 void markGlobal(const surface::LimitSurface& surface, const relief::Relief& relief,
                 const MicroMesh& mesh, const MicroScene& scene, const SurfacePaths& paths,
-                const surface::SampleGrid& samples, std::span<const TraceSettings> lights,
-                std::span<Truth> truths);
+                std::span<const int> parts, const surface::SampleGrid& samples,
+                std::span<const TraceSettings> lights, std::span<Truth> truths);
 
 }  // namespace gnomon::truth

@@ -1,5 +1,7 @@
 #include "truth/region.h"
 
+#include <utility>
+
 #include "common/error.h"
 
 namespace gnomon::truth {
@@ -22,6 +24,22 @@ std::string_view regionName(Region region) {
       return "beyond-terminator";
   }
   throw InternalError("a region without a name");
+}
+
+std::vector<std::string> partRegions(std::span<const std::string> partNames) {
+  std::vector<std::string> names(partNames.begin(), partNames.end());
+  for (const std::string& receiver : partNames) {
+    for (const std::string& caster : partNames) names.push_back(receiver + " shaded by " + caster);
+  }
+  return names;
+}
+
+std::vector<std::string> allRegions(std::span<const std::string> partNames) {
+  std::vector<std::string> names;
+  for (const Region region : reportedRegions) names.emplace_back(regionName(region));
+  names.emplace_back(seamRegion);
+  for (std::string& name : partRegions(partNames)) names.push_back(std::move(name));
+  return names;
 }
 
 }  // namespace gnomon::truth

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace gnomon::truth {
 
@@ -28,6 +31,19 @@ std::string_view regionName(Region region);
 inline constexpr std::array reportedRegions = {Region::lit,    Region::attached,
                                                Region::cast,   Region::distant,
                                                Region::global, Region::beyondTerminator};
+
+/// The name, in reports and thresholds, of the region of samples whose path crosses a seam (see
+/// seam_crossing.h). It overlaps the regions of `Region`: such a sample is also lit or shadowed.
+constexpr std::string_view seamRegion = "seam";
+
+/// The regions of a surface with parts, which overlap those of `Region` too. Receivers first: a
+/// part's name holds the samples on it; then for each receiver every caster: "ground shaded by
+/// spot" holds those in a cast shadow whose first occluder is on the other part, or on the same.
+std::vector<std::string> partRegions(std::span<const std::string> partNames);
+
+/// The names of all regions but the whole, in the order of reports: reportedRegions, seamRegion,
+/// partRegions.
+std::vector<std::string> allRegions(std::span<const std::string> partNames);
 
 /// Whether all its samples are shadowed, and by something else than their own facet.
 constexpr bool isCastShadow(Region region) {

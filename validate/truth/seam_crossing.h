@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "common/progress.h"
@@ -15,10 +14,6 @@
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::truth {
-
-/// The name, in reports and thresholds, of the region of samples whose path crosses a seam. It
-/// overlaps the regions of `Region`: such a sample is also lit or shadowed.
-constexpr std::string_view seamRegion = "seam";
 
 /// Which faces continue each other's texture coordinates. Two faces that share an edge do where
 /// they agree on its two ends within a thousandth of a texel, or, for a map that repeats, differ by

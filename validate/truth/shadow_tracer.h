@@ -15,6 +15,8 @@
 
 namespace gnomon::truth {
 
+constexpr std::uint8_t noCaster = 255;
+
 /// The exact answer for every sample of a view under one light.
 struct Truth {
   Mask mask;
@@ -24,6 +26,9 @@ struct Truth {
   /// One a sample, 1 where its path to the light crosses a texture seam; empty before
   /// `seamCrossings` fills it.
   std::vector<std::uint8_t> crossesSeam = {};
+  /// One a sample of a surface with parts: the part of the first occluder, where a shadow is cast,
+  /// else `noCaster`. Empty before `markGlobal` fills it, and for a surface of one part.
+  std::vector<std::uint8_t> casters = {};
 };
 
 /// Light and range of one trace.

@@ -419,5 +419,63 @@ TEST(ReadObjErrors, DamagedFilesNeverDoWorseThanAnInputError) {
   EXPECT_GT(refused, 10);
 }
 
+/// Two squares beside each other that share no vertex, with a line before each.
+std::string twoSquares(const std::string& first, const std::string& second) {
+  return square + "v 2 0 0\nv 3 0 0\nv 3 1 0\nv 2 1 0\n" + first + squareFace + second +
+         "f 5/1 6/2 7/3 8/4\n";
+}
+
+TEST(ObjReader, ObjectsAreParts) {
+  const Cage cage = readText(twoSquares("o floor\n", "o ball\n"));
+  EXPECT_EQ(cage.partNames, (std::vector<std::string>{"floor", "ball"}));
+  EXPECT_EQ(cage.faceParts, (std::vector<int>{0, 1}));
+  EXPECT_EQ(cage.limitFaceParts(), cage.faceParts);
+}
+
+TEST(ObjReader, GroupsArePartsWhereThereAreNoObjects) {
+  const Cage groups = readText(twoSquares("", "g ball smooth\n"));
+  EXPECT_EQ(groups.partNames, (std::vector<std::string>{"unnamed", "ball"}));
+  const Cage both = readText("o all\n" + twoSquares("g floor\n", "g ball\n"));
+  EXPECT_TRUE(both.partNames.empty());
+  EXPECT_TRUE(both.faceParts.empty());
+}
+
+TEST(ObjReader, OnePartIsNone) {
+  EXPECT_TRUE(readText("o one\n" + square + squareFace).partNames.empty());
+  EXPECT_TRUE(readText(twoSquares("o one\n", "o one\n")).faceParts.empty());
+}
+
+TEST(ObjReader, MorePartsThanCanBeReportedAreNone) {
+  std::string text = square;
+  for (std::size_t k = 0; k <= mostParts; ++k) {
+    for (int corner = 0; corner < 4; ++corner) {
+      text += "v " + std::to_string(corner % 3 == 0 ? 0 : 1) + " " + std::to_string(corner / 2) +
+              " " + std::to_string(k + 1) + "\n";
+    }
+    text += "o part" + std::to_string(k) + "\nf -4/1 -3/2 -2/3 -1/4\n";
+    EXPECT_EQ(readText(text).partNames.size(), k == 0 || k >= mostParts ? 0 : k + 1);
+  }
+}
+
+/// The faces that a pentagon is cut into are all of its part; and a triangle of Loop's scheme
+/// counts as three faces of the limit surface.
+TEST(ObjReader, FacesKeepTheirPartsWhenTheyAreCut) {
+  const std::string text = square + "v 2 0 0\nv 3 0 0\nv 3.5 .5 0\nv 3 1 0\nv 2 1 0\no square\n" +
+                           squareFace + "o pentagon\nf 5/1 6/2 7/2 8/3 9/4\n";
+  const Cage cage = readText(text);
+  ASSERT_EQ(cage.faceCount(), 9);
+  const LimitSurface surface(cage);
+  const std::vector<int> parts = cage.limitFaceParts();
+  ASSERT_EQ(static_cast<int>(parts.size()), surface.faceCount());
+  for (int face = 0; face < surface.faceCount(); ++face) {
+    EXPECT_EQ(parts[static_cast<std::size_t>(face)],
+              surface.evaluate(face, 0.5, 0.5).position.x > 1.5 ? 1 : 0);
+  }
+  const TemporaryObj triangles(square + "v 2 0 0\nv 3 0 0\nv 3 1 0\no a\nf 1/1 2/2 3/3\n" +
+                               "o b\nf 5/1 6/2 7/3\n");
+  const Cage loop = readObj(triangles.path(), SubdivisionScheme::loop);
+  EXPECT_EQ(loop.limitFaceParts(), (std::vector<int>{0, 0, 0, 1, 1, 1}));
+}
+
 }  // namespace
 }  // namespace gnomon::surface

@@ -160,12 +160,13 @@ class StudyRun {
     for (const Answer answer : allAnswers) {
       const AnswerOutcome& found = answer == Answer::drawn ? outcome.drawn : outcome.test;
       const std::size_t all = record_.results.size();
+      const std::vector<std::string> regions = judgedRegions(study_.cage.partNames);
       for (std::size_t r = 0; r < found.regions.size(); ++r) {
         ResultRecord result;
         result.method = method.spec->label;
         result.light = study_.lights[light].name;
         result.view = study_.views[view].name;
-        result.region = outcomeRegions()[r];
+        result.region = regions.at(r);
         result.answer = answer;
         result.counts = found.regions[r];
         record_.results.push_back(std::move(result));

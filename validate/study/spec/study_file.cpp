@@ -46,11 +46,22 @@ std::string keyOf(const TomlReader& section) {
   return tomlValueText(section.written());
 }
 
+/// A part that is called like another region would make its rows ambiguous.
+void requireOwnNames(const TomlReader& section, const surface::Cage& cage) {
+  std::set<std::string> names;
+  for (const std::string& name : judgedRegions(cage.partNames)) {
+    if (names.insert(name).second) continue;
+    section.fail("mesh",
+                 fmt::format("part \"{}\" found, a name that no other region has expected", name));
+  }
+}
+
 surface::Cage sharedCage(StudyParts& parts, const TomlReader& section,
                          const SurfaceSection& surface, const fs::path& folder) {
   const std::string key = keyOf(section);
   if (parts.cage == nullptr || parts.surfaceKey != key) {
     parts.cage = std::make_shared<const surface::Cage>(cageOf(surface, section, folder));
+    requireOwnNames(section, *parts.cage);
     parts.surfaceKey = key;
     parts.limit.reset();
   }
@@ -116,6 +127,7 @@ StudyNames namesIn(const StudySpec& study) {
   for (const MethodSpec& method : study.methods) names.methods.push_back(method.label);
   for (const LightSpec& light : study.lights) names.lights.push_back(light.name);
   for (const ViewSpec& view : study.views) names.views.push_back(view.name);
+  names.regions = judgedRegions(study.cage.partNames);
   return names;
 }
 
@@ -130,11 +142,11 @@ ClaimSpec readClaim(const TomlReader& section, const StudySpec& study) {
   ClaimSpec claim;
   const StudyKeys comparison = comparisonKeys(claim, namesIn(study));
   const StudyKeys bounds = boundKeys(claim, namesIn(study));
-  KeyNames allowed = namesOf(keysOf(claim));
+  KeyNames allowed = namesOf(keysOf(claim, namesIn(study)));
   for (const StudyKeys* keys : {&comparison, &bounds}) allowed.merge(namesOf(*keys));
   section.allow(allowed);
   section.requireOneOf("less", "method");
-  readKeys(section, keysOf(claim));
+  readKeys(section, keysOf(claim, namesIn(study)));
   if (section.has("method")) {
     readKeys(section, bounds);
     if (!claim.above && !claim.below) section.fail("above", "`above` or `below` expected");

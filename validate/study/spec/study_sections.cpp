@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "render/shader_files.h"
+#include "study/record/cases.h"
 #include "study/record/result_metrics.h"
 #include "study/spec/study_file.h"
 #include "study/spec/sweep/sweep.h"
-#include "truth/seam_crossing.h"
-#include "truth/shadow_tracer.h"
+#include "truth/region.h"
 
 namespace gnomon::study {
 namespace {
@@ -99,11 +99,9 @@ StudyKeys studySections() {
           studyKey("sweep", tables, "keys and their values, a run each", {}, "none")};
 }
 
-std::vector<std::string> judgedRegions() {
-  std::vector<std::string> names = {"all"};
-  for (const truth::Region region : truth::reportedRegions)
-    names.emplace_back(truth::regionName(region));
-  names.emplace_back(truth::seamRegion);
+std::vector<std::string> judgedRegions(const std::vector<std::string>& partNames) {
+  std::vector<std::string> names = {std::string(wholeRegion)};
+  for (std::string& name : truth::allRegions(partNames)) names.push_back(std::move(name));
   return names;
 }
 
@@ -160,7 +158,7 @@ std::string studyKeysText() {
   write("[[method]]", KeyTable().add(keysOf(method)));
   write("[[threshold]]", KeyTable().add(keysOf(gate, {})));
   write("[[claim]]", KeyTable()
-                         .add(keysOf(claim))
+                         .add(keysOf(claim, {}))
                          .add(comparisonKeys(claim, {}), "comparison")
                          .add(boundKeys(claim, {}), "bounds"));
   write("[[ladder]]", KeyTable().add(keysOf(ladder, {})));

@@ -24,13 +24,17 @@ compare::PictureExtent largestExtent(const StudySpec& study, const std::string& 
 
 /// Whether a metric has the same value in a region whatever a method answers: the truth lights all
 /// of its samples, or shadows all.
-bool isSettledIn(std::string_view region, std::string_view metric) {
+bool isSettledIn(std::string_view region, std::string_view metric,
+                 const std::vector<std::string>& partNames) {
   if (region == truth::regionName(truth::Region::lit)) return compare::isSettledByLight(metric);
   const bool isDark = std::any_of(
       truth::reportedRegions.begin(), truth::reportedRegions.end(), [&](truth::Region candidate) {
         return truth::isDark(candidate) && region == truth::regionName(candidate);
       });
-  return isDark && compare::isSettledByShadow(metric);
+  const std::vector<std::string> parts = truth::partRegions(partNames);
+  const auto receivers = static_cast<std::ptrdiff_t>(partNames.size());
+  const bool isShaded = std::find(parts.begin() + receivers, parts.end(), region) != parts.end();
+  return (isDark || isShaded) && compare::isSettledByShadow(metric);
 }
 
 std::optional<double> readLimit(const TomlReader& section, const char* key,
@@ -56,7 +60,7 @@ void readLimits(const TomlReader& section, const StudySpec& study, Gate& thresho
   threshold.minimum = readLimit(section, "min", range);
   threshold.maximum = readLimit(section, "max", range);
   if (!threshold.minimum && !threshold.maximum) section.fail("max", "`max` or `min` expected");
-  if (isSettledIn(threshold.region, threshold.metric)) {
+  if (isSettledIn(threshold.region, threshold.metric, study.cage.partNames)) {
     section.fail("region",
                  fmt::format("\"{}\" found, but there the region alone decides {}, whatever a "
                              "method answers",

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/vec.h"
@@ -56,10 +57,16 @@ struct Cage {
   CageBorder border = CageBorder::edgesAndCorners;
   SubdivisionScheme scheme = SubdivisionScheme::catmullClark;
   std::optional<GridChart> grid;
+  /// What its parts are called, and the part of every face; both empty for a cage of one part.
+  std::vector<std::string> partNames;
+  std::vector<int> faceParts;
 
   /// n: corners of a face.
   [[nodiscard]] std::size_t faceSize() const { return scheme == SubdivisionScheme::loop ? 3 : 4; }
   [[nodiscard]] int faceCount() const { return static_cast<int>(faceVertices.size() / faceSize()); }
+  /// The part of every face of the limit surface of a cage that has parts, all of whose faces have
+  /// one: three faces for each triangle of a Loop cage.
+  [[nodiscard]] std::vector<int> limitFaceParts() const;
 };
 
 }  // namespace gnomon::surface

@@ -29,6 +29,37 @@ void dropComment(std::vector<std::string_view>& tokens) {
   }
 }
 
+/// Which named part each face belongs to.
+class FaceNames {
+ public:
+  void begin(const std::vector<std::string_view>& tokens) {
+    current_ = tokens.size() > 1 ? std::string(tokens[1]) : "unnamed";
+    isUsed_ = true;
+  }
+  void addFace() { ofFaces_.push_back(current_); }
+  [[nodiscard]] bool isUsed() const { return isUsed_; }
+
+  /// Gives the mesh its parts, in the order of their first faces.
+  void give(PolygonMesh& mesh) const {
+    std::vector<std::string> names;
+    std::vector<int> parts;
+    for (const std::string& name : ofFaces_) {
+      const auto found = std::find(names.begin(), names.end(), name);
+      parts.push_back(static_cast<int>(found - names.begin()));
+      if (found == names.end()) names.push_back(name);
+      if (names.size() > mostParts) return;
+    }
+    if (names.size() < 2) return;
+    mesh.partNames = std::move(names);
+    mesh.faceParts = std::move(parts);
+  }
+
+ private:
+  std::string current_ = "unnamed";
+  std::vector<std::string> ofFaces_;
+  bool isUsed_ = false;
+};
+
 /// The lines that matter, checked strictly. tinyobjloader reads a number that is none as 0, a "nan"
 /// too, does not tell the line of a face, and loses tags after the last group; so what it gets are
 /// lines known to be well formed, and tags are read here.
@@ -42,6 +73,7 @@ class LineReader {
   [[nodiscard]] PartNames& names() { return names_; }
   [[nodiscard]] std::vector<Crease>& creases() { return creases_; }
   [[nodiscard]] std::vector<SharpVertex>& sharpVertices() { return sharpVertices_; }
+  [[nodiscard]] const FaceNames& parts() const { return objects_.isUsed() ? objects_ : groups_; }
 
  private:
   void readLine(TextLine& line);
@@ -57,6 +89,7 @@ class LineReader {
   PartNames names_;
   std::vector<Crease> creases_;
   std::vector<SharpVertex> sharpVertices_;
+  FaceNames objects_, groups_;
   std::size_t vertices_ = 0;
   std::size_t uvs_ = 0;
 };
@@ -84,6 +117,10 @@ void LineReader::readLine(TextLine& line) {
     readFace(line);
   } else if (keyword == "t") {
     readTag(line);
+  } else if (keyword == "o") {
+    objects_.begin(line.tokens);
+  } else if (keyword == "g") {
+    groups_.begin(line.tokens);
   }
 }
 
@@ -117,6 +154,8 @@ void LineReader::readFace(const TextLine& line) {
   }
   elements_ += '\n';
   names_.faceLines.push_back(line.number);
+  objects_.addFace();
+  groups_.addFace();
 }
 
 bool LineReader::readCorner(const TextLine& line, std::string_view token) {
@@ -213,6 +252,7 @@ PolygonMesh load(LineReader& lines) {
   }
   mesh.creases = std::move(lines.creases());
   mesh.sharpVertices = std::move(lines.sharpVertices());
+  lines.parts().give(mesh);
   return mesh;
 }
 

@@ -6,10 +6,16 @@
 
 namespace gnomon::surface {
 
-/// Reads a Wavefront OBJ as a control cage: all groups and objects joined, n-gons kept,
-/// face-varying texture coordinates, and the tags `t crease` and `t corner` that OpenSubdiv's own
-/// files use (vertices counted from 0). Borders are edgesAndCorners, whatever the file's
-/// `t interpolateboundary` says; any other tag is an error, since it would change the surface. A
+/// More are too many to report the shadows of each on each.
+constexpr std::size_t mostParts = 8;
+
+/// Reads a Wavefront OBJ as a control cage: n-gons kept, all groups and
+/// objects joined in one cage, whose parts they are: the objects (`o`) of a file that has any, else
+/// its groups (`g`, the first name of a line); "unnamed" before the first. Parts of one name are
+/// one. A file with one part, or more than `mostParts`, has none to tell apart. Face-varying
+/// texture coordinates, and the tags `t crease` and `t corner` that OpenSubdiv's own files use
+/// (vertices counted from 0). Borders are edgesAndCorners, whatever the file's `t
+/// interpolateboundary` says; any other tag is an error, since it would change the surface. A
 /// Catmull-Clark cage with any face that is not a quadrilateral is refined once, so that every face
 /// of the result is one; the limit surface is the same, and texture coordinates are halved
 /// linearly. On a face without texture coordinates there are no frames: all its corners get the

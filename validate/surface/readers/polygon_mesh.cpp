@@ -82,7 +82,7 @@ void takeSharpness(const Far::TopologyLevel& level, Cage& cage) {
 
 /// One step of Catmull-Clark: every n-gon becomes n quadrilaterals. Texture coordinates are halved
 /// linearly, so that a quadrilateral's bilinear map stays what it was.
-Cage refine(const PolygonMesh& mesh, Far::TopologyRefiner& refiner) {
+Cage refine(PolygonMesh& mesh, Far::TopologyRefiner& refiner) {
   Far::TopologyRefiner::UniformOptions options(1);
   options.fullTopologyInLastLevel = true;
   refiner.RefineUniform(options);
@@ -102,7 +102,11 @@ Cage refine(const PolygonMesh& mesh, Far::TopologyRefiner& refiner) {
     const auto faceUvs = level.GetFaceFVarValues(face, 0);
     cage.faceVertices.insert(cage.faceVertices.end(), vertices.begin(), vertices.end());
     cage.faceUvs.insert(cage.faceUvs.end(), faceUvs.begin(), faceUvs.end());
+    if (mesh.faceParts.empty()) continue;
+    const auto parent = static_cast<std::size_t>(level.GetFaceParentFace(face));
+    cage.faceParts.push_back(mesh.faceParts[parent]);
   }
+  cage.partNames = std::move(mesh.partNames);
   takeSharpness(level, cage);
   return cage;
 }
@@ -116,6 +120,8 @@ Cage unrefined(PolygonMesh mesh, SubdivisionScheme scheme) {
   cage.faceUvs = std::move(mesh.faceUvs);
   cage.creases = std::move(mesh.creases);
   cage.sharpVertices = std::move(mesh.sharpVertices);
+  cage.partNames = std::move(mesh.partNames);
+  cage.faceParts = std::move(mesh.faceParts);
   return cage;
 }
 

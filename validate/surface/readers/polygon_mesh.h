@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "common/vec.h"
@@ -23,6 +24,8 @@ struct PolygonMesh {
   std::vector<int> faceUvs;
   std::vector<Crease> creases;
   std::vector<SharpVertex> sharpVertices;
+  std::vector<std::string> partNames;  ///< as in Cage
+  std::vector<int> faceParts;
 };
 
 /// The mesh as a control cage. A Catmull-Clark cage with any face that is not a quadrilateral is

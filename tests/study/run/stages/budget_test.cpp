@@ -101,6 +101,24 @@ TEST(Budget, IsWhatEachStepOfAMadeUpLadderChanges) {
   }
 }
 
+/// Each wrong sample counts once, in the first of the regions that it is in.
+TEST(Budget, WhatIsLeftIsSplitByRegion) {
+  truth::Truth truth = madeUpTruth();
+  truth.crossesSeam.assign(budgetSamples, 0);
+  for (std::size_t i = 1400; i < budgetSamples; ++i) truth.regions[i] = truth::Region::global;
+  // Lit, distant and global samples, 100 of each.
+  for (const std::size_t first : {1000U, 1300U, 1500U}) {
+    for (std::size_t i = first; i < first + 100; ++i) truth.crossesSeam[i] = 1;
+  }
+  const StateErrors all = errorsOf(truth, wrongAt(truth, 0, budgetSamples, 1));
+  const BudgetRecord budget =
+      attributeError(ladderOf({}), {"atlas", "noon", 0, tiling}, {all}, {all});
+  EXPECT_DOUBLE_EQ(restNamed(budget, "global").value, 200.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(restNamed(budget, "distant").value, 200.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(restNamed(budget, "seam").value, 100.0 / budgetSamples);
+  EXPECT_DOUBLE_EQ(restNamed(budget, "other").value, 1100.0 / budgetSamples);
+}
+
 /// To rounding: whatever the masks, weights and lights.
 TEST(Budget, PartsAddUpToTheTotal) {
   std::mt19937 generator(11);

@@ -33,7 +33,7 @@ void fields(Stream& stream, T& answers) {
 template <typename Stream, SameAs<truth::Truth> T>
 void fields(Stream& stream, T& truth) {
   std::uint64_t undefined = truth.undefinedSamples;
-  stream(truth.mask, truth.regions, undefined, truth.crossesSeam);
+  stream(truth.mask, truth.regions, undefined, truth.crossesSeam, truth.casters);
   if constexpr (!std::is_const_v<T>) truth.undefinedSamples = undefined;
 }
 

@@ -17,9 +17,9 @@
 namespace gnomon::study {
 namespace {
 
-/// The counts of the regions, in the order of outcomeRegions.
-std::vector<compare::Counts> countRegions(const Mask& mask, const ViewCase& seen,
-                                          const truth::Truth& truth) {
+/// The counts of the regions that overlap no other, in order.
+std::vector<compare::Counts> countDisjoint(const Mask& mask, const ViewCase& seen,
+                                           const truth::Truth& truth) {
   std::vector<std::uint8_t> regions(truth.regions.size());
   std::transform(truth.regions.begin(), truth.regions.end(), regions.begin(),
                  [](truth::Region region) { return static_cast<std::uint8_t>(region); });
@@ -28,9 +28,46 @@ std::vector<compare::Counts> countRegions(const Mask& mask, const ViewCase& seen
       1 + place(*std::max_element(truth::reportedRegions.begin(), truth::reportedRegions.end()));
   const std::vector<compare::Counts> all =
       compare::countClasses(mask, truth.mask, regions, count, seen.weights);
-  std::vector<compare::Counts> counts = {compare::countSamples(mask, truth.mask, seen.weights)};
+  std::vector<compare::Counts> counts;
   for (const truth::Region region : truth::reportedRegions) counts.push_back(all[place(region)]);
-  counts.push_back(compare::countSamples(mask, truth.mask, seen.weights, truth.crossesSeam));
+  return counts;
+}
+
+/// The counts of truth::partRegions.
+/// @param parts  of every face of the surface
+std::vector<compare::Counts> countParts(const Mask& mask, const ViewCase& seen,
+                                        const truth::Truth& truth, const std::vector<int>& parts,
+                                        std::size_t partCount) {
+  const std::size_t count = truth.regions.size();
+  std::vector<std::uint8_t> receivers(count, truth::noCaster);
+  std::vector<std::uint8_t> pairs(count, truth::noCaster);
+  for (std::size_t i = 0; i < count; ++i) {
+    const surface::SurfaceSample& sample = seen.samples.samples[i];
+    if (!sample.isOnSurface()) continue;
+    receivers[i] = static_cast<std::uint8_t>(parts[sample.faceIndex()]);
+    if (truth.casters[i] == truth::noCaster) continue;
+    pairs[i] = static_cast<std::uint8_t>(receivers[i] * partCount + truth.casters[i]);
+  }
+  std::vector<compare::Counts> counts =
+      compare::countClasses(mask, truth.mask, receivers, partCount, seen.weights);
+  const std::vector<compare::Counts> shaded =
+      compare::countClasses(mask, truth.mask, pairs, partCount * partCount, seen.weights);
+  counts.insert(counts.end(), shaded.begin(), shaded.end());
+  return counts;
+}
+
+/// The counts of the regions, in the order of judgedRegions.
+std::vector<compare::Counts> countRegions(const Mask& mask, const ViewCase& seen,
+                                          const truth::Truth& truth, const surface::Cage& cage) {
+  std::vector<compare::Counts> counts = {compare::countSamples(mask, truth.mask, seen.weights)};
+  const auto append = [&](const std::vector<compare::Counts>& more) {
+    counts.insert(counts.end(), more.begin(), more.end());
+  };
+  append(countDisjoint(mask, seen, truth));
+  append({compare::countSamples(mask, truth.mask, seen.weights, truth.crossesSeam)});
+  if (!cage.partNames.empty()) {
+    append(countParts(mask, seen, truth, cage.limitFaceParts(), cage.partNames.size()));
+  }
   return counts;
 }
 
@@ -40,17 +77,6 @@ bool isSame(const render::MethodAnswers& answers) {
 }
 
 }  // namespace
-
-const std::vector<std::string_view>& outcomeRegions() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> list = {"all"};
-    for (const truth::Region region : truth::reportedRegions)
-      list.push_back(truth::regionName(region));
-    list.push_back(truth::seamRegion);
-    return list;
-  }();
-  return names;
-}
 
 OutcomeStage::Shared OutcomeStage::makeShared(const BaseCase& base,
                                               const std::function<void()>& meanwhile) {
@@ -96,7 +122,8 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
         [&] { outcome.blocks = compare::blockErrors(drawn, truth.mask, cellSide_, seen.weights); });
   }
   for (std::size_t k = 0; k < masks.size(); ++k) {
-    parts.emplace_back([&, k] { places[k]->regions = countRegions(*masks[k], seen, truth); });
+    parts.emplace_back(
+        [&, k] { places[k]->regions = countRegions(*masks[k], seen, truth, scene_.study.cage); });
   }
   const std::vector<compare::ShadowLengths> lengths = castLengths(masks, truth, shared.field);
   std::vector<std::vector<compare::Metric>> boundaries =

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "common/mask.h"
@@ -18,12 +17,9 @@
 
 namespace gnomon::study {
 
-/// The regions that results are reported for, in order: "all", those of `reportedRegions`, "seam".
-const std::vector<std::string_view>& outcomeRegions();
-
 /// The result of comparing one answer with the truth.
 struct AnswerOutcome {
-  std::vector<compare::Counts> regions;  ///< in the order of outcomeRegions
+  std::vector<compare::Counts> regions;  ///< in the order of judgedRegions
   compare::ShadowLengths lengths;
   std::vector<compare::Metric> boundaries;
 };

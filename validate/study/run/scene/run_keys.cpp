@@ -51,6 +51,8 @@ cache::ContentKey cageKey(const surface::Cage& cage) {
     key.add("sharpVertex", sharp.vertex).add("sharpness", sharp.sharpness);
   }
   key.add("border", cage.border).add("scheme", cage.scheme);
+  for (const std::string& name : cage.partNames) key.add("part", name);
+  if (!cage.faceParts.empty()) key.add("faceParts", cage.faceParts);
   if (cage.grid) key.add("columns", cage.grid->columns).add("rows", cage.grid->rows);
   return key.key();
 }

@@ -123,7 +123,8 @@ std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface&
     std::vector<truth::Truth> truths =
         trace(scene, surface, scene.keys.surface(), base, view, lights, progress);
     truth::markGlobal(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                      truth::SurfacePaths(scene.surface), samples, lights, truths);
+                      truth::SurfacePaths(scene.surface), scene.study.cage.limitFaceParts(),
+                      samples, lights, truths);
     const truth::TextureCharts charts(scene.surface, scene.study.relief);
     auto crossings = truth::seamCrossings(scene.surface, scene.study.relief, surface.mesh,
                                           surface.scene, charts, samples, truths, lights);

@@ -23,11 +23,11 @@ struct ClaimSpec {
 };
 
 /// The keys of both forms.
-inline StudyKeys keysOf(ClaimSpec& claim) {
+inline StudyKeys keysOf(ClaimSpec& claim, const StudyNames& names) {
   StudyKeys keys = {
       studyKey("text", &claim.text, "the claim in words", {}, required, Enters::nothing),
       studyKey("source", &claim.source, "who makes it", {}, required, Enters::nothing)};
-  for (StudyKey& key : judgedKeys(claim)) keys.push_back(std::move(key));
+  for (StudyKey& key : judgedKeys(claim, names)) keys.push_back(std::move(key));
   return keys;
 }
 

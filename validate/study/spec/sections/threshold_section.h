@@ -11,9 +11,17 @@
 
 namespace gnomon::study {
 
+/// The names of the regions that results are reported for, in order, "all" first: those that gates
+/// and claims may speak of.
+/// @param partNames  of the surface
+std::vector<std::string> judgedRegions(const std::vector<std::string>& partNames);
+/// The names of the metrics that they may speak of.
+std::vector<std::string> judgedMetrics();
+
 /// The names in a study that its gates and claims may speak of.
 struct StudyNames {
   std::vector<std::string> methods = {}, lights = {}, views = {};
+  std::vector<std::string> regions = judgedRegions({});
 };
 
 /// `[[threshold]]` without any key but its place in the file.
@@ -25,19 +33,15 @@ inline Gate newThreshold(int line = 0, const toml::table& written = {}) {
   return gate;
 }
 
-/// The names of regions and metrics that a gate or claim may speak of.
-std::vector<std::string> judgedRegions();
-std::vector<std::string> judgedMetrics();
-
 /// The keys that gates and claims have in common.
 template <typename Judged>
-StudyKeys judgedKeys(Judged& judged) {
+StudyKeys judgedKeys(Judged& judged, const StudyNames& names) {
   const std::vector<std::pair<Answer, std::string>> answers = {{Answer::drawn, "drawn"},
                                                                {Answer::test, "test"}};
   return {studyKey("metric", &judged.metric, "that is judged", {}, {}, Enters::nothing,
                    judgedMetrics()),
           studyKey("region", &judged.region, "where samples count", {}, {}, Enters::nothing,
-                   judgedRegions()),
+                   names.regions),
           studyKey("answer", chosenName(judged.answer, answers),
                    "what the method's picture shows, or its shadow test alone", {}, {},
                    Enters::nothing)};
@@ -56,7 +60,7 @@ inline StudyKeys keysOf(Gate& gate, const StudyNames& names) {
       studyKey("max", OwnCode{"as `min`"}, "the largest value", {}, "none, `min` is there"),
       studyKey("quick", &std::get<Threshold>(gate.origin).quick,
                "`false` holds only the full form to it", {}, {}, nothing)};
-  for (StudyKey& key : judgedKeys(gate)) keys.push_back(std::move(key));
+  for (StudyKey& key : judgedKeys(gate, names)) keys.push_back(std::move(key));
   return keys;
 }
 
