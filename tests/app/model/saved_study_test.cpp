@@ -9,6 +9,7 @@
 #include "study/spec/sections/method_section.h"
 #include "study/spec/sweep/sweep.h"
 #include "support/error_messages.h"
+#include "support/scene_files.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon::app {
@@ -88,32 +89,33 @@ class SavedStudy : public TemporaryFolder {};
 
 TEST_F(SavedStudy, OfEverySceneReadsAsTheScene) {
   int files = 0;
-  for (const auto& entry : fs::directory_iterator(scenes)) {
-    if (entry.path().extension() != ".toml") continue;
-    SCOPED_TRACE(entry.path().filename().string());
+  for (const fs::path& path : test::sceneFiles(scenes)) {
+    SCOPED_TRACE(path.filename().string());
     ++files;
-    const study::StudyPlan plan = study::readStudyPlan(entry.path());
+    const study::StudyPlan plan = study::readStudyPlan(path);
     // Of a sweep its last step: one case.
     study::StudyOptions options;
     study::StudySpec expected = plan.steps.back();
     if (plan.sweep) {
-      options.overrides.push_back(plan.sweep->keys.front().key + "=" +
-                                  plan.sweep->cases.back().values.front().written);
+      const auto& values = plan.sweep->cases.back().values;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        options.overrides.push_back(plan.sweep->keys.at(k).key + "=" + values[k].written);
+      }
       expected.title = plan.title;
     }
-    const fs::path target = file(entry.path().filename().string());
-    saveStudy({entry.path(), options, {}, {}, {}}, target);
+    const fs::path target = file(path.filename().string());
+    saveStudy({path, options, {}, {}, {}}, target);
     const study::StudyPlan saved = study::readStudyPlan(target);
     EXPECT_FALSE(saved.sweep);
     expectSame(expected, saved.steps.front());
-    EXPECT_EQ(saved.name, entry.path().stem());
+    EXPECT_EQ(saved.name, path.stem());
     EXPECT_FALSE(saved.steps.front().ranked);
     EXPECT_TRUE(saved.steps.front().thresholds.empty());
     EXPECT_TRUE(saved.steps.front().claims.empty());
     EXPECT_TRUE(saved.steps.front().ladders.empty());
     // Saved again from there, it is the same to the byte.
     const StudyState again{target, {}, {}, {}, {}};
-    EXPECT_EQ(savedStudy(again, target), savedStudy({entry.path(), options, {}, {}, {}}, target));
+    EXPECT_EQ(savedStudy(again, target), savedStudy({path, options, {}, {}, {}}, target));
   }
   EXPECT_GT(files, 15);
 }

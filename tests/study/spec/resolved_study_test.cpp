@@ -12,6 +12,7 @@
 #include "study/spec/sweep/sweep.h"
 #include "study/spec/toml/toml_text.h"
 #include "support/error_messages.h"
+#include "support/scene_files.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon::study {
@@ -94,14 +95,13 @@ void expectSame(const StudySpec& a, const StudySpec& b) {
 
 TEST_F(ResolvedStudy, OfEverySceneReadsBackToTheBit) {
   int files = 0;
-  for (const auto& entry : fs::directory_iterator(scenes)) {
-    if (entry.path().extension() != ".toml") continue;
+  for (const fs::path& path : test::sceneFiles(scenes)) {
     ++files;
     for (const bool quick : {false, true}) {
-      SCOPED_TRACE(entry.path().filename().string() + (quick ? ", quick" : ""));
+      SCOPED_TRACE(path.filename().string() + (quick ? ", quick" : ""));
       StudyOptions options;
       options.quick = quick;
-      const StudySpec study = readStudyPlan(entry.path(), options).steps.back();
+      const StudySpec study = readStudyPlan(path, options).steps.back();
       const fs::path copy = copied(study);
       const StudyPlan again = readStudyPlan(copy);
       EXPECT_FALSE(again.sweep);

@@ -6,6 +6,7 @@
 
 #include "image/channel_image.h"
 #include "study/spec/study_file_fixture.h"
+#include "support/scene_files.h"
 
 namespace gnomon::study {
 namespace {
@@ -222,12 +223,11 @@ TEST_F(StudyFile, TheTruthHasAStepOrAnUncertainty) {
 
 TEST(Scenes, CanAllBeRead) {
   int count = 0;
-  for (const auto& entry : fs::directory_iterator(GNOMON_SCENES)) {
-    if (entry.path().extension() != ".toml") continue;
+  for (const fs::path& path : test::sceneFiles(GNOMON_SCENES)) {
     ++count;
-    StudySpec study = readStudy(entry.path());
-    EXPECT_EQ(study.name, entry.path().stem().string());
-    EXPECT_FALSE(study.claims.empty() && study.thresholds.empty()) << entry.path();
+    StudySpec study = readStudy(path);
+    EXPECT_EQ(study.name, path.stem().string());
+    EXPECT_FALSE(study.claims.empty() && study.thresholds.empty()) << path;
   }
   EXPECT_GE(count, 3);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "study/spec/study_file_fixture.h"
+#include "support/scene_files.h"
 #include "truth/micro_lines.h"
 
 namespace gnomon::study {
@@ -53,12 +54,10 @@ TEST_F(StudyWorkOf, FindsTheMicroTrianglesOfAGrid) {
 /// Shards divide the outlines, merge the whole studies.
 TEST_F(StudyWorkOf, OfAnOutlineIsThatOfTheStudy) {
   std::size_t studies = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(GNOMON_SCENES)) {
-    if (entry.path().extension() != ".toml") continue;
+  for (const std::filesystem::path& path : test::sceneFiles(GNOMON_SCENES)) {
     StudyOptions outline;
     outline.isOutline = true;
-    EXPECT_EQ(standardCost(readStudy(entry.path())), standardCost(readStudy(entry.path(), outline)))
-        << entry.path();
+    EXPECT_EQ(standardCost(readStudy(path)), standardCost(readStudy(path, outline))) << path;
     ++studies;
   }
   EXPECT_GT(studies, 20U);
