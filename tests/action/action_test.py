@@ -53,7 +53,7 @@ class Repository:
         file = self.folder / SHADER
         text = file.read_text()
         assert "> bias" in text
-        file.write_text(text.replace("> bias", "> bias + 0.1"))
+        file.write_text(text.replace("> bias", "> bias - 0.3"))
 
     def history(self):
         return json.loads((self.folder / "shadows/references/shadows.json").read_text())["history"]
@@ -97,7 +97,9 @@ def test_fails_at_the_shader_that_has_become_worse(repository):
         picture = summary.split(f"**{title}** (`")[1]
         assert (repository.folder / picture.split("`")[0]).is_file()
         assert picture.split("```\n")[1].count("\n") == 40
-    assert "🟦" in summary.split("**Change**")[1], "a weaker shadow lets light in"
+    assert "| my-shadow | error\\_rate |" in summary
+    change = summary.split("**Change**")[1]
+    assert "🟧" in change and "🟦" not in change, "shadows can only grow"
     assert "<failure" in (repository.folder / "shadows.xml").read_text()
 
 

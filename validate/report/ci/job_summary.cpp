@@ -33,9 +33,12 @@ std::string faultRow(const study::CheckRecord& check, const study::Judgement& ju
     return value ? fmt::format("{:.4f}", *value) : "–";
   };
   const GatePlace place = faultPlace(check, gate);
-  return fmt::format("| {} | {} | {} | {}, {} | {} | {} | {} | {} |\n", cell(check.name),
+  const std::string answer = gate.answer == study::Answer::drawn
+                                 ? ""
+                                 : fmt::format(", {}", study::answerName(gate.answer));
+  return fmt::format("| {} | {} | {} | {}, {}{} | {} | {} | {} | {} |\n", cell(check.name),
                      cell(gate.method), cell(gate.metric), cell(gate.view), cell(gate.light),
-                     number(judgement.value), number(study::committedValue(gate)),
+                     answer, number(judgement.value), number(study::committedValue(gate)),
                      cell(limitText(gate)), cell(place.file));
 }
 
@@ -64,7 +67,7 @@ std::string worstText(const WorstCase& worst) {
   text +=
       "🟧 shadow where the truth is lit, 🟦 light where it is shadowed; in the change: 🟧 "
       "now "
-      "shadowed, 🟦 now lit.\n\n";
+      "shadowed, 🟦 now lit. 🟫 lies outside the surface.\n\n";
   text += picture("Before", worst.before) + picture("After", worst.after) +
           picture("Change", worst.change);
   if (!worst.note.empty()) text += cell(worst.note) + "\n\n";

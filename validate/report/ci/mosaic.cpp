@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::uint8_t, const char*>, 5> kinds = {{
     {Colours::falseLight[0], "🟦"},
     {Colours::bothLit[0], "⬜"},
     {Colours::bothShadowed[0], "⬛"},
-    {Colours::none[0], "\u3000"},
+    {Colours::none[0], "🟫"},
 }};
 
 std::size_t kindOf(float red, const std::filesystem::path& path) {
