@@ -31,7 +31,7 @@ step 0 gnomon run shadows/shadows.toml
 step 0 gnomon check shadows/shadows.toml --baseline shadows/references \
   --update-baseline --baseline-pictures --reason first
 step 0 gnomon check shadows/shadows.toml --baseline shadows/references
-sed -i 's/> bias/> bias - 0.3/' shadows/my-shadow.glsl
+sed -i 's/> bias/> bias - 0.1/' shadows/my-shadow.glsl
 step 1 gnomon check shadows/shadows.toml --baseline shadows/references --summary summary.md
 grep -q 'my-shadow.glsl' summary.md || { echo "FAILED: no shader in the summary"; exit 1; }
 cd ..

@@ -53,7 +53,7 @@ class Repository:
         file = self.folder / SHADER
         text = file.read_text()
         assert "> bias" in text
-        file.write_text(text.replace("> bias", "> bias - 0.3"))
+        file.write_text(text.replace("> bias", "> bias - 0.1"))
 
     def history(self):
         return json.loads((self.folder / "shadows/references/shadows.json").read_text())["history"]
