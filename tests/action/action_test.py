@@ -120,3 +120,36 @@ def test_marks_the_line_of_an_error_in_the_shader(repository):
     status, output, _ = repository.action()
     assert status == 3, output
     assert f"::error file={SHADER},line=" in output
+
+
+def init(folder, *words):
+    return subprocess.run([PROGRAM, "init", *words], cwd=folder, capture_output=True, text=True, check=False)
+
+
+def test_a_starter_overwrites_nothing(tmp_path):
+    kept = tmp_path / SHADER
+    kept.parent.mkdir()
+    kept.write_text("mine")
+    outcome = init(tmp_path)
+    assert outcome.returncode == 3
+    assert outcome.stderr == f"gnomon: ./{SHADER}: is there already; nothing was written\n"
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == [kept]
+    assert kept.read_text() == "mine"
+
+
+def test_a_starter_says_what_to_do_next(tmp_path):
+    outcome = init(tmp_path, "new folder")
+    assert outcome.returncode == 0, outcome.stderr
+    lines = outcome.stdout.splitlines()
+    files = [line for line in lines if line.startswith("new folder/")]
+    written = [path for path in (tmp_path / "new folder").rglob("*") if path.is_file()]
+    assert sorted(files) == sorted(str(path.relative_to(tmp_path)) for path in written)
+    assert "Next, in 'new folder':" in lines
+    assert init(tmp_path, "new folder").returncode == 3
+
+
+def test_a_starter_that_cannot_be_written_is_told_in_one_line(tmp_path):
+    (tmp_path / "file").write_text("")
+    outcome = init(tmp_path, "file")
+    assert outcome.returncode == 3
+    assert outcome.stderr.count("\n") == 1
