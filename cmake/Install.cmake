@@ -1,5 +1,6 @@
-# `cmake --install`: the program with its shaders, and the library libgnomon with the headers of
-# validate/api and a find_package(Gnomon) configuration, which gives gnomon::gnomon.
+# `cmake --install`: the program with its shaders, scenes, manual and licence, and the library
+# libgnomon with the headers of validate/api and a find_package(Gnomon) configuration, which gives
+# gnomon::gnomon.
 
 include(CMakePackageConfigHelpers)
 
@@ -8,7 +9,22 @@ install(TARGETS gnomon)
 install(TARGETS gnomon_api EXPORT Gnomon INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 file(GLOB headers CONFIGURE_DEPENDS validate/api/*.h)
 install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gnomon)
-install(DIRECTORY shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon)
+install(DIRECTORY shaders scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/gnomon)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon RENAME copyright)
+install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gnomon)
+
+# What the program itself says of its commands and options.
+set(help_files ${PROJECT_BINARY_DIR}/gnomon.1 ${PROJECT_BINARY_DIR}/gnomon.bash)
+add_custom_command(OUTPUT ${help_files} DEPENDS gnomon
+  COMMAND gnomon list manual-page > ${PROJECT_BINARY_DIR}/gnomon.1
+  COMMAND gnomon list completion > ${PROJECT_BINARY_DIR}/gnomon.bash)
+add_custom_target(gnomon_help ALL DEPENDS ${help_files})
+# Everything that is installed, without tests.
+add_custom_target(gnomon_installed DEPENDS gnomon gnomon_api gnomon_openimageio gnomon_help)
+install(FILES ${PROJECT_BINARY_DIR}/gnomon.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_BINARY_DIR}/gnomon.bash
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gnomon)
 install(EXPORT Gnomon NAMESPACE gnomon:: FILE GnomonConfig.cmake DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/GnomonConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)

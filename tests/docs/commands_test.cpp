@@ -60,7 +60,10 @@ std::vector<std::vector<std::string>> commandsOf(const DocPage& page) {
 std::string faultOf(const std::vector<std::string>& words) {
   const std::string& command = words[1];
   // The wrapper's own.
-  if (words[0] == "./gnomon" && (command == "test" || command == "python")) return "";
+  if (words[0] == "./gnomon" &&
+      std::set<std::string>{"test", "python", "package", "reproduce"}.contains(command)) {
+    return "";
+  }
   const std::string& help = helpOf(command);
   if (help.find("Usage: gnomon " + command + " ") == std::string::npos)
     return "no command " + command;

@@ -30,6 +30,26 @@ if(NOT libraries STREQUAL "libgnomon_openimageio.so;libgnomon.so" AND
   message(FATAL_ERROR "libraries installed: ${libraries}")
 endif()
 
+# What a package needs besides.
+file(GLOB manual RELATIVE ${SOURCE}/docs ${SOURCE}/docs/*.md)
+list(TRANSFORM manual PREPEND share/doc/gnomon/)
+foreach(file IN ITEMS ${manual} share/doc/gnomon/copyright share/doc/gnomon/CHANGELOG.md
+        share/man/man1/gnomon.1 share/bash-completion/completions/gnomon
+        share/gnomon/scenes/figure8.toml share/gnomon/scenes/starter/.github/workflows/shadows.yml)
+  if(NOT EXISTS ${PREFIX}/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
+
+# Nothing says where it was built. As a control, a file of the build says it.
+execute_process(COMMAND grep --recursive --files-with-matches --fixed-strings -e ${SOURCE} -e ${BUILD} ${PREFIX}
+                OUTPUT_VARIABLE found)
+execute_process(COMMAND grep --quiet --fixed-strings ${SOURCE} ${BUILD}/CMakeCache.txt
+                COMMAND_ERROR_IS_FATAL ANY)
+if(found)
+  message(FATAL_ERROR "the build's own path is in:\n${found}")
+endif()
+
 # The page that shows the example shows its very text.
 file(READ ${SOURCE}/docs/api.md page)
 file(READ ${SOURCE}/docs/example.cpp example)

@@ -16,10 +16,13 @@
 #include "cli/commands/compare_command.h"
 #include "cli/commands/export_command.h"
 #include "cli/commands/gather_command.h"
+#include "cli/commands/init_command.h"
 #include "cli/commands/run_command.h"
 #include "cli/commands/suite_command.h"
 #include "cli/commands/view_command.h"
 #include "cli/failure.h"
+#include "cli/help/completion.h"
+#include "cli/help/manual_page.h"
 #include "cli/junit_file.h"
 #include "cli/list_option.h"
 #include "cli/output.h"
@@ -153,6 +156,11 @@ void addCheckOptions(CLI::App& command, CheckRequest& request) {
   command.add_flag("--github", request.github,
                    "Print annotations for a GitHub pull request on standard output");
   command
+      .add_option("--summary", request.summary,
+                  "Add a job summary in Markdown to a file: outcome, faults, and the worst case's "
+                  "pictures before, after and between")
+      ->type_name("FILE");
+  command
       .add_option("--baseline", request.baseline,
                   "Also compare with the references DIR/NAME.json: no value may be worse")
       ->type_name("DIR");
@@ -166,9 +174,11 @@ void addCheckOptions(CLI::App& command, CheckRequest& request) {
                    "old picture, the new picture and the change");
 }
 
-ExitStatus list(const std::string& what) {
-  if (what == "keys") {
-    printText(study::studyKeysText());
+ExitStatus list(const CLI::App& app, const std::string& what) {
+  if (!what.empty()) {
+    printText(what == "keys"          ? study::studyKeysText()
+              : what == "manual-page" ? manualPage(app, GNOMON_VERSION)
+                                      : bashCompletion(app));
     return ExitStatus::pass;
   }
   printLine("Methods ([[method]] name):");
@@ -316,9 +326,18 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   CLI::App* suite = addSuiteCommand(app, suiteRequest);
   CLI::App* listed = app.add_subcommand("list", "List methods, shapes, patterns and metrics");
   std::string what;
-  listed->add_option("WHAT", what, "`keys`: every key of a study, as Markdown")
-      ->check(CLI::IsMember({"keys"}))
-      ->type_name("keys");
+  listed
+      ->add_option("WHAT", what,
+                   "In their place `keys`: every key of a study, as Markdown; `manual-page`: "
+                   "gnomon(1); `completion`: a script for bash")
+      ->check(CLI::IsMember({"keys", "manual-page", "completion"}))
+      ->type_name("WHAT");
+  CLI::App* init = app.add_subcommand(
+      "init", "Write a starter: a study, a method of your own, a workflow of a build server");
+  std::filesystem::path starterFolder = ".";
+  init->add_option("DIR", starterFolder, "Folder for it; nothing in it is overwritten")
+      ->capture_default_str()
+      ->type_name("DIR");
 
   try {
     app.parse(argc, argv);
@@ -330,14 +349,15 @@ int dispatch(int argc, char** argv, const Viewer& viewer) {
   if (app.get_subcommands().empty()) {
     throw UsageError(
         "a command expected: run, plan, merge, gather, check, compare, bake, truth, export, view, "
-        "cache, suite or list. "
+        "cache, suite, list or init. "
         "See gnomon --help");
   }
   const ThreadLimit limit(threads);
   if (run->parsed()) request.shard = shard ? parseShard(*shard) : shardOfEnvironment();
   // Our own error says what each platform answered; Mesa's warnings would stand beside it.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
-  const ExitStatus status = listed->parsed()     ? list(what)
+  const ExitStatus status = listed->parsed()     ? list(app, what)
+                            : init->parsed()     ? writeStarter(starterFolder)
                             : gather->parsed()   ? gatherScenes(gatherRequest)
                             : suite->parsed()    ? drawSuiteScenes(suiteRequest)
                             : cache->parsed()    ? showCache(cacheRequest)

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <cstdlib>
-#include <system_error>
 
 #include "common/error.h"
 #include "common/system/own_files.h"
@@ -14,12 +13,11 @@ namespace gnomon::image {
 namespace fs = std::filesystem;
 namespace {
 
-/// The module's file: the environment's choice, the installed one, or that of this build.
+/// The module's file: the environment's choice, or what is installed or built with this code.
 std::string moduleFile() {
   if (const char* chosen = std::getenv("GNOMON_IMAGE_MODULE"); chosen != nullptr) return chosen;
-  std::error_code failure;
-  const fs::path installed = installPrefix() / GNOMON_MODULE_FOLDER / GNOMON_IMAGE_MODULE;
-  return fs::is_regular_file(installed, failure) ? installed.string() : GNOMON_BUILT_IMAGE_MODULE;
+  const fs::path name = fs::path(GNOMON_MODULE_FOLDER) / GNOMON_IMAGE_MODULE;
+  return installedPath(name).value_or(ownFolder() / name).string();
 }
 
 [[noreturn]] void refuse(const std::string& reason) {

@@ -24,11 +24,11 @@ fs::path shaderFolder() {
     }
     return chosen;
   }
-  fs::path installed = installPrefix() / "share/gnomon/shaders";
-  if (fs::is_directory(installed, failure)) return installed;
-  if (fs::is_directory(GNOMON_SOURCE_SHADERS, failure)) return GNOMON_SOURCE_SHADERS;
-  throw InputError(fmt::format("no shaders: neither {} nor {} exists; set GNOMON_SHADERS",
-                               installed.string(), GNOMON_SOURCE_SHADERS));
+  if (const auto installed = installedPath("share/gnomon/shaders")) return *installed;
+  throw InputError(
+      fmt::format("no shaders: share/gnomon/shaders is in no folder above {}; set "
+                  "GNOMON_SHADERS",
+                  ownFolder().string()));
 }
 
 bool isShader(const fs::directory_entry& entry) {

@@ -6,10 +6,9 @@
 
 namespace gnomon::render {
 
-/// The folder that holds `common/` and `methods/`: the environment's GNOMON_SHADERS, else beside
-/// the installed program or library (PREFIX/share/gnomon/shaders), else the source tree that the
-/// program was built from.
-/// @throws InputError if none of them is there, or the chosen one lacks either
+/// The folder that holds `common/` and `methods/`: the environment's GNOMON_SHADERS, else the
+/// `share/gnomon/shaders` that is installed with this code, or that its build links to its sources.
+/// @throws InputError if neither is there, or the chosen one lacks a folder
 std::filesystem::path shaderFolder();
 
 /// Whether an entry of a folder is a shader: a regular file that ends in .glsl, .vert, .geom or

@@ -43,6 +43,21 @@ TEST(GithubAnnotations, AreALineForEachFaultThenTheNotices) {
             "be tightened");
 }
 
+/// What a change has to mend is the user's shader; the message still says which limit it broke.
+TEST(GithubAnnotations, MarkTheUsersOwnShader) {
+  study::CheckRecord check = sampleCheck();
+  check.shaders["a"] = "shaders/mine.glsl";
+  check.problems.front().message = "shaders/mine.glsl:14: error: no function";
+  const std::vector<std::string> lines = annotations({check});
+  EXPECT_THAT(lines.at(0), StartsWith("::error file=shaders/mine.glsl,line=14,title="));
+  check.problems.front().message = "scenes/sample.toml: shaders/mine.glsl:15: error: no function";
+  EXPECT_THAT(annotations({check}).at(0), StartsWith("::error file=shaders/mine.glsl,line=15,"));
+  EXPECT_THAT(lines.at(1), StartsWith("::error file=scenes/sample.toml,line=12,title="))
+      << "of another method";
+  EXPECT_THAT(lines.at(2), StartsWith("::error file=shaders/mine.glsl,title=sample%3A threshold"));
+  EXPECT_THAT(lines.at(3), StartsWith("::error file=shaders/mine.glsl,title=sample%3A reference"));
+}
+
 TEST(GithubAnnotations, EscapeWhatWouldEndAPropertyOrALine) {
   study::CheckRecord check = sampleCheck();
   check.file = "a,b:c%d\r\n.toml";

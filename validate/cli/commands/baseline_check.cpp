@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "cli/repository_commit.h"
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
@@ -105,8 +106,8 @@ bool updateBaseline(const fs::path& file, const study::StudyPlan& plan, const st
     return true;
   }
   if (former) baseline.history = former->history;
-  baseline.history.push_back(
-      {reason, baseline.environment.gnomonVersion, baseline.environment.commit});
+  baseline.history.push_back({reason, baseline.environment.gnomonVersion,
+                              baseline.environment.commit, repositoryCommit(file.parent_path())});
   writeTextAtomically(file, report::baselineJson(baseline));
   check.notices.push_back(
       {fmt::format("{} written: {} references", file.string(), baseline.gates.size())});

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <fstream>
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -19,11 +21,13 @@
 #include "common/text/shell_quote.h"
 #include "compare/metric_range.h"
 #include "report/ci/github_annotations.h"
+#include "report/ci/job_summary.h"
 #include "report/ci/junit.h"
 #include "report/ci/terminal_check.h"
 #include "report/plots/gnuplot.h"
 #include "report/reference_pictures.h"
 #include "study/judge/tightening.h"
+#include "study/spec/sections/method_section.h"
 #include "study/spec/sweep/sweep.h"
 
 namespace gnomon::cli {
@@ -119,6 +123,19 @@ void requireGates(const study::StudyPlan& plan, const CheckRequest& request) {
                   study.leftOut.empty() ? "no [[threshold]]" : "every [[threshold]] is left out"));
 }
 
+/// The user's own shaders of a study, relative to the working folder where they lie below it: so a
+/// build server finds them in the repository.
+std::map<std::string, std::string> ownShaders(const study::StudyPlan& plan) {
+  std::map<std::string, std::string> shaders;
+  for (const study::MethodSpec& method : plan.steps.front().methods) {
+    if (study::isBuiltIn(method)) continue;
+    const fs::path relative = method.file.lexically_proximate(fs::current_path());
+    const bool isBelow = method.file.is_absolute() && *relative.begin() != "..";
+    shaders[method.label] = (isBelow ? relative : method.file).lexically_normal().string();
+  }
+  return shaders;
+}
+
 /// Before the study is run, so that its reports can say what became of it.
 void readBaselineOf(Study& study, const CheckRequest& request) {
   if (!request.baseline || !study.plan) return;
@@ -148,6 +165,7 @@ Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::s
     }
     requireNewName(names, file, plan.name);
     requireGates(plan, request);
+    study.check.shaders = ownShaders(plan);
     study.plan = std::move(plan);
   } catch (...) {
     addProblem(study.check, "study");
@@ -356,6 +374,26 @@ void print(const std::vector<study::CheckRecord>& checks, const CheckRequest& re
   printLine("Reports: " + request.run.out.string());
 }
 
+/// The command that makes what was measured the references.
+std::string acceptCommand(const CheckRequest& request) {
+  if (!request.baseline || request.updateBaseline) return "";
+  std::string command = "gnomon check";
+  for (const fs::path& file : request.run.studies) command += " " + shellQuoted(file.string());
+  if (request.run.options.quick) command += " --quick";
+  return command + " --baseline " + shellQuoted(request.baseline->string()) +
+         " --update-baseline --baseline-pictures --reason \"why\"";
+}
+
+void writeSummary(const std::vector<study::CheckRecord>& checks, const Records& records,
+                  const CheckRequest& request) {
+  if (!request.summary) return;
+  const std::string text = report::jobSummary(
+      checks, report::worstCase(records.all, request.run.out), acceptCommand(request));
+  std::ofstream file(*request.summary, std::ios::app | std::ios::binary);
+  file << text << std::flush;
+  if (!file) throw InputError(request.summary->string() + ": cannot be written");
+}
+
 }  // namespace
 
 ExitStatus checkStudies(const CheckRequest& request) {
@@ -378,6 +416,7 @@ ExitStatus checkStudies(const CheckRequest& request) {
     status = std::max(status, study.check.status());
   }
   print(checks, request, status);
+  writeSummary(checks, records, request);
   return status;
 }
 

@@ -12,8 +12,10 @@ namespace gnomon::cli {
 /// What `gnomon check` was asked for.
 struct CheckRequest {
   RunRequest run;
-  std::optional<std::filesystem::path> junit;     ///< where JUnit XML goes
-  bool github = false;                            ///< workflow commands on standard output
+  std::optional<std::filesystem::path> junit;  ///< where JUnit XML goes
+  bool github = false;                         ///< workflow commands on standard output
+  /// A file that a job summary in Markdown is added to.
+  std::optional<std::filesystem::path> summary;
   std::optional<std::filesystem::path> baseline;  ///< folder of the references, NAME.json a study
   bool updateBaseline = false;                    ///< writes them in place of judging by them
   std::string reason;                             ///< why; kept in the file
@@ -30,6 +32,8 @@ struct CheckRequest {
 ///
 /// The JUnit file, which the command line has made to say "error" (see junit_file.h), has one for
 /// each study that has not been judged yet from before the first run on.
+///
+/// A summary holds all that is known at the end; a check that is killed adds nothing to it.
 ///
 /// References are written for studies of which everything passed, and only those.
 /// @return the largest status of all studies: pass, thresholdFailed (also: a regression, an

@@ -15,12 +15,6 @@ bool isProgram(const fs::path& file) {
   return file == runningProgram;
 }
 
-fs::path folderOf(const fs::path& file) {
-  std::error_code failure;
-  const fs::path target = isProgram(file) ? fs::read_symlink(file, failure) : file;
-  return target.parent_path();
-}
-
 }  // namespace
 
 fs::path ownFile() {
@@ -35,20 +29,31 @@ fs::path ownFile() {
   return failure ? fs::path(object->l_name) : library;
 }
 
-fs::path installPrefix() {
+fs::path ownFolder() {
   const fs::path file = ownFile();
-  fs::path folder = folderOf(file);
-  const fs::path below = isProgram(file) ? "bin" : GNOMON_LIBRARY_FOLDER;
-  for (auto part = below.begin(); part != below.end(); ++part) folder = folder.parent_path();
-  return folder;
+  std::error_code failure;
+  const fs::path target = isProgram(file) ? fs::read_symlink(file, failure) : file;
+  return target.parent_path();
+}
+
+std::optional<fs::path> installedPath(const fs::path& relative) {
+  fs::path folder = ownFolder();
+  while (true) {
+    std::error_code failure;
+    fs::path found = fs::canonical(folder / relative, failure);
+    if (!failure) return found;
+    if (folder == folder.parent_path()) return std::nullopt;
+    folder = folder.parent_path();
+  }
 }
 
 fs::path ownProgram() {
   const fs::path file = ownFile();
   if (isProgram(file)) return file;
   std::error_code failure;
-  fs::path built = folderOf(file) / "gnomon";
-  return fs::is_regular_file(built, failure) ? built : installPrefix() / "bin/gnomon";
+  fs::path built = ownFolder() / "gnomon";
+  if (fs::is_regular_file(built, failure)) return built;
+  return installedPath("bin/gnomon").value_or(built);
 }
 
 }  // namespace gnomon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace gnomon {
 
@@ -11,9 +12,14 @@ namespace gnomon {
 /// another file has taken its place, or the path of the shared library.
 std::filesystem::path ownFile();
 
-/// The folder PREFIX of an installed PREFIX/bin/PROGRAM or PREFIX/lib/LIBRARY. Where this code is
-/// not installed, no folder `share` or `lib` of Gnomon is in it.
-std::filesystem::path installPrefix();
+/// The folder that this code lies in.
+std::filesystem::path ownFolder();
+
+/// What is installed or built with this code: RELATIVE in the nearest of the code's own folder and
+/// those above it that holds it, links resolved. So PREFIX/bin/PROGRAM and PREFIX/lib/LIBRARY find
+/// PREFIX/share/…, wherever PREFIX is moved, and programs of a build find the build's own share/….
+/// None where no folder holds it.
+std::optional<std::filesystem::path> installedPath(const std::filesystem::path& relative);
 
 /// The program that answers for this code in a process of its own: the program itself, or the
 /// program `gnomon` that was built or installed with the shared library.

@@ -40,8 +40,19 @@ int lineOf(std::string_view message, const std::string& file) {
   return whole ? line : 0;
 }
 
+/// Where a problem is: in the user's own shader that its message names first, or behind the study,
+/// or else in the study.
+GatePlace placeOf(const study::CheckRecord& check, std::string_view message) {
+  std::string_view inner = message;
+  if (inner.starts_with(check.file + ": ")) inner.remove_prefix(check.file.size() + 2);
+  for (const auto& [method, shader] : check.shaders) {
+    if (inner.starts_with(shader + ":")) return {shader, lineOf(inner, shader)};
+  }
+  return {check.file, lineOf(message, check.file)};
+}
+
 std::string gateAnnotation(const study::CheckRecord& check, const study::Judgement& judgement) {
-  const auto [file, line] = gatePlace(check, judgement.gate);
+  const auto [file, line] = faultPlace(check, judgement.gate);
   const char* outcome = judgement.verdict == study::GateVerdict::failed ? "failed" : "undefined";
   return command("error", file, line,
                  fmt::format("{}: {} {}", check.name, gateOriginName(judgement.gate), outcome),
@@ -54,8 +65,8 @@ std::string githubAnnotations(std::span<const study::CheckRecord> checks) {
   std::string text;
   for (const study::CheckRecord& check : checks) {
     for (const study::ProblemRecord& problem : check.problems) {
-      text += command("error", check.file, lineOf(problem.message, check.file),
-                      fmt::format("{}: not judged", check.name),
+      const auto [file, line] = placeOf(check, problem.message);
+      text += command("error", file, line, fmt::format("{}: not judged", check.name),
                       fmt::format("{}\n{}", problem.message, check.command));
     }
     for (const study::Judgement& judgement : check.judgements) {

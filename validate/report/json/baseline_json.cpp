@@ -27,8 +27,10 @@ Json environmentJson(const study::EnvironmentRecord& environment) {
 }
 
 Json reasonJson(const study::BaselineReason& reason) {
-  return {
+  Json json = {
       {"reason", reason.text}, {"gnomon_version", reason.gnomonVersion}, {"commit", reason.commit}};
+  if (!reason.repository.empty()) json["repository_commit"] = reason.repository;
+  return json;
 }
 
 Json valueJson(const study::Gate& gate) {
@@ -147,7 +149,8 @@ study::Baseline readBaseline(const fs::path& path) {
   baseline.environment = readEnvironment(root.object("environment"));
   for (const JsonReader& entry : root.list("history")) {
     baseline.history.push_back(
-        {entry.text("reason"), entry.text("gnomon_version"), entry.text("commit")});
+        {entry.text("reason"), entry.text("gnomon_version"), entry.text("commit"),
+         entry.has("repository_commit") ? entry.text("repository_commit") : ""});
   }
   const std::vector<JsonReader> values = root.list("values");
   for (const JsonReader& value : values) baseline.gates.push_back(readGate(value));

@@ -13,7 +13,8 @@ constexpr std::string_view baselineSchema = "gnomon-baseline/2";
 
 /// A baseline as JSON, keys in a fixed order, a line for each value:
 ///   schema, study, form ("full" or "quick"), environment, history, values
-/// A row of `history` has reason, gnomon_version, commit; the oldest is first. A row of `values`
+/// A row of `history` has reason, gnomon_version, commit (of Gnomon), and where references are kept
+/// in a repository repository_commit, which was checked out; the oldest is first. A row of `values`
 /// has study (of a sweep: NAME/VALUE), method, view, light, answer, metric, value, spread,
 /// tolerance. The environment has neither threads nor cpu: values do not depend on them. No date:
 /// the same run gives the same bytes.

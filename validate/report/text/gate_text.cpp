@@ -61,6 +61,11 @@ GatePlace gatePlace(const study::CheckRecord& check, const study::Gate& gate) {
                     gate.origin);
 }
 
+GatePlace faultPlace(const study::CheckRecord& check, const study::Gate& gate) {
+  const auto shader = check.shaders.find(gate.method);
+  return shader == check.shaders.end() ? gatePlace(check, gate) : GatePlace{shader->second};
+}
+
 std::string limitText(const study::Gate& gate) {
   if (gate.minimum && gate.maximum) {
     return fmt::format("{} to {}", valueText(*gate.minimum), valueText(*gate.maximum));

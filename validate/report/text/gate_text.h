@@ -19,6 +19,10 @@ struct GatePlace {
 };
 GatePlace gatePlace(const study::CheckRecord& check, const study::Gate& gate);
 
+/// What a change has to mend where a gate does not hold: the method's shader, if it is the user's
+/// own, else where the gate is written.
+GatePlace faultPlace(const study::CheckRecord& check, const study::Gate& gate);
+
 /// The limits: "≤ 0.03", "≥ 0.1", "0.9 to 1.1".
 std::string limitText(const study::Gate& gate);
 

@@ -24,7 +24,8 @@ namespace gnomon::study {
 struct BaselineReason {
   std::string text;
   std::string gnomonVersion;
-  std::string commit;
+  std::string commit;           ///< of Gnomon's sources
+  std::string repository = {};  ///< commit of the user's repository; empty where there is none
 };
 
 struct Baseline {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct CheckRecord {
   std::vector<NoticeRecord> notices;
   std::vector<ProblemRecord> problems;
   std::string baseline;  ///< the file of its references; empty without
+  /// The shaders that are the user's own, not Gnomon's: the file of each such method, by its label.
+  std::map<std::string, std::string> shaders;
 
   /// pass only where runStatus is; else the largest of the problems' statuses and thresholdFailed.
   [[nodiscard]] ExitStatus status() const {

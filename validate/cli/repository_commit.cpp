@@ -1,0 +1,43 @@
+#include "cli/repository_commit.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+#include "common/text/shell_quote.h"
+
+namespace gnomon::cli {
+namespace fs = std::filesystem;
+namespace {
+
+bool isCommit(std::string_view text) {
+  return text.size() >= 40 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::string askGit(const fs::path& folder) {
+  const std::string command =
+      "git -C " + shellQuoted(folder.string()) + " rev-parse HEAD 2>/dev/null </dev/null";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  if (!pipe) return "";
+  std::array<char, 128> buffer{};
+  std::string text(buffer.data(), std::fread(buffer.data(), 1, buffer.size(), pipe.get()));
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+std::string repositoryCommit(const fs::path& folder) {
+  std::error_code failure;
+  fs::path existing = fs::absolute(folder, failure);
+  while (!fs::is_directory(existing, failure) && existing != existing.parent_path()) {
+    existing = existing.parent_path();
+  }
+  if (std::string commit = askGit(existing); isCommit(commit)) return commit;
+  const char* named = std::getenv("GITHUB_SHA");
+  return named != nullptr && isCommit(named) ? named : "";
+}
+
+}  // namespace gnomon::cli

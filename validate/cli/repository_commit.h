@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace gnomon::cli {
+
+/// The commit that is checked out in the user's repository that a folder lies in, which may be yet
+/// to be made: as git says, else GitHub's runner in GITHUB_SHA. Empty where neither knows one.
+std::string repositoryCommit(const std::filesystem::path& folder);
+
+}  // namespace gnomon::cli
