@@ -115,7 +115,7 @@ TEST_F(Parts, MayHoldThresholds) {
   write("plates.toml", platesStudy() + "\n[[threshold]]\nregion = \"ceiling\"\nmax = 0.5\n");
   const Outcome outcome = gnomon({"check", "plates.toml"});
   EXPECT_EQ(outcome.status, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("floor shaded by roof expected"));
+  EXPECT_THAT(outcome.err, HasSubstr("roof shaded by roof expected"));
 }
 
 TEST_F(Parts, HaveNamesOfTheirOwn) {

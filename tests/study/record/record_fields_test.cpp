@@ -61,8 +61,7 @@ StudyRecord sample() {
                      200,
                      share,
                      {{"cause", "change", share, share}},
-                     share,
-                     share,
+                     {{"global", share}, {"other", share}},
                      {{0.1, 0.2, 0.3}},
                      {{0.4, 0.5, 0.6}}}};
   PictureRecord picture;
