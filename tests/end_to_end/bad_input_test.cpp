@@ -19,8 +19,8 @@ TEST_F(BadInput, CommandLine) {
            {"no arguments",
             {},
             2,
-            {"run, plan, merge, gather, check, compare, bake, truth, export, view, cache, suite or "
-             "list",
+            {"run, plan, merge, gather, check, compare, bake, truth, export, view, cache, suite, "
+             "list or init",
              "--help"}},
            {"unknown command", {"rnu", "small.toml"}, 2, {"rnu", "not expected"}},
            {"unknown option", {"run", "small.toml", "--fast"}, 2, {"--fast"}},
