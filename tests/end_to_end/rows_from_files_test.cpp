@@ -142,7 +142,7 @@ TEST_F(RowsFromFiles, GiveEveryRow) {
     }
   }
   EXPECT_EQ(rows, json.at("results").size());
-  EXPECT_EQ(rows, (5U + 4U) * 2 * 2 * 7)
+  EXPECT_EQ(rows, (5U + 4U) * 2 * 2 * 8)
       << "methods (shadow volumes have no atlas), lights, answers, regions";
   EXPECT_GT(withSamples, (5U + 4U) * 2 * 4) << "else the regions are next to empty";
 }

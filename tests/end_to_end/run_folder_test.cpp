@@ -29,8 +29,8 @@ TEST_F(RunFolder, SummaryHasTheKeysThatOthersReadItBy) {
   EXPECT_GT(uncertainty, 0) << "no mesh is exact, so a half as fine one must differ somewhere";
   EXPECT_LT(uncertainty, 0.02);
 
-  // Two methods with two answers each; all samples and six regions.
-  ASSERT_EQ(json.at("results").size(), 2U * 2U * 7U);
+  // Two methods with two answers each; all samples and seven regions.
+  ASSERT_EQ(json.at("results").size(), 2U * 2U * 8U);
   for (const nlohmann::json& result : json.at("results")) {
     for (const char* key :
          {"method", "light", "view", "answer",     "region",       "samples",     "tp",

@@ -9,6 +9,7 @@ Usage, in this folder: python3 spot_on_ground.py
 import pathlib
 
 FOLDER = pathlib.Path(__file__).parent
+MESHES = FOLDER.parent.parent / "meshes"
 # The limit surface's hooves reach down to y = -0.73.
 GROUND = -0.72
 # The ground in world units, longer where the shadow falls, in faces about as large as Spot's.
@@ -23,7 +24,7 @@ def between(ends, step, steps):
 
 def spot():
     lines = ["o spot"]
-    for line in (FOLDER / "spot_control_mesh.obj").read_text().splitlines():
+    for line in (MESHES / "spot_control_mesh.obj").read_text().splitlines():
         words = line.split()
         if words[0] == "vt":
             line = f"vt {float(words[1]) / 2:.7g} {words[2]}"
