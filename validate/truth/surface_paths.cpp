@@ -104,7 +104,10 @@ SurfacePaths::Place SurfacePaths::placeOf(const surface::SurfaceSample& sample) 
   const int row = cellOf(sample.t);
   const double s = static_cast<double>(sample.s) * cells_ - column;
   const double t = static_cast<double>(sample.t) * cells_ - row;
-  const auto cell = static_cast<std::size_t>((sample.face * cells_ + row) * cells_ + column);
+  const auto cells = static_cast<std::size_t>(cells_);
+  const std::size_t cell =
+      (static_cast<std::size_t>(sample.face) * cells + static_cast<std::size_t>(row)) * cells +
+      static_cast<std::size_t>(column);
   // As gridTriangles cuts the cell, from (0, 0) to (1, 1).
   const bool isFirst = s >= t;
   std::array<double, 3> weights =

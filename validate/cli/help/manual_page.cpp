@@ -51,7 +51,7 @@ std::string verbatim(const std::string& text) {
 }  // namespace
 
 std::string manualPage(const CLI::App& app, const std::string& version) {
-  const std::string name = app.get_name();
+  const std::string& name = app.get_name();
   std::string text = fmt::format(
       ".TH GNOMON 1 \"\" \"Gnomon {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n.B "
       "{}\n"
