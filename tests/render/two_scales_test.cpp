@@ -121,6 +121,9 @@ TEST(TwoScales, CastsTheShadowOfARidge) {
   };
   EXPECT_EQ(with({{"light_pieces", 16}}), 0) << "a mesh with the ridge on its lines";
   EXPECT_LT(with({}), 0.02);
+  // Five pieces of six texels cut the ridge: beside its silhouettes the march decides.
+  EXPECT_EQ(with({{"light_pieces", 5}, {"edge", 1}}), 0);
+  EXPECT_GT(with({{"light_pieces", 5}, {"edge", 0}}), 0.05);
   // All of the depth map's bias is marched, however much it is.
   EXPECT_EQ(with({{"light_pieces", 1}, {"piece_bias", 2}}), 0);
   EXPECT_GT(with({{"light_pieces", 1}, {"piece_bias", 0}, {"edge", 0}}), 0.2) << "no ridge to see";
