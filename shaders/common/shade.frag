@@ -1,5 +1,6 @@
 // The picture of a mask: diffuse light by the shading normal where the mask is lit, ambient light
-// everywhere.
+// everywhere. The pictures of the base mesh are all shaded by N', so that they differ by their masks
+// alone, whatever normal a method's mask was made by.
 
 uniform usampler2D shadowMask;
 

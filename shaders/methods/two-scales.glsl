@@ -5,6 +5,7 @@ tables = ["height"]
 passes = ["light-depth"]
 subdivisions = 4
 light_mesh = "displaced"
+normal = "own"
 
 [parameters.light_pieces]
 default = 9
@@ -63,9 +64,11 @@ vec3 turnOfNormal(Pixel pixel, vec3 along) {
 }
 
 // The normal of D = P + a h n with all its terms: D_x = P_x + a h_x n + a h n_x. Bump mapping leaves
-// out the last.
-vec3 displacedNormal(Pixel pixel, float height) {
-  vec2 rise = pixel.worldPerHeight * heightGradient(pixel.texel);
+// out the last, which counts where the relief is as high as the body is thick.
+vec3 shadingNormal(Pixel pixel) {
+  Cell cell = heightCell(pixel.texel);
+  float height = pixel.worldPerHeight * heightIn(cell);
+  vec2 rise = pixel.worldPerHeight * gradientIn(cell);
   vec3 alongX = pixel.px + rise.x * pixel.normal + height * turnOfNormal(pixel, pixel.px);
   vec3 alongY = pixel.py + rise.y * pixel.normal + height * turnOfNormal(pixel, pixel.py);
   vec3 facet = normalize(cross(alongX, alongY));
@@ -134,7 +137,7 @@ bool isBesideEdge(vec3 place, vec2 tilt, float far) {
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light);
   float piece = pieceLength();
-  vec3 facet = displacedNormal(pixel, path.height);
+  vec3 facet = shadingNormal(pixel);
   float cosine = dot(facet, lightDirection);
   if (!(cosine > 0.0)) return true;
 

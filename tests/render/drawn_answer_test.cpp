@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -69,6 +71,36 @@ TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
       EXPECT_GT(added, samples.samples.size() / 50);
     }
   }
+}
+
+/// A method whose normal points to the light up to half of the map, and from it beyond.
+Method halfTurnedAway() {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "half.glsl";
+  std::ofstream(path) << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\nnormal = \"own\"\n*/\n"
+                         "vec3 shadingNormal(Pixel pixel) {\n"
+                         "  return pixel.texel.x < 24.0 ? lightDirection : -lightDirection;\n}\n"
+                         "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n";
+  Method method = readMethod(path);
+  std::filesystem::remove(path);
+  return method;
+}
+
+TEST(DrawnAnswer, IsByTheMethodsOwnNormalWhereItHasOne) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(mapSide, mapSide, 6, 6), bumps(), {4, 8},
+                          horizon::TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 31);
+  const surface::SampleGrid samples = scene.samples(view);
+  const MethodAnswers found = scene.answers(halfTurnedAway(), view, {lightToward(35, 30)}).front();
+  std::size_t dark = 0;
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const double x = scene.surface.evaluate(samples.samples[i]).position.x;
+    if (std::abs(x) < 1e-3) continue;
+    ASSERT_EQ(found.test.samples[i], Shade::lit);
+    ASSERT_EQ(found.drawn.samples[i], x > 0 ? Shade::shadowed : Shade::lit) << x;
+    dark += x > 0 ? 1 : 0;
+  }
+  EXPECT_GT(dark, samples.samples.size() / 3);
 }
 
 /// The picture is as dark as one without any light exactly where the drawn mask is shadowed, and a

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -126,6 +127,25 @@ TEST(Method, DeclaresPassesMeshAndItsAuthorsNumbers) {
   EXPECT_FALSE(all.lightMesh.has_value());
   const MethodFile base(declared("mesh = \"base\""));
   EXPECT_EQ(readMethod(base.path()).mesh, DrawnMesh::base);
+}
+
+TEST(Method, DeclaresANormalOfItsOwn) {
+  const std::string normal = "vec3 shadingNormal(Pixel pixel) { return pixel.normal; }\n";
+  const MethodFile none(declared(""));
+  EXPECT_FALSE(readMethod(none.path()).hasOwnNormal);
+  const MethodFile own(declared("normal = \"own\"", normal));
+  EXPECT_TRUE(readMethod(own.path()).hasOwnNormal);
+
+  const std::vector<std::array<std::string, 3>> faults = {
+      {"normal = \"mine\"", normal, ".glsl:4: normal `mine`, expected own"},
+      {"normal = 1", normal, ".glsl:4: normal ``, expected own"},
+      {"normal = \"own\"", "", ".glsl:4: `normal` needs the function `vec3 shadingNormal("},
+      {"normal = \"own\"\nmesh = \"displaced\"", normal, ".glsl:4: `normal` needs mesh = \"base\""},
+      {"", normal, "needs the declaration normal = \"own\""},
+  };
+  for (const auto& [lines, code, message] : faults) {
+    EXPECT_NE(errorOf(declared(lines, code)).find(message), std::string::npos) << lines;
+  }
 }
 
 /// A method whose light sees a mesh of its own, with that many pieces at most.

@@ -155,6 +155,15 @@ std::optional<DrawnMesh> readLightMesh(const Declaration& declaration) {
   return DrawnMesh::displaced;
 }
 
+bool readOwnNormal(const Declaration& declaration) {
+  const toml::node_view<const toml::node> found = declaration.table()["normal"];
+  if (!found) return false;
+  const auto name = found.value<std::string>().value_or("");
+  if (name != "own")
+    declaration.fail(*found.node(), fmt::format("normal `{}`, expected own", name));
+  return true;
+}
+
 std::optional<int> readCount(const Declaration& declaration, std::string_view key) {
   const toml::node_view<const toml::node> found = declaration.table()[key];
   if (!found) return std::nullopt;
@@ -211,20 +220,6 @@ void requireLightMesh(const Declaration& declaration, const Method& method) {
   }
 }
 
-void requirePasses(const Declaration& declaration, const Method& method) {
-  requireLightMesh(declaration, method);
-  if (method.passes.lightDepth && method.parameters.count("depth_side") == 0) {
-    declaration.fail(declaration.table(), "pass `light-depth` needs the parameter depth_side");
-  }
-  if (method.passes.shadowVolumes && method.mesh != DrawnMesh::displaced) {
-    declaration.fail(declaration.table(), "pass `shadow-volumes` needs mesh = \"displaced\"");
-  }
-  if (method.passes.texture && method.source.text.find("resolveTexel") == std::string::npos) {
-    declaration.fail(declaration.table(),
-                     "pass `texture` needs the function `float resolveTexel(Pixel pixel)`");
-  }
-}
-
 bool isWordCharacter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -251,6 +246,34 @@ std::optional<std::size_t> lineOfWord(std::string_view glsl, std::string_view wo
   return std::nullopt;
 }
 
+/// The function and its declaration come together: either alone shades nothing.
+void requireNormal(const Declaration& declaration, const Method& method) {
+  const std::string function = "`vec3 shadingNormal(Pixel pixel)`";
+  const auto line = lineOfWord(method.source.text, "shadingNormal");
+  if (!method.hasOwnNormal && line) {
+    throw InputError(fmt::format("{}:{}: {} needs the declaration normal = \"own\"",
+                                 method.source.file, *line, function));
+  }
+  if (!method.hasOwnNormal) return;
+  const toml::node& node = *declaration.table().get("normal");
+  if (!line) declaration.fail(node, "`normal` needs the function " + function);
+  if (method.mesh == DrawnMesh::displaced) declaration.fail(node, "`normal` needs mesh = \"base\"");
+}
+
+void requirePasses(const Declaration& declaration, const Method& method) {
+  requireLightMesh(declaration, method);
+  if (method.passes.lightDepth && method.parameters.count("depth_side") == 0) {
+    declaration.fail(declaration.table(), "pass `light-depth` needs the parameter depth_side");
+  }
+  if (method.passes.shadowVolumes && method.mesh != DrawnMesh::displaced) {
+    declaration.fail(declaration.table(), "pass `shadow-volumes` needs mesh = \"displaced\"");
+  }
+  if (method.passes.texture && method.source.text.find("resolveTexel") == std::string::npos) {
+    declaration.fail(declaration.table(),
+                     "pass `texture` needs the function `float resolveTexel(Pixel pixel)`");
+  }
+}
+
 /// No shader that a person wrote is as long; drivers crash on some that are.
 void requireShort(const fs::path& path) {
   constexpr std::uintmax_t mostBytes = 1 << 18;
@@ -271,7 +294,7 @@ Method readMethod(const fs::path& path) {
   method.name = path.stem().string();
   const Declaration declaration(method.source.file, method.source.text);
   declaration.allowOnly(declaration.table(),
-                        {"title", "citation", "tables", "passes", "mesh", "light_mesh",
+                        {"title", "citation", "tables", "passes", "mesh", "light_mesh", "normal",
                          "subdivisions", "azimuths", "parameters"});
   method.title = declaration.text("title");
   method.citation = declaration.text("citation");
@@ -279,10 +302,12 @@ Method readMethod(const fs::path& path) {
   method.passes = readPasses(declaration);
   method.mesh = readMesh(declaration);
   method.lightMesh = readLightMesh(declaration);
+  method.hasOwnNormal = readOwnNormal(declaration);
   method.subdivisions = readCount(declaration, "subdivisions");
   method.azimuths = readCount(declaration, "azimuths");
   method.parameters = readParameters(declaration);
   requirePasses(declaration, method);
+  requireNormal(declaration, method);
   if (method.source.text.find("isShadowed") == std::string::npos) {
     throw InputError(
         fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "

@@ -58,11 +58,13 @@ enum class DrawnMesh {
 ///   passes        list of "texture", "light-depth", "shadow-volumes": drawn before the answer
 ///   mesh          "base" (default) or "displaced"
 ///   light_mesh    "displaced", where the pass "light-depth" draws that mesh and not the method's
+///   normal        "own", where the method shades its picture by a normal of its own, not by N'
 ///   subdivisions  pieces of every face's side, where the authors state them
 ///   azimuths      of its tables, where the authors state them
 ///   parameters.NAME with `default`, `minimum`, `maximum`, `about`
 /// The file defines `bool isShadowed(Pixel pixel, LocalLight light)`, and with a texture pass
-/// `float resolveTexel(Pixel pixel)`, 0 to 1.
+/// `float resolveTexel(Pixel pixel)`, 0 to 1, with a normal of its own
+/// `vec3 shadingNormal(Pixel pixel)`, of unit length.
 struct Method {
   std::string name;  ///< the file's stem
   std::string title;
@@ -73,6 +75,9 @@ struct Method {
   /// What the pass from the light draws; nothing where that is the method's own mesh. Its pieces of
   /// every face's side are the parameter `light_pieces`, which such a method must have.
   std::optional<DrawnMesh> lightMesh;
+  /// Whether its picture is dark where its own `shadingNormal` is turned from the light; where not,
+  /// that normal is N' of the bump-mapped mesh, or the facet's own of displaced geometry.
+  bool hasOwnNormal = false;
   std::optional<int> subdivisions;  ///< the authors', over a study's own
   std::optional<int> azimuths;      ///< the authors', over a study's own
   std::map<std::string, MethodParameter> parameters;

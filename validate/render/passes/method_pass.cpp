@@ -64,6 +64,7 @@ std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap,
   if (method.passes.texture) defines.emplace_back("PASS_TEXTURE");
   if (method.passes.lightDepth) defines.emplace_back("PASS_LIGHT_DEPTH");
   if (method.passes.shadowVolumes) defines.emplace_back("PASS_SHADOW_VOLUMES");
+  if (method.hasOwnNormal) defines.emplace_back("OWN_NORMAL");
   if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
   return defines;
 }
