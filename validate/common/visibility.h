@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace gnomon {
+
+/// What a visibility map holds where there is no sample.
+constexpr float noSample = std::numeric_limits<float>::quiet_NaN();
+
+/// V, the share of the light's disc that a point sees, for all samples of a view, row by row, row 0 at
+/// the top of the picture: 0 where the point is in umbra, 1 where it sees the whole disc, between them
+/// in penumbra, `noSample` where there is no sample. Uniform over the disc's solid angle.
+struct Visibility {
+  int width = 0;
+  int height = 0;
+  std::vector<float> shares;
+
+  [[nodiscard]] std::size_t size() const { return shares.size(); }
+};
+
+}  // namespace gnomon
