@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""How much masks differ between two systems or processors.
+
+    gnomon run scenes/*.toml scenes/bodies/*.toml --out out      on each of them
+    results/systems.py out-a out-b                               compares the masks of both
+
+Prints a line of Markdown for every study: its masks, how many of them differ at all, the truth's and
+the method's mask that differ most, as shares of their samples, and the figures that differ by more
+than the least tolerance of a reference (0.1 points). Exit status 0, whatever differs; 3 where a study or
+mask is missing on one side.
+"""
+
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+PROGRAM = os.environ.get("GNOMON_PROGRAM", "gnomon")
+LEAST_TOLERANCE = 0.001  # leastRateTolerance of validate/study/judge/baseline.cpp
+RATES = ("error_rate", "false_shadow", "false_light", "prevalence")
+
+
+def mask_folders(results):
+    """The folders of masks below a folder of results, by the name of their study or step."""
+    root = pathlib.Path(results)
+    found = {str(path.parent.relative_to(root)): path for path in sorted(root.glob("**/masks"))}
+    if not found:
+        sys.exit(f"systems.py: {results}: no masks found, a folder of finished runs expected")
+    return found
+
+
+def compared(folder_a, folder_b):
+    """(name, share of samples that differ) of every mask of two folders."""
+    run = subprocess.run([PROGRAM, "compare", folder_a, folder_b, "--json", "-"],
+                         capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.stderr.write(run.stderr)
+        sys.exit(3)
+    result = json.loads(run.stdout)
+    pairs = result["pairs"] if "pairs" in result else [result]
+    return [(pathlib.Path(pair["candidate"]["file"]).stem, pair["error_rate"] or 0.0) for pair in pairs]
+
+
+def rates(table):
+    """The rates of every row of a table of figures, by what identifies the row."""
+    found = {}
+    with open(table, newline="", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            if row.get("region", "all") != "all":
+                continue
+            key = tuple(row.get(name, "") for name in ("method", "view", "light", "answer"))
+            for metric in RATES:
+                if row.get(metric):
+                    found[key + (metric,)] = float(row[metric])
+    return found
+
+
+def moved(folder_a, folder_b):
+    """The largest change of a rate between two folders of one study."""
+    a = rates(folder_a / "metrics.csv")
+    b = rates(folder_b / "metrics.csv")
+    return max((abs(a[key] - b[key]) for key in a.keys() & b.keys()), default=0.0)
+
+
+def largest(masks):
+    """The mask that differs most, in percent, with its name; a dash where there is none."""
+    if not masks:
+        return "–"
+    name, share = max(masks, key=lambda mask: mask[1])
+    return f"{100 * share:.4f}" + (f" ({name})" if share > 0 else "")
+
+
+def main(results_a, results_b):
+    folders_a = mask_folders(results_a)
+    folders_b = mask_folders(results_b)
+    if missing := sorted(folders_a.keys() ^ folders_b.keys()):
+        sys.exit(f"systems.py: {', '.join(missing)}: only one of the two folders has it")
+    print("| study | masks | differ | truth, % | method, % | rate, points |")
+    print("|---|---|---|---|---|---|")
+    beyond = 0
+    for name, folder_a in folders_a.items():
+        masks = compared(folder_a, folders_b[name])
+        truths = [mask for mask in masks if mask[0].endswith("_truth")]
+        methods = [mask for mask in masks if not mask[0].endswith("_truth")]
+        change = moved(folder_a.parent, folders_b[name].parent)
+        beyond += change > LEAST_TOLERANCE
+        differ = sum(share > 0 for _, share in masks)
+        print(f"| `{name}` | {len(masks)} | {differ} | {largest(truths)} | {largest(methods)} "
+              f"| {100 * change:.4f} |", flush=True)
+    print(f"\nStudies with a rate that moved by more than {100 * LEAST_TOLERANCE:g} points: {beyond}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit("usage: results/systems.py RESULTS RESULTS")
+    main(*sys.argv[1:])
