@@ -1,0 +1,108 @@
+#include "truth/disc_directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+namespace gnomon::truth {
+namespace {
+
+/// The share of the unit disc's area that lies left of x.
+double areaLeftOf(double x) {
+  return 1 - (std::acos(x) - x * std::sqrt(1 - x * x)) / pi;
+}
+
+/// Where that share of the area lies on the left.
+double placeOfArea(double share) {
+  double low = -1;
+  double high = 1;
+  for (int i = 0; i < 52; ++i) {
+    const double middle = (low + high) / 2;
+    (areaLeftOf(middle) < share ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// Moves one coordinate of every point to the middle of the N-th of the area that its rank says.
+void spreadAlong(double Vec2::*axis, std::vector<Vec2>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return points[a].*axis < points[b].*axis; });
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    points[order[rank]].*axis =
+        placeOfArea((static_cast<double>(rank) + 0.5) / static_cast<double>(order.size()));
+  }
+}
+
+/// How many points of the rim an order starts from.
+constexpr int orderedFrom = 16;
+
+double squaredDistance(const Vec2& a, const Vec2& b) {
+  return glm::dot(a - b, a - b);
+}
+
+/// Each point as far as can be from those before it and from the rim's; of several the first.
+std::vector<Vec2> farthestFirst(std::vector<Vec2> points) {
+  std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
+  const auto keepAway = [&](const Vec2& from, std::size_t begin) {
+    for (std::size_t i = begin; i < points.size(); ++i) {
+      nearest[i] = std::min(nearest[i], squaredDistance(points[i], from));
+    }
+  };
+  for (const Vec2& place : discRim(orderedFrom)) keepAway(place, 0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto first = nearest.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto next =
+        static_cast<std::size_t>(std::max_element(first, nearest.end()) - nearest.begin());
+    std::swap(points[k], points[next]);
+    std::swap(nearest[k], nearest[next]);
+    keepAway(points[k], k + 1);
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<Vec2> discPoints(int count) {
+  const double golden = pi * (3 - std::sqrt(5.0));
+  std::vector<Vec2> points;
+  for (int k = 0; k < count; ++k) {
+    const double radius = std::sqrt((k + 0.5) / count);
+    points.emplace_back(radius * std::cos(k * golden), radius * std::sin(k * golden));
+  }
+  spreadAlong(&Vec2::x, points);
+  spreadAlong(&Vec2::y, points);
+  for (Vec2& point : points) point /= std::max(1.0, glm::length(point));
+  return farthestFirst(std::move(points));
+}
+
+std::vector<Vec2> discRim(int count) {
+  std::vector<Vec2> points;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * pi * k / count;
+    points.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return points;
+}
+
+std::vector<Vec3> discDirections(const Vec3& centre, double radius, std::span<const Vec2> points) {
+  const bool isUpright = std::hypot(centre.x, centre.y) < 1e-9;
+  const Vec3 level = isUpright ? Vec3(1, 0, 0) : glm::normalize(glm::cross(Vec3(0, 0, 1), centre));
+  const Vec3 upward = glm::cross(centre, level);
+  std::vector<Vec3> directions;
+  directions.reserve(points.size());
+  for (const Vec2& point : points) {
+    // h = 1 - cos a, and √(h (2 - h)) = sin a; both by way of h / r², which is right for r = 0.
+    const double heightOverArea = 2 * std::pow(std::sin(radius / 2), 2);
+    const double height = glm::dot(point, point) * heightOverArea;
+    const Vec2 aside = std::sqrt(heightOverArea * (2 - height)) * point;
+    directions.push_back(
+        glm::normalize((1 - height) * centre + aside.x * level + aside.y * upward));
+  }
+  return directions;
+}
+
+}  // namespace gnomon::truth
