@@ -153,6 +153,7 @@ cache::ContentKey RunKeys::truth(const MeshChoice& choice, std::size_t view,
                                  std::size_t index) const {
   cache::KeyBuilder key("truth");
   key.add("samples", samples(choice, view)).add("light", light(index));
+  if (study_.lights[index].isSoft()) addSettings(key, study_.truth, Enters::shares, 1);
   return key.add("surface", surface()).add("bake", settingsKey(study_.bake, Enters::search)).key();
 }
 

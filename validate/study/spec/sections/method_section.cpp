@@ -62,7 +62,9 @@ MethodSpec readOwnMethod(const TomlReader& section, const MethodDefaults& defaul
   if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
   if (declared.subdivisions) method.base.subdivisions = *declared.subdivisions;
   method = changedMethod(section, std::move(method), defaults);
-  if (method.label.empty()) method.label = stemText(method.file);
+  if (method.label.empty()) {
+    method.label = stemText(method.file) + (method.disc ? " + disc" : "");
+  }
   return method;
 }
 

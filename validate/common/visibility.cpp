@@ -1,0 +1,27 @@
+#include "common/visibility.h"
+
+#include <cmath>
+
+namespace gnomon {
+
+Visibility sharesOf(const Mask& mask) {
+  Visibility map{mask.width, mask.height, {}};
+  map.shares.reserve(mask.size());
+  for (const Shade shade : mask.samples) {
+    map.shares.push_back(shade == Shade::none ? noSample : shade == Shade::lit ? 1.0F : 0.0F);
+  }
+  return map;
+}
+
+Mask cutInHalf(const Visibility& map) {
+  Mask mask{map.width, map.height, {}};
+  mask.samples.reserve(map.size());
+  for (const float share : map.shares) {
+    mask.samples.push_back(std::isnan(share) ? Shade::none
+                           : share < 0.5F    ? Shade::shadowed
+                                             : Shade::lit);
+  }
+  return mask;
+}
+
+}  // namespace gnomon
