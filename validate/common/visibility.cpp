@@ -1,5 +1,6 @@
 #include "common/visibility.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon {
@@ -11,6 +12,14 @@ Visibility sharesOf(const Mask& mask) {
     map.shares.push_back(shade == Shade::none ? noSample : shade == Shade::lit ? 1.0F : 0.0F);
   }
   return map;
+}
+
+bool isSame(const Visibility& a, const Visibility& b) {
+  return a.width == b.width && a.height == b.height &&
+         std::equal(a.shares.begin(), a.shares.end(), b.shares.begin(), b.shares.end(),
+                    [](float one, float other) {
+                      return one == other || (std::isnan(one) && std::isnan(other));
+                    });
 }
 
 Mask cutInHalf(const Visibility& map) {

@@ -26,6 +26,9 @@ struct Visibility {
 /// A mask's answers as shares: 1 where lit, 0 where shadowed.
 Visibility sharesOf(const Mask& mask);
 
+/// Whether two maps hold the same shares at the same samples.
+bool isSame(const Visibility& a, const Visibility& b);
+
 /// The mask that a map is cut to where an answer must be hard: shadowed where V < 1/2, where less
 /// than half of the disc is seen. A penumbra whose V falls evenly is cut in two halves of equal
 /// area.

@@ -21,7 +21,7 @@ bool isLength(std::string_view metric) {
 
 /// How much was measured of the truth's shadows or penumbrae.
 bool isRunCount(std::string_view metric) {
-  return isRunCount(metric) || metric == "penumbra_runs";
+  return metric == "shadow_runs" || metric == "penumbra_runs";
 }
 
 /// Whether a rate has one and the same value for several comparisons.

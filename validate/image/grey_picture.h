@@ -12,6 +12,7 @@ struct GreyPicture {
   int height = 0;
   std::vector<float> values;
   std::vector<float> alphas;  ///< coverage, 0 to 1; empty where the picture has none: 1 everywhere
+  bool isCoarse = false;      ///< its values are integers of 8 bits or fewer
 };
 
 /// Reads a picture of any format of `ImageFormat`: integers of 8 and 16 bits as 0 to 1, all

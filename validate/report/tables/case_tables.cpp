@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "common/lists.h"
+#include "compare/share_metrics.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
@@ -200,7 +202,13 @@ Table metricsTable(const study::StudyRecord& record) {
   Table table{.kind = "metrics", .columns = {}};
   addTexts(table, {"study", "method", "light", "view", "answer", "region"});
   addValues(table, countNames);
-  addValues(table, study::metricNames());
+  // Columns of shares only where a light has a disc.
+  const bool isSoft = std::any_of(record.results.begin(), record.results.end(),
+                                  [](const auto& result) { return !result.shares.empty(); });
+  for (const std::string_view name : study::metricNames()) {
+    const bool isShare = contains(compare::shareMetricNames(), name);
+    if (isSoft || !isShare) addValues(table, std::array{name});
+  }
   for (const study::ResultRecord& result : record.results) {
     Row row{{textCell(record.name), textCell(result.method), textCell(result.light),
              textCell(result.view), textCell(std::string(study::answerName(result.answer))),
@@ -208,6 +216,7 @@ Table metricsTable(const study::StudyRecord& record) {
     appendCounts(row, result.counts);
     for (const compare::Metric& metric : study::metricsOf(result))
       row.cells.push_back(valueCell(metric.value));
+    row.cells.resize(table.columns.size(), valueCell(std::nullopt));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -8,7 +8,10 @@
 
 namespace gnomon::study {
 
-/// All metrics of one result: its rates, the boundaries of its shadows, then their lengths.
+/// All metrics of one result: its rates, the boundaries of its shadows, their lengths, and of a
+/// light with a disc, over all samples, its share metrics. Under such a light the rates are those
+/// of the shares (see compare::Counts), boundaries and lengths those of the masks that they are cut
+/// to.
 /// @throws InternalError as `rates`
 std::vector<compare::Metric> metricsOf(const ResultRecord& result);
 
@@ -24,9 +27,9 @@ bool isRate(std::string_view name);
 
 /// The truth's uncertainty in any other metric: how far the coarser truth's figure is from that of
 /// a perfect mask. For lengths this is `lengthError`; a perfect mask has distance 0 between
-/// boundaries, and 1 as boundary IoU and surface Dice. Infinite where the coarser truth has no
-/// boundary to compare, so that nothing can be told apart; 0 where its lengths could not be
-/// measured.
+/// boundaries, and 1 as boundary IoU and surface Dice; share metrics as perfectShareMetric.
+/// Infinite where the coarser truth has no boundary to compare, so that nothing can be told apart;
+/// 0 where its lengths could not be measured.
 /// @throws InternalError for a rate or an unknown name
 double metricUncertainty(const UncertaintyRecord& truth, std::string_view name);
 

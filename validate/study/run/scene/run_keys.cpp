@@ -225,6 +225,7 @@ cache::ContentKey RunKeys::program(const MethodSpec& spec, const render::Method&
   key.add("file", method.source.file).add("name", method.name);
   key.add("source", method.source.text).add("shaders", shaders_);
   key.add("wrap", study_.relief.field.wrap()).add("filter", spec.filter);
+  if (spec.disc) key.add("disc", spec.disc);
   for (const auto& [name, value] : spec.parameters) {
     key.add("parameter", name).add("value", value);
   }

@@ -107,6 +107,10 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
   }
   if (const auto base = section.optionalTable("base")) readSection(*base, keysOf(method.base));
   if (section.has("parameters")) readParameters(section, render::readMethod(method.file), method);
+  if (method.disc && !render::readMethod(method.file).hasHorizon) {
+    section.fail("disc", fmt::format("{} defines no horizon, a method with `horizonSlope` expected",
+                                     stemText(method.file)));
+  }
   return method;
 }
 
