@@ -66,20 +66,6 @@ TEST(DiscPoints, HalveNoMoreThanOneAlongEitherAxis) {
   }
 }
 
-TEST(DiscPoints, TheFirstAreSpreadOverTheDisc) {
-  const std::vector<Vec2> points = discPoints(256);
-  std::vector<Vec2> first(points.begin(), points.begin() + 16);
-  for (const Vec2& point : discRim(16)) first.push_back(point);
-  // No place of the disc is farther from one of them than the radius of a disc of 1/12 its area.
-  for (int k = 0; k < 4000; ++k) {
-    const double angle = k * 2.4;
-    const Vec2 place = std::sqrt(k / 4000.0) * Vec2(std::cos(angle), std::sin(angle));
-    double nearest = 2;
-    for (const Vec2& point : first) nearest = std::min(nearest, glm::length(point - place));
-    EXPECT_LT(nearest, std::sqrt(1.0 / 12));
-  }
-}
-
 TEST(DiscRim, NoLargeHalfPlaneMissesIt) {
   const std::vector<Vec2> rim = discRim(16);
   const double angle = pi / 16;

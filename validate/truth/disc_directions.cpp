@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 
 namespace gnomon::truth {
@@ -37,33 +36,6 @@ void spreadAlong(double Vec2::*axis, std::vector<Vec2>& points) {
   }
 }
 
-/// How many points of the rim an order starts from.
-constexpr int orderedFrom = 16;
-
-double squaredDistance(const Vec2& a, const Vec2& b) {
-  return glm::dot(a - b, a - b);
-}
-
-/// Each point as far as can be from those before it and from the rim's; of several the first.
-std::vector<Vec2> farthestFirst(std::vector<Vec2> points) {
-  std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
-  const auto keepAway = [&](const Vec2& from, std::size_t begin) {
-    for (std::size_t i = begin; i < points.size(); ++i) {
-      nearest[i] = std::min(nearest[i], squaredDistance(points[i], from));
-    }
-  };
-  for (const Vec2& place : discRim(orderedFrom)) keepAway(place, 0);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto first = nearest.begin() + static_cast<std::ptrdiff_t>(k);
-    const auto next =
-        static_cast<std::size_t>(std::max_element(first, nearest.end()) - nearest.begin());
-    std::swap(points[k], points[next]);
-    std::swap(nearest[k], nearest[next]);
-    keepAway(points[k], k + 1);
-  }
-  return points;
-}
-
 }  // namespace
 
 std::vector<Vec2> discPoints(int count) {
@@ -76,7 +48,7 @@ std::vector<Vec2> discPoints(int count) {
   spreadAlong(&Vec2::x, points);
   spreadAlong(&Vec2::y, points);
   for (Vec2& point : points) point /= std::max(1.0, glm::length(point));
-  return farthestFirst(std::move(points));
+  return points;
 }
 
 std::vector<Vec2> discRim(int count) {

@@ -16,9 +16,6 @@ namespace gnomon::truth {
 /// along either axis halves no more than one point's area: the share of the points beyond it is
 /// right to 1/(2N). Over all edges it is right to about 1/N (root mean square; 5/N at worst for N =
 /// 256): no set of N points does much better (Beck 1987), and a search for one gained a twentieth.
-///
-/// They come in an order in which each is as far as can be from those before it and from the points
-/// of `discRim`: the first n of them are spread over the disc for every n.
 /// @param count  N ≥ 1
 std::vector<Vec2> discPoints(int count);
 

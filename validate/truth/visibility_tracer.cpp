@@ -1,7 +1,5 @@
 #include "truth/visibility_tracer.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,10 +17,10 @@ namespace {
 constexpr std::size_t bandRows = 4;
 
 /// How many of some directions a facet's point sees.
-std::uint32_t seenFrom(const MicroScene& scene, const Facet& facet, double rayOffset,
-                       std::span<const Vec3> directions) {
+std::size_t seenFrom(const MicroScene& scene, const Facet& facet, double rayOffset,
+                     std::span<const Vec3> directions) {
   const Vec3 origin = facet.rayOrigin(rayOffset);
-  std::uint32_t seen = 0;
+  std::size_t seen = 0;
   RayBundle rays{};
   const auto trace = [&] {
     if (rays.count == 0) return;
@@ -39,33 +37,24 @@ std::uint32_t seenFrom(const MicroScene& scene, const Facet& facet, double rayOf
   return seen;
 }
 
-void requireSound(const surface::SampleGrid& samples, const Mask& where,
-                  const DiscSettings& settings) {
-  if (where.width != samples.width || where.height != samples.height ||
-      where.size() != samples.samples.size()) {
-    throw InternalError("a mask of another view than the samples of a soft light");
-  }
-  if (settings.coarse < 1 || settings.coarse > settings.directions) {
-    throw InternalError(fmt::format("{} of {} directions come first: 1 to all expected",
-                                    settings.coarse, settings.directions));
-  }
-}
+/// What the directions that come first say of a sample.
+enum class Begun : std::uint8_t { nothing, dark, lit, mixed };
 
 /// The two passes over the samples of a view.
 class DiscTracer {
  public:
   DiscTracer(const MicroMesh& mesh, const MicroScene& scene, const surface::SampleGrid& samples,
-             const Mask& where, const DiscSettings& settings)
+             const Mask& hard, const DiscSettings& settings)
       : mesh_(mesh),
         scene_(scene),
         samples_(samples),
-        where_(where),
+        hard_(hard),
         rayOffset_(mesh.rayOffset(settings.rayOffset)),
         directions_(
             discDirections(settings.light, settings.radius, discPoints(settings.directions))),
         rim_(discDirections(settings.light, settings.radius, discRim(rimDirections))),
-        coarse_(static_cast<std::size_t>(settings.coarse)),
-        begun_(samples.samples.size()) {}
+        isAdaptive_(settings.isAdaptive),
+        begun_(samples.samples.size(), Begun::nothing) {}
 
   Visibility trace(const Progress& progress) {
     const auto height = static_cast<std::size_t>(samples_.height);
@@ -76,56 +65,48 @@ class DiscTracer {
         const FlushDenormals flush;
         const std::size_t end = std::min(height, (band + 1) * bandRows) * width();
         for (std::size_t i = band * bandRows * width(); i < end; ++i) {
-          if (where_.samples[i] != Shade::none) work(i);
+          if (hard_.samples[i] != Shade::none) work(i);
         }
         done.advance();
       });
     };
-    const std::span<const Vec3> all(directions_);
-    forEachSample([&](std::size_t i) { begun_[i] = begin(i); });
+    forEachSample([&](std::size_t i) { begun_[i] = isAdaptive_ ? begin(i) : Begun::mixed; });
     Visibility found{samples_.width, samples_.height,
                      std::vector<float>(samples_.samples.size(), noSample)};
     forEachSample([&](std::size_t i) {
-      found.shares[i] = isSettled(i) ? (begun_[i].seen == 0 ? 0.0F : 1.0F)
-                                     : share(begun_[i].seen + seenOf(i, all.subspan(coarse_)));
+      found.shares[i] = !isSettled(i) ? shareOf(i) : begun_[i] == Begun::dark ? 0.0F : 1.0F;
     });
     return found;
   }
 
  private:
-  /// What a sample sees of the directions that come first.
-  struct Begun {
-    std::uint32_t seen;  ///< of those that count
-    bool agrees;         ///< it sees all, or none, those of the rim too
-  };
-
   [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(samples_.width); }
 
-  [[nodiscard]] std::uint32_t seenOf(std::size_t i, std::span<const Vec3> directions) const {
+  [[nodiscard]] std::size_t seenOf(std::size_t i, std::span<const Vec3> directions) const {
     return seenFrom(scene_, mesh_.facet(samples_.samples[i]), rayOffset_, directions);
   }
 
+  [[nodiscard]] float shareOf(std::size_t i) const {
+    return static_cast<float>(seenOf(i, directions_)) / static_cast<float>(directions_.size());
+  }
+
   [[nodiscard]] Begun begin(std::size_t i) const {
-    const std::uint32_t seen = seenOf(i, std::span(directions_).first(coarse_));
-    const std::uint32_t all = seen + seenOf(i, rim_);
-    return {seen, all == 0 || all == coarse_ + rim_.size()};
+    const std::size_t seen = seenOf(i, rim_);
+    const bool isLit = hard_.samples[i] == Shade::lit;
+    if (seen != (isLit ? rim_.size() : 0)) return Begun::mixed;
+    return isLit ? Begun::lit : Begun::dark;
   }
 
-  [[nodiscard]] float share(std::uint32_t seen) const {
-    return static_cast<float>(seen) / static_cast<float>(directions_.size());
-  }
-
-  /// Whether the directions that come first of a sample and of all its neighbours agree.
+  /// Whether a sample and all its neighbours agree.
   [[nodiscard]] bool isSettled(std::size_t i) const {
-    if (coarse_ == directions_.size() || !begun_[i].agrees) return false;
+    if (begun_[i] == Begun::mixed) return false;
     const auto column = static_cast<int>(i % width());
     const auto row = static_cast<int>(i / width());
     for (int y = std::max(0, row - 1); y < std::min(samples_.height, row + 2); ++y) {
       for (int x = std::max(0, column - 1); x < std::min(samples_.width, column + 2); ++x) {
-        const std::size_t other =
-            static_cast<std::size_t>(y) * width() + static_cast<std::size_t>(x);
-        if (where_.samples[other] == Shade::none) continue;
-        if (!begun_[other].agrees || begun_[other].seen != begun_[i].seen) return false;
+        const Begun other =
+            begun_[static_cast<std::size_t>(y) * width() + static_cast<std::size_t>(x)];
+        if (other != Begun::nothing && other != begun_[i]) return false;
       }
     }
     return true;
@@ -134,21 +115,24 @@ class DiscTracer {
   const MicroMesh& mesh_;
   const MicroScene& scene_;
   const surface::SampleGrid& samples_;
-  const Mask& where_;
+  const Mask& hard_;
   double rayOffset_;
   std::vector<Vec3> directions_;
   std::vector<Vec3> rim_;
-  std::size_t coarse_;
+  bool isAdaptive_;
   std::vector<Begun> begun_;  ///< one a sample
 };
 
 }  // namespace
 
 Visibility traceVisibility(const MicroMesh& mesh, const MicroScene& scene,
-                           const surface::SampleGrid& samples, const Mask& where,
+                           const surface::SampleGrid& samples, const Mask& hard,
                            const DiscSettings& settings, const Progress& progress) {
-  requireSound(samples, where, settings);
-  return DiscTracer(mesh, scene, samples, where, settings).trace(progress);
+  if (hard.width != samples.width || hard.height != samples.height ||
+      hard.size() != samples.samples.size()) {
+    throw InternalError("a mask of another view than the samples of a soft light");
+  }
+  return DiscTracer(mesh, scene, samples, hard, settings).trace(progress);
 }
 
 ShareChange shareChange(const Visibility& a, const Visibility& b) {

@@ -11,9 +11,8 @@
 
 namespace gnomon::truth {
 
-/// How many directions every sample is traced toward: on the disc's edge, and of its N.
+/// How many directions on the disc's edge every sample is traced toward.
 constexpr int rimDirections = 16;
-constexpr int coarseDirections = 16;
 
 /// A light's disc and how it is traced.
 struct DiscSettings {
@@ -22,8 +21,7 @@ struct DiscSettings {
   int directions = 256;  ///< N
   /// As in TraceSettings.
   double rayOffset = standardRayOffset;
-  /// How many of the N come first; with all of them every sample gets all.
-  int coarse = coarseDirections;
+  bool isAdaptive = true;  ///< else every sample gets all N
 };
 
 /// The share of a light's disc that each sample sees: V = n / N, n the number of the N directions
@@ -31,18 +29,18 @@ struct DiscSettings {
 /// turned from and along which a ray, which starts as the hard light's does (Facet::rayOrigin),
 /// meets nothing. The directions are the same for all samples.
 ///
-/// Every sample is traced toward the first `coarse` of them, which are spread over the disc, and
-/// toward `rimDirections` on its edge, which do not count. Where all of these agree, at a sample
-/// and at its eight neighbours in the view, the sample's V is 0 or 1 as they say; all others get
-/// the rest of the N. What is missed lies between these directions: of a straight edge no more than
-/// 0.0016 of the disc (discRim), of a slit or a spike less than about 1/16.
+/// Every sample is first traced toward `rimDirections` on the disc's edge, which do not count.
+/// Where they agree with each other and with the hard light, which is the disc's centre, at a
+/// sample and at its eight neighbours in the view, the sample's V is 0 or 1 as they say; all others
+/// get the N. What is missed lies between these directions: of a straight edge no more than 0.0016
+/// of the disc (discRim), else slits and spikes that pass between them at nine samples.
 ///
 /// Results do not depend on the number of threads.
-/// @param where  of the same samples: `noSample` where it has no answer
+/// @param hard      the hard light's answers at the same samples; V is `noSample` where it has none
 /// @param progress  may throw to cancel, see common/progress.h
-/// @throws InternalError unless `where` has one answer a sample, and 1 ≤ coarse ≤ N
+/// @throws InternalError unless `hard` has one answer a sample
 Visibility traceVisibility(const MicroMesh& mesh, const MicroScene& scene,
-                           const surface::SampleGrid& samples, const Mask& where,
+                           const surface::SampleGrid& samples, const Mask& hard,
                            const DiscSettings& settings, const Progress& progress = {});
 
 /// |ΔV| of two maps of one view, over the samples that both hold, each counted alike: the truth's
