@@ -29,17 +29,28 @@ float slopeTurned(float slope, float tangent) {
   return along > 1e-9 ? (slope + tangent) / along : 1e9;
 }
 
-// The k-th of n unit vectors toward the disc, which stand for equal solid angles: on a spiral that
-// turns by the golden angle from one to the next (Vogel 1979), each in the middle, by solid angle, of
-// its ring of the cap. With α off the centre, sin² α/2 is uniform.
-vec3 discDirection(int k, int n) {
-  float most = sin(0.5 * lightRadius);
-  float square = most * most * (float(k) + 0.5) / float(n);
-  float cosine = 1.0 - 2.0 * square;
-  float sine = 2.0 * sqrt(square * (1.0 - square));
+// The light with its slope that of the lowest ray of the disc, θ - ρ: a march toward it meets all that
+// hides some of the disc.
+LocalLight lowestRay(LocalLight light) {
+  light.slope = slopeTurned(light.slope, -tan(lightRadius));
+  return light;
+}
+
+// The k-th of n places in the unit disc, which stand for equal areas: on a spiral that turns by the
+// golden angle from one to the next (Vogel 1979), each in the middle, by area, of its ring.
+vec2 discPlace(int k, int n) {
   float turn = 2.39996323 * float(k);
+  return sqrt((float(k) + 0.5) / float(n)) * vec2(cos(turn), sin(turn));
+}
+
+// The k-th of n unit vectors toward the light's disc, which stand for equal solid angles: α off the
+// centre, sin² α/2 is uniform.
+vec3 discDirection(int k, int n) {
+  vec2 place = sin(0.5 * lightRadius) * discPlace(k, n);
+  float square = dot(place, place);
   vec3 axis = abs(lightDirection.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
   vec3 side = normalize(cross(lightDirection, axis));
   vec3 up = cross(side, lightDirection);
-  return cosine * lightDirection + sine * (cos(turn) * side + sin(turn) * up);
+  vec2 across = 2.0 * sqrt(1.0 - square) * place;
+  return (1.0 - 2.0 * square) * lightDirection + across.x * side + across.y * up;
 }

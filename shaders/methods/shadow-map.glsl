@@ -1,6 +1,6 @@
 /* gnomon-method
 title = "Displaced mesh with a shadow map"
-citation = "Williams 1978; Reeves, Salesin & Cook 1987"
+citation = "Williams 1978; Reeves, Salesin & Cook 1987; Fernando 2005"
 passes = ["light-depth"]
 mesh = "displaced"
 subdivisions = 9
@@ -28,6 +28,18 @@ default = 1
 minimum = 0
 maximum = 64
 about = "what a sample must be nearer to the light by, texels of the depth map on a facet that faces it"
+
+[parameters.search_samples]
+default = 16
+minimum = 1
+maximum = 1024
+about = "soft light: samples of the search for blockers; NVIDIA's integration paper of 2008 has 16"
+
+[parameters.filter_samples]
+default = 16
+minimum = 1
+maximum = 1024
+about = "soft light: samples of the filter; NVIDIA's integration paper of 2008 has 16"
 */
 
 // The surface as real geometry and its depth seen from the light. Depths around the pixel's place in
@@ -51,4 +63,37 @@ bool isShadowed(Pixel pixel, LocalLight light) {
     }
   }
   return nearer > 0.5 * samples * samples;
+}
+
+// Percentage-closer soft shadows (Fernando 2005), three steps. The blockers among samples of the widest
+// region that can matter have a mean depth; by it the penumbra here is 2 tan ρ × (receiver - blocker)
+// wide, since the light is as far from all of them; percentage-closer filtering with that width is V.
+// The paper's light has a size and a place, this one an angle. Its samples are on a spiral, the same
+// for every pixel, so that the picture has no noise; their number in the text of 2005 is not known to us.
+
+// The side of a disc of samples is `across` texels. What is nearer than each sample's own allowance: the
+// hard test's, for its distance from the pixel's place.
+vec2 blockersWithin(vec3 place, float across, float slope, int count) {
+  vec2 sum = vec2(0.0);  // number, depth
+  for (int k = 0; k < count; ++k) {
+    vec2 offset = 0.5 * across * discPlace(k, count);
+    float allowance = lightMapLengths.x * bias * (1.0 + 0.5 * slope * (1.0 + length(offset)));
+    float depth = lightDepthOf(ivec2(floor(place.xy + offset)));
+    sum += depth < place.z - allowance / lightMapLengths.y ? vec2(1.0, depth) : vec2(0.0);
+  }
+  return sum;
+}
+
+float visibility(Pixel pixel, LocalLight light) {
+  float cosine = dot(facetNormal(pixel), lightDirection);
+  vec3 place = lightMapPlace(pixel.position);
+  float slope = sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6);
+  slope = min(slope, 16.0);
+  float widest = 2.0 * tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
+  vec2 blockers = blockersWithin(place, max(widest * place.z, 1.0), slope, int(search_samples));
+  float depth = blockers.y / max(blockers.x, 1.0);
+  float penumbra = max(widest * (place.z - depth), 1.0);
+  float hidden = blockersWithin(place, penumbra, slope, int(filter_samples)).x / floor(filter_samples);
+  float share = blockers.x > 0.0 ? 1.0 - hidden : 1.0;
+  return cosine > -sin(lightRadius) ? share : 0.0;
 }

@@ -32,7 +32,7 @@ enum class TextureUnit : GLuint {
   heights,
   horizon,
   distance,
-  mask,
+  shares,
   angles,
   basis,
   arccos,
