@@ -57,8 +57,8 @@ MapPair arbitraryMaps() {
 TEST(ShareCounts, OfZerosAndOnesAreTheMasksToTheBit) {
   EXPECT_TRUE(rc::check("counts, bins, blocks", [] {
     const Comparison c = arbitraryComparison();
-    const Visibility candidate = sharesOf(c.candidate);
-    const Visibility truth = sharesOf(c.truth);
+    const Visibility candidate = asShares(c.candidate);
+    const Visibility truth = asShares(c.truth);
     const auto ofMasks = countSamples(c.candidate, c.truth, c.weights, c.selected);
     const auto ofMaps = countSamples(candidate, truth, c.weights, c.selected);
     RC_ASSERT(areSameCounts(ofMasks, ofMaps));
@@ -231,7 +231,7 @@ TEST(PenumbraWidth, IsTheRatioOfRampsAlongTheLight) {
 TEST(Visibility, IsCutWhereLessThanHalfIsSeen) {
   const Mask cut = cutInHalf(mapRow({0, 0.499F, 0.5F, 1, noSample}));
   EXPECT_EQ(cut.samples, test::row("##.. ").samples);
-  EXPECT_EQ(cutInHalf(sharesOf(test::row("#. .#"))).samples, test::row("#. .#").samples);
+  EXPECT_EQ(cutInHalf(asShares(test::row("#. .#"))).samples, test::row("#. .#").samples);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace gnomon {
 
-Visibility sharesOf(const Mask& mask) {
+Visibility asShares(const Mask& mask) {
   Visibility map{mask.width, mask.height, {}};
   map.shares.reserve(mask.size());
   for (const Shade shade : mask.samples) {

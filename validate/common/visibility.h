@@ -24,7 +24,7 @@ struct Visibility {
 };
 
 /// A mask's answers as shares: 1 where lit, 0 where shadowed.
-Visibility sharesOf(const Mask& mask);
+Visibility asShares(const Mask& mask);
 
 /// Whether two maps hold the same shares at the same samples.
 bool isSame(const Visibility& a, const Visibility& b);
