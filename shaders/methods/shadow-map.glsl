@@ -71,29 +71,34 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 // The paper's light has a size and a place, this one an angle. Its samples are on a spiral, the same
 // for every pixel, so that the picture has no noise; their number in the text of 2005 is not known to us.
 
-// The side of a disc of samples is `across` texels. What is nearer than each sample's own allowance: the
-// hard test's, for its distance from the pixel's place.
-vec2 blockersWithin(vec3 place, float across, float slope, int count) {
-  vec2 sum = vec2(0.0);  // number, depth
+// Samples are compared with the plane of the pixel's facet, which a wide region would shade by itself
+// else; the bias is the hard test's for a texel.
+
+// Number and summed depth of what is nearer among samples of a disc, `across` texels wide.
+vec2 blockersWithin(vec3 place, vec2 tilt, float across, int count) {
+  vec2 sum = vec2(0.0);
   for (int k = 0; k < count; ++k) {
-    vec2 offset = 0.5 * across * discPlace(k, count);
-    float allowance = lightMapLengths.x * bias * (1.0 + 0.5 * slope * (1.0 + length(offset)));
-    float depth = lightDepthOf(ivec2(floor(place.xy + offset)));
-    sum += depth < place.z - allowance / lightMapLengths.y ? vec2(1.0, depth) : vec2(0.0);
+    vec2 texel = floor(place.xy + 0.5 * across * discPlace(k, count));
+    float depth = lightDepthOf(ivec2(texel));
+    bool isNearer = depth < place.z + dot(tilt, texel + 0.5 - place.xy);
+    sum += isNearer ? vec2(1.0, depth) : vec2(0.0);
   }
   return sum;
 }
 
 float visibility(Pixel pixel, LocalLight light) {
-  float cosine = dot(facetNormal(pixel), lightDirection);
+  vec3 facet = facetNormal(pixel);
+  float cosine = dot(facet, lightDirection);
+  float facing = max(cosine, 1.0 / 16.0);
   vec3 place = lightMapPlace(pixel.position);
-  float slope = sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6);
-  slope = min(slope, 16.0);
+  vec2 tilt = lightMapTilt(facet, facing);
+  float slope = sqrt(max(1.0 - facing * facing, 0.0)) / facing;
+  place.z -= lightMapLengths.x * bias * (1.0 + 0.5 * slope) / lightMapLengths.y;
   float widest = 2.0 * tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
-  vec2 blockers = blockersWithin(place, max(widest * place.z, 1.0), slope, int(search_samples));
+  vec2 blockers = blockersWithin(place, tilt, max(widest * place.z, 1.0), int(search_samples));
   float depth = blockers.y / max(blockers.x, 1.0);
   float penumbra = max(widest * (place.z - depth), 1.0);
-  float hidden = blockersWithin(place, penumbra, slope, int(filter_samples)).x / floor(filter_samples);
+  float hidden = blockersWithin(place, tilt, penumbra, int(filter_samples)).x / floor(filter_samples);
   float share = blockers.x > 0.0 ? 1.0 - hidden : 1.0;
   return cosine > -sin(lightRadius) ? share : 0.0;
 }

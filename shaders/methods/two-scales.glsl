@@ -108,15 +108,6 @@ float pieceLength() {
   return sqrt(world / max(abs(stX.x * stY.y - stX.y * stY.x), 1e-20)) / light_pieces;
 }
 
-// Change of depth per texel of the depth map along a plane. The first two rows of the map's matrix
-// are its axes in the world over a texel's length.
-vec2 depthTilt(vec3 facet, float cosine) {
-  mat3 axes = transpose(mat3(lightMapFromWorld));
-  float texel = lightMapLengths.x;
-  vec2 across = texel * vec2(dot(facet, axes[0]), dot(facet, axes[1]));
-  return across * texel / (lightMapLengths.y * max(cosine, 1.0 / steepest));
-}
-
 // Whether a texel of the depth map is nearer to the light than the plane through place.z.
 bool isNearer(vec3 place, vec2 tilt, vec2 texel) {
   return lightDepthOf(ivec2(texel)) < place.z + dot(tilt, texel + 0.5 - place.xy);
@@ -160,7 +151,7 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 
   vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
   place.z -= allowance / lightMapLengths.y;
-  vec2 tilt = depthTilt(facet, cosine);
+  vec2 tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
   if (shareNearer(place, tilt) > 0.5) return true;
   bool isLong = isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
   return shadowedAtCrossings(path, isLong ? path.limit : min(near, path.limit));
@@ -221,7 +212,7 @@ float visibility(Pixel pixel, LocalLight light) {
 
   vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
   place.z -= allowance / lightMapLengths.y;
-  vec2 tilt = depthTilt(facet, max(cosine, 1e-6));
+  vec2 tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
   float far = shareByDepth(place, tilt);
   if (far <= 0.0) return 0.0;
   bool isLong = far < 1.0 || isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);

@@ -217,6 +217,20 @@ class DisplacedScene {
     return pass.render(view, drawing(light), {});
   }
 
+  /// The shares of a light's disc that a method answers with.
+  /// @param radius  of the disc, radians
+  [[nodiscard]] render::VisibilityAnswers shares(
+      const std::string& method, const render::RenderView& view, const Vec3& light, double radius,
+      const std::map<std::string, double>& parameters = {}) const {
+    const render::Method read =
+        render::readMethod(render::methodFile(render::shaderFolder(), method));
+    const render::MethodPass pass(render::shaderFolder(), read, relief.field.wrap(),
+                                  render::TableFilter::exact, parameters);
+    render::Drawing drawn = drawing(light);
+    drawn.lightRadius = radius;
+    return pass.renderVisibility(view, drawn, {});
+  }
+
   [[nodiscard]] render::Drawing drawing(const Vec3& light) const {
     return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, 1, light, &gpuVolumes_};
   }

@@ -20,6 +20,7 @@
 namespace gnomon::render {
 namespace {
 
+using test::DisplacedScene;
 using test::lightToward;
 using test::meanDifference;
 using test::RenderScene;
@@ -238,6 +239,65 @@ TEST(SoftLight, TendsToTheMask) {
         bumps.scene.shares(method, bumps.view, bumps.light, radians(0.001), softAnswerOf(method));
     EXPECT_LT(meanDifference(found.test, hard.test), 0.003) << name;
     EXPECT_LT(meanDifference(found.drawn, hard.drawn), 0.003) << name;
+  }
+}
+
+/// Mean error behind a wall of height 10, whose displaced mesh of one piece a texel has its edge at
+/// x = 15, of methods that see a depth map.
+template <typename Answer>
+double meanErrorOfDepth(const Answer& answer, double edge, double radius) {
+  double sum = 0;
+  double all = 0;
+  for (const double elevation : {14.0, 17.3, 22.0, 31.6}) {
+    const Visibility found = answer(Wall::light(elevation));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const auto x = static_cast<double>(i % Wall::columns) + 0.5;
+      const double over = radians(elevation) - std::atan(10 / (x - edge));
+      if (x < 18 || std::abs(over) > 1.5 * radius) continue;
+      sum += std::abs(static_cast<double>(found.shares[i]) - shareOver(over, radius));
+      all += 1;
+    }
+  }
+  return sum / all;
+}
+
+/// In and beside the penumbra. The filter's samples are as many steps of V; the mean depth of
+/// blockers is not the edge's.
+TEST(SoftLight, OfAShadowMapIsNearTheClosedForm) {
+  const GlContext gl;
+  const DisplacedScene scene(
+      surface::makePlane(Wall::columns, Wall::rows, 12, 2),
+      test::stepRelief(Wall::columns, Wall::rows, 10, [](int i, int) { return i < 16; }), 8);
+  const RenderView view = atlasView(scene.surface, 8);
+  for (const double radius : {radians(1.0), radians(4.0)}) {
+    const auto error = [&](const std::map<std::string, double>& parameters) {
+      return meanErrorOfDepth(
+          [&](const Vec3& light) {
+            return scene.shares("shadow-map", view, light, radius, parameters).drawn;
+          },
+          15, radius);
+    };
+    EXPECT_LT(error({{"depth_side", 4096}}), 0.08) << radius;
+    EXPECT_LT(error({{"depth_side", 4096}, {"search_samples", 256}, {"filter_samples", 256}}), 0.05)
+        << radius;
+    const double hard = meanErrorOfDepth(
+        [&](const Vec3& light) { return scene.shares("shadow-map", view, light, 0).drawn; }, 15,
+        radius);
+    EXPECT_GT(hard, 0.12) << radius;
+  }
+}
+
+TEST(SoftLight, OfTwoScalesIsNearTheClosedForm) {
+  const GlContext gl;
+  const Wall wall;
+  const Method method = methodOf("two-scales");
+  for (const double radius : {sun, radians(1.0), radians(4.0)}) {
+    const double error = meanErrorOfDepth(
+        [&](const Vec3& light) {
+          return wall.scene.shares(method, wall.view, light, radius, SoftAnswer::own, {}).drawn;
+        },
+        15.5, radius);
+    EXPECT_LT(error, 0.03) << radius;
   }
 }
 
