@@ -80,7 +80,7 @@ class PictureReader {
   }
 
   [[nodiscard]] Shade parted(std::size_t i, double threshold) const {
-    if (alpha(i) < 0.5F || (!picture_.isCoarse && isSixteenBitGrey(picture_.values[i]))) {
+    if (alpha(i) < 0.5F || (picture_.integerBits == 16 && isSixteenBitGrey(picture_.values[i]))) {
       return Shade::none;
     }
     return picture_.values[i] >= threshold ? Shade::lit : Shade::shadowed;

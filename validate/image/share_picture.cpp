@@ -103,9 +103,14 @@ std::string sharePng(const Visibility& map) {
 }
 
 std::string shareExr(const Visibility& map) {
-  ChannelImage image{map.width, map.height, {"V"}, map.shares};
-  for (float& value : image.values) {
-    value = std::isnan(value) ? grey : isNoSampleGrey(value) ? grey - 2 * greyTolerance : value;
+  ChannelImage image{map.width, map.height, {"V", "A"}, {}};
+  image.values.reserve(2 * map.size());
+  for (const float share : map.shares) {
+    const bool isThere = !std::isnan(share);
+    image.values.push_back(!isThere                ? 0.0F
+                           : isNoSampleGrey(share) ? grey - 2 * greyTolerance
+                                                   : share);
+    image.values.push_back(isThere ? 1.0F : 0.0F);
   }
   return exrBytes(image);
 }
@@ -123,7 +128,7 @@ Visibility readSharePicture(const std::filesystem::path& path, const MaskReading
 
 bool holdsShares(const std::filesystem::path& path, const MaskReading& reading) {
   const GreyPicture picture = readGreyPicture(path, reading.channel);
-  if (picture.isCoarse) return false;
+  if (picture.integerBits == 8) return false;
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
     const float value = picture.values[i];
     if (alphaOf(picture, i) != 0 && value > 0 && value < 1 && !isNoSampleGrey(value)) return true;

@@ -15,7 +15,8 @@ namespace gnomon::image {
 /// @throws InternalError as pngOf
 std::string sharePng(const Visibility& map);
 
-/// The same as the bytes of an EXR with the channel `V`: 32-bit floats, no sample is 128/255.
+/// The same as the bytes of an EXR of 32-bit floats: `V`, and the alpha `A`, 0 where there is no
+/// sample.
 std::string shareExr(const Visibility& map);
 
 /// Reads a map of visibility that any renderer wrote, or a mask as one of zeros and ones: values of

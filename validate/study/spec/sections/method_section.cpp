@@ -100,6 +100,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
     section.requireOneOf("name", "file");
     method.file = readMethodFile(section, defaults);
     method.parameters.clear();
+    method.disc = false;
   }
   readKeys(section, keysOf(method));
   if (const auto bake = section.optionalTable("bake")) {
