@@ -33,7 +33,7 @@ same. --max and --min take any metric of the table, shares as 0.02 or "2 %"; a m
 defined fails. Of two folders, the pictures of one name are compared, whatever their formats; a name
 that only one of them holds is an error. `_truth` at a name's end is no part of it.
 
-Pictures of more than 8 bits with values between black and white hold V, the share of a light's disc
+A truth of more than 8 bits with values between black and white holds V, the share of a light's disc
 that is seen: error_rate is then the mean of |V - V_truth|, and boundaries are those of both cut at
 V < 0.5. --binarise 0.5 compares these two cuts alone.
 
@@ -176,14 +176,14 @@ struct Pictures {
   [[nodiscard]] bool areSoft() const { return truthShares.size() > 0; }
 };
 
-/// Maps, unless a threshold is given, where one of the pictures holds shares.
+/// Maps, unless a threshold is given, where the truth holds shares. Against a mask a candidate's
+/// values between are refused: they may be smoothed edges.
 Pictures readPictures(const CompareRequest& request, const fs::path& candidateFile,
                       const fs::path& truthFile) {
   const image::MaskReading candidate{request.candidateChannel, request.threshold, request.inverted,
                                      request.upward};
   const image::MaskReading truth{.channel = request.truthChannel, .threshold = request.threshold};
-  const bool areSoft = !request.threshold && (image::holdsShares(candidateFile, candidate) ||
-                                              image::holdsShares(truthFile, truth));
+  const bool areSoft = !request.threshold && image::holdsShares(truthFile, truth);
   if (!areSoft) {
     return {image::readMaskPicture(candidateFile, candidate),
             image::readMaskPicture(truthFile, truth)};
