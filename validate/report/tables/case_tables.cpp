@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "common/lists.h"
-#include "compare/share_metrics.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
@@ -205,10 +203,7 @@ Table metricsTable(const study::StudyRecord& record) {
   // Columns of shares only where a light has a disc.
   const bool isSoft = std::any_of(record.results.begin(), record.results.end(),
                                   [](const auto& result) { return !result.shares.empty(); });
-  for (const std::string_view name : study::metricNames()) {
-    const bool isShare = contains(compare::shareMetricNames(), name);
-    if (isSoft || !isShare) addValues(table, std::array{name});
-  }
+  addValues(table, isSoft ? study::metricNames() : study::pointLightMetricNames());
   for (const study::ResultRecord& result : record.results) {
     Row row{{textCell(record.name), textCell(result.method), textCell(result.light),
              textCell(result.view), textCell(std::string(study::answerName(result.answer))),

@@ -65,9 +65,18 @@ compare::Metric metricOf(const ResultRecord& result, std::string_view name) {
 
 const std::vector<std::string_view>& metricNames() {
   static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list = pointLightMetricNames();
+    const auto& shares = compare::shareMetricNames();
+    list.insert(list.end(), shares.begin(), shares.end());
+    return list;
+  }();
+  return names;
+}
+
+const std::vector<std::string_view>& pointLightMetricNames() {
+  static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list = compare::rateNames();
-    for (const auto* more : {&compare::boundaryMetricNames(), &compare::lengthMetricNames(),
-                             &compare::shareMetricNames()}) {
+    for (const auto* more : {&compare::boundaryMetricNames(), &compare::lengthMetricNames()}) {
       list.insert(list.end(), more->begin(), more->end());
     }
     return list;

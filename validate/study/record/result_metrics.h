@@ -19,8 +19,10 @@ std::vector<compare::Metric> metricsOf(const ResultRecord& result);
 /// @throws InternalError for a name that `metricNames` does not have
 compare::Metric metricOf(const ResultRecord& result, std::string_view name);
 
-/// The names of all metrics, in their order.
+/// The names of all metrics, in their order: those under every light, then those of shares.
 const std::vector<std::string_view>& metricNames();
+/// The names of those under every light.
+const std::vector<std::string_view>& pointLightMetricNames();
 
 /// Whether a metric is one of `rates`. Its uncertainty is the share of samples that flip.
 bool isRate(std::string_view name);
