@@ -41,7 +41,8 @@ float lightDepthOf(ivec2 texel) {
 }
 
 // Change of depth per texel of the map along a plane, by its normal and that normal's cosine to the
-// light, above 0. The first two rows of the map's matrix are its axes in the world over a texel's length.
+// light, above 0. The first two rows of the map's matrix are its axes in the world over a texel's
+// length.
 vec2 lightMapTilt(vec3 facet, float cosine) {
   mat3 axes = transpose(mat3(lightMapFromWorld));
   float texel = lightMapLengths.x;

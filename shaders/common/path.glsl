@@ -162,20 +162,23 @@ bool shadowedByOwnSlope(Path path) {
   return !(path.slope > osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
 }
 
-// A disc has one horizon in every azimuth; a march knows one, and the share that it gives is right where
-// the horizon is straight across the disc. So each half of the disc, left and right, gets a march of its
-// own, through the middle of its area, 4ρ / 3π beside the centre: a half's share over a level horizon is
-// the whole's, so that V = ½ (V₁ + V₂), right to first order where the horizon is tilted. As far as the two
-// are nowhere a quarter of a texel apart they are one, toward the centre.
-int marchesUpTo(float end) { return 2.0 * 0.42441318 * lightRadius * end > 0.25 ? 2 : 1; }
+// A disc has one horizon in every azimuth; a march knows one, and the share that it gives is right
+// where the horizon is straight across the disc. So each half of the disc, left and right, gets a
+// march of its own, through the middle of its area, 4ρ / 3π beside the centre: a half's share over
+// a level horizon is the whole's, so that V = ½ (V₁ + V₂), right to first order where the horizon
+// is tilted. As far as the two are nowhere a quarter of a texel apart they are one, toward the
+// centre.
+const float halfCentre = 0.42441318;  // 4 / 3π
 
-// The light that one of these marches goes to. A great circle across the disc has it on it, and the horizon
-// of what is as far to the left as to the right: tan θ cos ψ.
+int marchesUpTo(float end) { return 2.0 * halfCentre * lightRadius * end > 0.25 ? 2 : 1; }
+
+// The light that one of these marches goes to: on the great circle through the disc's centre that is
+// level there. On it tan θ falls off to both sides as the horizon of a wall across the light does.
 LocalLight marchedLight(Pixel pixel, LocalLight light, int march, int marches) {
   if (marches == 1) return light;
   float size = max(dot(light.tangent, light.tangent), 1e-30);
   vec3 side = cross(pixel.normal, light.tangent) * inversesqrt(size);
-  float off = (march == 0 ? 0.42441318 : -0.42441318) * lightRadius;
+  float off = (march == 0 ? halfCentre : -halfCentre) * lightRadius;
   return makeLocalLight(pixel, normalize(lightDirection + off * side));
 }
 
@@ -254,8 +257,8 @@ bool shadowedAtCrossings(Path path, Crossings at, float end) {
 }
 
 // The same for a horizon: the larger of `lowest` and the slopes at which the relief is seen at the
-// crossings up to `end`, as far as one that is `enough`; `at` is then past the last. What is nearer than
-// a few thousandths of a texel has no slope in float.
+// crossings up to `end`, as far as one that is `enough`; `at` is then past the last. What is nearer
+// than a few thousandths of a texel has no slope in float.
 float horizonAtCrossings(Path path, inout Crossings at, float end, float lowest, float enough) {
   vec2 texelSize = 1.0 / vec2(textureSize(heightMap, 0));
   float most = lowest;

@@ -65,11 +65,12 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   return nearer > 0.5 * samples * samples;
 }
 
-// Percentage-closer soft shadows (Fernando 2005), three steps. The blockers among samples of the widest
-// region that can matter have a mean depth; by it the penumbra here is 2 tan ρ × (receiver - blocker)
-// wide, since the light is as far from all of them; percentage-closer filtering with that width is V.
-// The paper's light has a size and a place, this one an angle. Its samples are on a spiral, the same
-// for every pixel, so that the picture has no noise; their number in the text of 2005 is not known to us.
+// Percentage-closer soft shadows (Fernando 2005), three steps. The blockers among samples of the
+// widest region that can matter have a mean depth; by it the penumbra here is 2 tan ρ × (receiver -
+// blocker) wide, since the light is as far from all of them; percentage-closer filtering with that
+// width is V. The paper's light has a size and a place, this one an angle. Its samples are on a
+// spiral, the same for every pixel, so that the picture has no noise; their number in the text of
+// 2005 is not known to us.
 
 // Samples are compared with the plane of the pixel's facet, which a wide region would shade by itself
 // else; the bias is the hard test's for a texel.
@@ -77,8 +78,10 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 // Number and summed depth of what is nearer among samples of a disc, `across` texels wide.
 vec2 blockersWithin(vec3 place, vec2 tilt, float across, int count) {
   vec2 sum = vec2(0.0);
+  vec2 toward = vec2(0.5 * across, 0.0);
   for (int k = 0; k < count; ++k) {
-    vec2 texel = floor(place.xy + 0.5 * across * discPlace(k, count));
+    vec2 texel = floor(place.xy + sqrt((float(k) + 0.5) / float(count)) * toward);
+    toward = goldenTurn(toward);
     float depth = lightDepthOf(ivec2(texel));
     bool isNearer = depth < place.z + dot(tilt, texel + 0.5 - place.xy);
     sum += isNearer ? vec2(1.0, depth) : vec2(0.0);

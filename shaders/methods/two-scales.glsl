@@ -38,7 +38,7 @@ maximum = 16
 about = "how far from its silhouettes the depth map leaves the answer to the march, pieces"
 
 [parameters.search_samples]
-default = 12
+default = 24
 minimum = 1
 maximum = 1024
 about = "soft light: texels of the depth map that are asked for what hides some of the light"
@@ -157,23 +157,28 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   return shadowedAtCrossings(path, isLong ? path.limit : min(near, path.limit));
 }
 
-// A disc as light. What stands D nearer to the light hides some of it where it lies within D tan ρ of the
-// place, across the light. So the texels that are asked lie on a spiral whose density is even in the
-// logarithm of the distance, each counts where it lies within its own reach, and their mean D gives the
-// radius of the penumbra, D tan ρ. The share of that disc which is not nearer is V (percentage-closer soft
-// shadows, Fernando 2005, but for the reach). A disc smaller than a texel has no texels to count: there the
-// bilinear share tells how far the outline is, share - ½ texels, and the closed form for a straight edge
-// gives V. The march keeps its highest
-// horizon, twice where the disc is wide (marchesUpTo). What either hides is at the lower side of the disc, mostly
-// the same: the smaller share is the answer.
+// A disc as light. What stands D nearer to the light hides some of it where it lies within D tan ρ
+// of the place, across the light. So the texels that are asked lie on a spiral, denser inward,
+// where small D count too: the k-th of n at (k/n)² of the reach of all that the map can hold. Each
+// counts where it lies within its own reach, and their mean D gives the radius of the penumbra, D
+// tan ρ. The share of that disc which is not nearer is V (percentage-closer soft shadows, Fernando
+// 2005, but for the reach). A disc smaller than a texel has no texels to count: there the bilinear
+// share tells how far the outline is, share - ½ texels, and the closed form for a straight edge
+// gives V.
+//
+// Where the depth map sees anything in reach the march goes on to its end, too. It keeps its
+// highest horizon, twice where the disc is wide (marchesUpTo). What either hides is at the lower
+// side of the disc, mostly the same: the smaller share is the answer.
 
 // The mean D of what hides some of the light, in depth; 0 where nothing does.
 float blockerDistance(vec3 place, vec2 tilt, float reach) {
   int count = int(search_samples);
   vec2 sum = vec2(0.0);  // number, D
+  vec2 toward = vec2(1.0, 0.0);
   for (int k = 0; k < count; ++k) {
-    float turn = 2.39996323 * float(k);
-    vec2 offset = reach * place.z * ((float(k) + 0.5) / float(count)) * vec2(cos(turn), sin(turn));
+    float share = (float(k) + 0.5) / float(count);
+    vec2 offset = reach * place.z * share * share * toward;
+    toward = goldenTurn(toward);
     vec2 texel = floor(place.xy + offset);
     float nearer = place.z - lightDepthOf(ivec2(texel));
     bool isBlocker = isNearer(place, tilt, texel) && length(offset) <= reach * nearer + 1.0;
@@ -182,17 +187,16 @@ float blockerDistance(vec3 place, vec2 tilt, float reach) {
   return sum.y / max(sum.x, 1.0);
 }
 
-// V by the depth map.
-float shareByDepth(vec3 place, vec2 tilt) {
-  float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
-  float distance = max(blockerDistance(place, tilt, reach), 0.0);
-  float radius = reach * distance;
+// V by the depth map, with the penumbra's radius in its texels.
+float shareByDepth(vec3 place, vec2 tilt, float radius) {
   float outline = 0.5 - shareNearer(place, tilt);
   if (radius <= 1.0) return discShare(outline / max(radius, 1e-3));
   int count = int(filter_samples);
   float nearer = 0.0;
+  vec2 toward = vec2(radius, 0.0);
   for (int k = 0; k < count; ++k) {
-    vec2 texel = floor(place.xy + radius * discPlace(k, count));
+    vec2 texel = floor(place.xy + sqrt((float(k) + 0.5) / float(count)) * toward);
+    toward = goldenTurn(toward);
     nearer += isNearer(place, tilt, texel) ? 1.0 : 0.0;
   }
   return 1.0 - nearer / float(count);
@@ -213,9 +217,11 @@ float visibility(Pixel pixel, LocalLight light) {
   vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
   place.z -= allowance / lightMapLengths.y;
   vec2 tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
-  float far = shareByDepth(place, tilt);
+  float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
+  float radius = reach * max(blockerDistance(place, tilt, reach), 0.0);
+  float far = shareByDepth(place, tilt, radius);
   if (far <= 0.0) return 0.0;
-  bool isLong = far < 1.0 || isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
+  bool isLong = far < 1.0 || radius > 0.0 || isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
   float enough = slopeTurned(light.slope, tan(lightRadius));
   float end = isLong ? path.limit : min(near, path.limit);
   int marches = marchesUpTo(end);
@@ -224,7 +230,8 @@ float visibility(Pixel pixel, LocalLight light) {
     LocalLight to = marchedLight(pixel, light, march, marches);
     Path way = marchedPath(path, to);
     Crossings at = firstCrossings(way);
-    sum += shareOver(to.slope, horizonAtCrossings(way, at, end, -1e9, enough));
+    sum += shareOver(to.slope, horizonAtCrossings(way, at, end, bareSlope(path), enough));
   }
-  return min(far, sum / float(marches));
+  float share = sum / float(marches);
+  return min(far, share);
 }
