@@ -40,6 +40,16 @@ float lightDepthOf(ivec2 texel) {
   return texelFetch(lightDepthMap, clamp(texel, ivec2(0), textureSize(lightDepthMap, 0) - 1), 0).r;
 }
 
+// Change of depth per texel of the map along a plane, by its normal and that normal's cosine to the
+// light, above 0. The first two rows of the map's matrix are its axes in the world over a texel's
+// length.
+vec2 lightMapTilt(vec3 facet, float cosine) {
+  mat3 axes = transpose(mat3(lightMapFromWorld));
+  float texel = lightMapLengths.x;
+  vec2 across = texel * vec2(dot(facet, axes[0]), dot(facet, axes[1]));
+  return across * texel / (lightMapLengths.y * cosine);
+}
+
 #endif
 
 #ifdef PASS_SHADOW_VOLUMES

@@ -32,6 +32,17 @@ struct Path {
 
 vec2 pathPoint(Path path, float t) { return path.start + t * (path.direction + t * path.bend); }
 
+// sin γ / γ and (1 - cos γ) / γ.
+float sineOver(float angle) {
+  float q = angle * angle;
+  return 1.0 + q * (-0.166183 + q * 0.00769);
+}
+
+float versineOver(float angle) {
+  float q = angle * angle;
+  return angle * (0.5 + q * (-0.0416083 + q * 0.00130917));
+}
+
 // By how much a bump of `bump` height units at t stands over the ray to the light: shadowed where
 // that is 0 or more. With γ = κt the horizon of osculating.glsl, tan β′ ≥ tan θ, times sin γ (1 +
 // κh₁) / κ > 0 and without the difference of numbers near 1:
@@ -41,16 +52,25 @@ float excess(Path path, float t, float bump) {
   float arcLength = t * path.worldPerTexel;
   float curvature = path.curvature + t * path.turn;
   float angle = curvature * arcLength;
-  float q = angle * angle;
-  // sin γ / γ and (1 - cos γ) / γ.
-  float sine = 1.0 + q * (-0.166183 + q * 0.00769);
-  float versine = angle * (0.5 + q * (-0.0416083 + q * 0.00130917));
+  float sine = sineOver(angle);
+  float versine = versineOver(angle);
   float drop = arcLength * (versine + path.slope * sine);
   float occluder = (path.scale + t * path.growth) * bump;
   return occluder * (1.0 - curvature * drop) - path.height - drop;
 }
 
 float excess(Path path, float t) { return excess(path, t, heightAt(pathPoint(path, t))); }
+
+// The slope tan β′ at which a bump of `bump` height units at t is seen, where excess is 0:
+//   tan β′ = (h₁ - h₀ - (1 - cos γ) / κ · p) / (sin γ / κ · p),   p = 1 + κh₁.
+float slopeOf(Path path, float t, float bump) {
+  float arcLength = t * path.worldPerTexel;
+  float curvature = path.curvature + t * path.turn;
+  float angle = curvature * arcLength;
+  float occluder = (path.scale + t * path.growth) * bump;
+  float peak = arcLength * max(1.0 + curvature * occluder, 1e-3);
+  return (occluder - path.height - versineOver(angle) * peak) / (sineOver(angle) * peak);
+}
 
 // Where the ray has left the highest bump below it for good. Over a convex surface the ray climbs
 // by at least (1 + κh₀) (tan θ s + κs²/2), where that is above 0. In a bowl the surface comes up
@@ -126,6 +146,11 @@ Path makePath(Pixel pixel, LocalLight light) {
   return path;
 }
 
+// The slope of the bare surface's horizon, (3); -1e9 where it has none.
+float bareSlope(Path path) {
+  return path.curvature > 0.0 ? bareHorizon(path.curvature, path.height) : -1e9;
+}
+
 // Shadowed by the bare surface, (3).
 bool shadowedByBareSurface(Path path) {
   return path.curvature > 0.0 && !(path.slope > bareHorizon(path.curvature, path.height));
@@ -135,6 +160,33 @@ bool shadowedByBareSurface(Path path) {
 // (d = 0) that is more exact than that of the bumped normal, and that no method is scored with.
 bool shadowedByOwnSlope(Path path) {
   return !(path.slope > osculatingHorizon(path.curvature, path.height, path.rise, 0.0));
+}
+
+// A disc has one horizon in every azimuth; a march knows one, and the share that it gives is right
+// where the horizon is straight across the disc. So each half of the disc, left and right, gets a
+// march of its own, through the middle of its area, 4ρ / 3π beside the centre: a half's share over
+// a level horizon is the whole's, so that V = ½ (V₁ + V₂), right to first order where the horizon
+// is tilted. As far as the two are nowhere a quarter of a texel apart they are one, toward the
+// centre.
+const float halfCentre = 0.42441318;  // 4 / 3π
+
+int marchesUpTo(float end) { return 2.0 * halfCentre * lightRadius * end > 0.25 ? 2 : 1; }
+
+// The light that one of these marches goes to: on the great circle through the disc's centre that is
+// level there. On it tan θ falls off to both sides as the horizon of a wall across the light does.
+LocalLight marchedLight(Pixel pixel, LocalLight light, int march, int marches) {
+  if (marches == 1) return light;
+  float size = max(dot(light.tangent, light.tangent), 1e-30);
+  vec3 side = cross(pixel.normal, light.tangent) * inversesqrt(size);
+  float off = (march == 0 ? halfCentre : -halfCentre) * lightRadius;
+  return makeLocalLight(pixel, normalize(lightDirection + off * side));
+}
+
+// The path to it, from the one to the centre.
+Path marchedPath(Path path, LocalLight marched) {
+  path.direction = marched.direction;
+  path.worldPerTexel = marched.worldPerTexel;
+  return path;
 }
 
 // Along the path the bilinear relief has its kinks, and nearly always its horizon, where it crosses
@@ -202,6 +254,36 @@ bool shadowedAtCrossings(Path path, Crossings at, float end) {
     most = max(before, leave <= end ? after : -1.0);
   }
   return most >= 0.0;
+}
+
+// The same for a horizon: the larger of `lowest` and the slopes at which the relief is seen at the
+// crossings up to `end`, as far as one that is `enough`; `at` is then past the last. What is nearer
+// than a few thousandths of a texel has no slope in float.
+float horizonAtCrossings(Path path, inout Crossings at, float end, float lowest, float enough) {
+  vec2 texelSize = 1.0 / vec2(textureSize(heightMap, 0));
+  float most = lowest;
+  for (float enter = nextCrossing(at); enter <= end && most < enough; enter = nextCrossing(at)) {
+    pass(at);
+    float leave = nextCrossing(at);
+    pass(at);
+    float far = 0.5 * (leave - enter);
+    float middle = enter + far;
+    vec2 bent = middle * path.bend;
+    Cell cell = heightCell(path.start + middle * (path.direction + bent), texelSize);
+    vec2 way = far * (path.direction + 2.0 * bent);
+    vec2 room = 1e-3 + mix(cell.fraction, 1.0 - cell.fraction, greaterThan(way, vec2(0.0)));
+    vec2 each = 1.0 / max(abs(way), 1e-6);
+    vec2 back = (1.002 - room) * each;
+    vec2 on = room * each;
+    float first = min(min(back.x, back.y), 1.0);
+    float second = min(min(on.x, on.y), 1.0);
+    float entered = heightIn(cell.heights, cell.fraction - first * way);
+    float left = heightIn(cell.heights, cell.fraction + second * way);
+    float before = slopeOf(path, max(middle - first * far, 4e-3), entered);
+    float after = slopeOf(path, max(middle + second * far, 4e-3), left);
+    most = max(most, max(enter > 4e-3 ? before : -1e9, leave <= end && leave > 4e-3 ? after : -1e9));
+  }
+  return most;
 }
 
 bool shadowedAtCrossings(Path path, float end) {

@@ -1,8 +1,8 @@
-// The picture of a mask: diffuse light by the shading normal where the mask is lit, ambient light
-// everywhere. The pictures of the base mesh are all shaded by N', so that they differ by their masks
-// alone, whatever normal a method's mask was made by.
+// The picture of a mask or of shares of light: diffuse light by the shading normal, as much as
+// there is light, ambient light everywhere. The pictures of the base mesh are all shaded by N', so
+// that they differ by their masks alone, whatever normal a method's mask was made by.
 
-uniform usampler2D shadowMask;
+uniform sampler2D litShares;  // 0 to 1
 
 layout(location = 0) out vec4 colour;
 
@@ -15,7 +15,7 @@ const float leastCosine = 0.02;
 void main() {
   Pixel pixel = makePixel();
   float cosine = max(dot(shadingNormal(pixel), lightDirection), leastCosine);
-  bool lit = texelFetch(shadowMask, ivec2(gl_FragCoord.xy), 0).r == 0u;
-  vec3 light = albedo * (ambient + (lit ? (1.0 - ambient) * cosine : 0.0));
+  float share = texelFetch(litShares, ivec2(gl_FragCoord.xy), 0).r;
+  vec3 light = albedo * (ambient + share * ((1.0 - ambient) * cosine));
   colour = vec4(pow(light, vec3(1.0 / 2.2)), 1.0);
 }

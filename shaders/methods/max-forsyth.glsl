@@ -7,7 +7,6 @@ tables = ["horizon"]
 // Lit where the light stands higher than the horizon of the flat relief in its azimuth:
 // tan θ > tan β. The table holds δ in height units per texel, so that tan β = a δ / σ.
 
-bool isShadowed(Pixel pixel, LocalLight light) {
-  float slope = pixel.worldPerHeight * horizonAt(pixel.texel, light.azimuth) / light.worldPerTexel;
-  return !(light.slope > slope);
+float horizonSlope(Pixel pixel, LocalLight light) {
+  return pixel.worldPerHeight * horizonAt(pixel.texel, light.azimuth) / light.worldPerTexel;
 }

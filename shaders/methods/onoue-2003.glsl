@@ -8,7 +8,7 @@ tables = ["height", "horizon", "distance"]
 // parts of the surface itself cast shadows: where κ < 0 it falls back to the flat horizon map. Its
 // printed (3) lacks the minus sign, a slip that the 2004 paper mends; the sign is kept here.
 
-bool isShadowed(Pixel pixel, LocalLight light) {
+float horizonSlope(Pixel pixel, LocalLight light) {
   float curvature = max(normalCurvature(pixel, light.tangent), 0.0);          // (1), 1 / world
   float height = pixel.worldPerHeight * heightAt(pixel.texel);                // h, world
   float slope = pixel.worldPerHeight * horizonAt(pixel.texel, light.azimuth)  // tan β
@@ -17,5 +17,5 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 
   float lowered = slope * (1.0 - curvature * height) - 0.5 * curvature * arcLength;  // (2)
   if (curvature > 0.0) lowered = max(lowered, bareHorizon(curvature, height));   // (3)
-  return !(light.slope > lowered);
+  return lowered;
 }

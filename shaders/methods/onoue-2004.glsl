@@ -11,7 +11,7 @@ tables = ["height", "horizon", "distance"]
 // meaning (its root is imaginary), and below the bare surface it is clamped to h = 0. At h = 0 on a
 // convex surface it gives 0: bare ground beyond the terminator is dark.
 
-bool isShadowed(Pixel pixel, LocalLight light) {
+float horizonSlope(Pixel pixel, LocalLight light) {
   float curvature = normalCurvature(pixel, light.tangent);                    // (1), 1 / world
   float height = pixel.worldPerHeight * heightAt(pixel.texel);                // h, world
   float slope = pixel.worldPerHeight * horizonAt(pixel.texel, light.azimuth)  // tan β
@@ -20,5 +20,5 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 
   float lowered = slope * (1.0 - curvature * height) - 0.5 * curvature * arcLength;  // (2)
   if (curvature > 0.0) lowered = max(lowered, bareHorizon(curvature, height));   // (3)
-  return !(light.slope > lowered);
+  return lowered;
 }

@@ -8,7 +8,7 @@ tables = ["height", "horizon", "distance"]
 // h₁ = h₀ + d tan β at arc length d stands on the osculating circle, seen without small angles and
 // with the term that the paper drops from its denominator. One flat horizon a direction is left.
 
-bool isShadowed(Pixel pixel, LocalLight light) {
+float horizonSlope(Pixel pixel, LocalLight light) {
   float curvature = normalCurvature(pixel, light.tangent);                    // (1), 1 / world
   float height = pixel.worldPerHeight * heightAt(pixel.texel);                // h₀, world
   float slope = pixel.worldPerHeight * horizonAt(pixel.texel, light.azimuth)  // tan β
@@ -17,5 +17,5 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 
   float horizon = osculatingHorizon(curvature, height, slope, arcLength);
   if (curvature > 0.0) horizon = max(horizon, bareHorizon(curvature, height));  // (3)
-  return !(light.slope > horizon);
+  return horizon;
 }

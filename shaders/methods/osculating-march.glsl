@@ -38,3 +38,31 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   }
   return false;
 }
+
+// Of a disc the march follows the lowest ray and keeps the highest horizon that it meets, until that
+// hides the highest ray.
+float visibility(Pixel pixel, LocalLight light) {
+  float curvature = normalCurvature(pixel, light.tangent);     // (1), 1 / world
+  float height = pixel.worldPerHeight * heightAt(pixel.texel);  // h₀, world
+  float lowest = lowestRay(light).slope;
+  float enough = slopeTurned(light.slope, tan(lightRadius));
+  float horizon = lowest;
+  if (curvature > 0.0) horizon = max(horizon, bareHorizon(curvature, height));  // (3)
+
+  float farthest = min(searchRadius, knownDistance(pixel.texel, light.direction));
+  vec2 above = aboveRelief(curvature, height, lowest, pixel.worldPerHeight * heightBounds.y) /
+               light.worldPerTexel;
+  float leaves = above.x * 1.001 + stride;
+  float returns = above.y * 0.999 - stride;
+  for (float t = stride; t <= farthest && horizon < enough; t += stride) {
+    if (t > leaves && t < returns) {
+      if (returns > farthest) break;
+      t = max(t, stride * floor(returns / stride));
+    }
+    float arcLength = t * light.worldPerTexel;
+    float occluder = pixel.worldPerHeight * heightAt(pixel.texel + t * light.direction);
+    float slope = (occluder - height) / arcLength;
+    horizon = max(horizon, osculatingHorizon(curvature, height, slope, arcLength));
+  }
+  return shareOver(light.slope, horizon);
+}

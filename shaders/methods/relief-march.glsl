@@ -25,3 +25,17 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   }
   return false;
 }
+
+// Of a disc the march follows the lowest ray and keeps the highest slope that it meets.
+float visibility(Pixel pixel, LocalLight light) {
+  float height = heightAt(pixel.texel);
+  float scale = pixel.worldPerHeight / light.worldPerTexel;
+  float horizon = lowestRay(light).slope / scale;  // height units per texel
+  float farthest = min(searchRadius, knownDistance(pixel.texel, light.direction));
+  float end = horizon > 0.0 ? min((heightBounds.y - height) / horizon, farthest) : farthest;
+  for (float i = 1.0; i <= steps; i += 1.0) {
+    float t = max(end * i / steps, 1e-3);
+    horizon = max(horizon, (heightAt(pixel.texel + t * light.direction) - height) / t);
+  }
+  return shareOver(light.slope, scale * horizon);
+}

@@ -56,3 +56,35 @@ bool isShadowed(Pixel pixel, LocalLight light) {
     end = min(t + search, path.limit);
   }
 }
+
+// Of a disc the same places are asked for the highest horizon, along the one or two marches that
+// marchesUpTo says.
+float horizonOfPlaces(Path path, LocalLight light, float enough, out Crossings at) {
+  float horizon = bareSlope(path);
+  float close = crossings / (abs(path.direction.x) + abs(path.direction.y));
+  at = firstCrossings(path);
+  float end = min(path.limit, close);
+  for (int candidate = 0;; ++candidate) {
+    horizon = horizonAtCrossings(path, at, end, horizon, enough);
+    if (candidate == 8 || path.limit <= close || horizon >= enough) return horizon;
+    float t = candidateDistance(path, light, candidate);
+    at = crossingsFrom(path, max(t - search, close));
+    end = min(t + search, path.limit);
+  }
+}
+
+float visibility(Pixel pixel, LocalLight light) {
+  Path path = makePath(pixel, lowestRay(light));
+  float enough = slopeTurned(light.slope, tan(lightRadius));
+  int marches = marchesUpTo(path.limit);
+  float sum = 0.0;
+  bool isDark = false;  // for both marches, by what hides the disc so near that they meet it together
+  for (int march = 0; march < marches && !isDark; ++march) {
+    LocalLight to = marchedLight(pixel, light, march, marches);
+    Crossings at;
+    float share = shareOver(to.slope, horizonOfPlaces(marchedPath(path, to), to, enough, at));
+    isDark = share <= 0.0 && marchesUpTo(nextCrossing(at)) == 1;
+    sum += share;
+  }
+  return sum / float(marches);
+}

@@ -1,6 +1,6 @@
 /* gnomon-method
 title = "Displaced mesh with a shadow map"
-citation = "Williams 1978; Reeves, Salesin & Cook 1987"
+citation = "Williams 1978; Reeves, Salesin & Cook 1987; Fernando 2005"
 passes = ["light-depth"]
 mesh = "displaced"
 subdivisions = 9
@@ -28,6 +28,18 @@ default = 1
 minimum = 0
 maximum = 64
 about = "what a sample must be nearer to the light by, texels of the depth map on a facet that faces it"
+
+[parameters.search_samples]
+default = 16
+minimum = 1
+maximum = 1024
+about = "soft light: samples of the search for blockers; NVIDIA's integration paper of 2008 has 16"
+
+[parameters.filter_samples]
+default = 16
+minimum = 1
+maximum = 1024
+about = "soft light: samples of the filter; NVIDIA's integration paper of 2008 has 16"
 */
 
 // The surface as real geometry and its depth seen from the light. Depths around the pixel's place in
@@ -51,4 +63,45 @@ bool isShadowed(Pixel pixel, LocalLight light) {
     }
   }
   return nearer > 0.5 * samples * samples;
+}
+
+// Percentage-closer soft shadows (Fernando 2005), three steps. The blockers among samples of the
+// widest region that can matter have a mean depth; by it the penumbra here is 2 tan ρ × (receiver -
+// blocker) wide, since the light is as far from all of them; percentage-closer filtering with that
+// width is V. The paper's light has a size and a place, this one an angle. Its samples are on a
+// spiral, the same for every pixel, so that the picture has no noise; their number in the text of
+// 2005 is not known to us.
+
+// Samples are compared with the plane of the pixel's facet, which a wide region would shade by itself
+// else; the bias is the hard test's for a texel.
+
+// Number and summed depth of what is nearer among samples of a disc, `across` texels wide.
+vec2 blockersWithin(vec3 place, vec2 tilt, float across, int count) {
+  vec2 sum = vec2(0.0);
+  vec2 toward = vec2(0.5 * across, 0.0);
+  for (int k = 0; k < count; ++k) {
+    vec2 texel = floor(place.xy + sqrt((float(k) + 0.5) / float(count)) * toward);
+    toward = goldenTurn(toward);
+    float depth = lightDepthOf(ivec2(texel));
+    bool isNearer = depth < place.z + dot(tilt, texel + 0.5 - place.xy);
+    sum += isNearer ? vec2(1.0, depth) : vec2(0.0);
+  }
+  return sum;
+}
+
+float visibility(Pixel pixel, LocalLight light) {
+  vec3 facet = facetNormal(pixel);
+  float cosine = dot(facet, lightDirection);
+  float facing = max(cosine, 1.0 / 16.0);
+  vec3 place = lightMapPlace(pixel.position);
+  vec2 tilt = lightMapTilt(facet, facing);
+  float slope = sqrt(max(1.0 - facing * facing, 0.0)) / facing;
+  place.z -= lightMapLengths.x * bias * (1.0 + 0.5 * slope) / lightMapLengths.y;
+  float widest = 2.0 * tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
+  vec2 blockers = blockersWithin(place, tilt, max(widest * place.z, 1.0), int(search_samples));
+  float depth = blockers.y / max(blockers.x, 1.0);
+  float penumbra = max(widest * (place.z - depth), 1.0);
+  float hidden = blockersWithin(place, tilt, penumbra, int(filter_samples)).x / floor(filter_samples);
+  float share = blockers.x > 0.0 ? 1.0 - hidden : 1.0;
+  return cosine > -sin(lightRadius) ? share : 0.0;
 }

@@ -16,3 +16,9 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float horizon = resolvedAt(pixel.texel);
   return !(toSteps(horizon - angleOfCosine(vertexLight.z)) > 0.0);
 }
+
+// The same horizon as a slope; its light is the pixel's own and not in steps.
+float horizonSlope(Pixel pixel, LocalLight light) {
+  float angle = angleLimit * resolvedAt(pixel.texel);
+  return cos(angle) / max(sin(angle), 1e-9);
+}

@@ -27,3 +27,10 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float horizon = resolvedAt(pixel.texel);
   return !(toSteps(horizon - angleOfCosine(vertexLight.w)) > 0.0);
 }
+
+// The same horizon as a slope in the world, whose light is the pixel's own and not in steps.
+float horizonSlope(Pixel pixel, LocalLight light) {
+  float angle = angleLimit * resolvedAt(pixel.texel);
+  float slope = cos(angle) / max(sin(angle), 1e-9);
+  return slope * pixel.worldPerHeight / (light.worldPerTexel * texelsPerHeight);
+}

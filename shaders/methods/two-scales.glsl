@@ -36,6 +36,18 @@ default = 0.125
 minimum = 0
 maximum = 16
 about = "how far from its silhouettes the depth map leaves the answer to the march, pieces"
+
+[parameters.search_samples]
+default = 24
+minimum = 1
+maximum = 1024
+about = "soft light: texels of the depth map that are asked for what hides some of the light"
+
+[parameters.filter_samples]
+default = 16
+minimum = 1
+maximum = 1024
+about = "soft light: texels of the depth map that the share is taken of"
 */
 
 // A march over the height map knows the relief to the texel, but not where the texture's seams and
@@ -96,15 +108,6 @@ float pieceLength() {
   return sqrt(world / max(abs(stX.x * stY.y - stX.y * stY.x), 1e-20)) / light_pieces;
 }
 
-// Change of depth per texel of the depth map along a plane. The first two rows of the map's matrix
-// are its axes in the world over a texel's length.
-vec2 depthTilt(vec3 facet, float cosine) {
-  mat3 axes = transpose(mat3(lightMapFromWorld));
-  float texel = lightMapLengths.x;
-  vec2 across = texel * vec2(dot(facet, axes[0]), dot(facet, axes[1]));
-  return across * texel / (lightMapLengths.y * max(cosine, 1.0 / steepest));
-}
-
 // Whether a texel of the depth map is nearer to the light than the plane through place.z.
 bool isNearer(vec3 place, vec2 tilt, vec2 texel) {
   return lightDepthOf(ivec2(texel)) < place.z + dot(tilt, texel + 0.5 - place.xy);
@@ -148,8 +151,87 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 
   vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
   place.z -= allowance / lightMapLengths.y;
-  vec2 tilt = depthTilt(facet, cosine);
+  vec2 tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
   if (shareNearer(place, tilt) > 0.5) return true;
   bool isLong = isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
   return shadowedAtCrossings(path, isLong ? path.limit : min(near, path.limit));
+}
+
+// A disc as light. What stands D nearer to the light hides some of it where it lies within D tan ρ
+// of the place, across the light. So the texels that are asked lie on a spiral, denser inward,
+// where small D count too: the k-th of n at (k/n)² of the reach of all that the map can hold. Each
+// counts where it lies within its own reach, and their mean D gives the radius of the penumbra, D
+// tan ρ. The share of that disc which is not nearer is V (percentage-closer soft shadows, Fernando
+// 2005, but for the reach). A disc smaller than a texel has no texels to count: there the bilinear
+// share tells how far the outline is, share - ½ texels, and the closed form for a straight edge
+// gives V.
+//
+// Where the depth map sees anything in reach the march goes on to its end, too. It keeps its
+// highest horizon, twice where the disc is wide (marchesUpTo). What either hides is at the lower
+// side of the disc, mostly the same: the smaller share is the answer.
+
+// The mean D of what hides some of the light, in depth; 0 where nothing does.
+float blockerDistance(vec3 place, vec2 tilt, float reach) {
+  int count = int(search_samples);
+  vec2 sum = vec2(0.0);  // number, D
+  vec2 toward = vec2(1.0, 0.0);
+  for (int k = 0; k < count; ++k) {
+    float share = (float(k) + 0.5) / float(count);
+    vec2 offset = reach * place.z * share * share * toward;
+    toward = goldenTurn(toward);
+    vec2 texel = floor(place.xy + offset);
+    float nearer = place.z - lightDepthOf(ivec2(texel));
+    bool isBlocker = isNearer(place, tilt, texel) && length(offset) <= reach * nearer + 1.0;
+    sum += isBlocker ? vec2(1.0, nearer) : vec2(0.0);
+  }
+  return sum.y / max(sum.x, 1.0);
+}
+
+// V by the depth map, with the penumbra's radius in its texels.
+float shareByDepth(vec3 place, vec2 tilt, float radius) {
+  float outline = 0.5 - shareNearer(place, tilt);
+  if (radius <= 1.0) return discShare(outline / max(radius, 1e-3));
+  int count = int(filter_samples);
+  float nearer = 0.0;
+  vec2 toward = vec2(radius, 0.0);
+  for (int k = 0; k < count; ++k) {
+    vec2 texel = floor(place.xy + sqrt((float(k) + 0.5) / float(count)) * toward);
+    toward = goldenTurn(toward);
+    nearer += isNearer(place, tilt, texel) ? 1.0 : 0.0;
+  }
+  return 1.0 - nearer / float(count);
+}
+
+float visibility(Pixel pixel, LocalLight light) {
+  Path path = makePath(pixel, lowestRay(light));
+  float piece = pieceLength();
+  vec3 facet = shadingNormal(pixel);
+  float cosine = dot(facet, lightDirection);
+  if (!(cosine > -sin(lightRadius))) return 0.0;
+
+  float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6), steepest);
+  float off = bias * lightMapLengths.x + piece_bias * piece;
+  float allowance = off * (1.0 + 0.5 * slope);
+  float near = allowance / (path.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
+
+  vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
+  place.z -= allowance / lightMapLengths.y;
+  vec2 tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
+  float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
+  float radius = reach * max(blockerDistance(place, tilt, reach), 0.0);
+  float far = shareByDepth(place, tilt, radius);
+  if (far <= 0.0) return 0.0;
+  bool isLong = far < 1.0 || radius > 0.0 || isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
+  float enough = slopeTurned(light.slope, tan(lightRadius));
+  float end = isLong ? path.limit : min(near, path.limit);
+  int marches = marchesUpTo(end);
+  float sum = 0.0;
+  for (int march = 0; march < marches; ++march) {
+    LocalLight to = marchedLight(pixel, light, march, marches);
+    Path way = marchedPath(path, to);
+    Crossings at = firstCrossings(way);
+    sum += shareOver(to.slope, horizonAtCrossings(way, at, end, bareSlope(path), enough));
+  }
+  float share = sum / float(marches);
+  return min(far, share);
 }

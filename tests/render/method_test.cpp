@@ -95,6 +95,33 @@ TEST(Method, RefusesADeclarationThatNestsTooDeep) {
   }
 }
 
+TEST(Method, KnowsWhichAnswersItsFileDefines) {
+  const std::string head = "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n*/\n";
+  const std::string test = "bool isShadowed(Pixel pixel, LocalLight light) {\n  return false;\n}\n";
+  const std::string share = "float visibility(Pixel pixel, LocalLight light) { return 1.0; }\n";
+  const std::string horizon =
+      "float horizonSlope(const Pixel pixel,\n                   LocalLight light)\n{ return 0.0; "
+      "}\n";
+  const auto answers = [&](const std::string& code) {
+    const MethodFile file(head + code);
+    const Method method = readMethod(file.path());
+    return std::array{method.hasTest, method.answersShares, method.hasHorizon};
+  };
+  EXPECT_EQ(answers(test), (std::array{true, false, false}));
+  EXPECT_EQ(answers(share), (std::array{false, true, false}));
+  EXPECT_EQ(answers(horizon), (std::array{false, false, true}));
+  EXPECT_EQ(answers(test + share + horizon), (std::array{true, true, true}));
+  // The same names elsewhere are no answers.
+  EXPECT_EQ(answers("// float visibility(Pixel pixel, LocalLight light)\n"
+                    "/* float horizonSlope(Pixel pixel, LocalLight light) */\n"
+                    "float visibility(vec2 texel) { return texel.x; }\n"
+                    "bool isShadowed(Pixel pixel, LocalLight light) {\n"
+                    "  float horizonSlope = 0.0;\n"
+                    "  float visibility = (horizonSlope) + float(Pixel(pixel).k1);\n"
+                    "  return visibility < 0.0;\n}\n"),
+            (std::array{true, false, false}));
+}
+
 std::string declared(const std::string& lines, const std::string& code = {}) {
   return "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n" + lines +
          "\n*/\nbool isShadowed(Pixel pixel, LocalLight light) { return false; }\n" + code;

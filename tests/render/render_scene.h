@@ -46,9 +46,12 @@ class RenderScene {
         gpuHorizon_(horizon, tables),
         gpuDistance_(distance, tables) {}
 
-  [[nodiscard]] render::Drawing drawing(const Vec3& light) const {
-    return {gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, light,
-            nullptr,  &texture};
+  /// @param radius  of the light's disc, radians
+  [[nodiscard]] render::Drawing drawing(const Vec3& light, double radius = 0) const {
+    render::Drawing drawn{gpuMesh_, gpuHeights_, relief.field.wrap(), relief.space, frame, light,
+                          nullptr,  &texture};
+    drawn.lightRadius = radius;
+    return drawn;
   }
 
   /// The drawn answer.
@@ -88,6 +91,37 @@ class RenderScene {
       const std::map<std::string, double>& parameters = {}) const {
     const render::MethodPass pass(render::shaderFolder(), method, relief.field.wrap(), filter,
                                   parameters);
+    std::vector<render::MethodAnswers> found;
+    withInputs(method, parameters, [&](render::Drawing drawn, const render::GpuTables& gpu) {
+      for (const Vec3& light : lights) {
+        drawn.light = light;
+        found.push_back(pass.render(view, drawn, gpu));
+      }
+    });
+    return found;
+  }
+
+  /// The shares of a light's disc that a method answers with.
+  /// @param radius  of the disc, radians
+  [[nodiscard]] render::VisibilityAnswers shares(
+      const render::Method& method, const render::RenderView& view, const Vec3& light,
+      double radius, render::SoftAnswer soft = render::SoftAnswer::own,
+      const std::map<std::string, double>& parameters = {}) const {
+    const render::MethodPass pass(render::shaderFolder(), method, relief.field.wrap(),
+                                  render::TableFilter::exact, parameters, soft);
+    render::VisibilityAnswers found;
+    withInputs(method, parameters, [&](render::Drawing drawn, const render::GpuTables& gpu) {
+      drawn.light = light;
+      drawn.lightRadius = radius;
+      found = pass.renderVisibility(view, drawn, gpu);
+    });
+    return found;
+  }
+
+  /// Calls `use(drawing, tables)` with all that a method declares.
+  template <typename Use>
+  void withInputs(const render::Method& method, const std::map<std::string, double>& parameters,
+                  const Use& use) const {
     render::GpuTables gpu{&gpuHorizon_, &gpuDistance_};
     gpu.searchRadius = tables.radiusTexels;
     std::optional<render::GpuAngles> angles;
@@ -106,13 +140,9 @@ class RenderScene {
       const int pieces = render::lightPieces(method, parameters);
       lightMesh.emplace(displaced::makeDisplacedMesh(surface, relief, pieces).mesh);
     }
-    std::vector<render::MethodAnswers> found;
-    for (const Vec3& light : lights) {
-      render::Drawing drawn = drawing(light);
-      if (lightMesh) drawn.lightMesh = &*lightMesh;
-      found.push_back(pass.render(view, drawn, gpu));
-    }
-    return found;
+    render::Drawing drawn = drawing({0, 0, 1});
+    if (lightMesh) drawn.lightMesh = &*lightMesh;
+    use(drawn, gpu);
   }
 
   [[nodiscard]] surface::SampleGrid samples(const render::RenderView& view) const {
@@ -185,6 +215,20 @@ class DisplacedScene {
     const render::MethodPass pass(render::shaderFolder(), read, relief.field.wrap(),
                                   render::TableFilter::exact, parameters);
     return pass.render(view, drawing(light), {});
+  }
+
+  /// The shares of a light's disc that a method answers with.
+  /// @param radius  of the disc, radians
+  [[nodiscard]] render::VisibilityAnswers shares(
+      const std::string& method, const render::RenderView& view, const Vec3& light, double radius,
+      const std::map<std::string, double>& parameters = {}) const {
+    const render::Method read =
+        render::readMethod(render::methodFile(render::shaderFolder(), method));
+    const render::MethodPass pass(render::shaderFolder(), read, relief.field.wrap(),
+                                  render::TableFilter::exact, parameters);
+    render::Drawing drawn = drawing(light);
+    drawn.lightRadius = radius;
+    return pass.renderVisibility(view, drawn, {});
   }
 
   [[nodiscard]] render::Drawing drawing(const Vec3& light) const {

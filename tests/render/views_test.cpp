@@ -139,6 +139,24 @@ TEST(ShadePass, IsDarkWhereTheMaskIs) {
   EXPECT_GT(red(20, 4), 220);
 }
 
+/// As shade.frag has it, before its gamma: ambient light, and the rest in proportion to the share.
+TEST(ShadePass, IsAsBrightAsTheShareOfLight) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(32, 32, 4, 4), flatRelief(32, 32), {4, 4},
+                          horizon::TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 8);
+  Visibility visibility{view.width, view.height, {}};
+  for (int i = 0; i < view.width * view.height; ++i) {
+    visibility.shares.push_back(static_cast<float>(i % 33) / 32);
+  }
+  const ShadePass pass(shaderFolder(), scene.relief.field.wrap(), DrawnMesh::base);
+  const auto rgb = pass.render(view, scene.drawing({0, 0, 1}), visibility);
+  for (std::size_t i = 0; i < visibility.size(); ++i) {
+    const double light = 0.86 * (0.16 + 0.84 * static_cast<double>(visibility.shares[i]));
+    ASSERT_NEAR(rgb[3 * i], 255 * std::pow(light, 1 / 2.2), 1) << visibility.shares[i];
+  }
+}
+
 TEST(CameraMatrices, PutThePixelsRaysWhereThePixelsAre) {
   const surface::LimitSurface surface(surface::makeSphere(60, 1.6, 1.2, 20, 15));
   const surface::BaseMesh mesh = surface::makeBaseMesh(surface, Vec2(40, 30), 1);

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "common/error.h"
+#include "compare/answer_pair.h"
 #include "compare/mask_checks.h"
 
 namespace gnomon::compare {
@@ -15,6 +16,27 @@ namespace {
 void requireBin(std::uint8_t bin, std::size_t binCount) {
   if (bin < binCount) return;
   throw InternalError(fmt::format("bin {} found, below {} expected", bin, binCount));
+}
+
+template <typename Pair>
+std::vector<Counts> countEachBin(const Pair& pair, std::span<const std::uint8_t> bins,
+                                 std::size_t binCount, std::span<const double> weights) {
+  requireOnePerSample(weights.size(), pair.size(), "weight");
+  if (bins.size() != pair.size()) {
+    throw InputError(
+        fmt::format("bins: {} found for {} samples, one each expected", bins.size(), pair.size()));
+  }
+  std::vector<Counts> counts(binCount);
+  for (std::size_t i = 0; i < pair.size(); ++i) {
+    if (bins[i] == noBin) continue;
+    requireBin(bins[i], binCount);
+    if (pair.hasNeither(i)) continue;
+    if (!pair.hasBoth(i)) {
+      throw InputError(fmt::format("sample {}: in one of the masks only", i));
+    }
+    pair.add(i, weights.empty() ? 1 : weights[i], counts[bins[i]]);
+  }
+  return counts;
 }
 
 }  // namespace
@@ -36,26 +58,13 @@ std::uint8_t binOf(double value, std::span<const double> edges) {
 std::vector<Counts> countBins(const Mask& candidate, const Mask& truth,
                               std::span<const std::uint8_t> bins, std::size_t binCount,
                               std::span<const double> weights) {
-  requireSameView(candidate, truth);
-  requireOnePerSample(weights.size(), truth.size(), "weight");
-  if (bins.size() != truth.size()) {
-    throw InputError(
-        fmt::format("bins: {} found for {} samples, one each expected", bins.size(), truth.size()));
-  }
-  std::vector<Counts> counts(binCount);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (bins[i] == noBin) continue;
-    requireBin(bins[i], binCount);
-    const bool hasCandidate = isAnswer(candidate.samples[i]);
-    if (hasCandidate != isAnswer(truth.samples[i])) {
-      throw InputError(fmt::format("sample {}: in one of the masks only", i));
-    }
-    if (!hasCandidate) continue;
-    Counts& bin = counts[bins[i]];
-    bin.cell(candidate.samples[i], truth.samples[i]) += weights.empty() ? 1 : weights[i];
-    ++bin.samples;
-  }
-  return counts;
+  return countEachBin(MaskPair(candidate, truth), bins, binCount, weights);
+}
+
+std::vector<Counts> countBins(const Visibility& candidate, const Visibility& truth,
+                              std::span<const std::uint8_t> bins, std::size_t binCount,
+                              std::span<const double> weights) {
+  return countEachBin(SharePair(candidate, truth), bins, binCount, weights);
 }
 
 }  // namespace gnomon::compare

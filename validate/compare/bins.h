@@ -31,5 +31,8 @@ std::uint8_t binOf(double value, std::span<const double> edges);
 std::vector<Counts> countBins(const Mask& candidate, const Mask& truth,
                               std::span<const std::uint8_t> bins, std::size_t binCount,
                               std::span<const double> weights = {});
+std::vector<Counts> countBins(const Visibility& candidate, const Visibility& truth,
+                              std::span<const std::uint8_t> bins, std::size_t binCount,
+                              std::span<const double> weights = {});
 
 }  // namespace gnomon::compare

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "common/error.h"
+#include "compare/answer_pair.h"
 #include "compare/counts.h"
 #include "compare/mask_checks.h"
 
@@ -25,6 +26,36 @@ void requireSameBlocks(const BlockErrors& a, const BlockErrors& b) {
   }
 }
 
+template <typename Pair>
+BlockErrors errorsOf(const Pair& pair, int side, std::span<const double> weights,
+                     std::span<const std::uint8_t> selected) {
+  requireOnePerSample(selected.size(), pair.size(), "selection");
+  const int columns = (pair.width() + side - 1) / side;
+  const int rows = (pair.height() + side - 1) / side;
+  const auto blocks = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  BlockErrors errors{std::vector<double>(blocks), std::vector<double>(blocks)};
+  std::size_t i = 0;
+  for (int y = 0; y < pair.height(); ++y) {
+    const auto firstOfRow = static_cast<std::size_t>(y / side) * static_cast<std::size_t>(columns);
+    for (int column = 0; column < columns; ++column) {
+      const std::size_t block = firstOfRow + static_cast<std::size_t>(column);
+      const int end = std::min(pair.width(), (column + 1) * side);
+      for (int x = column * side; x < end; ++x, ++i) {
+        if (!pair.hasBoth(i)) continue;
+        const double weight = weights.empty() ? 1 : weights[i];
+        errors.weight[block] += weight;
+        const bool counts = selected.empty() || selected[i] != 0;
+        if (counts) errors.wrong[block] += weight * pair.wrong(i);
+      }
+    }
+  }
+  return errors;
+}
+
+void requireSide(int side) {
+  if (side < 1) throw InternalError(fmt::format("block side {} found, 1 or more expected", side));
+}
+
 }  // namespace
 
 double BlockErrors::rate() const {
@@ -41,30 +72,16 @@ BlockErrors& BlockErrors::operator+=(const BlockErrors& other) {
 
 BlockErrors blockErrors(const Mask& mask, const Mask& truth, int side,
                         std::span<const double> weights, std::span<const std::uint8_t> selected) {
-  if (side < 1) throw InternalError(fmt::format("block side {} found, 1 or more expected", side));
-  // The same checks of the input, in one place.
-  (void)countSamples(mask, truth, weights);
-  requireOnePerSample(selected.size(), truth.size(), "selection");
-  const int columns = (truth.width + side - 1) / side;
-  const int rows = (truth.height + side - 1) / side;
-  const auto blocks = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-  BlockErrors errors{std::vector<double>(blocks), std::vector<double>(blocks)};
-  std::size_t i = 0;
-  for (int y = 0; y < truth.height; ++y) {
-    const auto firstOfRow = static_cast<std::size_t>(y / side) * static_cast<std::size_t>(columns);
-    for (int column = 0; column < columns; ++column) {
-      const std::size_t block = firstOfRow + static_cast<std::size_t>(column);
-      const int end = std::min(truth.width, (column + 1) * side);
-      for (int x = column * side; x < end; ++x, ++i) {
-        if (mask.samples[i] == Shade::none || truth.samples[i] == Shade::none) continue;
-        const double weight = weights.empty() ? 1 : weights[i];
-        errors.weight[block] += weight;
-        const bool counts = selected.empty() || selected[i] != 0;
-        if (counts && mask.samples[i] != truth.samples[i]) errors.wrong[block] += weight;
-      }
-    }
-  }
-  return errors;
+  requireSide(side);
+  (void)countSamples(mask, truth, weights);  // the same checks of the input, in one place
+  return errorsOf(MaskPair(mask, truth), side, weights, selected);
+}
+
+BlockErrors blockErrors(const Visibility& map, const Visibility& truth, int side,
+                        std::span<const double> weights, std::span<const std::uint8_t> selected) {
+  requireSide(side);
+  (void)countSamples(map, truth, weights);  // the same checks of the input, in one place
+  return errorsOf(SharePair(map, truth), side, weights, selected);
 }
 
 }  // namespace gnomon::compare

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "common/visibility.h"
 
 namespace gnomon::compare {
 
@@ -13,7 +14,9 @@ namespace gnomon::compare {
 /// correlated, so a single sample is no independent observation; a block larger than the features
 /// of the error nearly is.
 struct BlockErrors {
-  std::vector<double> wrong;  ///< weight of the samples on which mask and truth differ, one a block
+  /// Weight of the samples on which mask and truth differ, one a block; of maps of visibility each
+  /// sample's weight times |V - V_truth|.
+  std::vector<double> wrong;
   std::vector<double> weight;  ///< weight of all samples, one a block; 0 for one without any
 
   /// Σ wrong / Σ weight, the error rate; 0 without any sample.
@@ -30,6 +33,9 @@ struct BlockErrors {
 ///   empty for everywhere
 /// @throws InputError as `countSamples`; InternalError for a side below 1
 BlockErrors blockErrors(const Mask& mask, const Mask& truth, int side,
+                        std::span<const double> weights = {},
+                        std::span<const std::uint8_t> selected = {});
+BlockErrors blockErrors(const Visibility& map, const Visibility& truth, int side,
                         std::span<const double> weights = {},
                         std::span<const std::uint8_t> selected = {});
 

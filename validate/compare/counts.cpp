@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/error.h"
+#include "compare/answer_pair.h"
 #include "compare/mask_checks.h"
 
 namespace gnomon::compare {
@@ -19,37 +20,25 @@ void requireWeights(std::span<const double> weights) {
   }
 }
 
-[[noreturn]] void refusePair(const Mask& mask, std::size_t i, Shade candidate, Shade truth) {
-  const auto width = static_cast<std::size_t>(mask.width);
-  throw InputError(fmt::format(
-      "masks differ in where they have samples: column {}, row {} is {} in the candidate and {} in "
-      "the truth (0 lit, 1 shadowed, 2 none), both or neither expected",
-      i % width, i / width, static_cast<int>(candidate), static_cast<int>(truth)));
-}
-
 /// The counts of each of some classes.
+/// @param pair     see answer_pair.h
 /// @param classOf  `classOf(i)` is a sample's class; one of `classCount` and more takes no part
-template <typename ClassOf>
-std::vector<Counts> countSums(const Mask& candidate, const Mask& truth,
-                              std::span<const double> weights, std::size_t classCount,
-                              const ClassOf& classOf) {
-  requireSameView(candidate, truth);
-  requireOnePerSample(weights.size(), truth.size(), "weights");
+template <typename Pair, typename ClassOf>
+std::vector<Counts> countSums(const Pair& pair, std::span<const double> weights,
+                              std::size_t classCount, const ClassOf& classOf) {
+  requireOnePerSample(weights.size(), pair.size(), "weights");
   requireWeights(weights);
-  const auto width = static_cast<std::size_t>(truth.width);
+  const auto width = static_cast<std::size_t>(pair.width());
   std::vector<Counts> sums(classCount);
   // Row sums first: the rounding error then grows with the sides of a mask, not with its area.
-  for (std::size_t begin = 0; begin < truth.size(); begin += width) {
+  for (std::size_t begin = 0; begin < pair.size(); begin += width) {
     std::vector<Counts> rows(classCount);
     for (std::size_t i = begin; i < begin + width; ++i) {
       const std::size_t own = classOf(i);
       if (own >= classCount) continue;
-      const Shade ours = candidate.samples[i];
-      const Shade theirs = truth.samples[i];
-      if (ours == Shade::none && theirs == Shade::none) continue;
-      if (!isAnswer(ours) || !isAnswer(theirs)) refusePair(truth, i, ours, theirs);
-      rows[own].cell(ours, theirs) += weights.empty() ? 1.0 : weights[i];
-      ++rows[own].samples;
+      if (pair.hasNeither(i)) continue;
+      if (!pair.hasBoth(i)) pair.refuse(i);
+      pair.add(i, weights.empty() ? 1.0 : weights[i], rows[own]);
     }
     for (std::size_t c = 0; c < classCount; ++c) sums[c] += rows[c];
   }
@@ -59,6 +48,28 @@ std::vector<Counts> countSums(const Mask& candidate, const Mask& truth,
     }
   }
   return sums;
+}
+
+template <typename Pair>
+Counts countSelected(const Pair& pair, std::span<const double> weights,
+                     std::span<const std::uint8_t> selected) {
+  requireOnePerSample(selected.size(), pair.size(), "selection");
+  return countSums(pair, weights, 1,
+                   [&](std::size_t i) -> std::size_t {
+                     return selected.empty() || selected[i] != 0 ? 0 : 1;
+                   })
+      .front();
+}
+
+template <typename Pair>
+std::vector<Counts> countEach(const Pair& pair, std::span<const std::uint8_t> classes,
+                              std::size_t classCount, std::span<const double> weights) {
+  if (classes.size() != pair.size()) {
+    throw InputError(fmt::format("classes: {} found for {} samples, one each expected",
+                                 classes.size(), pair.size()));
+  }
+  return countSums(pair, weights, classCount,
+                   [&](std::size_t i) -> std::size_t { return classes[i]; });
 }
 
 }  // namespace
@@ -81,23 +92,24 @@ Counts& Counts::operator+=(const Counts& other) {
 
 Counts countSamples(const Mask& candidate, const Mask& truth, std::span<const double> weights,
                     std::span<const std::uint8_t> selected) {
-  requireOnePerSample(selected.size(), truth.size(), "selection");
-  return countSums(candidate, truth, weights, 1,
-                   [&](std::size_t i) -> std::size_t {
-                     return selected.empty() || selected[i] != 0 ? 0 : 1;
-                   })
-      .front();
+  return countSelected(MaskPair(candidate, truth), weights, selected);
+}
+
+Counts countSamples(const Visibility& candidate, const Visibility& truth,
+                    std::span<const double> weights, std::span<const std::uint8_t> selected) {
+  return countSelected(SharePair(candidate, truth), weights, selected);
 }
 
 std::vector<Counts> countClasses(const Mask& candidate, const Mask& truth,
                                  std::span<const std::uint8_t> classes, std::size_t classCount,
                                  std::span<const double> weights) {
-  if (classes.size() != truth.size()) {
-    throw InputError(fmt::format("classes: {} found for {} samples, one each expected",
-                                 classes.size(), truth.size()));
-  }
-  return countSums(candidate, truth, weights, classCount,
-                   [&](std::size_t i) -> std::size_t { return classes[i]; });
+  return countEach(MaskPair(candidate, truth), classes, classCount, weights);
+}
+
+std::vector<Counts> countClasses(const Visibility& candidate, const Visibility& truth,
+                                 std::span<const std::uint8_t> classes, std::size_t classCount,
+                                 std::span<const double> weights) {
+  return countEach(SharePair(candidate, truth), classes, classCount, weights);
 }
 
 }  // namespace gnomon::compare

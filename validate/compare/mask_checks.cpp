@@ -7,26 +7,36 @@
 namespace gnomon::compare {
 namespace {
 
-/// Checks that a mask holds what its width and height promise, without overflow for any of the two.
-void requireWhole(const Mask& mask, const char* who) {
-  const bool negative = mask.width < 0 || mask.height < 0;
+/// Checks that a map holds what its width and height promise, without overflow for any of the two.
+template <typename Map>
+void requireWhole(const Map& map, const char* who) {
+  const bool negative = map.width < 0 || map.height < 0;
   const std::size_t expected =
-      negative ? 0 : static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height);
-  if (negative || mask.size() != expected) {
-    throw InputError(fmt::format("{} mask: {} x {} expected, {} samples found", who, mask.width,
-                                 mask.height, mask.size()));
+      negative ? 0 : static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+  if (negative || map.size() != expected) {
+    throw InputError(fmt::format("{} mask: {} x {} expected, {} samples found", who, map.width,
+                                 map.height, map.size()));
   }
 }
 
-}  // namespace
-
-void requireSameView(const Mask& candidate, const Mask& truth) {
+template <typename Map>
+void requireSame(const Map& candidate, const Map& truth) {
   requireWhole(candidate, "candidate");
   requireWhole(truth, "truth");
   if (candidate.width != truth.width || candidate.height != truth.height) {
     throw InputError(fmt::format("candidate mask: {} x {} samples, but the truth has {} x {}",
                                  candidate.width, candidate.height, truth.width, truth.height));
   }
+}
+
+}  // namespace
+
+void requireSameView(const Mask& candidate, const Mask& truth) {
+  requireSame(candidate, truth);
+}
+
+void requireSameView(const Visibility& candidate, const Visibility& truth) {
+  requireSame(candidate, truth);
 }
 
 void requireOnePerSample(std::size_t found, std::size_t samples, const char* what) {

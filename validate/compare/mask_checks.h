@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "common/mask.h"
+#include "common/visibility.h"
 
 namespace gnomon::compare {
 
@@ -14,6 +15,9 @@ inline bool isAnswer(Shade shade) {
 /// @throws InputError unless both masks hold what their widths and heights promise and are of one
 ///   size
 void requireSameView(const Mask& candidate, const Mask& truth);
+
+/// The same of maps of visibility.
+void requireSameView(const Visibility& candidate, const Visibility& truth);
 
 /// @throws InputError unless there is one value a sample, or none at all
 void requireOnePerSample(std::size_t found, std::size_t samples, const char* what);

@@ -8,6 +8,7 @@
 #include "common/error.h"
 #include "compare/boundaries.h"
 #include "compare/mask_checks.h"
+#include "compare/share_metrics.h"
 
 namespace gnomon::compare {
 namespace {
@@ -72,6 +73,38 @@ ComparedMasks commonPixels(Mask candidate, Mask truth, const Mask* roi) {
   return masks;
 }
 
+ComparedMasks commonPixels(const Visibility& candidate, const Visibility& truth, const Mask* roi) {
+  ComparedMasks masks = commonPixels(cutInHalf(candidate), cutInHalf(truth), roi);
+  masks.candidateShares = candidate;
+  masks.truthShares = truth;
+  for (std::size_t i = 0; i < masks.truth.size(); ++i) {
+    if (isAnswer(masks.truth.samples[i])) continue;
+    masks.candidateShares.shares[i] = masks.truthShares.shares[i] = noSample;
+  }
+  return masks;
+}
+
+Counts countsOf(const ComparedMasks& masks) {
+  return masks.truthShares.size() > 0 ? countSamples(masks.candidateShares, masks.truthShares)
+                                      : countSamples(masks.candidate, masks.truth);
+}
+
+std::vector<Metric> maskMetrics(const ComparedMasks& masks) {
+  if (masks.truthShares.size() == 0) return maskMetrics(masks.candidate, masks.truth);
+  std::vector<Metric> metrics = rates(countsOf(masks));
+  for (const auto& more : {compareBoundaries(masks.candidate, masks.truth),
+                           shareMetrics(masks.candidateShares, masks.truthShares)}) {
+    metrics.insert(metrics.end(), more.begin(), more.end());
+  }
+  return metrics;
+}
+
+std::vector<std::string_view> pictureShareNames() {
+  std::vector<std::string_view> names;
+  for (const Metric& metric : shareMetrics({}, {})) names.push_back(metric.name);
+  return names;
+}
+
 std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth) {
   std::vector<Metric> metrics = rates(countSamples(candidate, truth));
   const std::vector<Metric> boundaries = compareBoundaries(candidate, truth);
@@ -87,7 +120,9 @@ ConfidenceInterval maskConfidence(std::span<const ComparedMasks> lights,
   }
   const Tiling tiling = chooseTiling(view, weights);
   const auto errorsOf = [&](const ComparedMasks& light) {
-    return blockErrors(light.candidate, light.truth, tiling.cellSide, weights);
+    return light.truthShares.size() > 0
+               ? blockErrors(light.candidateShares, light.truthShares, tiling.cellSide, weights)
+               : blockErrors(light.candidate, light.truth, tiling.cellSide, weights);
   };
   BlockErrors errors = errorsOf(lights.front());
   for (const ComparedMasks& light : lights.subspan(1)) errors += errorsOf(light);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "common/visibility.h"
 #include "compare/confidence_interval.h"
 #include "compare/rates.h"
 
@@ -14,6 +15,8 @@ namespace gnomon::compare {
 /// Two masks of one picture, with an answer in both or in neither.
 struct ComparedMasks {
   Mask candidate, truth;
+  /// Of pictures of visibility: the shares that the masks are cut from. Else empty.
+  Visibility candidateShares = {}, truthShares = {};
   std::size_t compared = 0;       ///< pixels with an answer in both
   std::size_t withoutSample = 0;  ///< left out: the truth has no sample there
   std::size_t outsideRoi = 0;     ///< left out: the truth has one, but outside the region
@@ -27,10 +30,20 @@ struct ComparedMasks {
 ///   that counts (naming how many and the first): it must not choose what it is judged by
 ComparedMasks commonPixels(Mask candidate, Mask truth, const Mask* roi);
 
+/// The same of two maps of visibility; the masks are what they are cut to.
+ComparedMasks commonPixels(const Visibility& candidate, const Visibility& truth, const Mask* roi);
+
+/// The counts of the masks, or of the shares where there are any; every pixel counts alike.
+Counts countsOf(const ComparedMasks& masks);
+
 /// All metrics that two masks alone give: their rates, every pixel counted alike, then their
 /// boundaries, in pixels.
 /// @throws as `countSamples` and `compareBoundaries`
 std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth);
+
+/// The same of shares, where there are any: their rates, the boundaries of the masks that they are
+/// cut to, then `shareMetrics`.
+std::vector<Metric> maskMetrics(const ComparedMasks& masks);
 
 /// The 95 % interval of the error rate, as a run gives it: of one picture, or of the mean over
 /// several lights in one view.
@@ -41,7 +54,9 @@ std::vector<Metric> maskMetrics(const Mask& candidate, const Mask& truth);
 ConfidenceInterval maskConfidence(std::span<const ComparedMasks> lights,
                                   std::span<const double> weights = {});
 
-/// The names of those metrics, in order.
+/// The names of those metrics of masks, in order.
 const std::vector<std::string_view>& maskMetricNames();
+/// The names of those that shares have beside them.
+std::vector<std::string_view> pictureShareNames();
 
 }  // namespace gnomon::compare

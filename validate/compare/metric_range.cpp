@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "compare/boundaries.h"
 #include "compare/shadow_length.h"
+#include "compare/share_metrics.h"
 
 namespace gnomon::compare {
 namespace {
@@ -16,6 +17,11 @@ namespace {
 bool isLength(std::string_view metric) {
   const auto& names = lengthMetricNames();
   return std::find(names.begin(), names.end(), metric) != names.end();
+}
+
+/// How much was measured of the truth's shadows or penumbrae.
+bool isRunCount(std::string_view metric) {
+  return metric == "shadow_runs" || metric == "penumbra_runs";
 }
 
 /// Whether a rate has one and the same value for several comparisons.
@@ -58,8 +64,8 @@ std::string hint(std::string_view metric, const MetricRange& range) {
 
 MetricRange metricRange(std::string_view metric, const PictureExtent& picture) {
   if (isBoundaryDistance(metric)) return {0, picture.diagonal, false};
-  if (metric == "shadow_runs") return {0, picture.samples, false};
-  if (isLength(metric)) {
+  if (isRunCount(metric)) return {0, picture.samples, false};
+  if (isLength(metric) || metric.starts_with("penumbra_width")) {
     return {0, picture.diagonal / static_cast<double>(leastRunSamples), false};
   }
   const double least = leastRate(metric);
@@ -69,7 +75,7 @@ MetricRange metricRange(std::string_view metric, const PictureExtent& picture) {
 bool isOfTruthAlone(std::string_view metric) {
   // The same truth, half of it shadowed, and candidates that are equal to it, differ by halves, and
   // differ everywhere.
-  return metric == "shadow_runs" ||
+  return isRunCount(metric) ||
          isSameForAll(metric, {{2, 0, 0, 2, 4}, {1, 1, 1, 1, 4}, {0, 2, 2, 0, 4}});
 }
 

@@ -138,6 +138,7 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
          {"truth", truthMaskFile(names, index, l)},
          {"uncertainty", report::jsonNumber(record.truth.flips.at(index * lights + l).flipRate,
                                             "views.masks.uncertainty")}});
+    if (scene.study.lights[l].isSoft()) masks.back()["shares"] = truthShareFile(names, index, l);
   }
   json["masks"] = std::move(masks);
   json["drawn"] =
@@ -146,10 +147,12 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
 }
 
 report::Json lightJson(const study::LightSpec& light) {
-  return {{"name", light.name},
-          {"azimuth_degrees", degreesPerRadian * light.azimuth},
-          {"elevation_degrees", degreesPerRadian * light.elevation},
-          {"direction", vectorJson(light.direction())}};
+  report::Json json = {{"name", light.name},
+                       {"azimuth_degrees", degreesPerRadian * light.azimuth},
+                       {"elevation_degrees", degreesPerRadian * light.elevation},
+                       {"direction", vectorJson(light.direction())}};
+  if (light.isSoft()) json["radius_degrees"] = degreesPerRadian * light.radius;
+  return json;
 }
 
 report::Json heightsJson(const relief::Relief& relief) {

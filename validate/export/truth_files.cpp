@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "image/images.h"
+#include "image/share_picture.h"
 #include "report/json/json_values.h"
 #include "report/pictures/region_image.h"
 
@@ -32,17 +33,19 @@ report::Json caseJson(study::RunScene& scene, const study::StudyRecord& record,
   };
   const study::UncertaintyRecord& flip =
       record.truth.flips.at(view * scene.study.lights.size() + light);
-  return {{"view", scene.study.views[view].name},
-          {"light", scene.study.lights[light].name},
-          {"width", truth.mask.width},
-          {"height", truth.mask.height},
-          {"mask", truthMaskFile(names, view, light)},
-          {"regions", regionFile(names, view, light)},
-          {"lit", count(Shade::lit)},
-          {"shadowed", count(Shade::shadowed)},
-          {"undefined_samples", truth.undefinedSamples},
-          {"region_samples", regionCountsJson(truth)},
-          {"uncertainty", report::jsonNumber(flip.flipRate, "cases.uncertainty")}};
+  report::Json json = {{"view", scene.study.views[view].name},
+                       {"light", scene.study.lights[light].name},
+                       {"width", truth.mask.width},
+                       {"height", truth.mask.height},
+                       {"mask", truthMaskFile(names, view, light)},
+                       {"regions", regionFile(names, view, light)},
+                       {"lit", count(Shade::lit)},
+                       {"shadowed", count(Shade::shadowed)},
+                       {"undefined_samples", truth.undefinedSamples},
+                       {"region_samples", regionCountsJson(truth)},
+                       {"uncertainty", report::jsonNumber(flip.flipRate, "cases.uncertainty")}};
+  if (truth.isSoft()) json["shares"] = truthShareFile(names, view, light);
+  return json;
 }
 
 /// Calls `visit(view, light)` for every case of the study.
@@ -59,11 +62,20 @@ std::string truthMaskFile(const study::CaseNames& names, std::size_t view, std::
   return fmt::format("masks/{}_{}_truth.png", names.views[view], names.lights[light]);
 }
 
+std::string truthShareFile(const study::CaseNames& names, std::size_t view, std::size_t light) {
+  return fmt::format("shares/{}_{}_truth.exr", names.views[view], names.lights[light]);
+}
+
 void writeTruthMasks(report::RunFolder& folder, study::RunScene& scene) {
   const study::CaseNames names = study::caseNames(scene.study);
   forEachCase(scene.study, [&](std::size_t v, std::size_t l) {
-    folder.write(truthMaskFile(names, v, l),
-                 image::pngOf(image::maskImage(scene.standardBase().views[v].truths[l].mask)));
+    const truth::Truth& truth = scene.standardBase().views[v].truths[l];
+    if (truth.isSoft()) {
+      folder.write(truthMaskFile(names, v, l), image::sharePng(truth.visibility));
+      folder.write(truthShareFile(names, v, l), image::shareExr(truth.visibility));
+    } else {
+      folder.write(truthMaskFile(names, v, l), image::pngOf(image::maskImage(truth.mask)));
+    }
   });
 }
 

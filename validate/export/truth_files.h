@@ -12,7 +12,11 @@ namespace gnomon::exporting {
 /// `masks/VIEW_LIGHT_truth.png`, as in a run's folder.
 std::string truthMaskFile(const study::CaseNames& names, std::size_t view, std::size_t light);
 
-/// Writes the truths of the scene's standard base as mask pictures.
+/// `shares/VIEW_LIGHT_truth.exr`: under a light with a disc, V as floats.
+std::string truthShareFile(const study::CaseNames& names, std::size_t view, std::size_t light);
+
+/// Writes the truths of the scene's standard base as mask pictures; of a light with a disc the
+/// mask is a map of visibility in 16-bit greys, and as floats in `truthShareFile`.
 void writeTruthMasks(report::RunFolder& folder, study::RunScene& scene);
 
 /// Writes what `gnomon truth` finds: the masks, `regions/VIEW_LIGHT.png` (in the colours that the

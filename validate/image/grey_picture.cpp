@@ -71,6 +71,13 @@ bool isPlainInteger(const Choice& choice) {
   return type == "uint" || type == "int";
 }
 
+int integerBits(const Choice& choice) {
+  const std::string& type =
+      choice.facts.channelNumbers[static_cast<std::size_t>(choice.colours.front())];
+  if (type == "uint8" || type == "int8") return 8;
+  return type == "uint16" || type == "int16" ? 16 : 0;
+}
+
 /// The data's, where the file has none.
 const ImageWindow& displayWindow(const ImageFacts& facts) {
   const bool has = facts.display.width >= 1 && facts.display.height >= 1;
@@ -116,7 +123,7 @@ class Placed {
         pixels_(image, choice),
         from_(choice.facts.data),
         to_(displayWindow(choice.facts)),
-        picture_{to_.width, to_.height, {}, {}} {
+        picture_{to_.width, to_.height, {}, {}, integerBits(choice)} {
     const auto count = static_cast<std::size_t>(to_.width) * static_cast<std::size_t>(to_.height);
     const bool covered = to_.x >= from_.x && to_.y >= from_.y && to_.right() <= from_.right() &&
                          to_.below() <= from_.below();

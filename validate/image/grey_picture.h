@@ -12,6 +12,7 @@ struct GreyPicture {
   int height = 0;
   std::vector<float> values;
   std::vector<float> alphas;  ///< coverage, 0 to 1; empty where the picture has none: 1 everywhere
+  int integerBits = 0;        ///< 8 or 16 of a picture of such integers, else 0
 };
 
 /// Reads a picture of any format of `ImageFormat`: integers of 8 and 16 bits as 0 to 1, all

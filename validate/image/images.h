@@ -43,6 +43,7 @@ Image differenceImage(const Mask& candidate, const Mask& truth);
 /// @throws InternalError for an image without pixels or over 10⁶ of them a side, and for one whose
 ///   values do not fill its width × height
 std::string pngOf(const Image& image);
+std::string pngOf(const GreyImage& image);
 
 /// Writes that PNG, whole or not at all.
 /// @throws InputError when the file cannot be written, InternalError as pngOf

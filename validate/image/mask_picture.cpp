@@ -16,6 +16,11 @@ bool isGrey(float value) {
   return std::abs(value - 128.0F / 255.0F) <= 1.01F * halfRounding;
 }
 
+/// The grey of a map of visibility, which no share has (share_picture.h).
+bool isSixteenBitGrey(float value) {
+  return std::abs(value - 128.0F / 255.0F) <= 1e-5F;
+}
+
 /// Pixels of a kind, and the first of them.
 struct Found {
   std::size_t count = 0;
@@ -75,7 +80,9 @@ class PictureReader {
   }
 
   [[nodiscard]] Shade parted(std::size_t i, double threshold) const {
-    if (alpha(i) < 0.5F) return Shade::none;
+    if (alpha(i) < 0.5F || (picture_.integerBits == 16 && isSixteenBitGrey(picture_.values[i]))) {
+      return Shade::none;
+    }
     return picture_.values[i] >= threshold ? Shade::lit : Shade::shadowed;
   }
 

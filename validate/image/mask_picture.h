@@ -27,7 +27,8 @@ struct MaskPicture {
 /// Reads a mask that any renderer wrote: 1 (white) lit, 0 (black) shadowed, 128/255 (Gnomon's grey,
 /// to the precision of a half) or alpha 0 no sample. A picture of these alone is taken as it is.
 /// One with any other value or a partial alpha needs a threshold; then *every* value is compared
-/// with it, the grey too, and only alpha below a half means no sample.
+/// with it, the grey too, and only alpha below a half means no sample; in a picture of 16-bit
+/// integers the grey to within 10⁻⁵, too (share_picture.h).
 /// @throws InputError as `readGreyPicture`; for a value that is not finite, threshold or not; and,
 ///   without a threshold, for any other value: with their number and the first one's place
 MaskPicture readMaskPicture(const std::filesystem::path& path, const MaskReading& reading = {});

@@ -246,6 +246,56 @@ std::optional<std::size_t> lineOfWord(std::string_view glsl, std::string_view wo
   return std::nullopt;
 }
 
+/// Where a comment or a line of the preprocessor that begins at a place ends; the place itself
+/// where none begins.
+std::size_t endOfNoCode(std::string_view glsl, std::size_t at) {
+  if (glsl.substr(at, 2) == "//" || glsl[at] == '#')
+    return std::min(glsl.find('\n', at), glsl.size());
+  if (glsl.substr(at, 2) != "/*") return at;
+  const std::size_t close = glsl.find("*/", at + 2);
+  return close == std::string_view::npos ? glsl.size() : close + 2;
+}
+
+/// Whether the code defines a function of a pixel by this name: outside all braces, followed by
+/// parentheses that name a Pixel. Local variables may have the same name.
+bool definesAnswer(std::string_view glsl, std::string_view name) {
+  int depth = 0;  // of braces
+  for (std::size_t at = 0; at < glsl.size();) {
+    std::size_t end = endOfNoCode(glsl, at);
+    if (end == at) {
+      ++end;
+      depth += glsl[at] == '{' ? 1 : (glsl[at] == '}' ? -1 : 0);
+    }
+    if (isWordCharacter(glsl[at])) {
+      while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
+      const std::size_t open = std::min(glsl.find_first_not_of(" \t\r\n", end), glsl.size());
+      const std::string_view inside = glsl.substr(open, glsl.find(')', open) - open);
+      if (depth == 0 && glsl.substr(at, end - at) == name && inside.starts_with('(') &&
+          lineOfWord(inside, "Pixel")) {
+        return true;
+      }
+    }
+    at = end;
+  }
+  return false;
+}
+
+/// Finds which of the answers the file defines. One that defines neither a share nor a horizon is
+/// taken at its word that it has a test: the compiler looks for it.
+void readAnswers(Method& method) {
+  const std::string& glsl = method.source.text;
+  method.answersShares = definesAnswer(glsl, "visibility");
+  method.hasHorizon = definesAnswer(glsl, "horizonSlope");
+  method.hasTest =
+      definesAnswer(glsl, "isShadowed") || !(method.answersShares || method.hasHorizon);
+  if (method.hasTest && glsl.find("isShadowed") == std::string::npos) {
+    throw InputError(
+        fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "
+                    "method defines it, or `float visibility` or `float horizonSlope` of the same",
+                    method.source.file));
+  }
+}
+
 /// The function and its declaration come together: either alone shades nothing.
 void requireNormal(const Declaration& declaration, const Method& method) {
   const std::string function = "`vec3 shadingNormal(Pixel pixel)`";
@@ -308,12 +358,7 @@ Method readMethod(const fs::path& path) {
   method.parameters = readParameters(declaration);
   requirePasses(declaration, method);
   requireNormal(declaration, method);
-  if (method.source.text.find("isShadowed") == std::string::npos) {
-    throw InputError(
-        fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "
-                    "method defines it",
-                    method.source.file));
-  }
+  readAnswers(method);
   if (const auto line = lineOfWord(method.source.text, "discard")) {
     throw InputError(fmt::format("{}:{}: `discard` found: method {} has to answer for every pixel",
                                  method.source.file, *line, method.name));

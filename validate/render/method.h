@@ -62,7 +62,11 @@ enum class DrawnMesh {
 ///   subdivisions  pieces of every face's side, where the authors state them
 ///   azimuths      of its tables, where the authors state them
 ///   parameters.NAME with `default`, `minimum`, `maximum`, `about`
-/// The file defines `bool isShadowed(Pixel pixel, LocalLight light)`, and with a texture pass
+/// The file defines one or more of
+///   bool isShadowed(Pixel pixel, LocalLight light)     of a light that is a point
+///   float visibility(Pixel pixel, LocalLight light)    V, the share of the light's disc, 0 to 1
+///   float horizonSlope(Pixel pixel, LocalLight light)  tan of the horizon's elevation toward it
+/// (answers.glsl derives the test from the others), and with a texture pass
 /// `float resolveTexel(Pixel pixel)`, 0 to 1, with a normal of its own
 /// `vec3 shadingNormal(Pixel pixel)`, of unit length.
 struct Method {
@@ -78,6 +82,9 @@ struct Method {
   /// Whether its picture is dark where its own `shadingNormal` is turned from the light; where not,
   /// that normal is N' of the bump-mapped mesh, or the facet's own of displaced geometry.
   bool hasOwnNormal = false;
+  bool hasTest = true;         ///< defines `isShadowed`; else it follows from the other two
+  bool answersShares = false;  ///< defines `visibility`; else a soft light is lit or not, 0 or 1
+  bool hasHorizon = false;     ///< defines `horizonSlope`, which can be held against a disc
   std::optional<int> subdivisions;  ///< the authors', over a study's own
   std::optional<int> azimuths;      ///< the authors', over a study's own
   std::map<std::string, MethodParameter> parameters;

@@ -69,8 +69,9 @@ void addNames(const fs::path& file, std::vector<SharedName>& names) {
 std::vector<SharedName> sharedNames(const fs::path& shaders) {
   std::vector<SharedName> names;
   for (const fs::path& file : shadersIn(shaders / "common")) {
-    // shading.glsl follows the method's own file, so that no method sees it.
-    const bool isBefore = file.extension() == ".glsl" && file.filename() != "shading.glsl";
+    // These follow the method's own file, so that no method sees them.
+    const bool isAfter = file.filename() == "shading.glsl" || file.filename() == "answers.glsl";
+    const bool isBefore = file.extension() == ".glsl" && !isAfter;
     if (isBefore) addNames(file, names);
   }
   return names;

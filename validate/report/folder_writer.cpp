@@ -2,6 +2,7 @@
 
 #include "image/channel_image.h"
 #include "image/images.h"
+#include "image/share_picture.h"
 #include "image/web_picture.h"
 #include "report/pictures/displaced_image.h"
 #include "report/pictures/region_image.h"
@@ -10,6 +11,10 @@ namespace gnomon::report {
 
 std::string FolderWriter::mask(const Mask& mask) const {
   return image::pngOf(image::maskImage(mask));
+}
+
+std::string FolderWriter::shares(const Visibility& map) const {
+  return image::sharePng(map);
 }
 
 std::string FolderWriter::regions(const truth::Truth& truth) const {
@@ -30,6 +35,10 @@ std::string FolderWriter::picture(int width, int height,
 
 std::string FolderWriter::difference(const Mask& candidate, const Mask& truth) const {
   return image::pngOf(image::differenceImage(candidate, truth));
+}
+
+std::string FolderWriter::difference(const Visibility& candidate, const Visibility& truth) const {
+  return image::pngOf(image::shareDifferenceImage(candidate, truth));
 }
 
 std::string FolderWriter::embedded(int width, int height, const std::vector<std::uint8_t>& rgb,

@@ -50,6 +50,14 @@ std::string differenceOf(const study::StudyRecord& record, const study::Referenc
   return "";
 }
 
+/// Whether a row's light has a disc.
+bool isSoft(const study::StudyRecord& record, const study::ReferencePictures& row) {
+  return std::any_of(
+      record.results.begin(), record.results.end(), [&](const study::ResultRecord& result) {
+        return result.view == row.view && result.light == row.light && !result.shares.empty();
+      });
+}
+
 /// Copies what was kept and draws the change.
 void drawChange(study::ReferencePictures& row, RunFolder& folder, const fs::path& old) {
   Mask before = maskOfDifference(old);
@@ -106,6 +114,11 @@ std::vector<study::ReferencePictures> drawReferencePictures(const study::StudyRe
     study::ReferencePictures row{gate.method, gate.view, gate.light, "", "", "", ""};
     row.after = differenceOf(record, row);
     if (row.after.empty()) continue;
+    if (isSoft(record, row)) {
+      row.note = "the pictures of a soft light hold shares, which are not told apart here";
+      rows.push_back(std::move(row));
+      continue;
+    }
     const fs::path old = kept / fs::path(row.after).filename();
     if (fs::exists(old)) {
       drawChange(row, folder, old);

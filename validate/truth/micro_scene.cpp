@@ -163,7 +163,7 @@ std::bitset<RayPacket::size> MicroScene::occluded(const RayPacket& rays,
   return blockedOf(packet, rays.count);
 }
 
-std::bitset<RayPacket::size> MicroScene::occluded(const RayBundle& rays) const {
+std::bitset<RayPacket::size> MicroScene::occluded(const RayBundle& rays, embree::Rays kind) const {
   alignas(64) std::array<int, RayPacket::size> valid;
   RTCRay16 packet;
   for (std::size_t k = 0; k < RayPacket::size; ++k) {
@@ -177,7 +177,7 @@ std::bitset<RayPacket::size> MicroScene::occluded(const RayBundle& rays) const {
     packet.tfar[k] = std::numeric_limits<float>::infinity();
     setCommon(packet, k);
   }
-  embree::occluded16(valid.data(), scene_.get(), packet, embree::Rays::incoherent);
+  embree::occluded16(valid.data(), scene_.get(), packet, kind);
   return blockedOf(packet, rays.count);
 }
 

@@ -53,7 +53,8 @@ class MicroScene {
   [[nodiscard]] std::bitset<RayPacket::size> occluded(const RayPacket& rays,
                                                       const Vec3& direction) const;
   /// Which of the rays meet the surface.
-  [[nodiscard]] std::bitset<RayPacket::size> occluded(const RayBundle& rays) const;
+  [[nodiscard]] std::bitset<RayPacket::size> occluded(
+      const RayBundle& rays, embree::Rays kind = embree::Rays::incoherent) const;
   /// Whether an endless ray with a unit direction meets the surface.
   [[nodiscard]] bool occluded(const Vec3& origin, const Vec3& direction) const;
   /// The nearest hit of a ray with a unit direction, if any.

@@ -160,6 +160,11 @@ void forEachBand(int width, int height, const Progress& progress, const Work& wo
 
 }  // namespace
 
+void Truth::answerBy(Visibility shares) {
+  mask = cutInHalf(shares);
+  visibility = std::move(shares);
+}
+
 Truth traceShadows(const MicroScene& scene, const PlacedSamples& placed,
                    const TraceSettings& settings, const Progress& progress) {
   Truth truth = emptyTruth(placed.width, placed.height);

@@ -6,6 +6,7 @@
 
 #include "common/mask.h"
 #include "common/progress.h"
+#include "common/visibility.h"
 #include "relief/relief.h"
 #include "surface/limit_surface.h"
 #include "surface/sample_grid.h"
@@ -19,6 +20,7 @@ constexpr std::uint8_t noCaster = 255;
 
 /// The exact answer for every sample of a view under one light.
 struct Truth {
+  /// Of a light with a disc, once `answerBy` has set it: where less than half of it is seen.
   Mask mask;
   /// One a sample; none is `global` before `markGlobal` has looked for those.
   std::vector<Region> regions;
@@ -29,6 +31,13 @@ struct Truth {
   /// One a sample of a surface with parts: the part of the first occluder, where a shadow is cast,
   /// else `noCaster`. Empty before `markGlobal` fills it, and for a surface of one part.
   std::vector<std::uint8_t> casters = {};
+  /// Of a light with a disc: the share that each sample sees. Empty of a point light. The regions
+  /// are those of the hard shadow to the disc's centre.
+  Visibility visibility = {};
+
+  [[nodiscard]] bool isSoft() const { return visibility.size() > 0; }
+  /// Sets the shares, and the mask that they are cut to.
+  void answerBy(Visibility shares);
 };
 
 /// Light and range of one trace.

@@ -24,9 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array allKinds = {
-    PassKind::cameraSamples, PassKind::atlasSamples,  PassKind::tables,   PassKind::filteredTables,
-    PassKind::angles,        PassKind::ellipses,      PassKind::facets,   PassKind::texture,
-    PassKind::lightDepth,    PassKind::shadowVolumes, PassKind::pictures,
+    PassKind::cameraSamples, PassKind::atlasSamples,  PassKind::tables, PassKind::filteredTables,
+    PassKind::angles,        PassKind::ellipses,      PassKind::facets, PassKind::texture,
+    PassKind::lightDepth,    PassKind::shadowVolumes, PassKind::shares, PassKind::pictures,
 };
 
 TEST(PassCheck, FindsNothingWrongHere) {
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"relief.glsl",
               "Cell(texels.wzxy,",
               "Cell(texels.wzyx,",
-              {tables, filteredTables, angles, ellipses, texture}},
+              {tables, filteredTables, angles, ellipses, texture, shares}},
         Fault{"pixel.glsl",
               "dot(facet, pixel.normal) < 0.0 ? -facet : facet",
               "dot(facet, pixel.normal) < 0.0 ? facet : -facet",
@@ -122,9 +122,11 @@ INSTANTIATE_TEST_SUITE_P(
               "(isHidden ? 1u : 0u) | (isHidden || isTurned ? 2u : 0u)",
               "(isHidden ? 1u : 0u) | (isTurned ? 2u : 0u)",
               {tables, filteredTables, angles, ellipses, texture, lightDepth, shadowVolumes}},
+        Fault{"visibility.frag", "drawn = min(test, ", "drawn = max(test, ", {shares}},
+        Fault{"disc.glsl", "within * chord", "chord", {shares}},
         Fault{"shade.frag",
-              "lit ? (1.0 - ambient) * cosine",
-              "lit ? 0.5 * (1.0 - ambient) * cosine",
+              "share * ((1.0 - ambient) * cosine)",
+              "0.5 * share * ((1.0 - ambient) * cosine)",
               {pictures}},
         Fault{"samples.frag",
               "sampleSt = clamp(st",
@@ -133,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"surface.vert",
               "vertexFace % atlasTiles.x, vertexFace / atlasTiles.x",
               "1 - vertexFace % atlasTiles.x, vertexFace / atlasTiles.x",
-              {atlasSamples, tables, filteredTables, angles, ellipses, texture}}));
+              {atlasSamples, tables, filteredTables, angles, ellipses, texture, shares}}));
 
 TEST(GeometryShaders, IndexTheirInputsByConstants) {
   // What differs from triangle to triangle is read wrong by llvmpipe of Mesa 25.0: see

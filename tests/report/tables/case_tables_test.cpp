@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "compare/share_metrics.h"
 #include "report/sample_record.h"
 #include "report/tables/formats/csv_format.h"
 #include "study/record/result_metrics.h"
@@ -65,7 +66,7 @@ TEST(MetricsCsv, OneRowAResultAndOneCellAColumn) {
   const study::StudyRecord record = sampleRecord();
   const Lines table = parse(metricsCsv(record));
   ASSERT_EQ(table.size(), 1 + 3 * 2 * 4U);
-  for (const auto& row : table) EXPECT_EQ(row.size(), 11 + study::metricNames().size());
+  for (const auto& row : table) EXPECT_EQ(row.size(), 11 + study::pointLightMetricNames().size());
   EXPECT_EQ(metricsCsv(record).substr(0, 64),
             "study,method,light,view,answer,region,samples,tp,fp,fn,tn,error_");
 }
@@ -117,6 +118,17 @@ TEST(MetricsCsv, RefusesNumbersThatAreNotFinite) {
   study::StudyRecord record = sampleRecord();
   record.results[0].counts.trueNegative = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(metricsCsv(record), InternalError);
+}
+
+TEST(MetricsCsv, HasColumnsOfSharesOnlyUnderADisc) {
+  study::StudyRecord record = sampleRecord();
+  const std::size_t columns = metricsTable(record).columns.size();
+  for (const std::string_view name : compare::shareMetricNames()) {
+    record.results.front().shares.push_back({name, 0.125, {}});
+  }
+  const Table table = metricsTable(record);
+  EXPECT_EQ(table.columns.size(), columns + compare::shareMetricNames().size());
+  for (const Row& row : table.rows) EXPECT_EQ(row.cells.size(), table.columns.size());
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "common/error.h"
 #include "compare/boundaries.h"
+#include "compare/share_metrics.h"
 
 namespace gnomon::study {
 namespace {
@@ -16,13 +18,16 @@ ResultRecord measured() {
   for (const std::string_view name : compare::boundaryMetricNames()) {
     result.boundaries.push_back({name, 0.25, {}});
   }
+  for (const std::string_view name : compare::shareMetricNames()) {
+    result.shares.push_back({name, 0.125, {}});
+  }
   return result;
 }
 
-TEST(ResultMetrics, AreRatesBoundariesAndLengths) {
+TEST(ResultMetrics, AreRatesBoundariesLengthsAndShares) {
   const auto metrics = metricsOf(measured());
   ASSERT_EQ(metrics.size(), metricNames().size());
-  ASSERT_EQ(metrics.size(), compare::rateNames().size() + 8 + 4);
+  ASSERT_EQ(metrics.size(), compare::rateNames().size() + 8 + 4 + 9);
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     EXPECT_EQ(metrics[i].name, metricNames()[i]);
     EXPECT_TRUE(metrics[i].value) << metrics[i].name;
@@ -41,13 +46,19 @@ TEST(ResultMetrics, OfRegionsAreRatesAloneAndSayWhy) {
   ResultRecord region = measured();
   region.lengths.reset();
   region.boundaries.clear();
+  region.shares.clear();
   for (const std::string_view name : metricNames()) {
     if (isRate(name)) continue;
     const compare::Metric metric = metricOf(region, name);
     EXPECT_EQ(metric.name, name);
     EXPECT_EQ(metric.value, std::nullopt);
-    EXPECT_EQ(metric.reason, "measured over all samples together only");
+    const auto& ofShares = compare::shareMetricNames();
+    const bool isShare = std::find(ofShares.begin(), ofShares.end(), name) != ofShares.end();
+    EXPECT_EQ(metric.reason, isShare ? "measured over all samples together under a soft light only"
+                                     : "measured over all samples together only");
   }
+  EXPECT_EQ(metricsOf(region).size(), metricNames().size() - 9)
+      << "no row of a point light has them";
   EXPECT_EQ(metricOf(region, "error_rate").value, 0.05);
 }
 
@@ -63,6 +74,10 @@ TEST(ResultMetrics, AreUncertainByWhatTheCoarserTruthIsOff) {
   EXPECT_EQ(metricUncertainty(truth, "surface_dice_4"), 0.75);
   EXPECT_EQ(metricUncertainty(truth, "shadow_length_ratio"), 0.125);
   EXPECT_EQ(metricUncertainty(UncertaintyRecord{}, "shadow_length_ratio"), 0);
+  EXPECT_EQ(metricUncertainty(truth, "rmse"), std::numeric_limits<double>::infinity());
+  truth.shares = measured().shares;
+  EXPECT_EQ(metricUncertainty(truth, "mae"), 0.125);
+  EXPECT_EQ(metricUncertainty(truth, "penumbra_iou"), 0.875);
   EXPECT_THROW((void)metricUncertainty(truth, "error_rate"), InternalError);
 }
 

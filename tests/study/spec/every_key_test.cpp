@@ -67,13 +67,16 @@ height = 32
 name = "noon"
 azimuth = 20
 elevation = 45
+radius = 0.5
 [[light]]
 azimuth = [20, 40]
 elevation = [10, 20]
+sun = true
 [[method]]
 name = "max-forsyth"
 label = "one"
 filter = "exact"
+disc = true
 bake = { azimuths = 8, radius = 16, bits = 8, limit = 90 }
 base = { subdivisions = 1, curvature = "limit" }
 [[method]]
@@ -171,7 +174,7 @@ class EveryKey : public StudyFile {
   static std::vector<Study> studies() {
     std::vector<std::string> texts;
     for (const std::string& surface : surfaces) {
-      texts.push_back(everyKey(surface, reliefs[0], "step = 0.5\n"));
+      texts.push_back(everyKey(surface, reliefs[0], "step = 0.5\ndirections = 64\n"));
     }
     for (const std::string& relief : reliefs) {
       texts.push_back(everyKey(surfaces[0], relief, "uncertainty = 0.01\n"));

@@ -25,7 +25,7 @@ TEST_F(StudyErrors, RefusesWhatItCannotUse) {
       {"relief.jitter=1", "relief.jitter: unknown key, expected height, height_space"},
       {"bake.azimuth=1", "bake.azimuth: unknown key, expected azimuths, bits, limit, radius"},
       {"base.subdivision=1", "base.subdivision: unknown key, expected curvature, subdivisions"},
-      {"truth.steps=1", "truth.steps: unknown key, expected step"},
+      {"truth.steps=1", "truth.steps: unknown key, expected directions, step"},
       {"view.0.samples=3", "view.0.samples: unknown key"},
       {"view.1.width=3", "view.1.width: unknown key"},
       {"light.0.elevations=3", "light.0.elevations: unknown key"},

@@ -28,6 +28,9 @@ struct Section {
   double angle = radians(30);
   double texels = 6;
   std::vector<double> numbers{7};
+  bool rare = false;
+  int count = 256;
+  double radius = 0;
 };
 
 StudyKeys keysOf(Section& s) {
@@ -46,7 +49,10 @@ StudyKeys keysOf(Section& s) {
           studyKey("bits", chosenName<int>(s.bits, {{8, "8"}, {16, "16"}}, true), "bits"),
           studyKey("angle", degrees(s.angle), "degrees", {0, 90}),
           studyKey("texels", numbers(s.texels, 3), "texels", {}, {}, Enters::search),
-          studyKey("numbers", NumberOrList{&s.numbers}, "numbers")};
+          studyKey("numbers", NumberOrList{&s.numbers}, "numbers"),
+          studyKey("rare", Unusual{&s.rare}, "a flag that few set"),
+          studyKey("count", Unusual{&s.count, 256}, "a number that few set", {2, 512}),
+          studyKey("radius", Unusual{&s.radius}, "likewise", {0, 10})};
 }
 
 Section read(const std::string& text) {
@@ -124,7 +130,8 @@ TEST(StudyKey, RefusesWhatItsDeclarationDoesNotAllow) {
   EXPECT_THAT(refused("colour = \"blue\""), HasSubstr("one of red, green expected"));
   EXPECT_THAT(refused("bits = \"16\""), HasSubstr("one of 8, 16 expected"));
   EXPECT_THAT(refused("angle = 91"), HasSubstr("at most 90 expected"));
-  EXPECT_THAT(refused("color = 3"), HasSubstr("unknown key, expected angle, bits, colour, flag"));
+  EXPECT_THAT(refused("color = 3"),
+              HasSubstr("unknown key, expected angle, bits, colour, count, flag"));
   std::string name;
   const toml::table table = toml::parse("name = \"x\"");
   const TomlReader reader(table, "study.toml", "part");
@@ -178,6 +185,24 @@ TEST(StudyKey, SaysItsTypeAndDefault) {
   EXPECT_EQ(said["angle"], Said("a number of at least 0 and at most 90", "`30.0`"));
   EXPECT_EQ(said["texels"], Said("a finite number", "`2.0`"));
   EXPECT_EQ(said["numbers"], Said("a finite number, or a list of them", "`7.0`"));
+}
+
+TEST(StudyKey, ThatIsUnusualIsWrittenAndKeyedOnlyThen) {
+  const auto keyOf = [](const std::string& text) {
+    cache::KeyBuilder key("section");
+    addSettings(key, read(text), Enters::everything);
+    return key.key();
+  };
+  const std::string usual = "rare = false\ncount = 256\nradius = 0\n";
+  EXPECT_TRUE(settingsOf(read(usual)) == settingsOf(Section{}));
+  EXPECT_EQ(keyOf(usual), keyOf(""));
+  for (const std::string text : {"rare = true\n", "count = 16\n", "radius = 0.5\n"}) {
+    toml::table expected = settingsOf(Section{});
+    for (auto&& [name, value] : toml::parse(text)) expected.insert(name, value);
+    EXPECT_TRUE(settingsOf(read(text)) == expected) << text;
+    EXPECT_NE(keyOf(text), keyOf("")) << text;
+  }
+  EXPECT_THAT(messageOf<InputError>([] { (void)read("count = 1000"); }), HasSubstr("2 to 512"));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "export/exported_uncertainty.h"
 #include "image/images.h"
 #include "image/mask_picture.h"
+#include "image/share_picture.h"
 #include "report/json/mask_comparison.h"
 #include "report/json/mask_folders.h"
 #include "study/judge/gates.h"
@@ -31,6 +32,10 @@ White is lit, black is shadowed; Gnomon's grey (128) and alpha 0 mean no sample.
 same. --max and --min take any metric of the table, shares as 0.02 or "2 %"; a metric that is not
 defined fails. Of two folders, the pictures of one name are compared, whatever their formats; a name
 that only one of them holds is an error. `_truth` at a name's end is no part of it.
+
+A truth of more than 8 bits with values between black and white holds V, the share of a light's disc
+that is seen: error_rate is then the mean of |V - V_truth|, and boundaries are those of both cut at
+V < 0.5. --binarise 0.5 compares these two cuts alone.
 
 Exit status: 0 all gates hold, 1 a gate failed, 2 usage, 3 the pictures cannot be compared.
 
@@ -60,7 +65,8 @@ void requireLimit(const study::Gate& gate, const compare::PictureExtent& picture
 study::Gate gateOf(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string metric = text.substr(0, equals);
-  const auto& names = compare::maskMetricNames();
+  std::vector<std::string_view> names = compare::maskMetricNames();
+  for (const std::string_view name : compare::pictureShareNames()) names.push_back(name);
   if (equals == std::string::npos) {
     throw UsageError(fmt::format("{} {}: METRIC=VALUE expected", option, text));
   }
@@ -98,6 +104,15 @@ std::vector<study::Gate> gatesOf(const CompareRequest& request) {
   return gates;
 }
 
+/// One of the metrics; without a value where only shares have it.
+compare::Metric foundMetric(const std::vector<compare::Metric>& metrics, const std::string& name) {
+  const bool isThere =
+      std::any_of(metrics.begin(), metrics.end(),
+                  [&](const compare::Metric& metric) { return metric.name == name; });
+  if (isThere) return compare::metricNamed(metrics, name);
+  return {name, std::nullopt, "measured of pictures that hold shares only"};
+}
+
 /// @throws UsageError for a limit that no picture of the truth's size could miss, or none could
 ///   meet
 std::vector<study::Judgement> judged(const std::vector<study::Gate>& gates, const Mask& truth,
@@ -107,7 +122,7 @@ std::vector<study::Judgement> judged(const std::vector<study::Gate>& gates, cons
   std::vector<study::Judgement> judgements;
   for (const study::Gate& gate : gates) {
     requireLimit(gate, picture);
-    judgements.push_back(study::judge(gate, compare::metricNamed(metrics, gate.metric)));
+    judgements.push_back(study::judge(gate, foundMetric(metrics, gate.metric)));
   }
   return judgements;
 }
@@ -153,16 +168,43 @@ Comparing comparingFor(const CompareRequest& request) {
   return with;
 }
 
+/// Two pictures as masks, or as maps of visibility with the masks that these are cut to.
+struct Pictures {
+  image::MaskPicture candidate, truth;
+  Visibility candidateShares = {}, truthShares = {};
+
+  [[nodiscard]] bool areSoft() const { return truthShares.size() > 0; }
+};
+
+/// Maps, unless a threshold is given, where the truth holds shares. Against a mask a candidate's
+/// values between are refused: they may be smoothed edges.
+Pictures readPictures(const CompareRequest& request, const fs::path& candidateFile,
+                      const fs::path& truthFile) {
+  const image::MaskReading candidate{request.candidateChannel, request.threshold, request.inverted,
+                                     request.upward};
+  const image::MaskReading truth{.channel = request.truthChannel, .threshold = request.threshold};
+  const bool areSoft = !request.threshold && image::holdsShares(truthFile, truth);
+  if (!areSoft) {
+    return {image::readMaskPicture(candidateFile, candidate),
+            image::readMaskPicture(truthFile, truth)};
+  }
+  Visibility ours = image::readSharePicture(candidateFile, candidate);
+  Visibility theirs = image::readSharePicture(truthFile, truth);
+  return {{cutInHalf(ours)}, {cutInHalf(theirs)}, std::move(ours), std::move(theirs)};
+}
+
 compare::ComparedMasks common(const Comparing& with, const fs::path& candidate,
-                              const Mask& candidateMask, const fs::path& truth,
-                              const Mask& truthMask) {
+                              const fs::path& truth, const Pictures& pictures) {
+  const Mask* roi = with.roi ? &with.roi->mask : nullptr;
   try {
-    return compare::commonPixels(candidateMask, truthMask, with.roi ? &with.roi->mask : nullptr);
+    return pictures.areSoft()
+               ? compare::commonPixels(pictures.candidateShares, pictures.truthShares, roi)
+               : compare::commonPixels(pictures.candidate.mask, pictures.truth.mask, roi);
   } catch (const InputError& error) {
-    const std::string roi =
+    const std::string inRoi =
         with.request.roi ? fmt::format(" with {}", with.request.roi->string()) : "";
-    throw InputError(
-        fmt::format("{} against {}{}: {}", candidate.string(), truth.string(), roi, error.what()));
+    throw InputError(fmt::format("{} against {}{}: {}", candidate.string(), truth.string(), inRoi,
+                                 error.what()));
   }
 }
 
@@ -175,22 +217,20 @@ struct Compared {
 Compared compareTwo(const Comparing& with, const fs::path& candidateFile,
                     const fs::path& truthFile) {
   const CompareRequest& request = with.request;
-  const image::MaskPicture candidate = image::readMaskPicture(
-      candidateFile,
-      {request.candidateChannel, request.threshold, request.inverted, request.upward});
-  const image::MaskPicture truth = image::readMaskPicture(
-      truthFile, {.channel = request.truthChannel, .threshold = request.threshold});
+  const Pictures pictures = readPictures(request, candidateFile, truthFile);
   // Before the record: GCC 12 destroys parts of an aggregate twice whose other parts throw.
-  compare::ComparedMasks masks = common(with, candidateFile, candidate.mask, truthFile, truth.mask);
+  compare::ComparedMasks masks = common(with, candidateFile, truthFile, pictures);
+  const auto& [candidate, truth, candidateShares, truthShares] = pictures;
   report::MaskComparison comparison{recordOf(candidateFile, candidate), recordOf(truthFile, truth)};
+  comparison.isSoft = pictures.areSoft();
   if (with.roi) comparison.roi = recordOf(*request.roi, *with.roi);
   comparison.command = request.command;
   comparison.width = truth.mask.width;
   comparison.height = truth.mask.height;
   comparison.withoutSample = masks.withoutSample;
   comparison.outsideRoi = masks.outsideRoi;
-  comparison.counts = compare::countSamples(masks.candidate, masks.truth);
-  comparison.metrics = compare::maskMetrics(masks.candidate, masks.truth);
+  comparison.counts = compare::countsOf(masks);
+  comparison.metrics = compare::maskMetrics(masks);
   comparison.confidence = compare::maskConfidence({&masks, 1});
   comparison.uncertainty =
       with.uncertainty ? with.uncertainty : exporting::exportedUncertainty(truthFile);
@@ -324,8 +364,11 @@ ExitStatus compareMasks(const CompareRequest& request) {
   if (isFolder) return compareFolders(request);
   const Compared found = compareTwo(comparingFor(request), request.candidate, request.truth);
   if (request.difference) {
+    const compare::ComparedMasks& masks = found.masks;
     image::writePng(*request.difference,
-                    image::differenceImage(found.masks.candidate, found.masks.truth));
+                    found.comparison.isSoft
+                        ? image::shareDifferenceImage(masks.candidateShares, masks.truthShares)
+                        : image::differenceImage(masks.candidate, masks.truth));
   }
   write(request, found.comparison, &report::maskComparisonJson, &report::maskComparisonTable);
   return statusOf(found.comparison.passed());

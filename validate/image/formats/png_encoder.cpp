@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <utility>
+#include <vector>
 
 #include "common/error.h"
 #include "image/images.h"
@@ -65,29 +67,60 @@ void choosePacking(png_structp png) {
   png_set_compression_buffer_size(png, oneChunk);
 }
 
-}  // namespace
+/// Rows of a picture as a PNG has them: values of 16 bits with the higher byte first.
+struct Rows {
+  int width;
+  int height;
+  int bits;
+  int colour;  ///< PNG_COLOR_TYPE_…
+  std::size_t rowBytes;
+  const std::uint8_t* bytes;
+};
 
-std::string pngOf(const Image& image) {
-  const auto [width, height] = std::pair(image.width, image.height);
-  const std::string what =
-      "PNG of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  const std::size_t rowBytes = channels * static_cast<std::size_t>(std::max(width, 0));
-  if (width < 1 || height < 1 || image.rgb.size() != rowBytes * static_cast<std::size_t>(height)) {
-    throw InternalError(what + ": " + std::to_string(image.rgb.size()) + " values found");
-  }
+void requireWhole(int width, int height, std::size_t channelCount, std::size_t values) {
+  const std::size_t row = channelCount * static_cast<std::size_t>(std::max(width, 0));
+  if (width >= 1 && height >= 1 && values == row * static_cast<std::size_t>(height)) return;
+  throw InternalError("PNG of " + std::to_string(width) + " x " + std::to_string(height) +
+                      " pixels: " + std::to_string(values) + " values found");
+}
+
+std::string encoded(const Rows& rows) {
   Writer writer;
   // libpng comes back here where it fails. Nothing below has a destructor that would be left out.
-  if (setjmp(png_jmpbuf(writer.png)) != 0) throw InternalError(what + ": " + writer.message);
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(width),
-               static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  if (setjmp(png_jmpbuf(writer.png)) != 0) {
+    throw InternalError("PNG of " + std::to_string(rows.width) + " x " +
+                        std::to_string(rows.height) + " pixels: " + writer.message);
+  }
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(rows.width),
+               static_cast<png_uint_32>(rows.height), rows.bits, rows.colour, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   choosePacking(writer.png);
   png_write_info(writer.png, writer.info);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
-    png_write_row(writer.png, image.rgb.data() + y * rowBytes);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(rows.height); ++y) {
+    png_write_row(writer.png, rows.bytes + y * rows.rowBytes);
   }
   png_write_end(writer.png, writer.info);
   return std::move(writer.bytes);
+}
+
+}  // namespace
+
+std::string pngOf(const Image& image) {
+  requireWhole(image.width, image.height, channels, image.rgb.size());
+  return encoded({image.width, image.height, 8, PNG_COLOR_TYPE_RGB,
+                  channels * static_cast<std::size_t>(image.width), image.rgb.data()});
+}
+
+std::string pngOf(const GreyImage& image) {
+  requireWhole(image.width, image.height, 1, image.values.size());
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(2 * image.values.size());
+  for (const std::uint16_t value : image.values) {
+    bytes.push_back(static_cast<std::uint8_t>(value >> 8));
+    bytes.push_back(static_cast<std::uint8_t>(value & 255));
+  }
+  return encoded({image.width, image.height, 16, PNG_COLOR_TYPE_GRAY,
+                  2 * static_cast<std::size_t>(image.width), bytes.data()});
 }
 
 }  // namespace gnomon::image

@@ -33,6 +33,7 @@ constexpr std::array entries = {
     PassEntry{PassKind::texture, "a pass in the texture's plane", check::textureFault},
     PassEntry{PassKind::lightDepth, "the depth that the light sees", check::lightDepthFault},
     PassEntry{PassKind::shadowVolumes, "shadow volumes", check::volumeFault},
+    PassEntry{PassKind::shares, "shares of light", check::sharesFault},
     PassEntry{PassKind::pictures, "the pictures of masks", check::pictureFault},
 };
 
@@ -53,7 +54,7 @@ std::string passFault(PassKind kind, const std::filesystem::path& shaders) {
   return entryOf(kind).fault(shaders);
 }
 
-std::vector<PassKind> passesOf(const Method& method, TableFilter filter) {
+std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool isSoft) {
   const MethodTables& tables = method.tables;
   std::vector<PassKind> kinds;
   if (method.mesh == DrawnMesh::displaced) kinds.push_back(PassKind::facets);
@@ -66,6 +67,7 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter) {
   if (method.passes.texture) kinds.push_back(PassKind::texture);
   if (method.passes.lightDepth) kinds.push_back(PassKind::lightDepth);
   if (method.passes.shadowVolumes) kinds.push_back(PassKind::shadowVolumes);
+  if (isSoft && (method.answersShares || method.hasHorizon)) kinds.push_back(PassKind::shares);
   return kinds;
 }
 

@@ -21,6 +21,7 @@ enum class PassKind {
   texture,
   lightDepth,
   shadowVolumes,
+  shares,
   pictures,
 };
 
@@ -28,7 +29,8 @@ enum class PassKind {
 std::string_view passName(PassKind kind);
 
 /// The kinds that a method's answers are made by, beside the samples of the views.
-std::vector<PassKind> passesOf(const Method& method, TableFilter filter);
+/// @param isSoft  whether any of its lights has a radius
+std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool isSoft = false);
 
 /// Draws a small scene with the shaders and compares the result with its closed form:
 ///   cameraSamples   a floor and a box over it: the nearest rectangle, and the place on it
@@ -42,6 +44,7 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter);
 ///   texture         a random value a texel, drawn in the texture's plane and read again
 ///   lightDepth      the box's shadow on the floor, from the depth that the light sees
 ///   shadowVolumes   the same, and a camera inside the shadow, from counts
+///   shares          a known share of a disc a sample; and what the bumped normals leave of it
 ///   pictures        a chequered mask: dark where it is shadowed, brighter elsewhere
 /// Pixels beside an edge of anything are left out.
 /// @return  empty if all pixels are right, else how many are not: "37 of 5124 pixels are wrong"

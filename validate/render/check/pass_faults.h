@@ -28,6 +28,9 @@ std::string facetFault(const Shaders& shaders);
 std::string lightDepthFault(const Shaders& shaders);
 std::string volumeFault(const Shaders& shaders);
 
+// shares_check.cpp
+std::string sharesFault(const Shaders& shaders);
+
 // picture_check.cpp
 std::string pictureFault(const Shaders& shaders);
 

@@ -15,8 +15,6 @@ using tile::azimuths;
 using tile::columns;
 using tile::side;
 
-const Vec3 tileLight = glm::normalize(Vec3(0.6, 0.25, 0.2));
-
 /// Random zeros and ones, [layer][y][x].
 std::vector<float> randomBits(int layers, unsigned seed) {
   std::mt19937 random(seed);
@@ -39,13 +37,22 @@ class TileScene {
         angles_(angleTable(tiles.angles), bits) {}
 
   [[nodiscard]] MethodAnswers answers(const MethodPass& pass) const {
-    const Drawing drawing{
-        gpu_,    heights_, relief::Wrap::repeat, relief::HeightSpace::world, 1, tileLight,
-        nullptr, &texture_};
-    return pass.render(tileView(), drawing, {&horizon_, &distance_, &angles_, &ellipse_});
+    return pass.render(tileView(), drawing(), tables());
+  }
+
+  [[nodiscard]] VisibilityAnswers shares(const MethodPass& pass, double radius) const {
+    Drawing soft = drawing();
+    soft.lightRadius = radius;
+    return pass.renderVisibility(tileView(), soft, tables());
   }
 
  private:
+  [[nodiscard]] Drawing drawing() const {
+    return {gpu_,    heights_, relief::Wrap::repeat, relief::HeightSpace::world, 1, tileLight(),
+            nullptr, &texture_};
+  }
+  [[nodiscard]] GpuTables tables() const { return {&horizon_, &distance_, &angles_, &ellipse_}; }
+
   static GpuTable table(const std::vector<float>& values, int layers, horizon::TableBits bits) {
     return {horizon::storeTable(values, bits), {columns, side, layers, relief::Wrap::repeat}};
   }
@@ -71,7 +78,7 @@ void compareTiles(Tally& tally, const MethodAnswers& answers, const TileValues& 
       const auto i = static_cast<std::size_t>(row * columns + x);
       const auto shade = [](bool dark) { return dark ? Shade::shadowed : Shade::lit; };
       const bool isHidden = isDark(tiles, x, y);
-      const double cosine = tiles.cosine(x, y);
+      const double cosine = glm::dot(tileLight(), tiles.normal(x, y));
       const bool isSure = std::abs(cosine) > 1e-3;
       tally.add(answers.test.samples.at(i) == shade(isHidden) &&
                 (!isSure || answers.drawn.samples.at(i) == shade(isHidden || cosine <= 0)));
@@ -88,14 +95,13 @@ TileValues::TileValues()
       ellipse(randomBits(horizon::EllipseTable::numbers, 4)),
       angles(randomBits(2 * azimuths, 5)) {}
 
-double TileValues::cosine(int x, int y) const {
+Vec3 TileValues::normal(int x, int y) const {
   const auto between = [](double a, double b) { return 0.75 * a + 0.25 * b; };
   const double h00 = height(x, y);
   const double h10 = height(x + 1, y);
   const double h01 = height(x, y + 1);
   const double h11 = height(x + 1, y + 1);
-  return glm::dot(tileLight,
-                  Vec3(-between(h10 - h00, h11 - h01), -between(h01 - h00, h11 - h10), 1));
+  return {-between(h10 - h00, h11 - h01), -between(h01 - h00, h11 - h10), 1};
 }
 
 surface::BaseMesh tileMesh() {
@@ -121,6 +127,16 @@ RenderView tileView() {
   view.height = side;
   view.atlasTiles = {2, 1};
   return view;
+}
+
+Vec3 tileLight() {
+  return glm::normalize(Vec3(0.6, 0.25, 0.2));
+}
+
+VisibilityAnswers tileShares(const std::filesystem::path& shaders, const Method& method,
+                             const TileValues& tiles, double radius) {
+  const MethodPass pass(shaders, method, relief::Wrap::repeat, TableFilter::exact, {});
+  return TileScene(tiles, horizon::TableBits::thirtyTwo).shares(pass, radius);
 }
 
 std::string tileFault(const std::filesystem::path& shaders, const Method& method,

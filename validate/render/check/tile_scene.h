@@ -29,8 +29,8 @@ struct TileValues {
   [[nodiscard]] double height(int x, int y) const {
     return bit(heights, 0, x % tile::columns, y % tile::side) ? 1 : 0;
   }
-  /// N' · L, without its length, a quarter of a texel beyond the texel's centre.
-  [[nodiscard]] double cosine(int x, int y) const;
+  /// N', without its length, a quarter of a texel beyond the texel's centre.
+  [[nodiscard]] Vec3 normal(int x, int y) const;
 };
 
 /// The two faces. Samples lie a quarter of a texel beyond texel centres: of the four texels that
@@ -39,6 +39,14 @@ surface::BaseMesh tileMesh();
 
 /// One sample a texel.
 RenderView tileView();
+
+/// The unit vector toward the light.
+Vec3 tileLight();
+
+/// Draws the faces by a method under a light that is a disc, with tables in 32 bits.
+/// @param radius  of the disc, radians
+VisibilityAnswers tileShares(const std::filesystem::path& shaders, const Method& method,
+                             const TileValues& tiles, double radius);
 
 /// Draws the faces by a method, with tables in 8, 16 and 32 bits, and compares both of its answers.
 /// @param isDark  what the method's test must say at texel (x, y)

@@ -61,6 +61,7 @@ void setView(GLuint program, const RenderView& view) {
 
 void setDrawing(GLuint program, const Drawing& drawing) {
   setUniform(program, "lightDirection", drawing.light);
+  setUniform(program, "lightRadius", drawing.lightRadius);
   setUniform(program, "heightInTexels",
              drawing.heightSpace == relief::HeightSpace::texture ? 1 : 0);
   setUniform(program, "texelsPerHeight", drawing.texelsPerHeight);

@@ -24,6 +24,7 @@ struct Drawing {
   const GpuVolumes* volumes = nullptr;  ///< of a displaced mesh
   const RenderView* texture = nullptr;  ///< the texture's own plane, for methods that draw there
   const GpuMesh* lightMesh = nullptr;   ///< of a method that has one of its own for its light
+  double lightRadius = 0;  ///< ρ of the light's disc, radians, 0 to π/18; 0 is a point
 };
 
 /// The texture units, each with one texture for all passes.
@@ -31,7 +32,7 @@ enum class TextureUnit : GLuint {
   heights,
   horizon,
   distance,
-  mask,
+  shares,
   angles,
   basis,
   arccos,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
 #include "common/error.h"
 #include "common/system/memory.h"
@@ -28,6 +29,23 @@ Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, st
     mask.samples[i] = (answers[i] & bit) == 0 ? Shade::lit : Shade::shadowed;
   }
   return mask;
+}
+
+/// A sample's shares are 0 to 1; this is where there is no sample.
+constexpr float noShare = -1;
+
+Visibility visibilityOf(const RenderView& view, std::vector<float> shares) {
+  std::replace(shares.begin(), shares.end(), noShare, noSample);
+  return {view.width, view.height, std::move(shares)};
+}
+
+Visibility visibilityOf(const Mask& mask) {
+  Visibility visibility{mask.width, mask.height, std::vector<float>(mask.size(), noSample)};
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask.samples[i] == Shade::none) continue;
+    visibility.shares[i] = mask.samples[i] == Shade::lit ? 1.0F : 0.0F;
+  }
+  return visibility;
 }
 
 std::string parameterUniforms(const Method& method) {
@@ -65,6 +83,8 @@ std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap,
   if (method.passes.lightDepth) defines.emplace_back("PASS_LIGHT_DEPTH");
   if (method.passes.shadowVolumes) defines.emplace_back("PASS_SHADOW_VOLUMES");
   if (method.hasOwnNormal) defines.emplace_back("OWN_NORMAL");
+  if (method.hasTest) defines.emplace_back("OWN_TEST");
+  if (method.hasHorizon) defines.emplace_back("OWN_HORIZON");
   if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
   return defines;
 }
@@ -78,6 +98,7 @@ std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& met
     pieces.push_back(readShader(shaders / "common" / name));
   };
   add("pixel.glsl");
+  add("disc.glsl");
   add("wrap.glsl");
   if (method.tables.height) add("relief.glsl");
   for (const char* name :
@@ -88,6 +109,7 @@ std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& met
   pieces.push_back(method.source);
   if (!method.tables.height) add("relief.glsl");
   add("shading.glsl");
+  add("answers.glsl");
   add(stage);
   return pieces;
 }
@@ -103,6 +125,22 @@ gl::Program makeMethodProgram(const fs::path& shaders, const Method& method, con
     throw InputError(message +
                      missingDeclaration(sharedNames(shaders), message, method.source, defines));
   }
+}
+
+/// The program that answers with shares; none where the method has only 0 and 1 to say.
+/// @throws InputError for a disc without a horizon
+std::optional<gl::Program> makeShareProgram(const fs::path& shaders, const Method& method,
+                                            SoftAnswer soft, std::vector<std::string> defines) {
+  const bool isDisc = soft == SoftAnswer::disc;
+  if (isDisc && !method.hasHorizon) {
+    throw InputError(fmt::format(
+        "method {}: no function `float horizonSlope(Pixel pixel, LocalLight light)` in {}, which "
+        "the light's disc could be held against",
+        method.name, method.source.file));
+  }
+  if (!isDisc && !method.answersShares) return std::nullopt;
+  defines.emplace_back(isDisc ? "ANSWER_DISC" : "ANSWER_SHARE");
+  return makeMethodProgram(shaders, method, "visibility.frag", defines);
 }
 
 /// A texture pass keeps its values in the bits of the angles that it reads; without any, in floats.
@@ -122,7 +160,8 @@ int bytesPerResolved(horizon::TableBits bits) {
 }  // namespace
 
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
-                       TableFilter filter, const std::map<std::string, double>& values)
+                       TableFilter filter, const std::map<std::string, double>& values,
+                       SoftAnswer soft)
     : name_(method.name),
       tables_(method.tables),
       passes_(method.passes),
@@ -130,11 +169,13 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wr
       values_(parameterValues(method, values)) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
   answer_ = makeMethodProgram(shaders, method, "mask.frag", defines);
+  share_ = makeShareProgram(shaders, method, soft, defines);
   if (passes_.texture) resolve_ = makeMethodProgram(shaders, method, "resolve.frag", defines);
   if (passes_.lightDepth) lightDepth_.emplace(shaders);
   if (passes_.shadowVolumes) volumes_.emplace(shaders);
   for (const auto& [name, value] : values_) {
-    for (const gl::Program* program : {&answer_, resolve_ ? &*resolve_ : nullptr}) {
+    for (const gl::Program* program :
+         {&answer_, share_ ? &*share_ : nullptr, resolve_ ? &*resolve_ : nullptr}) {
       if (program == nullptr) continue;
       setUniform(program->name(), name.c_str(), value);
     }
@@ -168,7 +209,9 @@ class MethodPass::Frame {
         view_(view),
         drawing_(drawing),
         tables_(tables),
-        answers_(view.width, view.height, {GL_R8UI}) {
+        isShare_(pass.share_ && drawing.lightRadius > 0),
+        answers_(view.width, view.height,
+                 isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI}) {
     if (pass.resolve_) {
       if (drawing.texture == nullptr) {
         throw InternalError(fmt::format("method {} got no texture plane", pass.name_));
@@ -199,10 +242,8 @@ class MethodPass::Frame {
   /// The view's passes, after the light's.
   void drawView() const {
     if (counts_) pass_.volumes_->draw(view_, drawing_, *counts_);
-    const std::array<GLuint, 4> none = {noAnswer, 0, 0, 0};
-    glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 0, none.data());
-    answers_.clearDepth();
-    const GLuint program = pass_.answer_.name();
+    clearAnswers();
+    const GLuint program = isShare_ ? pass_.share_->name() : pass_.answer_.name();
     setInputs(program, view_);
     bindPasses(program);
     drawMesh(answers_, program, view_, drawing_.mesh);
@@ -213,11 +254,30 @@ class MethodPass::Frame {
     drawView();
   }
 
-  [[nodiscard]] std::vector<std::uint8_t> answers() const {
-    return answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
+  [[nodiscard]] MethodAnswers masks() const {
+    const auto bits = answers_.read<std::uint8_t>(0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1);
+    return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed)};
+  }
+
+  [[nodiscard]] VisibilityAnswers shares() const {
+    return {visibilityOf(view_, answers_.read<float>(0, GL_RED, GL_FLOAT, 1)),
+            visibilityOf(view_, answers_.read<float>(1, GL_RED, GL_FLOAT, 1))};
   }
 
  private:
+  void clearAnswers() const {
+    answers_.clearDepth();
+    if (isShare_) {
+      const std::array<GLfloat, 4> none = {noShare, 0, 0, 0};
+      for (const GLint channel : {0, 1}) {
+        glClearNamedFramebufferfv(answers_.framebuffer(), GL_COLOR, channel, none.data());
+      }
+    } else {
+      const std::array<GLuint, 4> none = {noAnswer, 0, 0, 0};
+      glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 0, none.data());
+    }
+  }
+
   /// What the pass from the light draws.
   [[nodiscard]] const GpuMesh& seenFromLight() const {
     if (!pass_.hasLightMesh_) return drawing_.mesh;
@@ -305,16 +365,33 @@ class MethodPass::Frame {
   std::optional<Target> resolved_;
   std::optional<Target> depth_;
   std::optional<Target> counts_;
+  bool isShare_;
   Target answers_;
 };
 
 MethodAnswers MethodPass::render(const RenderView& view, const Drawing& drawing,
                                  const GpuTables& tables) const {
+  // The light's centre alone: its disc is for renderVisibility.
+  Drawing point = drawing;
+  point.lightRadius = 0;
+  const Frame frame(*this, view, point, tables);
+  frame.draw();
+  MethodAnswers answers = frame.masks();
+  throwOnGlError("rendering a method's mask");
+  return answers;
+}
+
+VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Drawing& drawing,
+                                               const GpuTables& tables) const {
+  if (!share_ || !(drawing.lightRadius > 0)) {
+    const MethodAnswers answers = render(view, drawing, tables);
+    return {visibilityOf(answers.drawn), visibilityOf(answers.test)};
+  }
   const Frame frame(*this, view, drawing, tables);
   frame.draw();
-  const auto answers = frame.answers();
-  throwOnGlError("rendering a method's mask");
-  return {maskOf(view, answers, drawnShadowed), maskOf(view, answers, testShadowed)};
+  VisibilityAnswers answers = frame.shares();
+  throwOnGlError("rendering a method's shares of light");
+  return answers;
 }
 
 FrameTimes MethodPass::frameTimes(const RenderView& view, const Drawing& drawing,

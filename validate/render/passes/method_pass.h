@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "common/visibility.h"
 #include "render/frame_timer.h"
 #include "render/method.h"
 #include "render/passes/drawing.h"
@@ -41,6 +42,23 @@ struct MethodAnswers {
   Mask test;
 };
 
+/// A method's two answers as shares of the light's disc, 0 to 1 for every sample of a view.
+struct VisibilityAnswers {
+  /// The score. Of a method that answers with a share, the smaller of `test` and the share of the
+  /// disc in front of the plane of the normal that its picture is shaded with (visibility.frag); of
+  /// others `MethodAnswers::drawn`, 1 where it is lit and 0 where not.
+  Visibility drawn;
+  /// What the method's `visibility` or its horizon says; of others `MethodAnswers::test` as 1 and
+  /// 0.
+  Visibility test;
+};
+
+/// What a method says of a soft light.
+enum class SoftAnswer {
+  own,   ///< its `visibility`; 0 or 1 where its file has none
+  disc,  ///< its horizon held against the disc by the closed form, `shareOver` of disc.glsl
+};
+
 /// Median times of a method's frames, milliseconds: see medianFrameMilliseconds.
 struct FrameTimes {
   double every = 0;  ///< all its passes
@@ -53,9 +71,12 @@ struct FrameTimes {
 class MethodPass {
  public:
   /// @param values  of the method's parameters; others have the authors' values
-  /// @throws InputError for a shader that does not compile, or an unknown or out-of-range parameter
+  /// @throws InputError for a shader that does not compile, an unknown or out-of-range parameter,
+  /// or
+  ///   `SoftAnswer::disc` of a method without a horizon
   MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
-             TableFilter filter, const std::map<std::string, double>& values);
+             TableFilter filter, const std::map<std::string, double>& values,
+             SoftAnswer soft = SoftAnswer::own);
 
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
@@ -63,6 +84,12 @@ class MethodPass {
   [[nodiscard]] MethodAnswers render(const RenderView& view, const Drawing& drawing,
                                      const GpuTables& tables) const;
 
+  /// The same of a light with a radius. With radius 0 every share is 0 or 1, exactly as `render`
+  /// says.
+  [[nodiscard]] VisibilityAnswers renderVisibility(const RenderView& view, const Drawing& drawing,
+                                                   const GpuTables& tables) const;
+
+  /// Of the passes that answer for the drawing's light, a point or a disc.
   [[nodiscard]] FrameTimes frameTimes(const RenderView& view, const Drawing& drawing,
                                       const GpuTables& tables, int frames, FirstFrame first,
                                       FrameClock clock) const;
@@ -82,6 +109,7 @@ class MethodPass {
   bool hasLightMesh_;
   std::map<std::string, double> values_;  ///< every parameter's
   gl::Program answer_;
+  std::optional<gl::Program> share_;  ///< of a method that answers with a share
   std::optional<gl::Program> resolve_;
   std::optional<LightDepthPass> lightDepth_;
   std::optional<ShadowVolumePass> volumes_;

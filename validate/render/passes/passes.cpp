@@ -1,6 +1,8 @@
 #include "render/passes/passes.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
@@ -9,20 +11,28 @@ namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
 
-gl::Texture maskTexture(const Mask& mask) {
-  std::vector<std::uint8_t> upward;
-  upward.reserve(mask.size());
-  for (int row = mask.height - 1; row >= 0; --row) {
-    for (int column = 0; column < mask.width; ++column) {
-      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width) +
+/// What a mask means as light.
+Visibility sharesOf(const Mask& mask) {
+  Visibility shares{mask.width, mask.height, std::vector<float>(mask.size(), noSample)};
+  std::transform(mask.samples.begin(), mask.samples.end(), shares.shares.begin(),
+                 [](Shade shade) { return shade == Shade::shadowed ? 0.0F : 1.0F; });
+  return shares;
+}
+
+gl::Texture shareTexture(const Visibility& visibility) {
+  std::vector<float> upward;
+  upward.reserve(visibility.size());
+  for (int row = visibility.height - 1; row >= 0; --row) {
+    for (int column = 0; column < visibility.width; ++column) {
+      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(visibility.width) +
                      static_cast<std::size_t>(column);
-      upward.push_back(mask.samples[i] == Shade::shadowed ? 1 : 0);
+      const float share = visibility.shares[i];
+      upward.push_back(std::isnan(share) ? 1.0F : share);
     }
   }
-  const gl::TextureSize size{mask.width, mask.height};
-  // With linear filters an integer texture is incomplete, and reads as zero.
-  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D, GL_R8UI, size, GL_NEAREST);
-  gl::fill(texture, size, GL_RED_INTEGER, GL_UNSIGNED_BYTE, upward.data());
+  const gl::TextureSize size{visibility.width, visibility.height};
+  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D, GL_R32F, size, GL_NEAREST);
+  gl::fill(texture, size, GL_RED, GL_FLOAT, upward.data());
   return texture;
 }
 
@@ -62,8 +72,13 @@ ShadePass::ShadePass(const fs::path& shaders, relief::Wrap wrap, DrawnMesh mesh)
 
 std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawing& drawing,
                                             const Mask& mask) const {
+  return render(view, drawing, sharesOf(mask));
+}
+
+std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawing& drawing,
+                                            const Visibility& visibility) const {
   const Target target(view.width, view.height, {GL_RGBA8});
-  draw(view, drawing, mask, target);
+  draw(view, drawing, visibility, target);
   auto picture = target.read<std::uint8_t>(0, GL_RGB, GL_UNSIGNED_BYTE, 3);
   throwOnGlError("shading a picture");
   return picture;
@@ -71,13 +86,18 @@ std::vector<std::uint8_t> ShadePass::render(const RenderView& view, const Drawin
 
 void ShadePass::draw(const RenderView& view, const Drawing& drawing, const Mask& mask,
                      const Target& target) const {
+  draw(view, drawing, sharesOf(mask), target);
+}
+
+void ShadePass::draw(const RenderView& view, const Drawing& drawing, const Visibility& visibility,
+                     const Target& target) const {
   const std::array<GLfloat, 4> white = {1, 1, 1, 1};
   glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, white.data());
   target.clearDepth();
   setView(program_.name(), view);
   setDrawing(program_.name(), drawing);
-  const gl::Texture shadows = maskTexture(mask);
-  bindTexture(program_.name(), TextureUnit::mask, shadows.name(), "shadowMask");
+  const gl::Texture shares = shareTexture(visibility);
+  bindTexture(program_.name(), TextureUnit::shares, shares.name(), "litShares");
   drawMesh(target, program_.name(), view, drawing.mesh);
 }
 

@@ -15,11 +15,18 @@ namespace {
 Json flipJson(const study::UncertaintyRecord& flip) {
   Json boundaries = Json::object();
   addMetrics(boundaries, flip.boundaries);
-  return {{"view", flip.view},
-          {"light", flip.light},
-          {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
-          {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
-          {"boundaries", std::move(boundaries)}};
+  Json json = {{"view", flip.view},
+               {"light", flip.light},
+               {"flip_rate", jsonNumber(flip.flipRate, "truth.flips.flip_rate")},
+               {"length_error", jsonNumber(flip.lengthError, "truth.flips.length_error")},
+               {"boundaries", std::move(boundaries)}};
+  if (flip.percentile99) {
+    Json shares = Json::object();
+    addMetrics(shares, flip.shares);
+    json["percentile_99"] = jsonNumber(flip.percentile99, "truth.flips.percentile_99");
+    json["shares"] = std::move(shares);
+  }
+  return json;
 }
 
 /// A study's settings hold no dates, which JSON does not know.

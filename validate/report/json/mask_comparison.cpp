@@ -42,6 +42,7 @@ std::string pixelsLine(const MaskComparison& c) {
   if (c.outsideRoi > 0) {
     text += fmt::format(", {} outside the region of interest", groupedText(c.outsideRoi));
   }
+  if (c.isSoft) text += ", by their shares of light; boundaries where these are cut at 0.5";
   return text;
 }
 
@@ -134,6 +135,7 @@ Json jsonComparison(const MaskComparison& c) {
                {"height", c.height},
                {"without_sample", c.withoutSample},
                {"outside_roi", c.outsideRoi}};
+  if (c.isSoft) json["shares"] = true;
   addCounts(json, c.counts);
   addMetrics(json, c.metrics);
   json["confidence"] = jsonConfidence(c.confidence);

@@ -32,6 +32,7 @@ struct MaskComparison {
   int height = 0;
   std::size_t withoutSample = 0;  ///< pixels left out: the truth has no sample
   std::size_t outsideRoi = 0;     ///< pixels left out: outside the region of interest
+  bool isSoft = false;  ///< the pictures hold shares of light; the files' pixels are those of cuts
   compare::Counts counts = {};
   std::vector<compare::Metric> metrics = {};
   compare::ConfidenceInterval confidence = {};    ///< of the error rate

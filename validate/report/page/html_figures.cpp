@@ -157,6 +157,25 @@ Html differenceLegend() {
               legendEntry("--both-shadowed", "both shadowed"));
 }
 
+/// The same of maps of visibility: a scale, from a whole disc too little to one too much.
+Html shareLegend() {
+  return html(
+      "<ul class=\"legend\"><li>Lower pictures, V of the method less V of the truth, over the grey "
+      "of the truth's V:</li>{}{}{}<li><i class=\"scale\" style=\"width:8em;background:"
+      "linear-gradient(to right,var(--false-shadow),var(--both-lit),var(--false-light))\"></i>"
+      "−1 to 1</li></ul>\n",
+      legendEntry("--false-shadow", "−1: dark, but the truth sees the whole disc"),
+      legendEntry("--both-lit", "0: the same share"),
+      legendEntry("--false-light", "1: lit, but the truth is in umbra"));
+}
+
+/// Whether a panel's light has a disc: its shadings are not composed of layers.
+bool isSoft(const study::PanelRecord& panel) {
+  return std::any_of(
+      panel.pictures.begin(), panel.pictures.end(),
+      [](const study::PictureRecord& picture) { return !picture.mask.empty() && !picture.layers; });
+}
+
 }  // namespace
 
 Html pngAddress(const fs::path& path) {
@@ -181,7 +200,9 @@ Html panelFigures(const study::StudyRecord& record, const study::PanelRecord& pa
       "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n{}{}"
       "</div>\n{}",
       panel.view, panel.light, panel.width, panel.height, content, layersHtml(panel, folder),
-      signedOnes ? differenceLegend() : Html());
+      !signedOnes     ? Html()
+      : isSoft(panel) ? shareLegend()
+                      : differenceLegend());
 }
 
 Html differenceProperties() {

@@ -200,7 +200,10 @@ Table metricsTable(const study::StudyRecord& record) {
   Table table{.kind = "metrics", .columns = {}};
   addTexts(table, {"study", "method", "light", "view", "answer", "region"});
   addValues(table, countNames);
-  addValues(table, study::metricNames());
+  // Columns of shares only where a light has a disc.
+  const bool isSoft = std::any_of(record.results.begin(), record.results.end(),
+                                  [](const auto& result) { return !result.shares.empty(); });
+  addValues(table, isSoft ? study::metricNames() : study::pointLightMetricNames());
   for (const study::ResultRecord& result : record.results) {
     Row row{{textCell(record.name), textCell(result.method), textCell(result.light),
              textCell(result.view), textCell(std::string(study::answerName(result.answer))),
@@ -208,6 +211,7 @@ Table metricsTable(const study::StudyRecord& record) {
     appendCounts(row, result.counts);
     for (const compare::Metric& metric : study::metricsOf(result))
       row.cells.push_back(valueCell(metric.value));
+    row.cells.resize(table.columns.size(), valueCell(std::nullopt));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -19,7 +19,8 @@ namespace {
 std::string unitOf(const study::StudyRecord& record, const study::ResultRecord& result,
                    std::string_view metric) {
   if (metric == "mcc") return "correlation";
-  if (metric == "shadow_runs") return "count";
+  if (metric == "shadow_runs" || metric == "penumbra_runs") return "count";
+  if (metric.starts_with("penumbra_width")) return "ratio";
   if (contains(compare::lengthMetricNames(), metric)) return "ratio";
   if (study::isRate(metric) || !compare::isBoundaryDistance(metric)) return "share";
   return contains(record.atlasViews, result.view) ? "texels" : "pixels";

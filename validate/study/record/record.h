@@ -40,12 +40,18 @@ struct EnvironmentRecord {
 struct UncertaintyRecord {
   std::string view;
   std::string light;
-  double flipRate = 0;  ///< share of samples that change at half the micro-mesh's resolution
+  /// Share of samples that change at half the micro-mesh's resolution; of a light with a disc the
+  /// mean of |ΔV| at that and with half the directions.
+  double flipRate = 0;
   /// By how much the median length ratio of that coarser truth's shadows to the truth's differs
   /// from 1; none where too few could be measured.
   std::optional<double> lengthError = std::nullopt;
   /// The boundary metrics of that coarser truth's mask, as if it were a method's.
   std::vector<compare::Metric> boundaries = {};
+  /// Of a light with a disc: |ΔV| that 99 % of the samples do not exceed, and the share metrics of
+  /// that coarser truth's V; none of a point light.
+  std::optional<double> percentile99 = std::nullopt;
+  std::vector<compare::Metric> shares = {};
 };
 
 /// One level of a refinement to a wanted uncertainty.
@@ -101,6 +107,7 @@ struct ResultRecord {
   std::optional<compare::ShadowLengths> lengths = std::nullopt;  ///< measured for the region "all"
   std::vector<compare::Metric> boundaries = {};  ///< likewise; empty for other regions
   Answer answer = Answer::drawn;
+  std::vector<compare::Metric> shares = {};  ///< as `boundaries`; empty for a point light too
 };
 
 struct CostRecord {

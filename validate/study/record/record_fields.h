@@ -7,6 +7,7 @@
 #include "cache/byte_stream.h"
 #include "common/error.h"
 #include "compare/boundaries.h"
+#include "compare/share_metrics.h"
 #include "study/record/record.h"
 
 namespace gnomon::cache {
@@ -26,9 +27,11 @@ void fields(Stream& stream, T& lengths) {
   stream(runs, ratio, lowerQuartile, upperQuartile, truthLength);
 }
 
-/// Boundary metrics: their texts are constants, kept by their places in the lists of them.
-struct BoundaryMetrics {
+/// Metrics whose texts are constants, kept by their places in the lists of them.
+struct ListedMetrics {
   std::vector<compare::Metric> metrics;
+  const std::vector<std::string_view>* names;
+  const std::vector<std::string_view>* reasons;
 };
 
 /// The place of a text in a list; the list's size for an empty one.
@@ -43,21 +46,21 @@ inline std::string_view textAt(const std::vector<std::string_view>& list, std::u
   return place < list.size() ? list[place] : std::string_view();
 }
 
-template <typename Stream, SameAs<BoundaryMetrics> T>
-void fields(Stream& stream, T& boundaries) {
-  std::uint64_t count = boundaries.metrics.size();
+template <typename Stream, SameAs<ListedMetrics> T>
+void fields(Stream& stream, T& listed) {
+  std::uint64_t count = listed.metrics.size();
   stream(count);
   if constexpr (!std::is_const_v<T>) {
-    if (count > compare::boundaryMetricNames().size()) throw DamagedBytes();
-    boundaries.metrics.resize(count);
+    if (count > listed.names->size()) throw DamagedBytes();
+    listed.metrics.resize(count);
   }
-  for (auto& metric : boundaries.metrics) {
-    std::uint64_t name = placeIn(compare::boundaryMetricNames(), metric.name);
-    std::uint64_t reason = placeIn(compare::boundaryReasons(), metric.reason);
+  for (auto& metric : listed.metrics) {
+    std::uint64_t name = placeIn(*listed.names, metric.name);
+    std::uint64_t reason = placeIn(*listed.reasons, metric.reason);
     stream(name, metric.value, reason);
     if constexpr (!std::is_const_v<T>) {
-      metric.name = textAt(compare::boundaryMetricNames(), name);
-      metric.reason = textAt(compare::boundaryReasons(), reason);
+      metric.name = textAt(*listed.names, name);
+      metric.reason = textAt(*listed.reasons, reason);
     }
   }
 }
@@ -65,9 +68,17 @@ void fields(Stream& stream, T& boundaries) {
 /// A record's boundary metrics, in their place among its other members.
 template <typename Stream, SameAs<std::vector<compare::Metric>> T>
 void boundaryFields(Stream& stream, T& metrics) {
-  BoundaryMetrics boundaries{metrics};
-  stream(boundaries);
-  if constexpr (!std::is_const_v<T>) metrics = std::move(boundaries.metrics);
+  ListedMetrics listed{metrics, &compare::boundaryMetricNames(), &compare::boundaryReasons()};
+  stream(listed);
+  if constexpr (!std::is_const_v<T>) metrics = std::move(listed.metrics);
+}
+
+/// Likewise its share metrics.
+template <typename Stream, SameAs<std::vector<compare::Metric>> T>
+void shareFields(Stream& stream, T& metrics) {
+  ListedMetrics listed{metrics, &compare::shareMetricNames(), &compare::shareReasons()};
+  stream(listed);
+  if constexpr (!std::is_const_v<T>) metrics = std::move(listed.metrics);
 }
 
 template <typename Stream, SameAs<study::EnvironmentRecord> T>
@@ -78,9 +89,10 @@ void fields(Stream& stream, T& environment) {
 
 template <typename Stream, SameAs<study::UncertaintyRecord> T>
 void fields(Stream& stream, T& flip) {
-  auto& [view, light, flipRate, lengthError, boundaries] = flip;
-  stream(view, light, flipRate, lengthError);
+  auto& [view, light, flipRate, lengthError, boundaries, percentile99, shares] = flip;
+  stream(view, light, flipRate, lengthError, percentile99);
   boundaryFields(stream, boundaries);
+  shareFields(stream, shares);
 }
 
 template <typename Stream, SameAs<study::RefinementRecord> T>
@@ -115,9 +127,10 @@ void fields(Stream& stream, T& refused) {
 
 template <typename Stream, SameAs<study::ResultRecord> T>
 void fields(Stream& stream, T& result) {
-  auto& [method, light, view, region, counts, lengths, boundaries, answer] = result;
+  auto& [method, light, view, region, counts, lengths, boundaries, answer, shares] = result;
   stream(method, light, view, region, counts, lengths, answer);
   boundaryFields(stream, boundaries);
+  shareFields(stream, shares);
 }
 
 template <typename Stream, SameAs<compare::Interval> T>

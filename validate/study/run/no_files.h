@@ -8,6 +8,7 @@ namespace gnomon::study {
 class NoFiles final : public RunWriter {
  public:
   [[nodiscard]] std::string mask(const Mask&) const override { return {}; }
+  [[nodiscard]] std::string shares(const Visibility&) const override { return {}; }
   [[nodiscard]] std::string regions(const truth::Truth&) const override { return {}; }
   [[nodiscard]] std::string weights(int, int, const std::vector<double>&) const override {
     return {};
@@ -16,6 +17,9 @@ class NoFiles final : public RunWriter {
     return {};
   }
   [[nodiscard]] std::string difference(const Mask&, const Mask&) const override { return {}; }
+  [[nodiscard]] std::string difference(const Visibility&, const Visibility&) const override {
+    return {};
+  }
   [[nodiscard]] std::string embedded(int, int, const std::vector<std::uint8_t>&,
                                      EmbeddedSize) const override {
     return {};

@@ -87,6 +87,18 @@ std::string givenNotice(const std::string& method) {
       method);
 }
 
+std::optional<std::string> softNotice(const StudySpec& study) {
+  const auto isSoft = [](const LightSpec& light) { return light.isSoft(); };
+  const auto first = std::find_if(study.lights.begin(), study.lights.end(), isSoft);
+  if (first == study.lights.end()) return std::nullopt;
+  const bool areAll = std::all_of(study.lights.begin(), study.lights.end(), isSoft);
+  return fmt::format(
+      "{}: each sample is compared by V, the share of the disc that it sees, traced toward {} "
+      "directions. There error_rate is the mean of |V - V_truth|, false_shadow and false_light are "
+      "its parts; boundaries and lengths are those of both maps cut at V < 0.5.",
+      areAll ? "The lights are discs" : "Some of the lights are discs", study.truth.directions);
+}
+
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods) {
   std::vector<std::string> notices;
@@ -95,6 +107,7 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   };
   add(insideOutNotice(scene.surface, shadowShare(scene.standardBase())));
   add(uncertaintyNotice(scene.study, truth));
+  add(softNotice(scene.study));
   std::optional<double> longestEdge;
   for (const MethodCase& method : methods) {
     if (method.isGiven()) add(givenNotice(method.spec->label));

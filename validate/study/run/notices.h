@@ -37,6 +37,9 @@ std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
 /// A notice of what the masks of another program do not tell.
 std::string givenNotice(const std::string& method);
 
+/// A notice of what is measured under lights with discs, where the study has any.
+std::optional<std::string> softNotice(const StudySpec& study);
+
 /// All notices of a run, once its truth is traced.
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods);

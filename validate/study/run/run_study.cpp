@@ -95,7 +95,7 @@ class StudyRun {
     for (std::size_t v = 0; v < study_.views.size(); ++v) {
       SpreadStage spread(scene_, methods_, v);
       for (std::size_t l = 0; l < study_.lights.size(); ++l) {
-        std::vector<std::optional<render::MethodAnswers>> found(methods_.size());
+        std::vector<std::optional<CaseAnswers>> found(methods_.size());
         const std::vector<PanelAnswer> answers = answersIn(v, l, found);
         compareMethods(answers, v, l, spread);
         if (v == ladders.view()) {
@@ -110,16 +110,15 @@ class StudyRun {
 
   /// @param found  one a method: where they are kept once they are drawn
   std::vector<PanelAnswer> answersIn(std::size_t view, std::size_t light,
-                                     std::vector<std::optional<render::MethodAnswers>>& found) {
+                                     std::vector<std::optional<CaseAnswers>>& found) {
     std::vector<PanelAnswer> answers;
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       MethodCase& method = methods_[m];
       if (!study::answersIn(method, study_.views[view])) continue;
-      answers.push_back(
-          {m, &method, [&, view, light, both = &found[m]]() -> const render::MethodAnswers& {
-             if (!*both) *both = draw(method, view, light);
-             return **both;
-           }});
+      answers.push_back({m, &method, [&, view, light, both = &found[m]]() -> const CaseAnswers& {
+                           if (!*both) *both = draw(method, view, light);
+                           return **both;
+                         }});
     }
     return answers;
   }
@@ -150,7 +149,7 @@ class StudyRun {
     }
   }
 
-  render::MethodAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {
+  CaseAnswers draw(MethodCase& method, std::size_t view, std::size_t light) {
     return clock_.measure("methods",
                           [&](const Progress&) { return answersOf(scene_, method, view, light); });
   }
@@ -173,6 +172,7 @@ class StudyRun {
       }
       record_.results[all].lengths = found.lengths;
       record_.results[all].boundaries = found.boundaries;
+      record_.results[all].shares = found.shares;
     }
   }
 

@@ -93,7 +93,7 @@ void measureSurface(const TomlReader& root, StudySpec& study, StudyParts& parts,
       relief::borderOf(study.cage, surface, relief.field.wrap(), relief.repeats);
   relief.field = std::move(relief.field).withBorder(border);
   std::vector<Vec3> lights;
-  for (const LightSpec& light : study.lights) lights.push_back(light.direction());
+  for (const LightSpec& light : study.lights) lights.push_back(light.lowestDirection());
   study.radius = isStated ? horizon::SearchRadius{0, horizon::RadiusBound::stated}
                           : sharedRadius(parts, root, relief, lights);
 }
@@ -119,6 +119,10 @@ void readTruth(const TomlReader& section, StudySpec& study) {
   }
   if (section.has("triangles") && (study.truth.stepTexels || study.truth.uncertainty)) {
     section.fail("triangles", "`step` or `uncertainty` found beside it, one of them expected");
+  }
+  if (study.truth.directions % 2 != 0) {
+    section.fail("directions",
+                 fmt::format("{} found, an even number expected", study.truth.directions));
   }
 }
 

@@ -114,6 +114,10 @@ TEST_F(RunKeysTest, EveryKeyOfAStudyChangesWhatDependsOnIt) {
       {"study.frames=9", ""},  // they enter what a method costs
       {"threshold.0.max=0.6", ""},
       {"light.0.name='evening'", ""},
+      {"light.0.radius=0", ""},
+      {"light.0.radius=0.5", masks + " bins displaced truth"},
+      {"truth.directions=64", ""},  // no light has a disc
+      {"method.0.disc=true", "onoue-2004"},
       {"view.0.name='front'", ""},
       {"method.0.label='theirs'", ""},
       {"surface.curvature=0.011", everything},
@@ -230,6 +234,13 @@ TEST_F(RunKeysTest, AMethodEntersByItsText) {
 TEST_F(RunKeysTest, TheProgramHasOne) {
   EXPECT_EQ(programKey(), programKey());
   EXPECT_NE(programKey(), cache::ContentKey{});
+}
+
+TEST_F(RunKeysTest, TheTruthOfADiscDependsOnItsDirections) {
+  const Keys disc = keysOf({"light.0.radius=0.5"});
+  EXPECT_EQ(changed(disc, keysOf({"light.0.radius=0.5", "truth.directions=64"})), namesIn("truth"));
+  EXPECT_EQ(changed(disc, keysOf({"light.0.radius=0.25"})),
+            namesIn("bins displaced onoue-2004 relief-march sloan-cohen-surface truth unshadowed"));
 }
 
 }  // namespace

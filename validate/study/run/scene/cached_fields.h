@@ -30,10 +30,20 @@ void fields(Stream& stream, T& answers) {
   stream(answers.drawn, answers.test);
 }
 
+template <typename Stream, SameAs<Visibility> T>
+void fields(Stream& stream, T& map) {
+  stream(map.width, map.height, map.shares);
+}
+
+template <typename Stream, SameAs<render::VisibilityAnswers> T>
+void fields(Stream& stream, T& answers) {
+  stream(answers.drawn, answers.test);
+}
+
 template <typename Stream, SameAs<truth::Truth> T>
 void fields(Stream& stream, T& truth) {
   std::uint64_t undefined = truth.undefinedSamples;
-  stream(truth.mask, truth.regions, undefined, truth.crossesSeam, truth.casters);
+  stream(truth.mask, truth.regions, undefined, truth.crossesSeam, truth.casters, truth.visibility);
   if constexpr (!std::is_const_v<T>) truth.undefinedSamples = undefined;
 }
 
@@ -87,6 +97,7 @@ template <typename Stream, SameAs<study::AnswerOutcome> T>
 void fields(Stream& stream, T& outcome) {
   stream(outcome.regions, outcome.lengths);
   boundaryFields(stream, outcome.boundaries);
+  shareFields(stream, outcome.shares);
 }
 
 template <typename Stream, SameAs<study::MethodOutcome> T>

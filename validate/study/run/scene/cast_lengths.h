@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "common/visibility.h"
+#include "compare/rates.h"
 #include "compare/shadow_length.h"
 #include "truth/shadow_tracer.h"
 
@@ -19,5 +21,10 @@ compare::ShadowLengths castLengths(const Mask& mask, const truth::Truth& truth,
 std::vector<compare::ShadowLengths> castLengths(std::span<const Mask* const> masks,
                                                 const truth::Truth& truth,
                                                 const compare::LightField& field);
+
+/// All metrics of two maps of visibility: `shareMetrics`, then `penumbraMetrics`.
+std::vector<compare::Metric> sharesMetrics(const Visibility& candidate, const Visibility& truth,
+                                           std::span<const double> weights,
+                                           const compare::LightField& field);
 
 }  // namespace gnomon::study

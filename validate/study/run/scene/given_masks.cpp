@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "common/error.h"
 #include "image/mask_picture.h"
+#include "image/share_picture.h"
 #include "study/spec/mask_files.h"
 
 namespace gnomon::study {
@@ -14,14 +16,21 @@ GivenMasks readGivenMasks(const StudySpec& study, const MethodSpec& method, cons
   GivenMasks masks;
   for (const GivenMaskFile& file : givenMaskFiles(study, method)) {
     const surface::SampleGrid& samples = base.views[file.view].samples;
-    Mask mask = image::readMaskPicture(file.path).mask;
-    if (mask.width != samples.width || mask.height != samples.height) {
+    GivenMask given{file.path, {}};
+    if (study.lights[file.light].isSoft()) {
+      given.shares = image::readSharePicture(file.path);
+    } else {
+      given.mask = image::readMaskPicture(file.path).mask;
+    }
+    const int width = std::max(given.mask.width, given.shares.width);
+    const int height = std::max(given.mask.height, given.shares.height);
+    if (width != samples.width || height != samples.height) {
       throw InputError(
           fmt::format("{}: {} × {} pixels found, {} × {} expected, as view \"{}\" has{}",
-                      file.path.string(), mask.width, mask.height, samples.width, samples.height,
+                      file.path.string(), width, height, samples.width, samples.height,
                       study.views[file.view].name, study.quick ? " in the quick form" : ""));
     }
-    masks.push_back({file.path, std::move(mask)});
+    masks.push_back(std::move(given));
   }
   return masks;
 }
@@ -36,6 +45,7 @@ cache::ContentKey keyOf(const GivenMasks& masks) {
   for (const GivenMask& given : masks) {
     key.add("width", given.mask.width).add("height", given.mask.height);
     key.add("samples", given.mask.samples);
+    if (given.shares.size() > 0) key.add("shares", given.shares.shares);
   }
   return key.key();
 }

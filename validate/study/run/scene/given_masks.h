@@ -6,6 +6,7 @@
 
 #include "cache/content_key.h"
 #include "common/mask.h"
+#include "common/visibility.h"
 #include "study/run/scene/base_case.h"
 #include "study/spec/study_file.h"
 
@@ -15,6 +16,7 @@ namespace gnomon::study {
 struct GivenMask {
   std::filesystem::path path;
   Mask mask;
+  Visibility shares = {};  ///< under a light with a disc, in place of the mask
 };
 
 /// All masks of a method, the lights of the first view first.
@@ -22,8 +24,8 @@ using GivenMasks = std::vector<GivenMask>;
 
 /// Reads the masks of a method.
 /// @param base  whose views they must fit
-/// @throws InputError as `givenMaskFiles` and `readMaskPicture`, and for another size than the
-/// view's
+/// @throws InputError as `givenMaskFiles`, `readMaskPicture` and `readSharePicture`, and for
+/// another size than the view's
 GivenMasks readGivenMasks(const StudySpec& study, const MethodSpec& method, const BaseCase& base);
 
 /// The mask of a view under one light.

@@ -40,9 +40,9 @@ void compile(RunScene& scene, MethodCase& method) {
   auto pass = scene.store.get<render::MethodPass>(
       scene.keys.program(spec, method.method),
       [&] {
-        return std::make_shared<const render::MethodPass>(scene.shaders, method.method,
-                                                          scene.study.relief.field.wrap(),
-                                                          spec.filter, spec.parameters);
+        return std::make_shared<const render::MethodPass>(
+            scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
+            spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own);
       },
       [](const render::MethodPass&) { return bytes; });
   method.compiled.emplace(
@@ -133,21 +133,42 @@ void requireAnswers(const RunScene& scene, const MethodCase& method, std::size_t
       method.spec->label, method.spec->file.string(), left, samples, scene.study.views[view].name));
 }
 
-/// The method's masks, or what its shader draws.
-render::MethodAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view,
-                                   std::size_t light) {
-  if (method.isGiven()) {
-    const Mask& mask = maskOf(method.given, scene.study, view, light).mask;
-    return {mask, mask};
-  }
+/// What the method's shader draws, by one of the functions of its pass.
+template <typename Answers>
+Answers drawnBy(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light,
+                Answers (render::MethodPass::*draw)(const render::RenderView&,
+                                                    const render::Drawing&,
+                                                    const render::GpuTables&) const) {
   const cache::ContentKey key = scene.keys.mask(method.key, method.base->choice, view, light);
   return scene.cache.remember(key, [&] {
     const CompiledMethod& ready = compiled(scene, method);
-    render::MethodAnswers rendered = ready.pass->render(
-        method.base->views[view].view, drawingOf(scene, method, light), ready.tables);
+    Answers rendered = ((*ready.pass).*draw)(method.base->views[view].view,
+                                             drawingOf(scene, method, light), ready.tables);
     method.compiled->hasDrawn = true;
     return rendered;
   });
+}
+
+/// The shares of a light's disc with the masks that they are cut to.
+CaseAnswers cutAnswers(render::VisibilityAnswers shares) {
+  CaseAnswers answers{{cutInHalf(shares.drawn), cutInHalf(shares.test)}};
+  answers.drawnShares = std::move(shares.drawn);
+  answers.testShares = std::move(shares.test);
+  return answers;
+}
+
+/// The method's masks, or what its shader draws.
+CaseAnswers drawnAnswers(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
+  const bool isSoft = scene.study.lights[light].isSoft();
+  if (method.isGiven()) {
+    const GivenMask& given = maskOf(method.given, scene.study, view, light);
+    if (isSoft) return cutAnswers({given.shares, given.shares});
+    return {{given.mask, given.mask}};
+  }
+  if (isSoft) {
+    return cutAnswers(drawnBy(scene, method, view, light, &render::MethodPass::renderVisibility));
+  }
+  return {drawnBy(scene, method, view, light, &render::MethodPass::render)};
 }
 
 }  // namespace
@@ -217,14 +238,18 @@ bool answersIn(const MethodCase& method, const ViewSpec& view) {
   return !method.method.passes.shadowVolumes || cameraOf(view) != nullptr;
 }
 
-render::MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view,
-                                std::size_t light) {
-  render::MethodAnswers answers = drawnAnswers(scene, method, view, light);
+CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
+  CaseAnswers answers = drawnAnswers(scene, method, view, light);
   requireAnswers(scene, method, view, light, answers.drawn);
   const Mask& truth = method.base->views[view].truths[light].mask;
   for (Mask* mask : {&answers.drawn, &answers.test}) {
     for (std::size_t i = 0; i < mask->size(); ++i) {
       if (truth.samples[i] == Shade::none) mask->samples[i] = Shade::none;
+    }
+  }
+  for (Visibility* shares : {&answers.drawnShares, &answers.testShares}) {
+    for (std::size_t i = 0; i < shares->size(); ++i) {
+      if (truth.samples[i] == Shade::none) shares->shares[i] = noSample;
     }
   }
   return answers;

@@ -35,6 +35,16 @@ struct MethodCase {
   [[nodiscard]] bool isGiven() const { return spec->isGiven(); }
 };
 
+/// A method's answers in one view under one light.
+struct CaseAnswers : render::MethodAnswers {
+  /// Under a light with a disc: the same as shares of it, which the masks are cut from (cutInHalf).
+  /// Empty under a point light.
+  Visibility drawnShares = {};
+  Visibility testShares = {};
+
+  [[nodiscard]] bool isSoft() const { return drawnShares.size() > 0; }
+};
+
 /// Reads a method, or its masks; compiles it unless the cache has all its masks, so that a mistake
 /// in it shows before anything else is computed.
 /// @param spec     outlives the case
@@ -67,8 +77,7 @@ bool answersIn(const MethodCase& method, const ViewSpec& view);
 /// A method's answers in one view under one light, without the samples for which no frame exists:
 /// the truth must have been traced. Given masks are pictures: both answers are theirs.
 /// @throws InputError for a sample with a truth and without an answer
-render::MethodAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view,
-                                std::size_t light);
+CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light);
 
 /// The cache key of everything computed from those answers and the truth.
 cache::ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,

@@ -17,8 +17,16 @@
 namespace gnomon::study {
 namespace {
 
+/// An answer and the truth's, as masks or as maps of visibility.
+template <typename Map>
+struct Held {
+  const Map& answer;
+  const Map& truth;
+};
+
 /// The counts of the regions that overlap no other, in order.
-std::vector<compare::Counts> countDisjoint(const Mask& mask, const ViewCase& seen,
+template <typename Map>
+std::vector<compare::Counts> countDisjoint(const Held<Map>& held, const ViewCase& seen,
                                            const truth::Truth& truth) {
   std::vector<std::uint8_t> regions(truth.regions.size());
   std::transform(truth.regions.begin(), truth.regions.end(), regions.begin(),
@@ -27,7 +35,7 @@ std::vector<compare::Counts> countDisjoint(const Mask& mask, const ViewCase& see
   const std::size_t count =
       1 + place(*std::max_element(truth::reportedRegions.begin(), truth::reportedRegions.end()));
   const std::vector<compare::Counts> all =
-      compare::countClasses(mask, truth.mask, regions, count, seen.weights);
+      compare::countClasses(held.answer, held.truth, regions, count, seen.weights);
   std::vector<compare::Counts> counts;
   for (const truth::Region region : truth::reportedRegions) counts.push_back(all[place(region)]);
   return counts;
@@ -35,7 +43,8 @@ std::vector<compare::Counts> countDisjoint(const Mask& mask, const ViewCase& see
 
 /// The counts of truth::partRegions.
 /// @param parts  of every face of the surface
-std::vector<compare::Counts> countParts(const Mask& mask, const ViewCase& seen,
+template <typename Map>
+std::vector<compare::Counts> countParts(const Held<Map>& held, const ViewCase& seen,
                                         const truth::Truth& truth, const std::vector<int>& parts,
                                         std::size_t partCount) {
   const std::size_t count = truth.regions.size();
@@ -49,31 +58,46 @@ std::vector<compare::Counts> countParts(const Mask& mask, const ViewCase& seen,
     pairs[i] = static_cast<std::uint8_t>(receivers[i] * partCount + truth.casters[i]);
   }
   std::vector<compare::Counts> counts =
-      compare::countClasses(mask, truth.mask, receivers, partCount, seen.weights);
+      compare::countClasses(held.answer, held.truth, receivers, partCount, seen.weights);
   const std::vector<compare::Counts> shaded =
-      compare::countClasses(mask, truth.mask, pairs, partCount * partCount, seen.weights);
+      compare::countClasses(held.answer, held.truth, pairs, partCount * partCount, seen.weights);
   counts.insert(counts.end(), shaded.begin(), shaded.end());
   return counts;
 }
 
 /// The counts of the regions, in the order of judgedRegions.
-std::vector<compare::Counts> countRegions(const Mask& mask, const ViewCase& seen,
+template <typename Map>
+std::vector<compare::Counts> countRegions(const Held<Map>& held, const ViewCase& seen,
                                           const truth::Truth& truth, const surface::Cage& cage) {
-  std::vector<compare::Counts> counts = {compare::countSamples(mask, truth.mask, seen.weights)};
+  std::vector<compare::Counts> counts = {
+      compare::countSamples(held.answer, held.truth, seen.weights)};
   const auto append = [&](const std::vector<compare::Counts>& more) {
     counts.insert(counts.end(), more.begin(), more.end());
   };
-  append(countDisjoint(mask, seen, truth));
-  append({compare::countSamples(mask, truth.mask, seen.weights, truth.crossesSeam)});
+  append(countDisjoint(held, seen, truth));
+  append({compare::countSamples(held.answer, held.truth, seen.weights, truth.crossesSeam)});
   if (!cage.partNames.empty()) {
-    append(countParts(mask, seen, truth, cage.limitFaceParts(), cage.partNames.size()));
+    append(countParts(held, seen, truth, cage.limitFaceParts(), cage.partNames.size()));
   }
   return counts;
 }
 
 /// Two answers of a method that do not differ are one mask.
-bool isSame(const render::MethodAnswers& answers) {
-  return answers.drawn.samples == answers.test.samples;
+bool isSame(const CaseAnswers& answers) {
+  return answers.drawn.samples == answers.test.samples &&
+         gnomon::isSame(answers.drawnShares, answers.testShares);
+}
+
+/// Calls `work` with an answer and the truth's: as maps under a light with a disc, else as masks.
+template <typename Work>
+void withAnswer(const CaseAnswers& answers, Answer which, const truth::Truth& truth,
+                const Work& work) {
+  const bool isDrawn = which == Answer::drawn;
+  if (truth.isSoft()) {
+    work(Held<Visibility>{isDrawn ? answers.drawnShares : answers.testShares, truth.visibility});
+  } else {
+    work(Held<Mask>{isDrawn ? answers.drawn : answers.test, truth.mask});
+  }
 }
 
 }  // namespace
@@ -93,7 +117,7 @@ OutcomeStage::Shared OutcomeStage::makeShared(const BaseCase& base,
 }
 
 std::vector<MethodOutcome> OutcomeStage::compareOnOne(
-    const BaseCase& base, const std::vector<const render::MethodAnswers*>& answers,
+    const BaseCase& base, const std::vector<const CaseAnswers*>& answers,
     const Shared& shared) const {
   const ViewCase& seen = base.views[view_];
   const truth::Truth& truth = seen.truths[light_];
@@ -102,28 +126,39 @@ std::vector<MethodOutcome> OutcomeStage::compareOnOne(
   std::vector<const Mask*> masks;
   std::vector<AnswerOutcome*> places;
   std::vector<std::function<void()>> parts;
+  const auto judge = [&](const CaseAnswers& of, Answer which, AnswerOutcome& place) {
+    masks.push_back(which == Answer::drawn ? &of.drawn : &of.test);
+    places.push_back(&place);
+    parts.emplace_back([&, which] {
+      withAnswer(of, which, truth, [&](const auto& held) {
+        place.regions = countRegions(held, seen, truth, scene_.study.cage);
+      });
+    });
+    if (!truth.isSoft()) return;
+    parts.emplace_back([&, which] {
+      const Visibility& shares = which == Answer::drawn ? of.drawnShares : of.testShares;
+      place.shares = sharesMetrics(shares, truth.visibility, seen.weights, shared.field);
+    });
+  };
   for (std::size_t m = 0; m < answers.size(); ++m) {
-    const Mask& drawn = answers[m]->drawn;
+    const CaseAnswers& own = *answers[m];
     MethodOutcome& outcome = outcomes[m];
-    masks.push_back(&drawn);
-    places.push_back(&outcome.drawn);
-    if (!isSame(*answers[m])) {
-      masks.push_back(&answers[m]->test);
-      places.push_back(&outcome.test);
-    }
+    judge(own, Answer::drawn, outcome.drawn);
+    if (!isSame(own)) judge(own, Answer::test, outcome.test);
     outcome.bins.resize(axes.size());
     for (std::size_t a = 0; a < axes.size(); ++a) {
       parts.emplace_back([&, a] {
-        outcome.bins[a] = compare::countBins(drawn, truth.mask, shared.bins[a],
-                                             axes[a].edges.size() + 1, seen.weights);
+        withAnswer(own, Answer::drawn, truth, [&](const auto& held) {
+          outcome.bins[a] = compare::countBins(held.answer, held.truth, shared.bins[a],
+                                               axes[a].edges.size() + 1, seen.weights);
+        });
       });
     }
-    parts.emplace_back(
-        [&] { outcome.blocks = compare::blockErrors(drawn, truth.mask, cellSide_, seen.weights); });
-  }
-  for (std::size_t k = 0; k < masks.size(); ++k) {
-    parts.emplace_back(
-        [&, k] { places[k]->regions = countRegions(*masks[k], seen, truth, scene_.study.cage); });
+    parts.emplace_back([&] {
+      withAnswer(own, Answer::drawn, truth, [&](const auto& held) {
+        outcome.blocks = compare::blockErrors(held.answer, held.truth, cellSide_, seen.weights);
+      });
+    });
   }
   const std::vector<compare::ShadowLengths> lengths = castLengths(masks, truth, shared.field);
   std::vector<std::vector<compare::Metric>> boundaries =
@@ -157,7 +192,7 @@ std::vector<MethodOutcome> OutcomeStage::compare(std::span<const ComparedMethod>
     for (std::size_t m = 0; m < methods.size(); ++m) {
       if (shown.at(methods[m].base) == base) places.push_back(m);
     }
-    std::vector<const render::MethodAnswers*> answers;
+    std::vector<const CaseAnswers*> answers;
     const Shared shared = makeShared(*base, [&] {
       for (const std::size_t m : places) answers.push_back(&methods[m].answers());
     });

@@ -10,18 +10,20 @@
 #include "compare/counts.h"
 #include "compare/rates.h"
 #include "compare/shadow_length.h"
-#include "render/passes/method_pass.h"
 #include "study/run/scene/base_case.h"
+#include "study/run/scene/method_case.h"
 #include "study/run/scene/run_scene.h"
 #include "study/run/scene/sample_axes.h"
 
 namespace gnomon::study {
 
-/// The result of comparing one answer with the truth.
+/// The result of comparing one answer with the truth: under a light with a disc its shares; lengths
+/// and boundaries are those of the masks that shares are cut to.
 struct AnswerOutcome {
   std::vector<compare::Counts> regions;  ///< in the order of judgedRegions
   compare::ShadowLengths lengths;
   std::vector<compare::Metric> boundaries;
+  std::vector<compare::Metric> shares;  ///< empty under a point light
 };
 
 /// The result of comparing one method with the truth, in one view under one light.
@@ -36,8 +38,7 @@ struct MethodOutcome {
 /// A method to be compared, by the mesh that it draws.
 struct ComparedMethod {
   const BaseCase* base;
-  std::function<const render::MethodAnswers&()>
-      answers;  ///< draws them; called once, on this thread
+  std::function<const CaseAnswers&()> answers;  ///< draws them; called once, on this thread
 };
 
 /// Compares masks with the truth of one view under one light. Methods on one mesh, and in an atlas
@@ -61,7 +62,7 @@ class OutcomeStage {
   /// @param meanwhile  called on this thread
   [[nodiscard]] Shared makeShared(const BaseCase& base, const std::function<void()>& meanwhile);
   [[nodiscard]] std::vector<MethodOutcome> compareOnOne(
-      const BaseCase& base, const std::vector<const render::MethodAnswers*>& answers,
+      const BaseCase& base, const std::vector<const CaseAnswers*>& answers,
       const Shared& shared) const;
 
   RunScene& scene_;

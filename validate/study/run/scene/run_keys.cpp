@@ -153,6 +153,7 @@ cache::ContentKey RunKeys::truth(const MeshChoice& choice, std::size_t view,
                                  std::size_t index) const {
   cache::KeyBuilder key("truth");
   key.add("samples", samples(choice, view)).add("light", light(index));
+  if (study_.lights[index].isSoft()) addSettings(key, study_.truth, Enters::shares, 1);
   return key.add("surface", surface()).add("bake", settingsKey(study_.bake, Enters::search)).key();
 }
 
@@ -224,6 +225,7 @@ cache::ContentKey RunKeys::program(const MethodSpec& spec, const render::Method&
   key.add("file", method.source.file).add("name", method.name);
   key.add("source", method.source.text).add("shaders", shaders_);
   key.add("wrap", study_.relief.field.wrap()).add("filter", spec.filter);
+  if (spec.disc) key.add("disc", spec.disc);
   for (const auto& [name, value] : spec.parameters) {
     key.add("parameter", name).add("value", value);
   }

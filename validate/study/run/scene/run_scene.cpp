@@ -67,14 +67,16 @@ MeshChoice RunScene::standardMesh() const {
 
 render::Drawing RunScene::drawing(const BaseCase& on, std::size_t light) const {
   const DrawnBase& drawn = *on.drawn.get();
-  return {drawn.gpu,
-          heights,
-          study.relief.field.wrap(),
-          study.relief.space,
-          texelsPerHeight,
-          study.lights[light].direction(),
-          drawn.volumes ? &*drawn.volumes : nullptr,
-          &drawn.texture};
+  render::Drawing drawing{drawn.gpu,
+                          heights,
+                          study.relief.field.wrap(),
+                          study.relief.space,
+                          texelsPerHeight,
+                          study.lights[light].direction(),
+                          drawn.volumes ? &*drawn.volumes : nullptr,
+                          &drawn.texture};
+  drawing.lightRadius = study.lights[light].radius;
+  return drawing;
 }
 
 std::shared_ptr<const FieldPoints> RunScene::fieldPoints(const BaseCase& on,

@@ -11,12 +11,14 @@
 
 #include "common/error.h"
 #include "compare/boundaries.h"
+#include "compare/share_metrics.h"
 #include "study/run/scene/cached_fields.h"
 #include "study/run/scene/cast_lengths.h"
 #include "study/spec/with_keys.h"
 #include "truth/global_occluder.h"
 #include "truth/seam_crossing.h"
 #include "truth/shadow_tracer.h"
+#include "truth/visibility_tracer.h"
 
 namespace gnomon::study {
 namespace {
@@ -105,6 +107,26 @@ std::vector<Value> rememberLights(RunScene& scene, const KeyOf& keyOf, const Mak
   return values;
 }
 
+/// How the discs of lights are traced.
+struct DiscTrace {
+  int directions;
+  double rayOffset;
+};
+
+/// Gives the truths of lights with discs their shares.
+/// @param lights  of these truths, by their places in the study
+void addShares(const RunScene& scene, const TracedSurface& surface,
+               const surface::SampleGrid& samples, const std::vector<std::size_t>& lights,
+               const DiscTrace& how, std::span<truth::Truth> truths, const Progress& progress) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const LightSpec& light = scene.study.lights[lights[i]];
+    if (!light.isSoft()) continue;
+    truths[i].answerBy(truth::traceVisibility(
+        surface.mesh, surface.scene, samples, truths[i].mask,
+        {light.direction(), light.radius, how.directions, how.rayOffset}, progress));
+  }
+}
+
 std::vector<truth::TraceSettings> some(const std::vector<truth::TraceSettings>& lights,
                                        const std::vector<std::size_t>& which) {
   std::vector<truth::TraceSettings> chosen;
@@ -117,8 +139,9 @@ std::vector<truth::TraceSettings> some(const std::vector<truth::TraceSettings>& 
 /// samples' places.
 std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface& surface,
                                            const BaseCase& base, std::size_t view,
-                                           const std::vector<truth::TraceSettings>& lights) {
+                                           const std::vector<std::size_t>& which) {
   const surface::SampleGrid& samples = base.views[view].samples;
+  const auto lights = some(settingsOf(scene, truth::standardRayOffset), which);
   return scene.clock.measure("truth", [&](const Progress& progress) {
     std::vector<truth::Truth> truths =
         trace(scene, surface, scene.keys.surface(), base, view, lights, progress);
@@ -131,6 +154,8 @@ std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface&
     for (std::size_t i = 0; i < lights.size(); ++i) {
       truths[i].crossesSeam = std::move(crossings[i]);
     }
+    addShares(scene, surface, samples, which,
+              {scene.study.truth.directions, truth::standardRayOffset}, truths, progress);
     return truths;
   });
 }
@@ -140,8 +165,7 @@ std::vector<truth::Truth> truthsOf(RunScene& scene, SurfaceOnDemand& surface, co
                                    std::size_t view) {
   const auto keyOf = [&](std::size_t light) { return scene.keys.truth(base.choice, view, light); };
   return rememberLights<truth::Truth>(scene, keyOf, [&](const std::vector<std::size_t>& missing) {
-    return traceWithRegions(scene, surface.get(), base, view,
-                            some(settingsOf(scene, truth::standardRayOffset), missing));
+    return traceWithRegions(scene, surface.get(), base, view, missing);
   });
 }
 
@@ -151,9 +175,17 @@ UncertaintyRecord measured(RunScene& scene, const truth::Truth& coarse, const Ba
   const truth::Truth& truth = base.views[view].truths[light];
   const compare::LightField field =
       scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
-  return {"", "", truth::flipRate(truth.mask, coarse.mask),
-          differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
-          compare::compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
+  UncertaintyRecord found{
+      "", "", truth::flipRate(truth.mask, coarse.mask),
+      differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
+      compare::compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
+  if (!truth.isSoft()) return found;
+  const truth::ShareChange change = truth::shareChange(truth.visibility, coarse.visibility);
+  found.flipRate = change.mean;
+  found.percentile99 = change.percentile99;
+  found.shares =
+      sharesMetrics(coarse.visibility, truth.visibility, base.views[view].weights, field);
+  return found;
 }
 
 /// The truth's uncertainty in one view, one a light.
@@ -170,9 +202,11 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
   const auto measure = [&](const std::vector<std::size_t>& missing) {
     requireCoarser(half.get(), truth);
     return scene.clock.measure("uncertainty", [&](const Progress& progress) {
-      const std::vector<truth::Truth> coarse =
+      std::vector<truth::Truth> coarse =
           trace(scene, half.get(), halfKey, base, view,
                 some(settingsOf(scene, truth::standardRayOffset / 2), missing), progress);
+      addShares(scene, half.get(), base.views[view].samples, missing,
+                {scene.study.truth.directions / 2, truth::standardRayOffset / 2}, coarse, progress);
       std::vector<UncertaintyRecord> flips;
       for (std::size_t i = 0; i < coarse.size(); ++i) {
         flips.push_back(measured(scene, coarse[i], base, view, missing[i]));

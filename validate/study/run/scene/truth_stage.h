@@ -65,12 +65,14 @@ const BaseCase* baseWithSamples(const RunScene& scene, const BaseCase& base, std
 
 /// Traces every view of every mesh of the scene under every light, where the cache does not have
 /// it. The lights of a view are traced together; meshes that show the same samples share truths.
+/// Lights with discs get their shares too: the mask of such a truth is what these are cut to.
 /// @returns the number of samples for which no frame exists
 /// @throws InputError for a view in which no sample has a frame
 std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 
-/// Traces the standard base's samples again at half the resolution and half the ray offset: the
-/// samples that change tell the truth's uncertainty.
+/// Traces the standard base's samples again at half the resolution and half the ray offset, and the
+/// discs of lights with half as many directions: the samples that change, or by how much their
+/// shares do, tell the truth's uncertainty.
 /// @param truth  its step is doubled for the coarser mesh; receives the flip rates and the
 ///   uncertainty
 /// @throws InputError where the coarser mesh has more than half the triangles: too similar to tell

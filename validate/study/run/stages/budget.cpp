@@ -53,6 +53,20 @@ std::vector<BudgetState> statesOf(const std::vector<StateErrors>& errors) {
   return states;
 }
 
+template <typename Map>
+StateErrors errorsOf(const Map& answer, const Map& right, const truth::Truth& truth,
+                     const std::vector<double>& weights, const compare::Tiling& tiling) {
+  StateErrors errors{compare::blockErrors(answer, right, tiling.cellSide, weights),
+                     {},
+                     compare::countSamples(answer, right, weights)};
+  std::vector<std::uint8_t> isIn(truth.regions.size());
+  for (std::size_t part = 0; part + 1 < budgetRestNames().size(); ++part) {
+    for (std::size_t i = 0; i < isIn.size(); ++i) isIn[i] = restOf(truth, i) == part ? 1 : 0;
+    errors.rest.push_back(compare::blockErrors(answer, right, tiling.cellSide, weights, isIn));
+  }
+  return errors;
+}
+
 }  // namespace
 
 const std::vector<std::string_view>& budgetRestNames() {
@@ -71,15 +85,12 @@ StateErrors& StateErrors::operator+=(const StateErrors& other) {
 
 StateErrors stateErrors(const Mask& mask, const truth::Truth& truth,
                         const std::vector<double>& weights, const compare::Tiling& tiling) {
-  StateErrors errors{compare::blockErrors(mask, truth.mask, tiling.cellSide, weights),
-                     {},
-                     compare::countSamples(mask, truth.mask, weights)};
-  std::vector<std::uint8_t> isIn(truth.regions.size());
-  for (std::size_t part = 0; part + 1 < budgetRestNames().size(); ++part) {
-    for (std::size_t i = 0; i < isIn.size(); ++i) isIn[i] = restOf(truth, i) == part ? 1 : 0;
-    errors.rest.push_back(compare::blockErrors(mask, truth.mask, tiling.cellSide, weights, isIn));
-  }
-  return errors;
+  return errorsOf(mask, truth.mask, truth, weights, tiling);
+}
+
+StateErrors stateErrors(const Visibility& map, const truth::Truth& truth,
+                        const std::vector<double>& weights, const compare::Tiling& tiling) {
+  return errorsOf(map, truth.visibility, truth, weights, tiling);
 }
 
 BudgetRecord attributeError(const LadderSpec& ladder, const BudgetCase& which,

@@ -33,6 +33,9 @@ struct StateErrors {
 /// @throws InputError as blockErrors
 StateErrors stateErrors(const Mask& mask, const truth::Truth& truth,
                         const std::vector<double>& weights, const compare::Tiling& tiling);
+/// The same of shares of a light's disc.
+StateErrors stateErrors(const Visibility& map, const truth::Truth& truth,
+                        const std::vector<double>& weights, const compare::Tiling& tiling);
 
 /// What a budget is made of, beside the errors of its states.
 struct BudgetCase {

@@ -46,34 +46,40 @@ std::size_t LadderStage::stateOf(const MethodSpec& spec) const {
 }
 
 void LadderStage::measure(std::size_t light,
-                          const std::vector<std::optional<render::MethodAnswers>>& answers) {
+                          const std::vector<std::optional<CaseAnswers>>& answers) {
   const ViewCase& shown = scene_.standardBase().views[*view_];
   tiling_ = compare::chooseTiling(shown.truths.front().mask, shown.weights);
   for (std::size_t s = 0; s < states_.size(); ++s) {
     const ViewCase& seen = states_[s].base->views[*view_];
-    const Mask mask = scene_.clock.measure("ladders", [&](const Progress&) {
-      return answersOf(scene_, states_[s], *view_, light).drawn;
-    });
+    const CaseAnswers state = scene_.clock.measure(
+        "ladders", [&](const Progress&) { return answersOf(scene_, states_[s], *view_, light); });
+    const truth::Truth& truth = seen.truths[light];
     scene_.clock.measure("compare", [&](const Progress&) {
-      requireStarts(s, mask, answers);
-      errors_[light].push_back(stateErrors(mask, seen.truths[light], seen.weights, tiling_));
+      requireStarts(s, state, answers);
+      errors_[light].push_back(state.isSoft()
+                                   ? stateErrors(state.drawnShares, truth, seen.weights, tiling_)
+                                   : stateErrors(state.drawn, truth, seen.weights, tiling_));
     });
-    scene_.clock.measure(
-        "writing", [&](const Progress&) { writer_.write(maskPath(s, light), writer_.mask(mask)); });
+    scene_.clock.measure("writing", [&](const Progress&) {
+      writer_.write(maskPath(s, light),
+                    state.isSoft() ? writer_.shares(state.drawnShares) : writer_.mask(state.drawn));
+    });
   }
 }
 
 /// A ladder must begin at the very method that it speaks of.
-void LadderStage::requireStarts(
-    std::size_t state, const Mask& mask,
-    const std::vector<std::optional<render::MethodAnswers>>& answers) const {
+void LadderStage::requireStarts(std::size_t state, const CaseAnswers& found,
+                                const std::vector<std::optional<CaseAnswers>>& answers) const {
   const StudySpec& study = scene_.study;
   for (const LadderSpec& ladder : study.ladders) {
     if (stateOf(ladder.forward.front()) != state) continue;
     const auto method = std::find_if(study.methods.begin(), study.methods.end(),
                                      [&](const MethodSpec& m) { return m.label == ladder.method; });
     const auto& own = answers[static_cast<std::size_t>(method - study.methods.begin())];
-    if (!own || own->drawn.samples == mask.samples) continue;
+    const Mask& mask = found.drawn;
+    const bool isEqual =
+        own && own->drawn.samples == mask.samples && isSame(own->drawnShares, found.drawnShares);
+    if (!own || isEqual) continue;
     std::size_t differ = 0;
     for (std::size_t i = 0; i < mask.size(); ++i) {
       differ += own->drawn.samples.at(i) != mask.samples[i] ? 1 : 0;

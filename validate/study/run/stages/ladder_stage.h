@@ -33,7 +33,7 @@ class LadderStage {
   /// Measures all states under one light.
   /// @param answers  of the study's methods in that view and light
   /// @throws InputError for a ladder whose first state is not its method
-  void measure(std::size_t light, const std::vector<std::optional<render::MethodAnswers>>& answers);
+  void measure(std::size_t light, const std::vector<std::optional<CaseAnswers>>& answers);
 
   /// A budget a ladder: of all lights together if there are several, then of each.
   /// @param truth  its flip rates
@@ -42,8 +42,8 @@ class LadderStage {
  private:
   void addState(const MethodSpec& spec, SurfaceOnDemand& surface, const std::string& method);
   [[nodiscard]] std::size_t stateOf(const MethodSpec& spec) const;
-  void requireStarts(std::size_t state, const Mask& mask,
-                     const std::vector<std::optional<render::MethodAnswers>>& answers) const;
+  void requireStarts(std::size_t state, const CaseAnswers& found,
+                     const std::vector<std::optional<CaseAnswers>>& answers) const;
   [[nodiscard]] std::string maskPath(std::size_t state, std::size_t light) const;
   [[nodiscard]] std::vector<StateErrors> errorsAlong(const std::vector<MethodSpec>& way,
                                                      std::span<const std::size_t> lights) const;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/on_demand.h"
 #include "common/parallel.h"
@@ -33,6 +34,28 @@ void fields(Stream& stream, T& bytes) {
   stream(bytes.mask, bytes.regions, bytes.seam);
 }
 
+ShownAnswer shownOf(const truth::Truth& truth) {
+  return {truth.mask, truth.visibility};
+}
+
+std::string maskFile(const RunWriter& writer, const ShownAnswer& shown) {
+  return shown.isSoft() ? writer.shares(shown.shares) : writer.mask(shown.mask);
+}
+
+std::string differenceFile(const RunWriter& writer, const ShownAnswer& shown,
+                           const ShownAnswer& truth) {
+  return shown.isSoft() ? writer.difference(shown.shares, truth.shares)
+                        : writer.difference(shown.mask, truth.mask);
+}
+
+/// The colour between two of shade.frag's by a share of light, which is linear before its encoding.
+std::uint8_t between(std::uint8_t dark, std::uint8_t lit, double share) {
+  constexpr double encoding = 2.2;
+  const auto light = [](std::uint8_t value) { return std::pow(value / 255.0, encoding); };
+  const double mixed = light(dark) + share * (light(lit) - light(dark));
+  return static_cast<std::uint8_t>(std::lround(255 * std::pow(mixed, 1 / encoding)));
+}
+
 /// Where a sample's path to the light crosses a seam: lit.
 Mask seamMask(const truth::Truth& truth) {
   Mask mask = truth.mask;
@@ -49,7 +72,8 @@ std::string truthName(const BaseCase& base, const BaseCase& standard, std::size_
   const truth::Truth& own = base.views[view].truths[light];
   const truth::Truth& other = standard.views[view].truths[light];
   const bool isSame = own.mask.samples == other.mask.samples && own.regions == other.regions &&
-                      own.crossesSeam == other.crossesSeam;
+                      own.crossesSeam == other.crossesSeam &&
+                      gnomon::isSame(own.visibility, other.visibility);
   if (isSame) return "truth";
   const char* kind = base.choice.kind == render::DrawnMesh::displaced ? "displaced" : "base";
   return fmt::format("truth_{}-{}", kind, base.choice.base.subdivisions);
@@ -63,10 +87,9 @@ struct PanelPictures::Answer {
   std::string name;  ///< of its files
   cache::ContentKey key;
   const Mesh& mesh;
-  const Mask* truth;  ///< what the mask is held against; null for the truth itself
-  std::function<const Mask&()> mask;
-  std::function<const Mask&()> test =
-      {};  ///< the mask of the shadow test alone; none for the truth
+  const truth::Truth* truth;  ///< what it is held against; null for the truth itself
+  std::function<ShownAnswer()> drawn;
+  std::function<ShownAnswer()> test = {};  ///< of the shadow test alone; none for the truth
 };
 
 /// A mesh in a panel. It is drawn only where a picture of it has to be made.
@@ -85,12 +108,19 @@ struct PanelPictures::Mesh {
   std::size_t layers;  ///< place among the panel's
   OnDemand<Colours> colours;
 
-  /// A mask's shading: the dark colours where it is shadowed.
-  [[nodiscard]] std::vector<std::uint8_t> shading(const Mask& mask) const {
+  /// An answer's shading: the dark colours where it is shadowed, and between both by its shares.
+  [[nodiscard]] std::vector<std::uint8_t> shading(const ShownAnswer& shown) const {
     const Colours& both = colours.get();
     std::vector<std::uint8_t> rgb = both.lit;
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-      if (mask.samples[i] == Shade::shadowed) std::copy_n(&both.dark[3 * i], 3, &rgb[3 * i]);
+    for (std::size_t i = 0; i < shown.mask.size(); ++i) {
+      const double share = shown.isSoft() ? static_cast<double>(shown.shares.shares[i]) : 0;
+      if (share > 0) {
+        for (std::size_t k = 3 * i; share < 1 && k < 3 * i + 3; ++k) {
+          rgb[k] = between(both.dark[k], both.lit[k], share);
+        }
+      } else if (shown.mask.samples[i] == Shade::shadowed) {
+        std::copy_n(&both.dark[3 * i], 3, &rgb[3 * i]);
+      }
     }
     return rgb;
   }
@@ -183,6 +213,7 @@ PanelPictures::Mesh PanelPictures::panelMesh(std::size_t view, std::size_t light
                                          shade(view, light, base, Shade::shadowed)};
                   });
             })};
+  if (scene_.study.lights[light].isSoft()) return mesh;  // no page composes its shadings
   const LayersRecord layers = scene_.cache.remember(key, [&] {
     const Mesh::Colours& colours = mesh.colours.get();
     return scene_.clock.measure("writing", [&](const Progress&) {
@@ -214,27 +245,30 @@ struct PanelPictures::Picture {
 std::vector<PanelPictures::Picture> PanelPictures::picturesOf(std::size_t view, std::size_t light,
                                                               const std::string& name,
                                                               const Answer& answer) const {
-  const auto shaded = [&answer] { return answer.mesh.shading(answer.mask()); };
+  const auto shaded = [&answer] { return answer.mesh.shading(answer.drawn()); };
+  const EmbeddedSize size =
+      scene_.study.lights[light].isSoft() ? EmbeddedSize::full : EmbeddedSize::small;
   // The longest first.
   std::vector<Picture> pictures = {{"embedded", "",
-                                    [&answer, this, shaded] {
-                                      const Mask& mask = answer.mask();
+                                    [&answer, this, shaded, size] {
+                                      const Mask& mask = answer.drawn().mask;
                                       return writer_.embedded(mask.width, mask.height, shaded(),
-                                                              EmbeddedSize::small);
+                                                              size);
                                     }},
                                    {"shaded", path("images", view, light, name),
                                     [&answer, this, shaded] {
-                                      const Mask& mask = answer.mask();
+                                      const Mask& mask = answer.drawn().mask;
                                       return writer_.picture(mask.width, mask.height, shaded());
                                     }},
                                    {"mask", path("masks", view, light, name),
-                                    [&answer, this] { return writer_.mask(answer.mask()); }}};
+                                    [&answer, this] { return maskFile(writer_, answer.drawn()); }}};
   if (answer.truth != nullptr) {
     pictures.push_back(
-        {"difference", path("images", view, light, name + "_difference"),
-         [&answer, this] { return writer_.difference(answer.mask(), *answer.truth); }});
+        {"difference", path("images", view, light, name + "_difference"), [&answer, this] {
+           return differenceFile(writer_, answer.drawn(), shownOf(*answer.truth));
+         }});
     pictures.push_back({"test mask", path("masks/test", view, light, name),
-                        [&answer, this] { return writer_.mask(answer.test()); }});
+                        [&answer, this] { return maskFile(writer_, answer.test()); }});
   }
   return pictures;
 }
@@ -254,7 +288,7 @@ std::vector<std::string> PanelPictures::writeAnswers(std::size_t view, std::size
       isAnyMissing = true;
     }
     if (isAnyMissing) {  // drawn here, where OpenGL is
-      (void)answer.mask();
+      (void)answer.drawn();
       (void)answer.mesh.colours.get();
     }
   }
@@ -291,7 +325,7 @@ TruthFilesRecord PanelPictures::writeTruth(std::size_t view, std::size_t light,
     return scene_.clock.measure("writing", [&](const Progress&) {
       TruthBytes made;
       parallelFor(0, 3, [&](std::size_t i) {
-        if (i == 0) made.mask = writer_.mask(truth.mask);
+        if (i == 0) made.mask = maskFile(writer_, shownOf(truth));
         if (i == 1) made.regions = writer_.regions(truth);
         if (i == 2 && crosses) made.seam = writer_.mask(seamMask(truth));
       });
@@ -349,19 +383,25 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   for (const PanelAnswer& answer : answers) {
     const BaseCase& base = *answer.method->base;
     shown.push_back({names_.methods[answer.place], answerKey(scene_, *answer.method, view, light),
-                     meshFor(base), &base.views[view].truths[light].mask,
-                     [&asked = answer.answers]() -> const Mask& { return asked().drawn; },
-                     [&asked = answer.answers]() -> const Mask& { return asked().test; }});
+                     meshFor(base), &base.views[view].truths[light],
+                     [&asked = answer.answers] {
+                       return ShownAnswer{asked().drawn, asked().drawnShares};
+                     },
+                     [&asked = answer.answers] {
+                       return ShownAnswer{asked().test, asked().testShares};
+                     }});
   }
   shown.push_back({"truth", scene_.keys.truth(standard.choice, view, light), meshFor(standard),
-                   nullptr,
-                   [&]() -> const Mask& { return standard.views[view].truths[light].mask; }});
+                   nullptr, [&] { return shownOf(standard.views[view].truths[light]); }});
   std::vector<std::string> embedded = writeAnswers(view, light, shown);
+  const auto layersOf = [&](const Answer& answer) {
+    return study.lights[light].isSoft() ? std::nullopt : std::optional(answer.mesh.layers);
+  };
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const std::string& label = study.methods[answers[i].place].label;
     panel.pictures.push_back(
         {Kind::shaded, label, label, path("images", view, light, shown[i].name),
-         path("masks", view, light, shown[i].name), std::move(embedded[i]), shown[i].mesh.layers,
+         path("masks", view, light, shown[i].name), std::move(embedded[i]), layersOf(shown[i]),
          truthAt(*answers[i].method->base), path("masks/test", view, light, shown[i].name)});
   }
   if (const auto displaced = displaced_.find({view, light}); displaced != displaced_.end()) {
@@ -370,7 +410,7 @@ PanelRecord PanelPictures::draw(std::size_t view, std::size_t light,
   }
   panel.pictures.push_back({Kind::shaded, "truth", "truth", path("images", view, light, "truth"),
                             path("masks", view, light, "truth"), std::move(embedded.back()),
-                            shown.back().mesh.layers, truthAt(standard)});
+                            layersOf(shown.back()), truthAt(standard)});
   for (const PanelAnswer& answer : answers) {
     const std::string& label = study.methods[answer.place].label;
     panel.pictures.push_back(

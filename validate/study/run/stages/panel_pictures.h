@@ -25,17 +25,28 @@ struct PanelAnswer {
   std::size_t place;  ///< of the method in the study
   MethodCase* method;
   /// Both, drawn when they are first asked for.
-  std::function<const render::MethodAnswers&()> answers;
+  std::function<const CaseAnswers&()> answers;
+};
+
+/// An answer as its pictures show it: a mask, and under a light with a disc the shares in its
+/// place.
+struct ShownAnswer {
+  const Mask& mask;
+  const Visibility& shares;
+
+  [[nodiscard]] bool isSoft() const { return shares.size() > 0; }
 };
 
 /// Makes the pictures of a study's panels, or takes them from the cache, and hands them to the
 /// writer. A mesh is drawn twice for each view and light, with all its samples lit and with all of
 /// them shadowed: its shadings are composed of the two. Files are named
 /// `images/VIEW_LIGHT_METHOD.png`, the method being `truth` or `displaced` for those, and masks
-/// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone. The
-/// truth's regions are `regions/VIEW_LIGHT_truth.png`; for a method whose mesh has other samples
-/// than the standard base, it is `truth_displaced-9`, after the mesh's pieces a side. The weights
-/// of an atlas's samples are `regions/VIEW_weights.exr`.
+/// likewise in `masks/`: the drawn answers; in `masks/test/` those of the shadow tests alone. Under
+/// a light with a disc masks are maps of visibility, shadings lie between the two by their shares,
+/// and a page embeds each shading whole. The truth's regions are `regions/VIEW_LIGHT_truth.png`;
+/// for a method whose mesh has other samples than the standard base, it is `truth_displaced-9`,
+/// after the mesh's pieces a side. The weights of an atlas's samples are
+/// `regions/VIEW_weights.exr`.
 class PanelPictures {
  public:
   PanelPictures(RunScene& scene, RunWriter& writer);

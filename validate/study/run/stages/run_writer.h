@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/mask.h"
+#include "common/visibility.h"
 #include "truth/shadow_tracer.h"
 
 namespace gnomon::study {
@@ -24,6 +25,8 @@ class RunWriter {
 
   /// A mask as data, for other programs.
   [[nodiscard]] virtual std::string mask(const Mask& mask) const = 0;
+  /// A map of visibility as data, for other programs.
+  [[nodiscard]] virtual std::string shares(const Visibility& map) const = 0;
   /// In which region each sample of a truth lies, in colours that can be read back.
   [[nodiscard]] virtual std::string regions(const truth::Truth& truth) const = 0;
   /// The weight of each sample of an atlas, as sampleWeights gives it: floats hold it exactly.
@@ -34,6 +37,9 @@ class RunWriter {
                                             const std::vector<std::uint8_t>& rgb) const = 0;
   /// The signed difference: where a candidate is wrong, by false shadow or by false light.
   [[nodiscard]] virtual std::string difference(const Mask& candidate, const Mask& truth) const = 0;
+  /// The same of two maps, by how much.
+  [[nodiscard]] virtual std::string difference(const Visibility& candidate,
+                                               const Visibility& truth) const = 0;
   /// A picture as a page embeds it.
   [[nodiscard]] virtual std::string embedded(int width, int height,
                                              const std::vector<std::uint8_t>& rgb,

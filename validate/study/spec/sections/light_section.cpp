@@ -7,9 +7,21 @@
 
 namespace gnomon::study {
 
-Vec3 LightSpec::direction() const {
+namespace {
+
+Vec3 directionAt(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
           std::sin(elevation)};
+}
+
+}  // namespace
+
+Vec3 LightSpec::direction() const {
+  return directionAt(azimuth, elevation);
+}
+
+Vec3 LightSpec::lowestDirection() const {
+  return directionAt(azimuth, elevation - radius);
 }
 
 std::vector<LightSpec> readLights(const TomlReader& section) {
@@ -20,18 +32,25 @@ std::vector<LightSpec> readLights(const TomlReader& section) {
   if (section.has("name") && !isSingle) {
     section.fail("name", "a name found for several lights, which are named by their angles");
   }
+  if (section.has("sun") && section.has("radius")) {
+    section.fail("sun", "`radius` found beside it, one of the two expected");
+  }
+  const double radius = light.sun ? sunRadius : light.radius;
   std::vector<LightSpec> lights;
   for (const double azimuth : light.azimuths) {
     for (const double elevation : light.elevations) {
-      lights.push_back({light.name.empty() ? lightName(azimuth, elevation) : light.name,
-                        radians(azimuth), radians(elevation)});
+      lights.push_back({light.name.empty() ? lightName(azimuth, elevation, radius) : light.name,
+                        radians(azimuth), radians(elevation), radians(radius)});
     }
   }
   return lights;
 }
 
 LightSection sectionOf(const LightSpec& light) {
-  return {{degreesOf(light.elevation)}, {degreesOf(light.azimuth)}, light.name};
+  return {{degreesOf(light.elevation)},
+          {degreesOf(light.azimuth)},
+          light.name,
+          degreesOf(light.radius)};
 }
 
 }  // namespace gnomon::study

@@ -8,13 +8,21 @@
 
 namespace gnomon::study {
 
+/// The sun's angular radius as seen from the Earth, degrees: mean over the year.
+constexpr double sunRadius = 0.266;
+
 /// A directional light. Azimuth counter-clockwise from +x about +z, elevation over the xy plane.
 struct LightSpec {
   std::string name;
-  double azimuth;    ///< radians
-  double elevation;  ///< radians
-  /// The unit vector toward the light.
+  double azimuth;     ///< radians
+  double elevation;   ///< radians
+  double radius = 0;  ///< of its disc, radians; 0 for a point
+  /// Whether it is a disc, of which a point may see a share.
+  [[nodiscard]] bool isSoft() const { return radius > 0; }
+  /// The unit vector toward the light: toward its disc's centre.
   [[nodiscard]] Vec3 direction() const;
+  /// The unit vector toward the lowest point of its disc over the xy plane.
+  [[nodiscard]] Vec3 lowestDirection() const;
 };
 
 /// `[[light]]` as the file has it: one light, or every elevation with every azimuth.
@@ -22,6 +30,8 @@ struct LightSection {
   std::vector<double> elevations;      ///< degrees
   std::vector<double> azimuths = {0};  ///< degrees
   std::string name;
+  double radius = 0;  ///< degrees
+  bool sun = false;
 };
 
 inline StudyKeys keysOf(LightSection& light) {
@@ -30,11 +40,15 @@ inline StudyKeys keysOf(LightSection& light) {
                required),
       studyKey("azimuth", NumberOrList{&light.azimuths}, "degrees from +x about +z", {-360, 360}),
       studyKey("name", &light.name, "of a light that stands alone", {},
-               "`\"elevation 24° azimuth 165°\"`", Enters::nothing)};
+               "`\"elevation 24° azimuth 165°\"`", Enters::nothing),
+      studyKey("radius", Unusual{&light.radius},
+               "degrees: angular radius of the light's disc, for soft shadows; 0 is a point",
+               {0, 10}),
+      studyKey("sun", Unusual{&light.sun}, "in place of `radius`: that of the sun, 0.266°")};
 }
 
 /// The lights of a section, in the order of azimuths, and of elevations under each.
-/// @throws InputError as TomlReader, for a name of several lights too
+/// @throws InputError as TomlReader, for a name of several lights and for two radii too
 std::vector<LightSpec> readLights(const TomlReader& section);
 
 /// One light as a section of its own.

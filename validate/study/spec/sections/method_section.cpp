@@ -62,7 +62,9 @@ MethodSpec readOwnMethod(const TomlReader& section, const MethodDefaults& defaul
   if (declared.azimuths) method.bake.settings.azimuths = *declared.azimuths;
   if (declared.subdivisions) method.base.subdivisions = *declared.subdivisions;
   method = changedMethod(section, std::move(method), defaults);
-  if (method.label.empty()) method.label = stemText(method.file);
+  if (method.label.empty()) {
+    method.label = stemText(method.file) + (method.disc ? " + disc" : "");
+  }
   return method;
 }
 
@@ -98,6 +100,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
     section.requireOneOf("name", "file");
     method.file = readMethodFile(section, defaults);
     method.parameters.clear();
+    method.disc = false;
   }
   readKeys(section, keysOf(method));
   if (const auto bake = section.optionalTable("bake")) {
@@ -105,6 +108,10 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
   }
   if (const auto base = section.optionalTable("base")) readSection(*base, keysOf(method.base));
   if (section.has("parameters")) readParameters(section, render::readMethod(method.file), method);
+  if (method.disc && !render::readMethod(method.file).hasHorizon) {
+    section.fail("disc", fmt::format("{} defines no horizon, a method with `horizonSlope` expected",
+                                     stemText(method.file)));
+  }
   return method;
 }
 

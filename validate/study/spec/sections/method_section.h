@@ -20,6 +20,8 @@ struct MethodSpec {
   BaseSpec base = {};               ///< of the mesh that it draws
   render::TableFilter filter = render::TableFilter::exact;
   std::map<std::string, double> parameters = {};
+  /// Whether its horizon is held against the light's disc by the closed form, where it has one.
+  bool disc = false;
   /// The folder with the masks that another program drew; empty for a method that runs here.
   std::filesystem::path masks = {};
 
@@ -42,6 +44,10 @@ inline StudyKeys keysOf(MethodSpec& method) {
                "`name`, or the stem of the file or folder", Enters::nothing),
       studyKey("filter", chosenName(method.filter, filters),
                "interpolation of tables: in floats, or by the GPU's texture filter"),
+      studyKey(
+          "disc", Unusual{&method.disc},
+          "of a method with a horizon: the share of the light's disc above it, in place of lit "
+          "or shadowed"),
       studyKey("bake", OwnCode{"a table"}, "keys of `[bake]`, over the study's", {}, "none"),
       studyKey("base", OwnCode{"a table"}, "keys of `[base]`, over the study's", {}, "none"),
       studyKey("parameters", OwnCode{"a table of numbers"},

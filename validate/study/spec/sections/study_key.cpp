@@ -39,6 +39,22 @@ glm::ivec2 readWholePair(const TomlReader& section, const StudyKey& key) {
   return whole;
 }
 
+void readUnusual(const TomlReader& section, const StudyKey& key, const Unusual& value) {
+  std::visit(Overloaded{[&](bool* flag) { *flag = section.flag(key.name); },
+                        [&](int* whole) {
+                          *whole = section.integer(key.name, wholeOf(key.range.least),
+                                                   wholeOf(key.range.most));
+                        },
+                        [&](double* number) { *number = section.number(key.name, key.range); }},
+             value.place);
+}
+
+/// Whether it has its usual value.
+bool isUsual(const Unusual& value) {
+  return std::visit([&](const auto* place) { return static_cast<double>(*place) == value.usual; },
+                    value.place);
+}
+
 void readKey(const TomlReader& section, const StudyKey& key) {
   const std::string_view name = key.name;
   std::visit(
@@ -61,6 +77,7 @@ void readKey(const TomlReader& section, const StudyKey& key) {
             *place.number = section.number(name, key.range) * place.scale;
           },
           [&](const NumberOrList& list) { *list.numbers = section.numbers(name, key.range); },
+          [&](const Unusual& value) { readUnusual(section, key, value); },
           [&](std::vector<Vec3>* points) { *points = section.points(name); },
           [&](const ChosenName& chosen) {
             chosen.set(section.choice(name, chosen.names, chosen.areNumbers));
@@ -97,6 +114,10 @@ void write(toml::table& table, const StudyKey& key) {
                           if (*place.number) insert(**place.number / place.scale);
                         },
                         [&](const NumberOrList& list) { insertNumbers(*list.numbers); },
+                        [&](const Unusual& value) {
+                          if (isUsual(value)) return;
+                          std::visit([&](const auto* place) { insert(*place); }, value.place);
+                        },
                         [&](const std::vector<Vec3>* points) {
                           toml::array list;
                           for (const Vec3& point : *points) {
@@ -148,6 +169,8 @@ toml::table tableOf(const StudyKeys& keys) {
 void addKeys(cache::KeyBuilder& builder, const StudyKeys& keys, Enters result) {
   for (const StudyKey& key : keys) {
     if ((static_cast<unsigned>(key.enters) & static_cast<unsigned>(result)) == 0) continue;
+    const auto* unusual = std::get_if<Unusual>(&key.place);
+    if (unusual != nullptr && isUsual(*unusual)) continue;
     toml::table value;
     write(value, key);
     builder.add(key.name, tomlValueText(value));
@@ -171,6 +194,13 @@ std::string typeText(const StudyKey& key) {
                  },
                  [&](const OptionalNumber&) { return number; },
                  [&](const NumberOrList&) { return number + ", or a list of them"; },
+                 [&](const Unusual& value) {
+                   if (std::holds_alternative<bool*>(value.place)) {
+                     return std::string("true or false");
+                   }
+                   return std::holds_alternative<int*>(value.place) ? "a whole number from " + whole
+                                                                    : number;
+                 },
                  [](const std::vector<Vec3>*) { return std::string("a list of points [x, y, z]"); },
                  [](const ChosenName& chosen) {
                    return quotedNames(chosen.names, chosen.areNumbers ? "" : "`");
@@ -181,6 +211,10 @@ std::string typeText(const StudyKey& key) {
 
 std::string defaultText(const StudyKey& key) {
   if (!key.otherwise.empty()) return std::string(key.otherwise);
+  if (const auto* unusual = std::get_if<Unusual>(&key.place)) {
+    const bool isFlag = std::holds_alternative<bool*>(unusual->place);
+    return isFlag ? fmt::format("`{}`", unusual->usual != 0) : fmt::format("`{}`", unusual->usual);
+  }
   toml::table value;
   write(value, key);
   return value.empty() ? "" : fmt::format("`{}`", tomlValueText(*value.get(key.name)));

@@ -36,6 +36,7 @@ enum class Enters : unsigned {
   scene = 32,      ///< the surface, the meshes and the samples
   answers = 64,    ///< what a method answers
   costs = 128,     ///< frame times
+  shares = 256,    ///< the truth's shares of a light's disc
   everything = ~0U
 };
 constexpr Enters operator|(Enters a, Enters b) {
@@ -98,6 +99,13 @@ struct NumberOrList {
   std::vector<double>* numbers;
 };
 
+/// A value that is written, and enters keys, only where it is not the usual one: a setting that
+/// most studies do not speak of.
+struct Unusual {
+  std::variant<bool*, int*, double*> place;
+  double usual = 0;
+};
+
 /// A value that the section's own code reads and writes.
 struct OwnCode {
   std::string type;  ///< for the table of keys
@@ -106,7 +114,7 @@ struct OwnCode {
 struct StudyKey {
   /// Where the value is, which also says its type.
   using Place = std::variant<std::string*, bool*, int*, glm::ivec2*, Numbers, OptionalNumber,
-                             NumberOrList, std::vector<Vec3>*, ChosenName, OwnCode>;
+                             NumberOrList, Unusual, std::vector<Vec3>*, ChosenName, OwnCode>;
 
   std::string_view name;
   Place place;
@@ -138,7 +146,8 @@ void readKeys(const TomlReader& section, const StudyKeys& keys);
 /// Reads a table that has these keys and no others.
 void readSection(const TomlReader& section, const StudyKeys& keys);
 
-/// The values as a table of the file; unset optional numbers and values of `OwnCode` are not in it.
+/// The values as a table of the file; unset optional numbers, usual values of `Unusual` and values
+/// of `OwnCode` are not in it.
 toml::table tableOf(const StudyKeys& keys);
 
 /// Adds the values that enter a result to its key.

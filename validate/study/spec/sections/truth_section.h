@@ -11,6 +11,8 @@ namespace gnomon::study {
 struct TruthSpec : truth::MicroMeshSettings {
   /// Largest flip rate that is wanted; the step is then found by refinement.
   std::optional<double> uncertainty;
+  /// N: directions of equal solid angle toward the disc of a light that has one; even.
+  int directions = 256;
 };
 
 /// @param resample  as Relief::resample: the file counts texels of the map before it
@@ -26,7 +28,10 @@ inline StudyKeys keysOf(TruthSpec& truth, int resample) {
           "it came",
           {0, 1, true}, "none"),
       studyKey("triangles", numbers(truth.leastTriangles),
-               "in place of `step`: at least so many micro-triangles", {1, 1e9})};
+               "in place of `step`: at least so many micro-triangles", {1, 1e9}),
+      studyKey("directions", Unusual{&truth.directions, 256},
+               "even: directions that a light's disc is traced toward, where it has a `radius`",
+               {32, 65536}, {}, Enters::shares)};
 }
 
 }  // namespace gnomon::study

@@ -1,0 +1,452 @@
+// The share of a light's disc that methods answer with: against closed forms, against directions
+// one by one, and against the masks of a light without a radius.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "relief/patterns.h"
+#include "render/render_scene.h"
+#include "render/soft_light.h"
+#include "support/temporary_folder.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon::render {
+namespace {
+
+using test::DisplacedScene;
+using test::lightToward;
+using test::meanDifference;
+using test::RenderScene;
+using test::shareOver;
+
+const double sun = radians(0.266);
+
+constexpr double inDegrees(double angle) {
+  return angle * 180 / pi;
+}
+
+Method methodOf(const std::string& name) {
+  return readMethod(methodFile(shaderFolder(), name));
+}
+
+SoftAnswer softAnswerOf(const Method& method) {
+  return method.answersShares ? SoftAnswer::own : SoftAnswer::disc;
+}
+
+/// A wall of height 10 over x ≤ 15.5 texels, that falls to the ground within the next texel. Behind
+/// it, at the middles of the texels, its horizon toward -x is at 10 / (x - 15.5), with nothing to
+/// interpolate.
+struct Wall {
+  static constexpr int columns = 96;
+  static constexpr int rows = 16;
+
+  /// @param reach  of tables and marches, texels
+  explicit Wall(double reach = columns)
+      : scene(surface::makePlane(columns, rows, 12, 2),
+              test::stepRelief(columns, rows, 10, [](int i, int) { return i < 16; }), {8, reach},
+              horizon::TableBits::thirtyTwo) {}
+
+  RenderScene scene;
+  RenderView view = atlasView(scene.surface, 8);
+
+  static Vec3 light(double elevation) { return lightToward(180, elevation); }
+
+  /// The largest error of `answered` behind the wall.
+  [[nodiscard]] double error(const Visibility& answered, double elevation, double radius) const {
+    double largest = 0;
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 18; column < columns; ++column) {
+        const double horizon = std::atan(10 / (column + 0.5 - 15.5));
+        const double exact = shareOver(radians(elevation) - horizon, radius);
+        const auto i = static_cast<std::size_t>(row * view.width + column);
+        largest = std::max(largest, std::abs(exact - static_cast<double>(answered.shares[i])));
+      }
+    }
+    return largest;
+  }
+
+  [[nodiscard]] double errorOf(const std::string& name, double radius,
+                               const std::map<std::string, double>& parameters = {}) const {
+    const Method method = methodOf(name);
+    double largest = 0;
+    for (const double elevation : {11.1, 14.0, 17.3, 22.0, 31.6}) {
+      const VisibilityAnswers found =
+          scene.shares(method, view, light(elevation), radius, softAnswerOf(method), parameters);
+      largest = std::max(largest, error(found.test, elevation, radius));
+      EXPECT_EQ(meanDifference(found.test, found.drawn), 0) << "the ground faces all of the disc";
+    }
+    return largest;
+  }
+};
+
+TEST(SoftLight, OverAWallIsTheClosedForm) {
+  const GlContext gl;
+  const Wall wall;
+  for (const double radius : {sun, radians(1.0), radians(5.0)}) {
+    for (const char* name : {"max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact",
+                             "geodesic-march", "resampled-horizon", "osculating-march"}) {
+      EXPECT_LT(wall.errorOf(name, radius), 0.002) << name << " " << radius;
+    }
+  }
+  // Its steps may miss the wall's edge by one of them.
+  EXPECT_LT(wall.errorOf("relief-march", radians(5.0), {{"steps", 1024}}), 0.01);
+  // Its lookup textures give the horizon's angle to 4e-4.
+  EXPECT_LT(wall.errorOf("sloan-cohen", radians(5.0)), 0.01);
+  const VisibilityAnswers hard =
+      wall.scene.shares(methodOf("max-forsyth"), wall.view, Wall::light(17.3), radians(5.0));
+  EXPECT_GT(wall.error(hard.test, 17.3, radians(5.0)), 0.4) << "0 or 1 is not a share";
+}
+
+/// Ground as high everywhere is a larger sphere with the same terminator. Marches leave it to the
+/// shading normal: between themselves and the first crossing they see no slope.
+TEST(SoftLight, AtASpheresTerminatorIsTheClosedForm) {
+  const GlContext gl;
+  constexpr double radius = 60;
+  const Vec3 light = lightToward(0, 2);
+  for (const double height : {0.0, 3.0}) {
+    const RenderScene scene(
+        surface::makeSphere(radius, 1.8, 0.8, 30, 15),
+        test::stepRelief(
+            64, 32, height, [](int, int) { return true; }, relief::Wrap::repeat),
+        {8, 64}, horizon::TableBits::thirtyTwo, 8);
+    const RenderView view = atlasView(scene.surface, 8);
+    const surface::SampleGrid samples = scene.samples(view);
+    for (const double disc : {radians(1.0), radians(5.0)}) {
+      for (const char* name : {"onoue-2003", "onoue-2004", "onoue-exact", "geodesic-march",
+                               "resampled-horizon", "osculating-march"}) {
+        const Method method = methodOf(name);
+        const VisibilityAnswers found =
+            scene.shares(method, view, light, disc, softAnswerOf(method));
+        double test = 0;
+        double drawn = 0;
+        std::size_t inPenumbra = 0;
+        for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+          const surface::LimitPoint place = scene.surface.evaluate(samples.samples[i]);
+          const Vec3 normal = glm::normalize(glm::cross(place.ds, place.dt));
+          const double elevation = std::asin(glm::dot(normal, light));
+          const double seen = shareOver(elevation, disc);
+          test = std::max(test, std::abs(seen - static_cast<double>(found.test.shares[i])));
+          drawn = std::max(drawn, std::abs(seen - static_cast<double>(found.drawn.shares[i])));
+          inPenumbra += seen > 0 && seen < 1 ? 1 : 0;
+        }
+        EXPECT_GT(inPenumbra, 100U) << name;
+        if (height == 0 || method.hasHorizon) {
+          EXPECT_LT(test, 0.002) << name << " " << height << " " << disc;
+        }
+        EXPECT_LT(drawn, 0.002) << name << " " << height << " " << disc;
+      }
+    }
+  }
+}
+
+/// Bumps on a sphere, whose every method has something to say, with a background.
+struct Bumps {
+  RenderScene scene{surface::makeSphere(60, 1.2, 1.2, 16, 16),
+                    {relief::makeColumns(64, 64, {32, 8, 2}, 8, relief::Wrap::repeat),
+                     relief::HeightSpace::world, Vec2(1)},
+                    {16, 64},
+                    horizon::TableBits::sixteen,
+                    2};
+  RenderView view =
+      cameraView(Camera{{80, 40, 150}, {0, 0, 50}, {0, 1, 0}, 0.7, 80, 64}, scene.mesh);
+  Vec3 light = lightToward(20, 25);
+};
+
+std::vector<std::string> methodsOfTheBaseMesh() {
+  std::vector<std::string> names;
+  for (const std::string& name : methodNames(shaderFolder())) {
+    const Method method = methodOf(name);
+    // Angles of the surface itself need a truth.
+    if (method.mesh == DrawnMesh::base && !method.tables.surfaceAngles) names.push_back(name);
+  }
+  return names;
+}
+
+void expectShares(const Visibility& found, const Mask& mask, const std::string& name) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool isSample = mask.samples[i] != Shade::none;
+    ASSERT_EQ(isSample, !std::isnan(found.shares[i])) << name;
+    if (!isSample) continue;
+    ASSERT_TRUE(found.shares[i] >= 0 && found.shares[i] <= 1) << name << " " << found.shares[i];
+  }
+}
+
+void expectMask(const Visibility& found, const Mask& mask, const std::string& name) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (mask.samples[i] == Shade::none) {
+      ASSERT_TRUE(std::isnan(found.shares[i])) << name;
+    } else {
+      ASSERT_EQ(found.shares[i], mask.samples[i] == Shade::lit ? 1.0F : 0.0F) << name;
+    }
+  }
+}
+
+TEST(SoftLight, WithoutARadiusIsTheMask) {
+  const GlContext gl;
+  const Bumps bumps;
+  for (const std::string& name : methodsOfTheBaseMesh()) {
+    const Method method = methodOf(name);
+    const MethodAnswers hard = bumps.scene.answers(method, bumps.view, {bumps.light}).front();
+    for (const SoftAnswer soft : {SoftAnswer::own, SoftAnswer::disc}) {
+      if (soft == SoftAnswer::disc && !method.hasHorizon) continue;
+      const VisibilityAnswers found = bumps.scene.shares(method, bumps.view, bumps.light, 0, soft);
+      expectMask(found.drawn, hard.drawn, name);
+      expectMask(found.test, hard.test, name);
+    }
+  }
+}
+
+TEST(SoftLight, OfAHardMethodIsTheMask) {
+  const GlContext gl;
+  const Bumps bumps;
+  for (const char* name : {"unshadowed", "max-forsyth"}) {
+    const Method method = methodOf(name);
+    const MethodAnswers hard = bumps.scene.answers(method, bumps.view, {bumps.light}).front();
+    const VisibilityAnswers found = bumps.scene.shares(method, bumps.view, bumps.light, radians(5));
+    expectMask(found.drawn, hard.drawn, name);
+    expectMask(found.test, hard.test, name);
+  }
+}
+
+TEST(SoftLight, IsAShareOfEverySample) {
+  const GlContext gl;
+  const Bumps bumps;
+  for (const std::string& name : methodsOfTheBaseMesh()) {
+    const Method method = methodOf(name);
+    if (!method.answersShares && !method.hasHorizon) continue;
+    const Mask mask = bumps.scene.test(method, bumps.view, bumps.light);
+    for (const double degrees : {0.01, 0.266, 10.0}) {
+      const VisibilityAnswers found = bumps.scene.shares(method, bumps.view, bumps.light,
+                                                         radians(degrees), softAnswerOf(method));
+      expectShares(found.test, mask, name);
+      expectShares(found.drawn, mask, name);
+    }
+  }
+}
+
+/// A disc as small as a point: the shares are the mask's but on the shadows' edges.
+TEST(SoftLight, TendsToTheMask) {
+  const GlContext gl;
+  const Bumps bumps;
+  for (const std::string& name : methodsOfTheBaseMesh()) {
+    const Method method = methodOf(name);
+    if (!method.answersShares && !method.hasHorizon) continue;
+    const VisibilityAnswers hard = bumps.scene.shares(method, bumps.view, bumps.light, 0);
+    const VisibilityAnswers found =
+        bumps.scene.shares(method, bumps.view, bumps.light, radians(0.001), softAnswerOf(method));
+    EXPECT_LT(meanDifference(found.test, hard.test), 0.003) << name;
+    EXPECT_LT(meanDifference(found.drawn, hard.drawn), 0.003) << name;
+  }
+}
+
+/// Mean error behind a wall of height 10, whose displaced mesh of one piece a texel has its edge at
+/// x = 15, of methods that see a depth map.
+template <typename Answer>
+double meanErrorOfDepth(const Answer& answer, double edge, double radius) {
+  double sum = 0;
+  double all = 0;
+  for (const double elevation : {14.0, 17.3, 22.0, 31.6}) {
+    const Visibility found = answer(Wall::light(elevation));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const auto x = static_cast<double>(i % Wall::columns) + 0.5;
+      const double over = radians(elevation) - std::atan(10 / (x - edge));
+      if (x < 18 || std::abs(over) > 1.5 * radius) continue;
+      sum += std::abs(static_cast<double>(found.shares[i]) - shareOver(over, radius));
+      all += 1;
+    }
+  }
+  return sum / all;
+}
+
+/// In and beside the penumbra. The filter's samples are as many steps of V; the mean depth of
+/// blockers is not the edge's.
+TEST(SoftLight, OfAShadowMapIsNearTheClosedForm) {
+  const GlContext gl;
+  const DisplacedScene scene(
+      surface::makePlane(Wall::columns, Wall::rows, 12, 2),
+      test::stepRelief(Wall::columns, Wall::rows, 10, [](int i, int) { return i < 16; }), 8);
+  const RenderView view = atlasView(scene.surface, 8);
+  for (const double radius : {radians(1.0), radians(4.0)}) {
+    const auto error = [&](const std::map<std::string, double>& parameters) {
+      return meanErrorOfDepth(
+          [&](const Vec3& light) {
+            return scene.shares("shadow-map", view, light, radius, parameters).drawn;
+          },
+          15, radius);
+    };
+    EXPECT_LT(error({{"depth_side", 4096}}), 0.05) << radius;
+    EXPECT_LT(error({{"depth_side", 4096}, {"search_samples", 256}, {"filter_samples", 256}}), 0.05)
+        << radius;
+    const double hard = meanErrorOfDepth(
+        [&](const Vec3& light) { return scene.shares("shadow-map", view, light, 0).drawn; }, 15,
+        radius);
+    EXPECT_GT(hard, 0.12) << radius;
+  }
+}
+
+/// Where the march reaches the wall, and where it ends after four texels and the depth map answers.
+TEST(SoftLight, OfTwoScalesIsNearTheClosedForm) {
+  const GlContext gl;
+  const Method method = methodOf("two-scales");
+  for (const double reach : {96.0, 4.0}) {
+    const Wall wall(reach);
+    for (const double radius : {sun, radians(1.0), radians(4.0)}) {
+      const double error = meanErrorOfDepth(
+          [&](const Vec3& light) {
+            return wall.scene
+                .shares(method, wall.view, light, radius, SoftAnswer::own,
+                        {{"light_pieces", 16}, {"depth_side", 4096}})
+                .drawn;
+          },
+          15.5, radius);
+      EXPECT_LT(error, reach > 4 ? 0.02 : 0.045) << reach << " " << radius;
+    }
+  }
+}
+
+class OwnMethods : public TemporaryFolder {
+ protected:
+  [[nodiscard]] Method method(const std::string& declaration, const std::string& code) const {
+    std::ofstream(file("mine.glsl")) << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n"
+                                     << declaration << "\n*/\n"
+                                     << code;
+    return readMethod(file("mine.glsl"));
+  }
+
+  /// The march along the path, toward 64 directions over the disc.
+  [[nodiscard]] Method directionsOneByOne() const {
+    return method("tables = [\"height\"]",
+                  "float visibility(Pixel pixel, LocalLight light) {\n"
+                  "  float lit = 0.0;\n"
+                  "  for (int k = 0; k < 64; ++k) {\n"
+                  "    vec3 direction = discDirection(k, 64);\n"
+                  "    Path path = makePath(pixel, makeLocalLight(pixel, direction));\n"
+                  "    bool dark = shadowedByBareSurface(path) || "
+                  "shadowedAtCrossings(path, path.limit);\n"
+                  "    lit += dark ? 0.0 : 1.0;\n"
+                  "  }\n"
+                  "  return lit / 64.0;\n}\n");
+  }
+};
+
+TEST_F(OwnMethods, MayAnswerWithAShareAlone) {
+  const GlContext gl;
+  const Wall wall;
+  const Method mine =
+      method("",
+             "float visibility(Pixel pixel, LocalLight light) {\n"
+             "  return pixel.texel.x < 48.0 ? 0.25 : shareOver(light.slope, 0.5);\n}\n");
+  EXPECT_TRUE(mine.answersShares);
+  EXPECT_FALSE(mine.hasHorizon);
+  const double elevation = inDegrees(std::atan(0.5)) + 0.5;
+  const auto shares = wall.scene.shares(mine, wall.view, Wall::light(elevation), radians(2.0)).test;
+  const Mask mask = wall.scene.test(mine, wall.view, Wall::light(elevation));
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const bool isNear = i % Wall::columns < 48;
+    const double exact = isNear ? 0.25 : shareOver(radians(0.5), radians(2.0));
+    ASSERT_NEAR(static_cast<double>(shares.shares[i]), exact, 1e-4);
+    // Of a point the cut of equal areas.
+    ASSERT_EQ(mask.samples[i], isNear ? Shade::shadowed : Shade::lit);
+  }
+}
+
+TEST_F(OwnMethods, AnswerFrom0To1WhateverTheySay) {
+  const GlContext gl;
+  const Wall wall;
+  const Method mine =
+      method("",
+             "float visibility(Pixel pixel, LocalLight light) {\n"
+             "  int x = int(pixel.texel.x) % 3;\n"
+             "  return x == 0 ? -1.0 : (x == 1 ? 7.0 : sqrt(-pixel.texel.x));\n}\n");
+  const auto found = wall.scene.shares(mine, wall.view, Wall::light(20), sun);
+  for (std::size_t i = 0; i < found.test.size(); ++i) {
+    const bool isWhole = i % Wall::columns % 3 == 1;
+    ASSERT_EQ(found.test.shares[i], isWhole ? 1.0F : 0.0F);
+    ASSERT_LE(found.drawn.shares[i], found.test.shares[i]);
+  }
+}
+
+TEST_F(OwnMethods, MayHaveAHorizonAlone) {
+  const GlContext gl;
+  const Wall wall;
+  const Method mine =
+      method("", "float horizonSlope(Pixel pixel, LocalLight light) { return 0.5; }\n");
+  EXPECT_FALSE(mine.answersShares);
+  EXPECT_TRUE(mine.hasHorizon);
+  for (const double over : {-1.0, 0.4, 3.0}) {
+    const Vec3 light = Wall::light(inDegrees(std::atan(0.5)) + over);
+    const auto shares =
+        wall.scene.shares(mine, wall.view, light, radians(2.0), SoftAnswer::disc).test;
+    ASSERT_NEAR(static_cast<double>(shares.shares[500]), shareOver(radians(over), radians(2.0)),
+                1e-4);
+    const auto hard = wall.scene.shares(mine, wall.view, light, radians(2.0)).test;
+    ASSERT_EQ(hard.shares[500], over > 0 ? 1.0F : 0.0F);
+  }
+}
+
+TEST_F(OwnMethods, WithoutAHorizonHaveNoDisc) {
+  const GlContext gl;
+  const Wall wall;
+  try {
+    (void)wall.scene.shares(methodOf("unshadowed"), wall.view, Wall::light(20), sun,
+                            SoftAnswer::disc);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("unshadowed: no function `float horizonSlope("),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(OwnMethods, DirectionsOverTheDiscAreOfEqualSolidAngle) {
+  const GlContext gl;
+  const Wall wall;
+  const Method counting =
+      method("",
+             "float visibility(Pixel pixel, LocalLight light) {\n"
+             "  float over = 0.0;\n"
+             "  for (int k = 0; k < 256; ++k) {\n"
+             "    vec3 to = discDirection(k, 256);\n"
+             "    over += to.z > 0.35 && abs(length(to) - 1.0) < 1e-5 ? 1.0 : 0.0;\n"
+             "  }\n"
+             "  return over / 256.0;\n}\n");
+  const double edge = inDegrees(std::asin(0.35));
+  for (const double radius : {0.5, 5.0}) {
+    for (const double x : {-0.9, -0.5, 0.0, 0.3, 0.8}) {
+      const auto found =
+          wall.scene.shares(counting, wall.view, Wall::light(edge + x * radius), radians(radius))
+              .test;
+      EXPECT_NEAR(static_cast<double>(found.shares[100]), shareOver(x, 1), 0.01) << x;
+    }
+  }
+}
+
+/// Over a wall across the light the one horizon of the march is that of all directions; over bumps
+/// it is not, and the bounds are what was found.
+TEST_F(OwnMethods, OneHorizonIsNearToDirectionsOneByOne) {
+  const GlContext gl;
+  const Method each = directionsOneByOne();
+  const Wall wall;
+  const auto difference = [&](const RenderScene& scene, const RenderView& view, const Vec3& light,
+                              double radius, const std::string& name) {
+    return meanDifference(scene.shares(methodOf(name), view, light, radius).test,
+                          scene.shares(each, view, light, radius).test);
+  };
+  EXPECT_LT(difference(wall.scene, wall.view, Wall::light(18), radians(3.0), "geodesic-march"),
+            0.002);
+  const Bumps bumps;
+  EXPECT_LT(difference(bumps.scene, bumps.view, bumps.light, sun, "geodesic-march"), 0.0005);
+  // One march in place of two would have twice that.
+  EXPECT_LT(difference(bumps.scene, bumps.view, bumps.light, radians(3.0), "geodesic-march"),
+            0.0025);
+}
+
+}  // namespace
+}  // namespace gnomon::render

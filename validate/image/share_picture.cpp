@@ -1,0 +1,150 @@
+#include "image/share_picture.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "common/error.h"
+#include "image/channel_image.h"
+#include "image/grey_picture.h"
+#include "image/images.h"
+
+namespace gnomon::image {
+namespace {
+
+constexpr float grey = 128.0F / 255.0F;
+/// Less than a step of 16 bits, more than a half's rounding of the grey.
+constexpr float greyTolerance = 1e-5F;
+constexpr std::uint16_t greyLevel = 128 * 257;
+constexpr double mostLevel = 65535;
+
+bool isNoSampleGrey(float value) {
+  return std::abs(value - grey) <= greyTolerance;
+}
+
+std::uint16_t levelOf(float share) {
+  if (std::isnan(share)) return greyLevel;
+  const auto level =
+      static_cast<std::uint16_t>(std::lround(mostLevel * static_cast<double>(share)));
+  return level == greyLevel ? greyLevel - 1 : level;
+}
+
+float alphaOf(const GreyPicture& picture, std::size_t i) {
+  return picture.alphas.empty() ? 1.0F : picture.alphas[i];
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const GreyPicture& picture,
+                         std::size_t i, const char* expected) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  throw InputError(fmt::format("{}: {} with alpha {} at column {}, row {}, {} expected",
+                               path.string(), picture.values[i], alphaOf(picture, i), i % width,
+                               i / width, expected));
+}
+
+float shareAt(const std::filesystem::path& path, const GreyPicture& picture, std::size_t i,
+              bool isInverted) {
+  const float alpha = alphaOf(picture, i);
+  if (alpha == 0) return noSample;
+  if (alpha != 1) refuse(path, picture, i, "alpha 0 or 1");
+  const float value = picture.values[i];
+  if (!(value >= 0 && value <= 1)) refuse(path, picture, i, "a share of 0 to 1");
+  if (isNoSampleGrey(value)) return noSample;
+  return isInverted ? 1 - value : value;
+}
+
+void turnUpsideDown(Visibility& map) {
+  const auto width = static_cast<std::ptrdiff_t>(map.width);
+  for (std::ptrdiff_t top = 0, bottom = map.height - 1; top < bottom; ++top, --bottom) {
+    std::swap_ranges(map.shares.begin() + top * width, map.shares.begin() + (top + 1) * width,
+                     map.shares.begin() + bottom * width);
+  }
+}
+
+Rgb mixed(const Rgb& from, const Rgb& to, double share) {
+  Rgb colour{};
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    colour[k] = static_cast<std::uint8_t>(std::lround(from[k] + share * (to[k] - from[k])));
+  }
+  return colour;
+}
+
+Rgb differenceColour(float candidate, float truth) {
+  using Colours = DifferenceColours;
+  if (std::isnan(truth)) return Colours::none;
+  const Rgb base = mixed(Colours::bothShadowed, Colours::bothLit, static_cast<double>(truth));
+  const double off = static_cast<double>(candidate) - static_cast<double>(truth);
+  return mixed(base, off > 0 ? Colours::falseLight : Colours::falseShadow, std::abs(off));
+}
+
+void requireSameSamples(const Visibility& candidate, const Visibility& truth) {
+  if (candidate.width != truth.width || candidate.height != truth.height) {
+    throw InputError(fmt::format("candidate: {} x {} samples, but the truth has {} x {}",
+                                 candidate.width, candidate.height, truth.width, truth.height));
+  }
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (std::isnan(candidate.shares[i]) == std::isnan(truth.shares[i])) continue;
+    const auto width = static_cast<std::size_t>(truth.width);
+    throw InputError(fmt::format("maps: column {}, row {} has a sample in only one of the two",
+                                 i % width, i / width));
+  }
+}
+
+}  // namespace
+
+std::string sharePng(const Visibility& map) {
+  GreyImage image{map.width, map.height, {}};
+  image.values.reserve(map.size());
+  for (const float share : map.shares) image.values.push_back(levelOf(share));
+  return pngOf(image);
+}
+
+std::string shareExr(const Visibility& map) {
+  ChannelImage image{map.width, map.height, {"V", "A"}, {}};
+  image.values.reserve(2 * map.size());
+  for (const float share : map.shares) {
+    const bool isThere = !std::isnan(share);
+    image.values.push_back(!isThere                ? 0.0F
+                           : isNoSampleGrey(share) ? grey - 2 * greyTolerance
+                                                   : share);
+    image.values.push_back(isThere ? 1.0F : 0.0F);
+  }
+  return exrBytes(image);
+}
+
+Visibility readSharePicture(const std::filesystem::path& path, const MaskReading& reading) {
+  const GreyPicture picture = readGreyPicture(path, reading.channel);
+  Visibility map{picture.width, picture.height, {}};
+  map.shares.reserve(picture.values.size());
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    map.shares.push_back(shareAt(path, picture, i, reading.inverted));
+  }
+  if (reading.upward) turnUpsideDown(map);
+  return map;
+}
+
+bool holdsShares(const std::filesystem::path& path, const MaskReading& reading) {
+  const GreyPicture picture = readGreyPicture(path, reading.channel);
+  if (picture.integerBits == 8) return false;
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    const float value = picture.values[i];
+    if (alphaOf(picture, i) != 0 && value > 0 && value < 1 && !isNoSampleGrey(value)) return true;
+  }
+  return false;
+}
+
+Image shareDifferenceImage(const Visibility& candidate, const Visibility& truth) {
+  requireSameSamples(candidate, truth);
+  Image image{truth.width, truth.height, {}};
+  image.rgb.reserve(3 * truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const Rgb colour = differenceColour(candidate.shares[i], truth.shares[i]);
+    image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
+  }
+  return image;
+}
+
+}  // namespace gnomon::image

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/visibility.h"
+#include "image/image.h"
+#include "image/mask_picture.h"
+
+namespace gnomon::image {
+
+/// A map of visibility as a PNG of 16-bit greys: V times 65,535, rounded; no sample is 32,896,
+/// which is Gnomon's grey of masks, 128/255. A share that would be rounded to that is written as
+/// 32,895. Same map, same bytes.
+/// @throws InternalError as pngOf
+std::string sharePng(const Visibility& map);
+
+/// The same as the bytes of an EXR of 32-bit floats: `V`, and the alpha `A`, 0 where there is no
+/// sample.
+std::string shareExr(const Visibility& map);
+
+/// Reads a map of visibility that any renderer wrote, or a mask as one of zeros and ones: values of
+/// 0 to 1 are V; alpha 0, or 128/255 to within 10⁻⁵, is no sample.
+/// @param reading  its channel, `inverted` (values are 1 - V) and `upward`; it has no threshold
+/// @throws InputError as `readGreyPicture`; for a value that is not finite or not 0 to 1, and for a
+///   partial alpha, with its place
+Visibility readSharePicture(const std::filesystem::path& path, const MaskReading& reading = {});
+
+/// Whether a picture of a mask holds shares: values between those of a mask, in more than 8 bits.
+/// In 8 bits they are taken for the smoothed edges of a mask.
+/// @throws InputError as `readGreyPicture`
+bool holdsShares(const std::filesystem::path& path, const MaskReading& reading = {});
+
+/// Where a candidate differs from the truth, by how much and in which direction: from the grey
+/// between DifferenceColours' bothShadowed and bothLit that V_truth says toward falseShadow or
+/// falseLight as |V - V_truth| goes from 0 to 1. Of zeros and ones it is the masks'
+/// differenceImage.
+/// @throws InputError if the sizes differ or only one of the two has a sample somewhere
+Image shareDifferenceImage(const Visibility& candidate, const Visibility& truth);
+
+}  // namespace gnomon::image

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "common/mask.h"
+#include "common/progress.h"
+#include "common/visibility.h"
+#include "surface/sample_grid.h"
+#include "truth/micro_mesh.h"
+#include "truth/micro_scene.h"
+
+namespace gnomon::truth {
+
+/// How many directions on the disc's edge every sample is traced toward.
+constexpr int rimDirections = 16;
+
+/// A light's disc and how it is traced.
+struct DiscSettings {
+  Vec3 light{0, 0, 1};   ///< unit vector toward the disc's centre
+  double radius = 0;     ///< ρ, radians, above 0
+  int directions = 256;  ///< N
+  /// As in TraceSettings.
+  double rayOffset = standardRayOffset;
+  bool isAdaptive = true;  ///< else every sample gets all N
+};
+
+/// The share of a light's disc that each sample sees: V = n / N, n the number of the N directions
+/// of `discDirections` that its displaced point sees. It sees a direction that its facet is not
+/// turned from and along which a ray, which starts as the hard light's does (Facet::rayOrigin),
+/// meets nothing. The directions are the same for all samples.
+///
+/// Every sample is first traced toward `rimDirections` on the disc's edge, which do not count.
+/// Where they agree with each other and with the hard light, which is the disc's centre, at a
+/// sample and at its eight neighbours in the view, the sample's V is 0 or 1 as they say; all others
+/// get the N. What is missed lies between these directions: of a straight edge no more than 0.0016
+/// of the disc (discRim), else slits and spikes that pass between them at nine samples.
+///
+/// Results do not depend on the number of threads.
+/// @param hard      the hard light's answers at the same samples; V is `noSample` where it has none
+/// @param progress  may throw to cancel, see common/progress.h
+/// @throws InternalError unless `hard` has one answer a sample
+Visibility traceVisibility(const MicroMesh& mesh, const MicroScene& scene,
+                           const surface::SampleGrid& samples, const Mask& hard,
+                           const DiscSettings& settings, const Progress& progress = {});
+
+/// |ΔV| of two maps of one view, over the samples that both hold, each counted alike: the truth's
+/// own error, where one was traced with half the directions on half the resolution of the other.
+struct ShareChange {
+  double mean = 0;
+  double percentile99 = 0;  ///< the smallest |ΔV| that 99 % of the samples do not exceed
+};
+/// Zeros where there is no sample.
+/// @throws InternalError for maps of different sizes
+ShareChange shareChange(const Visibility& a, const Visibility& b);
+
+}  // namespace gnomon::truth
