@@ -20,22 +20,23 @@ std::vector<std::string> cellsOf(const std::string& line) {
 }
 
 TEST(Suite, OfThePublicSeedsNeverChanges) {
-  const study::SuiteSpec suite = study::readSuite(projectFolder() / "scenes/suite/suite-1.toml");
   const study::SuiteMethods methods =
       study::readSuiteMethods(projectFolder() / "scenes/suite/methods.toml", {});
   std::size_t suites = 0;
   for (const std::string& line : manualPage("suite.md").lines) {
     const std::vector<std::string> cells =
         line.starts_with("| ") ? cellsOf(line) : std::vector<std::string>();
-    if (cells.size() != 4 || (cells[1] != "train" && cells[1] != "test")) continue;
+    if (cells.size() != 5 || (cells[2] != "train" && cells[2] != "test")) continue;
+    const study::SuiteSpec suite =
+        study::readSuite(projectFolder() / "scenes/suite" / (cells[0] + ".toml"));
     const study::SuiteSplit split =
-        cells[1] == "train" ? study::SuiteSplit::train : study::SuiteSplit::test;
+        cells[2] == "train" ? study::SuiteSplit::train : study::SuiteSplit::test;
     const study::DrawnSuite drawn =
-        study::drawSuite(suite, methods, split, cells[0], std::stoi(cells[2]));
-    EXPECT_EQ("`" + drawn.sha256 + "`", cells[3]) << "seed " << cells[0] << ", " << cells[1];
+        study::drawSuite(suite, methods, split, cells[1], std::stoi(cells[3]));
+    EXPECT_EQ("`" + drawn.sha256 + "`", cells[4]) << line;
     ++suites;
   }
-  EXPECT_EQ(suites, 4U);
+  EXPECT_EQ(suites, 6U);
 }
 
 /// A control: one scene more, or one number of the file, is another suite.

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
 
+#include "common/degrees.h"
 #include "common/files/atomic_file.h"
 #include "study/spec/study_file.h"
 #include "study/spec/suite/drawn_surface.h"
@@ -102,7 +104,57 @@ TEST(DrawnSuite, KeepsItsLimits) {
   EXPECT_NEAR(cameras, count * 2 / 3, 4 * std::sqrt(count * 2.0 / 9));
 }
 
+/// How many methods of a list stand in a study of a point of light.
+std::size_t underPoints(const SuiteMethods& methods) {
+  return static_cast<std::size_t>(
+      std::count_if(methods.methods.begin(), methods.methods.end(),
+                    [](const toml::table& method) { return !method.contains("disc"); }));
+}
+
 class WrittenSuite : public TemporaryFolder {};
+
+/// suite-2 is suite-1 but for its name and its suns; methods with `disc` stand in its studies
+/// alone.
+TEST_F(WrittenSuite, LikeAnotherHasItsLightsAsDiscs) {
+  const SuiteSpec second = readSuite(standardSuiteFile().parent_path() / "suite-2.toml");
+  EXPECT_EQ(second.surfaces.size(), firstSuite().surfaces.size());
+  const DrawnSuite drawn = drawSuite(second, suiteMethods(), SuiteSplit::test, "1", 40);
+  writeSuite(drawn, "{}\n", file("suite"));
+  std::set<double> radii;
+  for (const SuiteStudy& study : drawn.studies) {
+    const StudySpec read = readStudy(file("suite") / study.file);
+    EXPECT_TRUE(read.name.starts_with("suite-2-test-"));
+    const double radius = degreesOf(read.lights.front().radius);
+    EXPECT_NEAR(radius, study.facts["radius"].value<double>().value(), 1e-9);
+    EXPECT_GE(radius, 0.2659);
+    EXPECT_LE(radius, 3.0001);
+    radii.insert(radius);
+    const auto ofDiscs = std::count_if(read.methods.begin(), read.methods.end(),
+                                       [](const MethodSpec& method) { return method.disc; });
+    EXPECT_EQ(static_cast<std::size_t>(ofDiscs),
+              suiteMethods().methods.size() - underPoints(suiteMethods()));
+  }
+  EXPECT_GT(radii.size(), 30U);
+}
+
+TEST_F(WrittenSuite, LikeAnotherIsRefusedWithOneLine) {
+  const auto messageFor = [&](const std::string& text) {
+    std::ofstream(file("like.toml")) << text;
+    return messageOf<InputError>([&] { readSuite(file("like.toml")); });
+  };
+  const std::string folder = standardSuiteFile().parent_path().string() + "/";
+  const std::string light = "[light]\nradius = 1\n";
+  const auto header = [&](const std::string& other) {
+    return "[suite]\nname = \"s\"\nlike = \"" + folder + other + "\"\n";
+  };
+  EXPECT_THAT(messageFor(header("suite-2.toml") + light),
+              HasSubstr("suite-2.toml found, a file with distributions of its own expected"));
+  EXPECT_THAT(messageFor(header("suite-1.toml")), HasSubstr("light"));
+  EXPECT_THAT(messageFor(header("suite-1.toml") + "[light]\nradius = 20\n"), HasSubstr("radius"));
+  EXPECT_THAT(messageFor(header("suite-1.toml") + light + "[map]\nside = 64\n"), HasSubstr("map"));
+  EXPECT_THAT(messageFor(header("suite-1.toml") + light + "elevation = 5\n"),
+              HasSubstr("elevation"));
+}
 
 /// Every study is read from where it was written, by itself.
 TEST_F(WrittenSuite, StandsOnItsOwn) {
@@ -114,8 +166,9 @@ TEST_F(WrittenSuite, StandsOnItsOwn) {
     EXPECT_EQ(read.lights.size(), 1U);
     EXPECT_EQ(read.views.size(), 1U);
     const bool isAtlas = std::holds_alternative<AtlasSpec>(read.views.front().kind);
-    EXPECT_EQ(read.methods.size(), suiteMethods().methods.size() - (isAtlas ? 1 : 0));
+    EXPECT_EQ(read.methods.size(), underPoints(suiteMethods()) - (isAtlas ? 1 : 0));
     for (const MethodSpec& method : read.methods) {
+      EXPECT_FALSE(method.disc);
       EXPECT_FALSE(isAtlas && method.label == "shadow-volume");
     }
     EXPECT_TRUE(study.text.starts_with(study.scene + "\n" + std::string(methodsMark)));
@@ -161,8 +214,8 @@ TEST_F(WrittenSuite, TrainVariesOneSettingAtATimeAndTestHasTheChosenOnes) {
   scene.facts = toml::parse("view = 'camera'");
   const toml::array train = methodsOf(chosen, scene, SuiteSplit::train);
   const toml::array test = methodsOf(chosen, scene, SuiteSplit::test);
-  EXPECT_EQ(train.size(), chosen.methods.size() + chosen.varied.size());
-  EXPECT_EQ(test.size(), chosen.methods.size() + 1);
+  EXPECT_EQ(train.size(), underPoints(chosen) + chosen.varied.size());
+  EXPECT_EQ(test.size(), underPoints(chosen) + 1);
   const toml::table& last = *test.back().as_table();
   EXPECT_EQ(last["label"].value<std::string>(), "max-forsyth, chosen");
   EXPECT_EQ(last["bake"]["azimuths"].value<int>(), 64);

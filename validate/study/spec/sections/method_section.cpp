@@ -63,7 +63,7 @@ MethodSpec readOwnMethod(const TomlReader& section, const MethodDefaults& defaul
   if (declared.subdivisions) method.base.subdivisions = *declared.subdivisions;
   method = changedMethod(section, std::move(method), defaults);
   if (method.label.empty()) {
-    method.label = stemText(method.file) + (method.disc ? " + disc" : "");
+    method.label = stemText(method.file) + (method.disc ? discLabel : "");
   }
   return method;
 }

@@ -12,6 +12,9 @@
 
 namespace gnomon::study {
 
+/// What follows the name of a method with `disc = true`, in its label.
+constexpr const char* discLabel = " + disc";
+
 /// `[[method]]`
 struct MethodSpec {
   std::filesystem::path file = {};  ///< its GLSL; empty where masks are given

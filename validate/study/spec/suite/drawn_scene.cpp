@@ -223,7 +223,9 @@ bool drawRest(const SuiteSpec& suite, const Families& families, RandomStream& ra
   toml::table lightSection;
   lightSection.insert("elevation", light.elevation);
   lightSection.insert("azimuth", light.azimuth);
+  if (suite.lightRadius) lightSection.insert("radius", suite.lightRadius->draw(random));
   toml::array lights;
+  const std::optional<double> radius = lightSection["radius"].value<double>();
   lights.push_back(std::move(lightSection));
   scene.study.insert("light", std::move(lights));
 
@@ -238,6 +240,7 @@ bool drawRest(const SuiteSpec& suite, const Families& families, RandomStream& ra
   if (!families.isBody()) facts.insert("kappa_height", roundedNumber(surface->curvature));
   facts.insert("elevation", light.elevation);
   facts.insert("azimuth", light.azimuth);
+  if (radius) facts.insert("radius", *radius);
   return true;
 }
 

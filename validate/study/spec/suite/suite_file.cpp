@@ -109,6 +109,23 @@ void requireMatches(const TomlReader& root, const SuiteSpec& suite) {
   }
 }
 
+/// Of a file that takes all from another, but its name and the size of its lights.
+SuiteSpec readLike(const TomlReader& root, const TomlReader& header,
+                   const std::filesystem::path& file) {
+  const std::filesystem::path other = file.parent_path() / header.text("like");
+  if (parseToml(other).at_path("suite.like")) {
+    header.fail("like", other.string() + " found, a file with distributions of its own expected");
+  }
+  SuiteSpec suite = readSuite(other);
+  suite.name = header.text("name");
+  header.finish();
+  const TomlReader light = root.table("light");
+  suite.lightRadius = readDistribution(light, "radius", {0, 10});
+  light.finish();
+  root.finish();
+  return suite;
+}
+
 }  // namespace
 
 SurfaceClass classOf(SurfaceKind kind) {
@@ -120,9 +137,10 @@ SurfaceClass classOf(SurfaceKind kind) {
 SuiteSpec readSuite(const std::filesystem::path& file) {
   const toml::table table = parseToml(file);
   const TomlReader root(table, file.string(), "");
+  const TomlReader header = root.table("suite");
+  if (header.has("like")) return readLike(root, header, file);
   SuiteSpec suite;
   suite.file = file;
-  const TomlReader header = root.table("suite");
   suite.name = header.text("name");
   suite.tries = header.integer("tries", 1, 1000000);
   header.finish();

@@ -74,6 +74,7 @@ struct SuiteSpec {
   Distribution lightElevation{{30}}, lightAzimuth{{0}}, bodyLightElevation{{30}};
   double aboveRim = 5;
   double leastFromCamera = 20, mostFromCamera = 110;  ///< degrees, of bodies
+  std::optional<Distribution> lightRadius;  ///< degrees, of the light's disc; none: a point
   // [view]
   int cameraWeight = 2, atlasWeight = 1;
   Distribution cameraElevation{{60}}, cameraAzimuth{{0}}, bodyCameraElevation{{0}};
@@ -84,7 +85,8 @@ struct SuiteSpec {
   int azimuths = 32, bits = 8, frames = 3;
 };
 
-/// Reads and checks the file of a suite.
+/// Reads and checks the file of a suite. One with `like = "suite-1.toml"` under `[suite]` has only
+/// its own name there, and `[light] radius`: all else is drawn as for that suite.
 /// @throws InputError naming file, line, key, what was found and what was expected
 SuiteSpec readSuite(const std::filesystem::path& file);
 

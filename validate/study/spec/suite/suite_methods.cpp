@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include "render/shader_files.h"
+#include "study/spec/sections/method_section.h"
 #include "study/spec/toml/toml_text.h"
 
 namespace gnomon::study {
 namespace {
 
-const KeyNames methodKeys = {"name", "file", "label", "filter", "bake", "base", "parameters"};
+const KeyNames methodKeys = {"name",   "file", "label", "disc",
+                             "filter", "bake", "base",  "parameters"};
 
 /// The first of some keys that a method has.
 std::string textOf(const toml::table& method, std::initializer_list<const char*> keys) {
@@ -21,6 +23,10 @@ std::string textOf(const toml::table& method, std::initializer_list<const char*>
 /// What a method is, whatever its label.
 std::string shaderOf(const toml::table& method) {
   return textOf(method, {"name", "file"});
+}
+
+bool isOfDisc(const toml::table& method) {
+  return method["disc"].value_or(false);
 }
 
 toml::table labelled(toml::table method, const std::string& what) {
@@ -72,7 +78,8 @@ const toml::node* settingOf(const toml::table& method, const std::string& key) {
 }
 
 std::string labelOfMethod(const toml::table& method) {
-  return textOf(method, {"label", "name", "file"});
+  const std::string name = textOf(method, {"label", "name", "file"});
+  return isOfDisc(method) && !method.contains("label") ? name + discLabel : name;
 }
 
 SuiteMethods readSuiteMethods(const std::filesystem::path& file,
@@ -115,9 +122,11 @@ std::filesystem::path standardMethodsFile() {
 toml::array methodsOf(const SuiteMethods& methods, const DrawnScene& scene, SuiteSplit split) {
   const std::int64_t sceneSubdivisions = scene.study["base"]["subdivisions"].value_or(1);
   const bool isCamera = scene.facts["view"] == "camera";
+  const bool isSoft = scene.facts.contains("radius");
   toml::array list;
   const auto add = [&](toml::table method) {
     if (!isCamera && methods.ofCameras.contains(shaderOf(method))) return;
+    if (!isSoft && isOfDisc(method)) return;
     multiply(method["base"]["subdivisions"].node(), sceneSubdivisions);
     multiply(method["parameters"]["light_pieces"].node(), sceneSubdivisions);
     list.push_back(std::move(method));

@@ -27,6 +27,7 @@ struct VariedMethod {
 /// few other values of each setting that they leave open, by its key below the method, as
 /// `vary = { "bake.azimuths" = [16, 64], "parameters.steps" = [32, 128] }`. `camera = true` says
 /// that a method answers at a camera's pixels alone: a study of an atlas goes without it.
+/// One with `disc = true` stands in studies of a disc of light alone.
 struct SuiteMethods {
   std::vector<toml::table> methods;  ///< without `vary`
   std::vector<VariedMethod> varied;  ///< by method and key, in the order of the file
