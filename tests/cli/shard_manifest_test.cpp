@@ -59,7 +59,7 @@ TEST_F(ShardManifestFile, IsReadAsItWasWritten) {
 TEST_F(ShardManifestFile, WhatIsNoneIsRefusedInOneLine) {
   EXPECT_THAT(messageOf<InputError>([&] { (void)readManifest(folder()); }),
               HasSubstr("no shard.json found"));
-  for (const std::string text :
+  for (const std::string& text :
        {std::string(), std::string("{}"), std::string("[1, 2"),
         manifestText(sample()).replace(manifestText(sample()).find("shard/1"), 7, "shard/9")}) {
     write(text);

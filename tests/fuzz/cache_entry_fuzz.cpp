@@ -31,13 +31,15 @@ constexpr std::array takers = {take<Mask>,
                                take<horizon::EllipseTable>,
                                take<horizon::AngleTable>,
                                take<compare::BlockErrors>,
-                               take<cache::BoundaryMetrics>,
+                               take<study::AnswerOutcome>,
                                take<compare::ShadowLengths>,
                                take<study::LayersRecord>,
                                take<std::optional<study::RefinementRecord>>,
                                take<study::MethodOutcome>,
                                take<std::string>,
-                               take<std::optional<bool>>};
+                               take<std::optional<bool>>,
+                               take<Visibility>,
+                               take<render::VisibilityAnswers>};
 
 }  // namespace
 
