@@ -108,6 +108,21 @@ set = { bake = { azimuths = 64 } }
   void add(Schema& schema, const std::string& heading, const std::string& file) const {
     addKeys(nlohmann::json::parse(read(file)), "", schema[heading]);
   }
+  /// What a disc of light adds to files.
+  void addSoft(Schema& schema) const {
+    const std::string text = replaced(smallStudy(), "elevation = 30", "elevation = 30\nradius = 3");
+    write("soft.toml", replaced(text, "\"small\"", "\"soft\""));
+    for (const char* command : {"run", "truth", "export"}) {
+      ASSERT_EQ(gnomon({command, "soft.toml"}).status, 0) << command;
+    }
+    add(schema, "summary.json", "out/soft/summary.json");
+    add(schema, "truth.json", "out/soft/truth/truth.json");
+    add(schema, "export.json", "out/soft/export/export.json");
+    const auto views = nlohmann::json::parse(read("out/soft/export/export.json"))["views"];
+    const std::string mask = "out/soft/export/" + views[0]["masks"][0]["truth"].get<std::string>();
+    ASSERT_EQ(gnomon({"compare", mask, mask, "--json", "soft.json"}).status, 0);
+    add(schema, "gnomon compare --json", "soft.json");
+  }
   void addColumns(Schema& schema, const std::string& heading, const std::string& file) const {
     std::istringstream head(read(file).substr(0, read(file).find('\n')));
     for (std::string column; std::getline(head, column, ',');) {
@@ -194,6 +209,8 @@ than = "unshadowed"
     const std::string below = key.substr(key.find('.') + 1);
     return below != key && written["gnomon compare --json"].contains(below);
   });
+
+  addSoft(written);
 
   ASSERT_EQ(gnomon({"run", "small.toml", "--shard", "1/1", "--out", "part"}).status, 0);
   add(written, "shard.json", "part/shard.json");
