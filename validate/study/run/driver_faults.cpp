@@ -39,8 +39,9 @@ std::string DriverFaults::faultText(render::PassKind kind, const std::string& fa
       render::passName(kind), fault, driver_.renderer, driver_.version);
 }
 
-std::string DriverFaults::faultOf(const MethodSpec& method) {
-  for (const render::PassKind kind : render::passesOf(declarationOf(method), method.filter)) {
+std::string DriverFaults::faultOf(const MethodSpec& method, bool isSoft) {
+  const auto kinds = render::passesOf(declarationOf(method), method.filter, isSoft);
+  for (const render::PassKind kind : kinds) {
     const std::string& fault = passFault(kind);
     if (!fault.empty()) return faultText(kind, fault);
   }

@@ -29,8 +29,9 @@ class DriverFaults {
 
   /// Why a method cannot be measured: the first kind of pass that it needs and that is rendered
   /// incorrectly, "this OpenGL gets shadow volumes wrong: …"; empty where all are correct.
+  /// @param isSoft  whether it answers with shares, under a disc of light
   /// @throws InputError for a method that cannot be read, as readMethod
-  std::string faultOf(const MethodSpec& method);
+  std::string faultOf(const MethodSpec& method, bool isSoft = false);
 
   /// @throws DriverError where a kind of pass is rendered incorrectly
   void require(render::PassKind kind);

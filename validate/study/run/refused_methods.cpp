@@ -40,8 +40,10 @@ MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults) {
   faults.requireViews(study);
   MeasurableStudy left;
   std::vector<std::string> labels;
+  const bool isSoft = std::any_of(study.lights.begin(), study.lights.end(),
+                                  [](const LightSpec& light) { return light.isSoft(); });
   for (const MethodSpec& method : study.methods) {
-    std::string fault = faults.faultOf(method);
+    std::string fault = faults.faultOf(method, isSoft);
     if (fault.empty()) continue;
     labels.push_back(method.label);
     left.refused.push_back({method.label, std::move(fault)});
@@ -49,15 +51,17 @@ MeasurableStudy measurable(const StudySpec& study, DriverFaults& faults) {
   if (!study.methods.empty() && labels.size() == study.methods.size()) {
     throw DriverError(fmt::format("nothing is measured: {}", left.refused.front().reason));
   }
-  const auto isWrong = [&](const MethodSpec& state) { return !faults.faultOf(state).empty(); };
+  const auto isWrong = [&](const MethodSpec& state) {
+    return !faults.faultOf(state, isSoft).empty();
+  };
   for (const LadderSpec& ladder : study.ladders) {
     const auto state = std::find_if(ladder.forward.begin(), ladder.forward.end(), isWrong);
     const auto other = std::find_if(ladder.backward.begin(), ladder.backward.end(), isWrong);
     if (state == ladder.forward.end() && other == ladder.backward.end()) continue;
     if (contains(labels, ladder.method)) continue;
     const MethodSpec& wrong = state != ladder.forward.end() ? *state : *other;
-    throw DriverError(
-        fmt::format("the ladder of {} is not measured: {}", ladder.method, faults.faultOf(wrong)));
+    throw DriverError(fmt::format("the ladder of {} is not measured: {}", ladder.method,
+                                  faults.faultOf(wrong, isSoft)));
   }
   if (!labels.empty()) left.reduced = withoutMethods(study, labels);
   return left;
