@@ -255,11 +255,11 @@ TEST_F(ViewerWindow, ABrokenShaderIsToldWithItsLineAndTheOldPictureStays) {
   EXPECT_EQ(viewer.status().at("panes"), figures);
 
   // Mended with another answer, it shows that answer.
-  const std::string opposite = "bool isShadowed(Pixel pixel, LocalLight light) {";
+  const std::string opposite = "float horizonSlope(Pixel pixel, LocalLight light) {";
   const std::size_t begin = good.find(opposite);
   ASSERT_NE(begin, std::string::npos);
   std::string mended = good;
-  mended.insert(begin + opposite.size(), "\n  return true;");
+  mended.insert(begin + opposite.size(), "\n  return 1e30;");
   write("shaders/methods/max-forsyth.glsl", mended);
   EXPECT_TRUE(viewer.waitFor([&](const json& now) {
     return now.at("errors").empty() && now.at("complete").get<bool>() &&
