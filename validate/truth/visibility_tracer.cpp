@@ -1,6 +1,7 @@
 #include "truth/visibility_tracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -16,29 +17,59 @@ namespace {
 
 constexpr std::size_t bandRows = 4;
 
-/// How many of some directions a facet's point sees.
-std::size_t seenFrom(const MicroScene& scene, const Facet& facet, double rayOffset,
-                     std::span<const Vec3> directions) {
-  const Vec3 origin = facet.rayOrigin(rayOffset);
-  std::size_t seen = 0;
-  RayBundle rays{};
-  const auto trace = [&] {
-    if (rays.count == 0) return;
-    seen += static_cast<std::uint32_t>(rays.count -
-                                       scene.occluded(rays, embree::Rays::coherent).count());
-    rays.count = 0;
-  };
-  for (const Vec3& direction : directions) {
-    if (facet.facesAwayFrom(direction)) continue;
-    rays.add(origin, direction);
-    if (rays.count == RayPacket::size) trace();
+/// Counts how many of their directions the points of facets see. Rays wait until sixteen are there.
+class SeenCounter {
+ public:
+  SeenCounter(const MicroScene& scene, double rayOffset) : scene_(scene), rayOffset_(rayOffset) {}
+
+  /// @param seen  grows by the number, by the next `finish` at the latest; must live till then
+  void add(const Facet& facet, std::span<const Vec3> directions, std::size_t& seen) {
+    const Vec3 origin = facet.rayOrigin(rayOffset_);
+    for (const Vec3& direction : directions) {
+      if (facet.facesAwayFrom(direction)) continue;
+      counts_[rays_.count] = &seen;
+      rays_.add(origin, direction);
+      if (rays_.count == RayPacket::size) finish();
+    }
   }
-  trace();
-  return seen;
+
+  void finish() {
+    if (rays_.count == 0) return;
+    const auto blocked = scene_.occluded(rays_, embree::Rays::coherent);
+    for (std::size_t k = 0; k < rays_.count; ++k) *counts_[k] += blocked[k] ? 0 : 1;
+    rays_.count = 0;
+  }
+
+ private:
+  const MicroScene& scene_;
+  double rayOffset_;  ///< world length
+  RayBundle rays_{};
+  std::array<std::size_t*, RayPacket::size> counts_{};
+};
+
+/// What is known of a sample from the hard light and some directions.
+enum class Begun : std::uint8_t { nothing, dark, lit, mixed };
+
+/// Every second of a list, from `first` on.
+std::vector<Vec3> everySecond(std::size_t first, std::span<const Vec3> list) {
+  std::vector<Vec3> some;
+  for (std::size_t k = first; k < list.size(); k += 2) some.push_back(list[k]);
+  return some;
 }
 
-/// What the directions that come first say of a sample.
-enum class Begun : std::uint8_t { nothing, dark, lit, mixed };
+/// Sorts points so that each four packets stand in a strip of the disc and each packet in a part of
+/// it: rays of a packet that are nearly parallel visit the same boxes.
+std::vector<Vec2> inPatches(std::vector<Vec2> points) {
+  constexpr std::size_t strip = 4 * RayPacket::size;
+  const auto place = [&](std::size_t k) {
+    return points.begin() + static_cast<std::ptrdiff_t>(std::min(k, points.size()));
+  };
+  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
+  for (std::size_t k = 0; k < points.size(); k += strip) {
+    std::sort(place(k), place(k + strip), [](const Vec2& a, const Vec2& b) { return a.y < b.y; });
+  }
+  return points;
+}
 
 /// The two passes over the samples of a view.
 class DiscTracer {
@@ -50,52 +81,101 @@ class DiscTracer {
         samples_(samples),
         hard_(hard),
         rayOffset_(mesh.rayOffset(settings.rayOffset)),
-        directions_(
-            discDirections(settings.light, settings.radius, discPoints(settings.directions))),
-        rim_(discDirections(settings.light, settings.radius, discRim(rimDirections))),
         isAdaptive_(settings.isAdaptive),
-        begun_(samples.samples.size(), Begun::nothing) {}
+        begun_(samples.samples.size(), Begun::nothing) {
+    const std::vector<Vec3> rim =
+        discDirections(settings.light, settings.radius, discRim(rimDirections));
+    for (const std::size_t k : {0, 1}) rims_[k] = everySecond(k, rim);
+    const std::vector<Vec3> all =
+        discDirections(settings.light, settings.radius, inPatches(discPoints(settings.directions)));
+    for (const std::size_t k : {0, 1}) halves_[k] = everySecond(k, all);
+  }
 
   Visibility trace(const Progress& progress) {
     const auto height = static_cast<std::size_t>(samples_.height);
     const std::size_t bands = (height + bandRows - 1) / bandRows;
     CountedProgress done(progress, 2 * bands);
-    const auto forEachSample = [&](const auto& work) {
+    const auto forEachBand = [&](const auto& work) {
       parallelFor(0, bands, [&](std::size_t band) {
         const FlushDenormals flush;
-        const std::size_t end = std::min(height, (band + 1) * bandRows) * width();
-        for (std::size_t i = band * bandRows * width(); i < end; ++i) {
-          if (hard_.samples[i] != Shade::none) work(i);
-        }
+        work(band * bandRows * width(), std::min(height, (band + 1) * bandRows) * width());
         done.advance();
       });
     };
-    forEachSample([&](std::size_t i) { begun_[i] = isAdaptive_ ? begin(i) : Begun::mixed; });
+    forEachBand([this](std::size_t first, std::size_t end) { begin(first, end); });
     Visibility found{samples_.width, samples_.height,
                      std::vector<float>(samples_.samples.size(), noSample)};
-    forEachSample([&](std::size_t i) {
-      found.shares[i] = !isSettled(i) ? shareOf(i) : begun_[i] == Begun::dark ? 0.0F : 1.0F;
-    });
+    forEachBand([&](std::size_t first, std::size_t end) { finish(first, end, found); });
     return found;
   }
 
  private:
   [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(samples_.width); }
 
-  [[nodiscard]] std::size_t seenOf(std::size_t i, std::span<const Vec3> directions) const {
-    return seenFrom(scene_, mesh_.facet(samples_.samples[i]), rayOffset_, directions);
+  /// Half of the rim, the other half at the neighbours in the row and in the column.
+  [[nodiscard]] std::span<const Vec3> rimOf(std::size_t i) const { return rims_[colourOf(i)]; }
+  [[nodiscard]] std::span<const Vec3> otherRimOf(std::size_t i) const {
+    return rims_[1 - colourOf(i)];
+  }
+  /// As of a chess board's squares.
+  [[nodiscard]] std::size_t colourOf(std::size_t i) const {
+    return (i % width() + i / width()) % 2;
   }
 
-  [[nodiscard]] float shareOf(std::size_t i) const {
-    return static_cast<float>(seenOf(i, directions_)) / static_cast<float>(directions_.size());
+  [[nodiscard]] Facet facetOf(std::size_t i) const { return mesh_.facet(samples_.samples[i]); }
+
+  /// What the hard light and the rim say of some samples.
+  void begin(std::size_t first, std::size_t end) {
+    std::vector<std::size_t> seen(end - first, 0);
+    SeenCounter counter(scene_, rayOffset_);
+    for (std::size_t i = first; isAdaptive_ && i < end; ++i) {
+      if (hard_.samples[i] != Shade::none) counter.add(facetOf(i), rimOf(i), seen[i - first]);
+    }
+    counter.finish();
+    for (std::size_t i = first; i < end; ++i) {
+      if (hard_.samples[i] == Shade::none) continue;
+      const bool isLit = hard_.samples[i] == Shade::lit;
+      const bool agrees = isAdaptive_ && seen[i - first] == (isLit ? rimOf(i).size() : 0);
+      begun_[i] = !agrees ? Begun::mixed : isLit ? Begun::lit : Begun::dark;
+    }
   }
 
-  [[nodiscard]] Begun begin(std::size_t i) const {
-    const std::size_t seen = seenOf(i, rim_);
-    const bool isLit = hard_.samples[i] == Shade::lit;
-    if (seen != (isLit ? rim_.size() : 0)) return Begun::mixed;
-    return isLit ? Begun::lit : Begun::dark;
+  /// The shares of some samples. Those that only neighbours call `mixed` are settled by the rest of
+  /// the rim and half of the directions, where these agree too.
+  void finish(std::size_t first, std::size_t end, Visibility& found) const {
+    std::vector<std::size_t> seen(end - first, 0);
+    std::vector<std::size_t> seenOfRim(end - first, 0);
+    SeenCounter counter(scene_, rayOffset_);
+    std::vector<std::size_t> open;
+    for (std::size_t i = first; i < end; ++i) {
+      if (begun_[i] == Begun::nothing) continue;
+      if (isSettled(i)) {
+        found.shares[i] = shareOf(begun_[i]);
+        continue;
+      }
+      open.push_back(i);
+      counter.add(facetOf(i), halves_[0], seen[i - first]);
+      if (begun_[i] != Begun::mixed) counter.add(facetOf(i), otherRimOf(i), seenOfRim[i - first]);
+    }
+    counter.finish();
+    std::erase_if(open, [&](std::size_t i) {
+      const bool agrees = begun_[i] == Begun::dark
+                              ? seen[i - first] + seenOfRim[i - first] == 0
+                              : begun_[i] == Begun::lit && seen[i - first] == halves_[0].size() &&
+                                    seenOfRim[i - first] == otherRimOf(i).size();
+      if (agrees) found.shares[i] = shareOf(begun_[i]);
+      return agrees;
+    });
+    for (const std::size_t i : open) counter.add(facetOf(i), halves_[1], seen[i - first]);
+    counter.finish();
+    for (const std::size_t i : open) {
+      found.shares[i] = static_cast<float>(seen[i - first]) /
+                        static_cast<float>(halves_[0].size() + halves_[1].size());
+    }
   }
+
+  /// V of a sample of which all directions say the same.
+  static float shareOf(Begun begun) { return begun == Begun::lit ? 1.0F : 0.0F; }
 
   /// Whether a sample and all its neighbours agree.
   [[nodiscard]] bool isSettled(std::size_t i) const {
@@ -117,8 +197,8 @@ class DiscTracer {
   const surface::SampleGrid& samples_;
   const Mask& hard_;
   double rayOffset_;
-  std::vector<Vec3> directions_;
-  std::vector<Vec3> rim_;
+  std::array<std::vector<Vec3>, 2> rims_;    ///< alternate places of the rim
+  std::array<std::vector<Vec3>, 2> halves_;  ///< alternate ones of the N directions
   bool isAdaptive_;
   std::vector<Begun> begun_;  ///< one a sample
 };

@@ -11,7 +11,7 @@
 
 namespace gnomon::truth {
 
-/// How many directions on the disc's edge every sample is traced toward.
+/// How many directions on the disc's edge come before those that count.
 constexpr int rimDirections = 16;
 
 /// A light's disc and how it is traced.
@@ -29,11 +29,15 @@ struct DiscSettings {
 /// turned from and along which a ray, which starts as the hard light's does (Facet::rayOrigin),
 /// meets nothing. The directions are the same for all samples.
 ///
-/// Every sample is first traced toward `rimDirections` on the disc's edge, which do not count.
-/// Where they agree with each other and with the hard light, which is the disc's centre, at a
-/// sample and at its eight neighbours in the view, the sample's V is 0 or 1 as they say; all others
-/// get the N. What is missed lies between these directions: of a straight edge no more than 0.0016
-/// of the disc (discRim), else slits and spikes that pass between them at nine samples.
+/// Every sample is first traced toward half of `rimDirections` on the disc's edge, which do not
+/// count: the samples take the one half or the other as a chess board its colours. Where they agree
+/// with each other and with the hard light, which is the disc's centre, at a sample and at its
+/// eight neighbours in the view, the sample's V is 0 or 1 as they say. A sample that only disagrees
+/// with a neighbour is traced toward the other half of the rim and every second of the N; where
+/// these agree too, its V is 0 or 1. All others get the N. What is missed lies between these
+/// directions: of a straight edge no more than 0.0016 of the disc (discRim) where the neighbours
+/// see it in the same place, else slits and spikes. Over rough reliefs |ΔV| is less than 1e-5 in
+/// the mean (tests).
 ///
 /// Results do not depend on the number of threads.
 /// @param hard      the hard light's answers at the same samples; V is `noSample` where it has none
