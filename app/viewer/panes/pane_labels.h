@@ -18,10 +18,12 @@ class PaneView {
   std::shared_ptr<const CurvaturePicture> shown_;  ///< what the texture holds
 };
 
-/// "2.41 % wrong: 1.20 % false shadow, 1.21 % false light; IoU 0.873".
+/// "2.41 % wrong: 1.20 % false shadow, 1.21 % false light; IoU 0.873"; of shares the mean of |ΔV|,
+/// "2.41 % mean |ΔV|: …".
 std::string figuresText(const PaneFigures& figures);
 
-/// What a pane's label says it shows: "onoue-2004 − truth".
-std::string titleOf(const PaneContent& content);
+/// What a pane's label says it shows: "onoue-2004 − truth"; under a light with a disc
+/// "V of onoue-2004, radius 0.266°".
+std::string titleOf(const PaneContent& content, const LightAngles& light);
 
 }  // namespace gnomon::app

@@ -147,6 +147,10 @@ void ControlPanel::light(ViewState& state) {
   heading("Light, degrees");
   slider("azimuth", "light.azimuth", state.light.azimuth, 0, 360, "%.1f");
   slider("elevation", "light.elevation", state.light.elevation, -10, 90, "%.1f");
+  slider("radius", "light.radius", state.light.radius, 0, study::largestLightRadius, "%.3f");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("sun")) state.light.radius = study::sunRadius;
+  note("light.sun");
 }
 
 void ControlPanel::surface(ViewSession& session) {

@@ -55,6 +55,10 @@ class ViewSessionTest : public ViewedStudy {
            }) &&
            comesTrue([&] { return !session.tracing().busy; });
   }
+  static std::optional<Mask> maskOf(ViewSession& session, std::size_t pane) {
+    const auto answers = session.answersOf(pane);
+    return answers ? std::optional(std::get<Mask>(*answers)) : std::nullopt;
+  }
   static double errorRate(const ViewSession& session) {
     const auto& figures = session.pane(0).figures;
     return figures && figures->errorRate.value ? *figures->errorRate.value : -1;
@@ -93,18 +97,18 @@ TEST_F(ViewSessionTest, AMethodLabelledDisplacedIsThatMethod) {
       << "[[method]]\nname = \"unshadowed\"\nlabel = \"displaced\"\n";
   ViewSession session(request({"displaced"}), [] {});
   ASSERT_TRUE(completes(session));
-  const auto mask = session.maskOf(0);
+  const auto mask = maskOf(session, 0);
   ASSERT_TRUE(mask) << "the ray-traced surface has none";
   const double error = errorRate(session);
   session.state().panes[0] = {methodSource("unshadowed")};
   ASSERT_TRUE(completes(session));
-  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+  EXPECT_EQ(maskOf(session, 0)->samples, mask->samples);
   EXPECT_EQ(errorRate(session), error);
   EXPECT_GT(error, 0);
   // The surface is still there to be looked at.
   session.state().panes[0] = {displacedSurface};
   ASSERT_TRUE(completes(session));
-  EXPECT_FALSE(session.maskOf(0));
+  EXPECT_FALSE(maskOf(session, 0));
   EXPECT_FALSE(session.pane(0).figures);
 }
 
@@ -146,7 +150,7 @@ TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileCh
   session.state().changes.methods["mine"].bake.azimuths = 16;
   ASSERT_TRUE(completes(session));
   EXPECT_EQ(trials, 1) << "its file is the same";
-  const auto mask = session.maskOf(0);
+  const auto mask = maskOf(session, 0);
   ASSERT_TRUE(mask);
   std::ofstream(mine) << text << "float broken = ;\n// fatal\n";
   ASSERT_TRUE(comesTrue([&] {
@@ -156,7 +160,7 @@ TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileCh
   EXPECT_EQ(trials, 2);
   EXPECT_EQ(session.errors(), std::vector<std::string>{"mine.glsl: it crashes"})
       << "the driver has compiled it";
-  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+  EXPECT_EQ(maskOf(session, 0)->samples, mask->samples);
 }
 
 TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
@@ -171,8 +175,8 @@ TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
   const test::ScopedVariable shaders("GNOMON_SHADERS", file("shaders").c_str());
   ViewSession session(request({"max-forsyth", "shadow-volume"}), [] {});
   ASSERT_TRUE(completes(session));
-  EXPECT_TRUE(session.maskOf(0));
-  EXPECT_FALSE(session.maskOf(1));
+  EXPECT_TRUE(maskOf(session, 0));
+  EXPECT_FALSE(maskOf(session, 1));
   EXPECT_FALSE(session.pane(1).figures);
   EXPECT_EQ(session.pane(1).note, "not shown: see the message");
   ASSERT_EQ(session.errors().size(), 1U);
@@ -184,7 +188,7 @@ TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
     session.update();
     return session.errors().empty() && session.isComplete();
   }));
-  EXPECT_TRUE(session.maskOf(1));
+  EXPECT_TRUE(maskOf(session, 1));
   // What all methods need is not checked in vain either.
   const fs::path samples = file("shaders/common/samples.frag");
   const std::string turned =
