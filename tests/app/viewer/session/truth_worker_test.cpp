@@ -23,8 +23,9 @@ class TruthTracerTest : public ViewedStudy {
                 [] {}) {}
 
   /// Every face's parameters along the rows, with some pixels that show nothing.
-  [[nodiscard]] std::shared_ptr<const surface::SampleGrid> samples() const {
-    surface::SampleGrid grid{61, 37, {}};
+  [[nodiscard]] std::shared_ptr<const surface::SampleGrid> samples(int width = 61,
+                                                                   int height = 37) const {
+    surface::SampleGrid grid{width, height, {}};
     const int faces = scene_->surface->faceCount();
     for (int i = 0; i < grid.width * grid.height; ++i) {
       const auto share = [i](int step) { return static_cast<float>(i * step % 97) / 97; };
@@ -84,11 +85,13 @@ TEST_F(TruthTracerTest, EndsWithTheMaskThatARunTraces) {
 /// In bands, while a run traces the whole view at once.
 TEST_F(TruthTracerTest, UnderADiscEndsWithTheSharesThatARunTraces) {
   TruthRequest asked = request();
-  asked.light.radius = radians(4);
+  asked.views = {{scene_->standardMesh(), samples(61, 100)}};
+  asked.light.radius = radians(study::largestLightRadius);
   worker_.request(asked);
   const auto found = truths();
   ASSERT_FALSE(found.empty());
   EXPECT_LT(found.front().share(), 1);
+  ASSERT_EQ(found.back().share(), 1);
   const truth::MicroMesh mesh(*scene_->surface, scene_->study->relief, scene_->study->truth);
   const truth::MicroScene scene(mesh);
   const truth::Truth hard = truth::traceShadows(
