@@ -89,6 +89,9 @@ void ControlPanel::paneChoice(ViewSession& session, std::size_t pane) {
   const auto open = [&](const char* id, const std::string& list, const std::string& shown) {
     const bool isOpen = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge);
     note(list);
+    if (isOpen && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+      ImGui::CloseCurrentPopup();
+    }
     return isOpen;
   };
   const std::string name = fmt::format("pane.{}", pane);
