@@ -266,6 +266,38 @@ TEST_F(ViewerWindow, ADiscOfLightIsMeasuredAsTheSavedStudyMeasuresIt) {
   EXPECT_EQ(same, 2U);
 }
 
+/// Also with one pane: the other content comes into it, and goes again.
+TEST_F(ViewerWindow, TheFirstTwoPanesFlip) {
+  DrivenViewer viewer = open({"--show", "max-forsyth", "--show", "truth"});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const auto shows = [](const json& now, std::size_t pane, const char* content) {
+    return now.at("panes")[pane].at("shows") == content;
+  };
+  viewer.key("f");
+  EXPECT_TRUE(viewer.waitFor(
+      [&](const json& now) { return shows(now, 0, "truth") && shows(now, 1, "max-forsyth"); }));
+  viewer.key("1");
+  viewer.key("f");
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) {
+    return now.at("panes").size() == 1 && shows(now, 0, "max-forsyth");
+  }));
+  viewer.key("f");
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) { return shows(now, 0, "truth"); }));
+}
+
+TEST_F(ViewerWindow, ADropDownClosesOnEscape) {
+  DrivenViewer viewer = open({"--show", "max-forsyth"});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const auto isOpen = [](const json& now) {
+    return now.at("controls").contains("pane.0.shown.truth");
+  };
+  viewer.clickControl("pane.0.shown");
+  ASSERT_TRUE(viewer.waitFor(isOpen)) << viewer.status().dump(2);
+  viewer.key("Escape");
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) { return !isOpen(now); }, 10));
+  EXPECT_EQ(viewer.status().at("panes")[0].at("shows"), "max-forsyth");
+}
+
 TEST_F(ViewerWindow, OverlaysAndTheListOfKeysComeAndGo) {
   DrivenViewer viewer = open({});
   ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
