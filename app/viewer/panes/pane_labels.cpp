@@ -172,6 +172,25 @@ std::string percent(const compare::Metric& metric) {
 
 }  // namespace
 
+void drawPixelText(ViewSession& session, PixelProbe& probe, const WindowLayout& layout,
+                   Vec2 cursor) {
+  const int pane = paneUnder(layout, cursor, session.state().wipe);
+  if (pane < 0) return;
+  const Camera& camera = session.state().camera;
+  const auto pixel = pixelUnder(cursor, layout.panes.at(static_cast<std::size_t>(pane)),
+                                camera.width, camera.height);
+  const std::string text = pixel ? probe.textOf(session, *pixel) : "";
+  if (text.empty()) return;
+  const PaneRectangle& pictures = layout.pictures;
+  const double width = ImGui::CalcTextSize(text.c_str()).x + 2 * chipPadding;
+  const double height = ImGui::GetTextLineHeight() + 2 * chipPadding;
+  const double right = pictures.corner.x + pictures.size.x;
+  const bool fitsBelow = cursor.y + 14 + height < pictures.corner.y + pictures.size.y;
+  const Vec2 corner(std::max(pictures.corner.x, std::min(cursor.x + 14, right - width)),
+                    cursor.y + (fitsBelow ? 14 : -14 - height));
+  drawChip(*ImGui::GetForegroundDrawList(), corner, pictures.size.x, {text}, false, true);
+}
+
 std::string titleOf(const PaneContent& content, const LightAngles& light) {
   if (content.shown == displacedSurface) return "displaced surface, ray-traced";
   std::string title = sourceText(content.shown);

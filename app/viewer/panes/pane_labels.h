@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viewer/panes/layout.h"
+#include "viewer/session/pixel_probe.h"
 #include "viewer/session/view_session.h"
 
 namespace gnomon::app {
@@ -17,6 +18,10 @@ class PaneView {
   int width_ = 0, height_ = 0;
   std::shared_ptr<const CurvaturePicture> shown_;  ///< what the texture holds
 };
+
+/// What is known of the pixel under the cursor, beside it; nothing off the surface.
+void drawPixelText(ViewSession& session, PixelProbe& probe, const WindowLayout& layout,
+                   Vec2 cursor);
 
 /// "2.41 % wrong: 1.20 % false shadow, 1.21 % false light; IoU 0.873"; of shares the mean of |ΔV|,
 /// "2.41 % mean |ΔV|: …".

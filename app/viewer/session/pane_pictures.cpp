@@ -246,18 +246,16 @@ bool PanePictures::draw(const DrawnScene& scene, const ViewState& state, const K
   return drawn;
 }
 
-std::optional<Answers> PanePictures::answersOf(const DrawnScene& scene, const ViewState& state,
-                                               const KnownTruth& truth,
-                                               const PaneContent& content) {
-  if (content.isDifference() || content.shown == displacedSurface) return std::nullopt;
+const Answers* PanePictures::answersOf(const DrawnScene& scene, const ViewState& state,
+                                       const KnownTruth& truth, const PaneContent& content) {
+  if (content.isDifference() || content.shown == displacedSurface) return nullptr;
   const auto mesh = meshOf(scene, content);
-  if (!mesh) return std::nullopt;
+  if (!mesh) return nullptr;
   const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, *mesh, state.camera);
   if (content.shown == tracedTruth) {
-    return partial != nullptr ? std::optional(partial->answers) : std::nullopt;
+    return partial != nullptr ? &partial->answers : nullptr;
   }
-  const Answers* answers = methodAnswers(scene, state, content.shown.label, serial_);
-  return answers != nullptr ? std::optional(*answers) : std::nullopt;
+  return methodAnswers(scene, state, content.shown.label, serial_);
 }
 
 }  // namespace gnomon::app

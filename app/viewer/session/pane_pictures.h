@@ -50,10 +50,10 @@ class PanePictures {
             std::uint64_t serial);
 
   [[nodiscard]] const PanePicture& pane(std::size_t index) const { return panes_.at(index).shown; }
-  /// What a pane shows: a method's answers, or the truth's as far as traced. None for others.
-  [[nodiscard]] std::optional<Answers> answersOf(const DrawnScene& scene, const ViewState& state,
-                                                 const KnownTruth& truth,
-                                                 const PaneContent& content);
+  /// What a pane shows: a method's answers, or the truth's as far as traced. Null for others. Valid
+  /// until the next drawing.
+  [[nodiscard]] const Answers* answersOf(const DrawnScene& scene, const ViewState& state,
+                                         const KnownTruth& truth, const PaneContent& content);
   /// The pixels that a mesh shows.
   [[nodiscard]] surface::SampleGrid samplesOf(const DrawnScene& scene, study::MeshChoice mesh,
                                               const Camera& camera) const;

@@ -180,7 +180,9 @@ void ViewSession::askForTruth() {
     if (mesh && needsTruth(content)) meshes.insert(*mesh);
   }
   const study::MeshChoice standard = scene()->standardMesh();
-  if (state_.overlays.curvature || state_.overlays.section) meshes.insert(standard);
+  if (state_.overlays.curvature || state_.overlays.section || state_.overlays.pixel) {
+    meshes.insert(standard);
+  }
   for (const study::MeshChoice& mesh : meshes) {
     asked += fmt::format("\n{} {} {}", static_cast<int>(mesh.kind), mesh.base.subdivisions,
                          static_cast<int>(mesh.base.curvature));
@@ -287,9 +289,8 @@ double ViewSession::tracedShare(std::size_t pane) const {
   return found == truth_.truths.end() ? 0 : found->second.share();
 }
 
-std::optional<Answers> ViewSession::answersOf(std::size_t pane) {
-  if (!hasScene()) return std::nullopt;
-  return pictures_.answersOf(scene_, state_, truth_, state_.panes.at(pane));
+const Answers* ViewSession::answersOf(const PaneContent& content) {
+  return hasScene() ? pictures_.answersOf(scene_, state_, truth_, content) : nullptr;
 }
 
 const surface::SampleGrid* ViewSession::samples() const {

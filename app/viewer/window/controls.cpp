@@ -235,8 +235,9 @@ void ControlPanel::overlays(ViewState& state) {
   Overlays& overlays = state.overlays;
   for (const auto& [name, isOn] : {std::pair("curvature", &overlays.curvature),
                                    {"directions", &overlays.directions},
-                                   {"section", &overlays.section}}) {
-    if (isOn != &overlays.curvature) ImGui::SameLine();
+                                   {"section", &overlays.section},
+                                   {"pixel", &overlays.pixel}}) {
+    if (isOn != &overlays.curvature && isOn != &overlays.pixel) ImGui::SameLine();
     ImGui::Checkbox(fmt::format("{}##overlay", name).c_str(), isOn);
     note(fmt::format("overlay.{}", name));
   }

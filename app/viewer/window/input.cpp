@@ -17,7 +17,7 @@ namespace {
 
 /// Keys and what they do.
 using KeyHelp = std::pair<std::string_view, std::string_view>;
-constexpr std::array<KeyHelp, 19> keyHelp = {{
+constexpr std::array<KeyHelp, 20> keyHelp = {{
     {"drag", "turn the surface"},
     {"right drag", "move the surface"},
     {"scroll, + \u2212", "nearer, farther"},
@@ -32,6 +32,7 @@ constexpr std::array<KeyHelp, 19> keyHelp = {{
     {"K", "normal curvature along the light"},
     {"V", "principal directions"},
     {"X", "cross-section through the pixel under the cursor"},
+    {"I", "what is known of that pixel"},
     {"R", "the study's own camera and light"},
     {"S P M", "save: study, picture, masks"},
     {"Tab", "controls, on and off"},
@@ -138,6 +139,7 @@ InputActions Input::press(ViewSession& session, std::span<const int> keys) {
   if (pressed(GLFW_KEY_K)) state.overlays.curvature = !state.overlays.curvature;
   if (pressed(GLFW_KEY_V)) state.overlays.directions = !state.overlays.directions;
   if (pressed(GLFW_KEY_X)) state.overlays.section = !state.overlays.section;
+  if (pressed(GLFW_KEY_I)) state.overlays.pixel = !state.overlays.pixel;
   if (pressed(GLFW_KEY_TAB)) state.panel = !state.panel;
   if (pressed(GLFW_KEY_R)) session.resetView();
   constexpr double degrees = 1;

@@ -58,8 +58,8 @@ std::string savePicture(const ViewSession& session, const image::Image& picture)
 std::string saveMasks(ViewSession& session) {
   std::string said;
   for (std::size_t i = 0; i < static_cast<std::size_t>(session.state().paneCount); ++i) {
-    const auto answers = session.answersOf(i);
-    if (!answers) continue;
+    const Answers* answers = session.answersOf(session.state().panes.at(i));
+    if (answers == nullptr) continue;
     const std::string shown = sourceText(session.state().panes.at(i).shown);
     const fs::path path =
         freePath(session, fmt::format("_{}.png", study::fileNames({shown}).front()));

@@ -53,7 +53,8 @@ json screen(const ViewSession& session) {
           {"overlays",
            {{"curvature", state.overlays.curvature},
             {"directions", state.overlays.directions},
-            {"section", state.overlays.section}}},
+            {"section", state.overlays.section},
+            {"pixel", state.overlays.pixel}}},
           {"panel", state.panel},
           {"help", state.help},
           {"errors", session.errors()}};

@@ -1,11 +1,13 @@
 #include "viewer/session/view_session.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <atomic>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "app/viewer/viewed_study.h"
@@ -15,6 +17,8 @@
 #include "render/shader_files.h"
 #include "support/replaced.h"
 #include "support/scoped_variable.h"
+#include "truth/global_occluder.h"
+#include "viewer/session/pixel_probe.h"
 #include "viewer/window/saved_view.h"
 #include "viewer/window/status_file.h"
 
@@ -56,8 +60,8 @@ class ViewSessionTest : public ViewedStudy {
            comesTrue([&] { return !session.tracing().busy; });
   }
   static std::optional<Mask> maskOf(ViewSession& session, std::size_t pane) {
-    const auto answers = session.answersOf(pane);
-    return answers ? std::optional(std::get<Mask>(*answers)) : std::nullopt;
+    const Answers* answers = session.answersOf(session.state().panes.at(pane));
+    return answers != nullptr ? std::optional(std::get<Mask>(*answers)) : std::nullopt;
   }
   static double errorRate(const ViewSession& session) {
     const auto& figures = session.pane(0).figures;
@@ -161,6 +165,46 @@ TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileCh
   EXPECT_EQ(session.errors(), std::vector<std::string>{"mine.glsl: it crashes"})
       << "the driver has compiled it";
   EXPECT_EQ(maskOf(session, 0)->samples, mask->samples);
+}
+
+/// Its answers are those of the panes, its region that of a trace of the whole view.
+TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
+  ViewSession session(request({"max-forsyth"}), [] {});
+  session.state().overlays.pixel = true;
+  ASSERT_TRUE(completes(session));
+  const surface::SampleGrid& samples = *session.samples();
+  const SceneData& scene = *session.scene();
+  const TracedMesh& traced = *session.traced();
+  const truth::TraceSettings light{scene.study->lights.front().direction(),
+                                   scene.study->bake.settings.radiusTexels,
+                                   truth::standardRayOffset};
+  truth::Truth truth = truth::traceShadows(*scene.surface, scene.study->relief, traced.mesh,
+                                           traced.scene, samples, light);
+  truth::markGlobal(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
+                    truth::SurfacePaths(*scene.surface), {}, samples, {&light, 1}, {&truth, 1});
+  const Mask mask = *maskOf(session, 0);
+  const auto word = [](Shade shade) { return shade == Shade::lit ? "lit" : "shadow"; };
+  PixelProbe probe;
+  std::set<truth::Region> regions;
+  for (std::size_t i = 0; i < mask.size(); i += 7) {
+    const auto width = static_cast<std::size_t>(samples.width);
+    const ViewPixel pixel{static_cast<int>(i % width), static_cast<int>(i / width)};
+    const std::string text = probe.textOf(session, pixel);
+    if (mask.samples[i] == Shade::none) {
+      EXPECT_EQ(text, "");
+      continue;
+    }
+    EXPECT_THAT(text, ::testing::StartsWith(fmt::format(
+                          "max-forsyth {}, truth {}: {}; horizon ", word(mask.samples[i]),
+                          word(truth.mask.samples[i]), truth::regionName(truth.regions[i]))));
+    regions.insert(truth.regions[i]);
+  }
+  EXPECT_GE(regions.size(), 3U);
+  // Under a disc the answers are shares.
+  session.state().light.radius = 5;
+  ASSERT_TRUE(completes(session));
+  EXPECT_THAT(probe.textOf(session, {samples.width / 2, samples.height / 2}),
+              ::testing::MatchesRegex("max-forsyth V [01]\\.000, truth V [01]\\.[0-9]+: .*"));
 }
 
 TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
