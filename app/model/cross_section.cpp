@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/disc_share.h"
 #include "surface/curvature.h"
 #include "surface/texel_frame.h"
 
@@ -14,8 +15,24 @@ double sinc(double angle) {
   return std::abs(angle) < 1e-8 ? 1 : std::sin(angle) / angle;
 }
 
-SectionHorizons formulasOn(const horizon::HorizonLookups& at, double lightSlope) {
-  const auto horizon = [&](double slope) { return SectionHorizon{slope, !(lightSlope > slope)}; };
+/// The elevation of a ray of the plane over the tangent plane, radians.
+double elevationOf(Vec2 ray) {
+  return std::atan2(ray.y, ray.x);
+}
+
+Vec2 rayAt(double elevation) {
+  return {std::cos(elevation), std::sin(elevation)};
+}
+
+SectionHorizons formulasOn(const horizon::HorizonLookups& at, const CrossSection& section) {
+  const auto horizon = [&](double slope) {
+    const bool shadowed = !(section.lightSlope > slope);
+    const double over = elevationOf(section.lightDirection) - CrossSection::angle(slope);
+    const double share = section.lightRadius > 0 ? discShare(over / section.lightRadius)
+                         : shadowed              ? 0
+                                                 : 1;
+    return SectionHorizon{slope, shadowed, share};
+  };
   SectionHorizons all;
   all.lookups = at;
   all.flat = horizon(at.slope);
@@ -25,6 +42,8 @@ SectionHorizons formulasOn(const horizon::HorizonLookups& at, double lightSlope)
   all.bare = horizon(horizon::bareHorizon(at.curvature, at.height));
   all.onoue2004 = all.smallAngle.shadowed || all.bare.shadowed;
   all.onoueExact = all.exact.shadowed || all.bare.shadowed;
+  all.onoue2004Share = std::min(all.smallAngle.share, all.bare.share);
+  all.onoueExactShare = std::min(all.exact.share, all.bare.share);
   all.onoue2003 = at.curvature > 0 ? all.onoue2004 : all.flat.shadowed;
   return all;
 }
@@ -86,6 +105,9 @@ std::optional<CrossSection> crossSection(const surface::LimitSurface& surface,
   section.worldPerHeight = relief::worldPerHeight(relief.space, frame);
   section.lightSlope = local.slope;
   section.lightDirection = {glm::dot(light, section.along), glm::dot(light, section.up)};
+  section.lightRadius = settings.lightRadius;
+  section.lowestRay = rayAt(elevationOf(section.lightDirection) - settings.lightRadius);
+  section.highestRay = rayAt(elevationOf(section.lightDirection) + settings.lightRadius);
 
   section.profile = horizon::heightProfile(relief.field, frame.texel, local.direction,
                                            settings.radiusTexels, settings.behindTexels);
@@ -93,13 +115,13 @@ std::optional<CrossSection> crossSection(const surface::LimitSurface& surface,
       horizon::flatHorizon(relief.field, frame.texel, local.direction, settings.radiusTexels);
   section.eye = {0, section.worldPerHeight * relief.field.at(frame.texel)};
   const horizon::HorizonLookups here = inWorld(section, section.horizon);
-  section.here = formulasOn(here, section.lightSlope);
+  section.here = formulasOn(here, section);
   if (tables != nullptr) {
     const auto entry = [&](const horizon::StoredTable& table) {
       return horizon::filteredValue(table, tables->shape, frame.texel, local.azimuth());
     };
     const horizon::FlatHorizon filtered{entry(tables->horizon), entry(tables->distance)};
-    section.fromTables = formulasOn(inWorld(section, filtered), section.lightSlope);
+    section.fromTables = formulasOn(inWorld(section, filtered), section);
   }
   bend(section);
   section.horizonPoint =

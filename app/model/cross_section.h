@@ -22,7 +22,8 @@ namespace gnomon::app {
 /// A light's horizon as one formula sees it. Shadowed where tan θ > horizon does not hold.
 struct SectionHorizon {
   double slope = 0;       ///< tan β′ over the tangent plane; may be minus infinity
-  bool shadowed = false;  ///< what it says of the light
+  bool shadowed = false;  ///< what it says of the light's centre
+  double share = 1;       ///< V of the light's disc over it by `discShare`; of a point 0 or 1
 };
 
 /// All formulas on one pair of δ and d.
@@ -33,9 +34,11 @@ struct SectionHorizons {
   SectionHorizon unreduced;         ///< the formula without a number
   SectionHorizon exact;             ///< on the osculating circle
   SectionHorizon bare;              ///< (3): minus infinity where κ ≤ 0
-  bool onoue2003 = false;   ///< shadowed by (2) or (3), with κ counted as 0 where it is below
-  bool onoue2004 = false;   ///< shadowed by (2) or (3)
-  bool onoueExact = false;  ///< shadowed by `exact` or (3)
+  bool onoue2003 = false;      ///< shadowed by (2) or (3), with κ counted as 0 where it is below
+  bool onoue2004 = false;      ///< shadowed by (2) or (3)
+  bool onoueExact = false;     ///< shadowed by `exact` or (3)
+  double onoue2004Share = 1;   ///< V over the larger of (2) and (3)
+  double onoueExactShare = 1;  ///< V over the larger of `exact` and (3)
 };
 
 /// The tables that a method reads.
@@ -51,6 +54,9 @@ struct CrossSection {
   double worldPerHeight;  ///< a: world length of one height unit
   double lightSlope;      ///< tan θ; ±infinity for a light along the normal
   Vec2 lightDirection;    ///< the unit ray toward the light, in the plane
+  double lightRadius;     ///< ρ of its disc, radians; 0 for a point
+  Vec2 lowestRay;         ///< the unit ray toward the disc's lowest point, in the plane
+  Vec2 highestRay;        ///< likewise
 
   /// Figure 1: the flat relief along the light's azimuth, height units over texels.
   horizon::HeightProfile profile;
@@ -81,6 +87,7 @@ struct CrossSection {
 struct SectionSettings {
   double radiusTexels = 128;  ///< D > 0: how far the profile and the search for the horizon reach
   double behindTexels = 8;    ///< ≥ 0: how much of the profile lies behind the sample
+  double lightRadius = 0;     ///< ρ of the light's disc, radians
 };
 
 /// Where a height over arc length s on a circle of curvature κ lies, (x, y) as above:
@@ -88,7 +95,7 @@ struct SectionSettings {
 Vec2 onOsculatingCircle(double curvature, double arcLength, double height);
 
 /// @param tables  those of a method, for `fromTables`; null for none
-/// @param light   unit vector toward the light
+/// @param light   unit vector toward the light, its disc's centre
 /// @return nothing where there is no sample or no frame
 std::optional<CrossSection> crossSection(const surface::LimitSurface& surface,
                                          const relief::Relief& relief,

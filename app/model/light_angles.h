@@ -8,6 +8,7 @@ namespace gnomon::app {
 struct LightAngles {
   double azimuth = 0;     ///< counter-clockwise from +x about +z, [0, 360) after a drag
   double elevation = 45;  ///< over the xy plane, -90 to 90
+  double radius = 0;      ///< of its disc, 0 to study::largestLightRadius; 0 is a point
   friend bool operator==(const LightAngles&, const LightAngles&) = default;
 };
 

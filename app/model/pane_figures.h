@@ -4,15 +4,17 @@
 #include <cstdint>
 #include <span>
 
-#include "common/mask.h"
 #include "compare/rates.h"
+#include "model/answers.h"
 
 namespace gnomon::app {
 
 /// What a pane says of its method, against as much of the truth as has been traced.
 struct PaneFigures {
-  compare::Metric errorRate, falseShadow, falseLight, iou;  ///< over the traced samples
-  double tracedShare = 0;                                   ///< of the view's samples, 0 to 1
+  /// Over the traced samples. Of shares the error rate is the mean of |ΔV|.
+  compare::Metric errorRate, falseShadow, falseLight, iou;
+  double tracedShare = 0;  ///< of the view's samples, 0 to 1
+  bool isSoft = false;     ///< of shares, not of masks
 };
 
 /// The figures of `compare` over the traced samples; with all of them traced those that a run
@@ -22,8 +24,8 @@ struct PaneFigures {
 /// @param traced   one a sample, non-zero where the truth has been traced
 /// @param weights  as in countSamples: areas in an atlas view, empty for a camera's
 /// @throws InputError as countSamples: for other sizes, and for a candidate without an answer at a
-///   traced sample
-PaneFigures paneFigures(const Mask& candidate, const Mask& truth,
+///   traced sample; InternalError for answers of two kinds
+PaneFigures paneFigures(const Answers& candidate, const Answers& truth,
                         std::span<const std::uint8_t> traced, std::span<const double> weights = {});
 
 }  // namespace gnomon::app

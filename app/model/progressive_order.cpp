@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <limits>
+#include <type_traits>
 
 #include "common/error.h"
 #include "common/parallel.h"
@@ -38,49 +39,71 @@ void appendTile(const surface::SampleGrid& grid, int stride, bool isCoarsest, in
   }
 }
 
-/// The answers so far around one sample.
+/// The answers so far around one sample of a mask or a map of shares.
+template <typename Map>
 class Preview {
  public:
-  Preview(const Mask& truth, std::span<const std::uint8_t> traced, int coarsest)
+  using Value = std::remove_cvref_t<decltype(absentIn(Map{}))>;
+
+  Preview(const Map& truth, std::span<const std::uint8_t> traced, int coarsest)
       : truth_(truth), traced_(traced), coarsest_(coarsest) {}
 
-  [[nodiscard]] Shade at(int column, int row) const {
-    const Shade own = answer(column, row);
-    if (own != Shade::none) return own;
+  [[nodiscard]] Value at(int column, int row) const {
+    const Value own = answer(column, row);
+    if (isAnswer(own)) return own;
     for (int stride = 2; stride <= coarsest_; stride *= 2) {
-      const Shade near = nearest(column, row, stride);
-      if (near != Shade::none) return near;
+      const Value near = nearest(column, row, stride);
+      if (isAnswer(near)) return near;
     }
-    return Shade::none;
+    return absentIn(truth_);
   }
 
  private:
-  [[nodiscard]] Shade answer(int column, int row) const {
-    if (column >= truth_.width || row >= truth_.height) return Shade::none;
+  [[nodiscard]] Value answer(int column, int row) const {
+    if (column >= truth_.width || row >= truth_.height) return absentIn(truth_);
     const std::size_t index = indexOf(truth_.width, column, row);
-    return traced_[index] != 0 ? truth_.samples[index] : Shade::none;
+    return traced_[index] != 0 ? valuesOf(truth_)[index] : absentIn(truth_);
   }
 
   /// That of the nearest node with one among the four about a sample.
-  [[nodiscard]] Shade nearest(int column, int row, int stride) const {
-    Shade best = Shade::none;
+  [[nodiscard]] Value nearest(int column, int row, int stride) const {
+    Value best = absentIn(truth_);
     int least = std::numeric_limits<int>::max();
     for (int k = 0; k < 4; ++k) {
       const int x = column / stride * stride + (k & 1) * stride;
       const int y = row / stride * stride + (k >> 1) * stride;
-      const Shade found = answer(x, y);
+      const Value found = answer(x, y);
       const int square = (x - column) * (x - column) + (y - row) * (y - row);
-      if (found == Shade::none || square >= least) continue;
+      if (!isAnswer(found) || square >= least) continue;
       best = found;
       least = square;
     }
     return best;
   }
 
-  const Mask& truth_;
+  const Map& truth_;
   std::span<const std::uint8_t> traced_;
   int coarsest_;
 };
+
+template <typename Map>
+Map previewOf(const surface::SampleGrid& samples, const Map& truth,
+              std::span<const std::uint8_t> traced, int coarsest) {
+  if (truth.width != samples.width || truth.height != samples.height ||
+      traced.size() != samples.samples.size() || truth.size() != traced.size()) {
+    throw InternalError("preview: truth and view of different sizes");
+  }
+  auto map = emptyMap<Map>(samples.width, samples.height);
+  const Preview<Map> preview(truth, traced, coarsest);
+  parallelFor(0, static_cast<std::size_t>(samples.height), [&](std::size_t row) {
+    for (int column = 0; column < samples.width; ++column) {
+      const std::size_t index = indexOf(samples.width, column, static_cast<int>(row));
+      if (!samples.samples[index].isOnSurface()) continue;
+      valuesOf(map)[index] = preview.at(column, static_cast<int>(row));
+    }
+  });
+  return map;
+}
 
 }  // namespace
 
@@ -101,23 +124,11 @@ ProgressiveOrder progressiveOrder(const surface::SampleGrid& samples, int coarse
   return order;
 }
 
-Mask previewMask(const surface::SampleGrid& samples, const Mask& truth,
-                 std::span<const std::uint8_t> traced, int coarsest) {
+Answers preview(const surface::SampleGrid& samples, const Answers& truth,
+                std::span<const std::uint8_t> traced, int coarsest) {
   requireStride(coarsest);
-  if (truth.width != samples.width || truth.height != samples.height ||
-      traced.size() != samples.samples.size() || truth.size() != traced.size()) {
-    throw InternalError("preview: truth and view of different sizes");
-  }
-  Mask mask{samples.width, samples.height, std::vector<Shade>(truth.size(), Shade::none)};
-  const Preview preview(truth, traced, coarsest);
-  parallelFor(0, static_cast<std::size_t>(samples.height), [&](std::size_t row) {
-    for (int column = 0; column < samples.width; ++column) {
-      const std::size_t index = indexOf(samples.width, column, static_cast<int>(row));
-      if (samples.samples[index].face < 0) continue;
-      mask.samples[index] = preview.at(column, static_cast<int>(row));
-    }
-  });
-  return mask;
+  return std::visit(
+      [&](const auto& map) { return Answers(previewOf(samples, map, traced, coarsest)); }, truth);
 }
 
 }  // namespace gnomon::app

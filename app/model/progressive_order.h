@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "common/mask.h"
+#include "model/answers.h"
 #include "surface/sample_grid.h"
 
 namespace gnomon::app {
@@ -27,12 +27,13 @@ struct ProgressiveOrder {
 /// @throws InternalError for another one, or for 2³² samples or more
 ProgressiveOrder progressiveOrder(const surface::SampleGrid& samples, int coarsest = 16);
 
-/// A mask to look at from what has been traced so far: traced samples have their answer; others
-/// that of the nearest traced one among the four nodes about them of the finest stride that has any
-/// there; Shade::none where no stride has, and on the background.
+/// Answers to look at from what has been traced so far: traced samples have their own; others that
+/// of the nearest traced one among the four nodes about them of the finest stride that has any
+/// there; none where no stride has, and on the background.
 /// @param truth   answers where `traced` holds
 /// @param traced  one a sample, non-zero where traced
-Mask previewMask(const surface::SampleGrid& samples, const Mask& truth,
-                 std::span<const std::uint8_t> traced, int coarsest = 16);
+/// @return answers of the truth's kind
+Answers preview(const surface::SampleGrid& samples, const Answers& truth,
+                std::span<const std::uint8_t> traced, int coarsest = 16);
 
 }  // namespace gnomon::app

@@ -139,8 +139,8 @@ std::string savedStudy(const StudyState& state, const fs::path& target) {
   if (state.camera) study.insert_or_assign("view", toml::array{viewOf(*state.camera)});
   stateRadius(study, state);
   if (state.light) {
-    const toml::table light{{"azimuth", state.light->azimuth},
-                            {"elevation", state.light->elevation}};
+    toml::table light{{"azimuth", state.light->azimuth}, {"elevation", state.light->elevation}};
+    if (state.light->radius > 0) light.insert("radius", state.light->radius);
     study.insert_or_assign("light", toml::array{light});
   }
   try {

@@ -5,21 +5,18 @@
 #include <cstddef>
 #include <numeric>
 
+#include "common/disc_share.h"
+
 namespace gnomon::truth {
 namespace {
 
-/// The share of the unit disc's area that lies left of x.
-double areaLeftOf(double x) {
-  return 1 - (std::acos(x) - x * std::sqrt(1 - x * x)) / pi;
-}
-
-/// Where that share of the area lies on the left.
+/// Where that share of the unit disc's area lies on the left.
 double placeOfArea(double share) {
   double low = -1;
   double high = 1;
   for (int i = 0; i < 52; ++i) {
     const double middle = (low + high) / 2;
-    (areaLeftOf(middle) < share ? low : high) = middle;
+    (discShare(middle) < share ? low : high) = middle;
   }
   return (low + high) / 2;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "image/images.h"
+#include "image/share_picture.h"
 #include "render/gl_objects.h"
 #include "viewer/panes/gui.h"
 
@@ -55,7 +56,7 @@ void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<st
 std::vector<std::string> labelOf(const ViewSession& session, std::size_t pane, double width) {
   const PaneContent& content = session.state().panes.at(pane);
   const PanePicture& picture = session.pane(pane);
-  std::vector<std::string> lines = {titleOf(content)};
+  std::vector<std::string> lines = {titleOf(content, session.state().light)};
   if (!picture.note.empty()) lines.push_back(picture.note);
   if (const auto& figures = picture.figures) {
     const std::string text = figuresText(*figures);
@@ -103,6 +104,42 @@ void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool righ
   }
 }
 
+/// The colours of ΔV from −1 to 1, over the greys of truths that it can be against.
+image::Image shareScale(int steps) {
+  Visibility candidate{steps, 1, {}};
+  Visibility truth{steps, 1, {}};
+  for (int i = 0; i < steps; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(steps - 1);
+    candidate.shares.push_back(share);
+    truth.shares.push_back(1 - share);
+  }
+  return image::shareDifferenceImage(candidate, truth);
+}
+
+/// The same of shares.
+void drawShareLegend(ImDrawList& list, const PaneRectangle& pane, bool rightAligned) {
+  constexpr int steps = 41;
+  constexpr float step = 3;
+  const char* below = "\u22121 false shadow";
+  const char* above = "false light 1";
+  const float side = std::max(ImGui::CalcTextSize(below).x, ImGui::CalcTextSize(above).x) + 6;
+  const float width = 2 * side + steps * step + 16;
+  const float height = differenceLegendHeight();
+  const ImVec2 begin = point(
+      pane.corner + Vec2(rightAligned ? pane.size.x - width - 10 : 10, pane.size.y - height - 10));
+  list.AddRectFilled(begin, ImVec2(begin.x + width, begin.y + height), ink::chip, 4);
+  list.AddText(ImVec2(begin.x + 8 + side - 6 - ImGui::CalcTextSize(below).x, begin.y + 5),
+               ink::text, below);
+  const image::Image scale = shareScale(steps);
+  for (int i = 0; i < steps; ++i) {
+    const float x = begin.x + 8 + side + static_cast<float>(i) * step;
+    const auto* rgb = &scale.rgb[3 * static_cast<std::size_t>(i)];
+    list.AddRectFilled(ImVec2(x, begin.y + 7), ImVec2(x + step, begin.y + height - 7),
+                       colourOf({rgb[0], rgb[1], rgb[2]}));
+  }
+  list.AddText(ImVec2(begin.x + 8 + side + steps * step + 6, begin.y + 5), ink::text, above);
+}
+
 /// Above the line in which the legends of differences stand.
 void drawCurvatureLegend(ImDrawList& list, const PaneRectangle& pictures, double largest) {
   constexpr float width = 200;
@@ -135,15 +172,35 @@ std::string percent(const compare::Metric& metric) {
 
 }  // namespace
 
-std::string titleOf(const PaneContent& content) {
+void drawPixelText(ViewSession& session, PixelProbe& probe, const WindowLayout& layout,
+                   Vec2 cursor) {
+  const int pane = paneUnder(layout, cursor, session.state().wipe);
+  if (pane < 0) return;
+  const Camera& camera = session.state().camera;
+  const auto pixel = pixelUnder(cursor, layout.panes.at(static_cast<std::size_t>(pane)),
+                                camera.width, camera.height);
+  const std::string text = pixel ? probe.textOf(session, *pixel) : "";
+  if (text.empty()) return;
+  const PaneRectangle& pictures = layout.pictures;
+  const double width = ImGui::CalcTextSize(text.c_str()).x + 2 * chipPadding;
+  const double height = ImGui::GetTextLineHeight() + 2 * chipPadding;
+  const double right = pictures.corner.x + pictures.size.x;
+  const bool fitsBelow = cursor.y + 14 + height < pictures.corner.y + pictures.size.y;
+  const Vec2 corner(std::max(pictures.corner.x, std::min(cursor.x + 14, right - width)),
+                    cursor.y + (fitsBelow ? 14 : -14 - height));
+  drawChip(*ImGui::GetForegroundDrawList(), corner, pictures.size.x, {text}, false, true);
+}
+
+std::string titleOf(const PaneContent& content, const LightAngles& light) {
   if (content.shown == displacedSurface) return "displaced surface, ray-traced";
-  const std::string shown = sourceText(content.shown);
-  return content.against ? fmt::format("{} \u2212 {}", shown, sourceText(*content.against)) : shown;
+  std::string title = sourceText(content.shown);
+  if (content.against) title += fmt::format(" \u2212 {}", sourceText(*content.against));
+  return light.radius > 0 ? fmt::format("V of {}, radius {}°", title, light.radius) : title;
 }
 
 std::string figuresText(const PaneFigures& figures) {
-  return fmt::format("{} wrong: {} false shadow, {} false light; IoU {}",
-                     percent(figures.errorRate), percent(figures.falseShadow),
+  return fmt::format("{} {}: {} false shadow, {} false light; IoU {}", percent(figures.errorRate),
+                     figures.isSoft ? "mean |ΔV|" : "wrong", percent(figures.falseShadow),
                      percent(figures.falseLight),
                      figures.iou.value ? fmt::format("{:.3f}", *figures.iou.value) : "undefined");
 }
@@ -189,7 +246,9 @@ void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int 
     drawChip(list, pane.corner + Vec2(right ? pane.size.x - 10 : 10, 10), room,
              labelOf(session, i, room), right,
              state.paneCount > 1 && static_cast<int>(i) == activePane);
-    if (state.panes.at(i).isDifference()) drawDifferenceLegend(list, pane, right);
+    if (state.panes.at(i).isDifference()) {
+      (state.light.radius > 0 ? drawShareLegend : drawDifferenceLegend)(list, pane, right);
+    }
   }
   if (wipes) {
     const Vec2 top = layout.pictures.corner + Vec2(state.wipe * layout.pictures.size.x, 0);

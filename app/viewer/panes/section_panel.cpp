@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "truth/visibility_tracer.h"
 #include "viewer/panes/gui.h"
 
 namespace gnomon::app {
@@ -15,6 +16,7 @@ constexpr ImU32 reliefColour = IM_COL32(120, 98, 70, 255);
 constexpr ImU32 reliefFill = IM_COL32(214, 198, 176, 255);
 constexpr ImU32 groundColour = IM_COL32(120, 124, 132, 255);
 constexpr ImU32 rayColour = IM_COL32(224, 160, 0, 255);
+constexpr ImU32 discColour = IM_COL32(250, 196, 40, 110);
 constexpr ImU32 flatColour = IM_COL32(26, 110, 220, 255);
 constexpr ImU32 correctedColour = IM_COL32(208, 70, 0, 255);
 constexpr ImU32 truthColour = IM_COL32(20, 130, 70, 255);
@@ -57,6 +59,11 @@ class Plot {
   void ray(Vec2 from, Vec2 direction, ImU32 colour, float width) const {
     const double length = 2 * Vec2(end_.x - begin_.x, end_.y - begin_.y).x / scale_;
     list_.AddLine(at(from), at(from + length * glm::normalize(direction)), colour, width);
+  }
+  /// What lies between two rays from a place.
+  void wedge(Vec2 from, Vec2 one, Vec2 other, ImU32 colour) const {
+    const double length = 2 * Vec2(end_.x - begin_.x, end_.y - begin_.y).x / scale_;
+    list_.AddTriangleFilled(at(from), at(from + length * one), at(from + length * other), colour);
   }
   void dot(Vec2 place, ImU32 colour, float radius = 4) const {
     list_.AddCircleFilled(at(place), radius, colour);
@@ -114,8 +121,27 @@ std::string degrees(double slope) {
   return fmt::format("{:.1f}°", CrossSection::angle(slope) * 180 / pi);
 }
 
-std::string verdict(bool shadowed) {
+/// What a formula says: of a light's disc the share that is seen.
+std::string verdict(const CrossSection& section, bool shadowed, double share) {
+  if (section.lightRadius > 0) return fmt::format("V {:.3f}", share);
   return shadowed ? "shadow" : "lit";
+}
+
+/// The light's rays: of a disc its lowest and highest, and what lies between them.
+void drawLight(const Plot& plot, const CrossSection& section, Vec2 eye) {
+  if (section.lightRadius > 0) {
+    plot.wedge(eye, section.lowestRay, section.highestRay, discColour);
+    plot.ray(eye, section.lowestRay, rayColour, 1);
+    plot.ray(eye, section.highestRay, rayColour, 1);
+  } else {
+    plot.ray(eye, section.lightDirection, rayColour, 2);
+  }
+}
+
+std::string lightText(const CrossSection& section) {
+  const std::string centre = fmt::format("light {}", degrees(section.lightSlope));
+  if (!(section.lightRadius > 0)) return centre;
+  return fmt::format("{} ± {:.4g}°", centre, section.lightRadius * 180 / pi);
 }
 
 /// A figure with its title (the number alone where there is no room for more): the relief as it
@@ -152,6 +178,17 @@ void drawEntries(ImDrawList& list, ImVec2 at, const std::vector<Entry>& entries)
   }
 }
 
+/// V at one sample by all of the study's directions.
+double shareAt(const TracedMesh& traced, const surface::SurfaceSample& sample,
+               const study::LightSpec& light, const study::StudySpec& study) {
+  constexpr bool isAdaptive = false;
+  return static_cast<double>(
+      truth::traceVisibility(traced.mesh, traced.scene, {1, 1, {sample}}, {1, 1, {Shade::lit}},
+                             {light.direction(), light.radius, study.truth.directions,
+                              truth::standardRayOffset, isAdaptive})
+          .shares.front());
+}
+
 }  // namespace
 
 void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, Vec2 cursor) {
@@ -178,7 +215,8 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
   if (key.face >= scene->surface->faceCount()) return;
   key_ = key;
   const surface::SurfaceSample sample{key.face, key.s, key.t};
-  const Vec3 light = lightSpec(session.state().light).direction();
+  const study::LightSpec spec = lightSpec(session.state().light);
+  const Vec3 light = spec.direction();
   const double radius = scene->study->bake.settings.radiusTexels;
   std::optional<SectionTables> tables;
   for (const auto& [label, method] : scene->methods) {
@@ -186,12 +224,13 @@ void SectionPanel::find(const ViewSession& session, const WindowLayout& layout, 
     const TableImage& image = method->tables->horizon;
     tables.emplace(SectionTables{image.values, method->tables->distance.values, image.shape});
   }
-  section_ = crossSection(*scene->surface, scene->study->relief, sample, light, {radius, 8},
-                          tables ? &*tables : nullptr);
+  section_ = crossSection(*scene->surface, scene->study->relief, sample, light,
+                          {radius, 8, spec.radius}, tables ? &*tables : nullptr);
   occluder_.reset();
   if (traced != nullptr) {
     occluder_ = truth::firstOccluder(*scene->surface, scene->study->relief, traced->mesh,
                                      traced->scene, {sample, light, truth::standardRayOffset});
+    if (spec.isSoft()) tracedShare_ = shareAt(*traced, sample, spec, *scene->study);
   }
 }
 
@@ -218,7 +257,6 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   const float top = begin.y + 32;
   const float bottom = end.y - 12;
   const double reach = reachOf(section, occluder_);
-  const Vec2 toLight = section.lightDirection;
   const auto& corrected = section.fromTables ? *section.fromTables : section.here;
   const auto slopeRay = [](double slope) { return Vec2(1, slope); };
 
@@ -226,7 +264,7 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   drawFigure(list, ImVec2(begin.x + 12, top), ImVec2(begin.x + column, bottom),
              "Figure 1: the relief laid flat", upTo(flatRelief(section), reach), flatEye,
              [&](const Plot& plot) {
-               plot.ray(flatEye, toLight, rayColour, 2);
+               drawLight(plot, section, flatEye);
                plot.ray(flatEye, slopeRay(section.here.flat.slope), flatColour, 1.5F);
                const double arc = section.horizon.distance * section.worldPerTexel;
                plot.dot(flatEye + arc * Vec2(1, section.here.lookups.slope), flatColour);
@@ -236,7 +274,7 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
              "Figure 2: bent onto the osculating circle", upTo(section.bentRelief, reach),
              section.eye, [&](const Plot& plot) {
                plot.curve(upTo(section.bentGround, reach), groundColour, 1);
-               plot.ray(section.eye, toLight, rayColour, 2);
+               drawLight(plot, section, section.eye);
                plot.ray(section.eye, slopeRay(section.here.flat.slope), flatColour, 1);
                if (std::isfinite(best)) {
                  plot.ray(section.eye, slopeRay(best), correctedColour, 1.5F);
@@ -247,20 +285,23 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
                }
              });
 
-  const std::string truth = !session.traced()     ? "truth: not traced yet"
-                            : !occluder_          ? "truth: lit"
-                            : occluder_->attached ? "truth: shadow, own facet"
-                                                  : "truth: shadow, occluder";
+  const std::string truth = !session.traced()         ? "truth: not traced yet"
+                            : section.lightRadius > 0 ? fmt::format("truth: V {:.3f}", tracedShare_)
+                            : !occluder_              ? "truth: lit"
+                            : occluder_->attached     ? "truth: shadow, own facet"
+                                                      : "truth: shadow, occluder";
   drawEntries(list, ImVec2(begin.x + 2 * column + 18, top),
-              {{rayColour, fmt::format("light {}", degrees(section.lightSlope))},
-               {flatColour, fmt::format("flat {}: {}", degrees(section.here.flat.slope),
-                                        verdict(section.here.flat.shadowed))},
+              {{rayColour, lightText(section)},
+               {flatColour,
+                fmt::format("flat {}: {}", degrees(section.here.flat.slope),
+                            verdict(section, section.here.flat.shadowed, section.here.flat.share))},
                {correctedColour,
-                fmt::format("onoue-2004 {}: {}", degrees(best), verdict(corrected.onoue2004))},
+                fmt::format("onoue-2004 {}: {}", degrees(best),
+                            verdict(section, corrected.onoue2004, corrected.onoue2004Share))},
                {0, fmt::format("by (2) {}, (3) {}", degrees(corrected.smallAngle.slope),
                                degrees(corrected.bare.slope))},
                {0, fmt::format("exact {}: {}", degrees(corrected.exact.slope),
-                               verdict(corrected.onoueExact))},
+                               verdict(section, corrected.onoueExact, corrected.onoueExactShare))},
                {truthColour, truth}});
   const ImVec2 notes(begin.x + 2 * column + 18, bottom - 3 * (ImGui::GetTextLineHeight() + 3));
   list.AddText(

@@ -29,8 +29,9 @@ class SectionPanel {
   };
   Key key_;
   std::optional<CrossSection> section_;
-  std::optional<truth::Occluder> occluder_;
-  Vec2 pixel_{0, 0};  ///< where the sample is, window pixels
+  std::optional<truth::Occluder> occluder_;  ///< toward the light's centre
+  double tracedShare_ = 0;                   ///< V of the light's disc, where it has one
+  Vec2 pixel_{0, 0};                         ///< where the sample is, window pixels
 };
 
 }  // namespace gnomon::app

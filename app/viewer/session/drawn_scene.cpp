@@ -66,9 +66,9 @@ void DrawnScene::upload(const MethodData& method) {
 }
 
 void DrawnScene::compile(const std::string& label, const MethodData& method, bool again) {
-  std::string key =
-      fmt::format("{}\n{}\n{}", method.spec.file.string(), static_cast<int>(method.spec.filter),
-                  static_cast<int>(data_->heights->wrap()));
+  std::string key = fmt::format(
+      "{}\n{}\n{}\n{}\n{}", method.spec.file.string(), static_cast<int>(method.spec.filter),
+      static_cast<int>(data_->heights->wrap()), method.spec.disc, data_->soft);
   for (const auto& [name, value] : method.spec.parameters) {
     key += fmt::format("\n{}={}", name, value);
   }
@@ -77,7 +77,8 @@ void DrawnScene::compile(const std::string& label, const MethodData& method, boo
   try {
     if (!isDrawnRight(label, method)) return;
     render::MethodPass pass(shaders_, method.method, data_->heights->wrap(), method.spec.filter,
-                            method.spec.parameters);
+                            method.spec.parameters,
+                            method.spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own);
     passes_.erase(label);
     passes_.emplace(label, Compiled{key, std::move(pass)});
     errors_.erase(label);
@@ -87,7 +88,7 @@ void DrawnScene::compile(const std::string& label, const MethodData& method, boo
 }
 
 bool DrawnScene::isDrawnRight(const std::string& label, const MethodData& method) {
-  const std::string fault = faults_->faultOf(method.spec);
+  const std::string fault = faults_->faultOf(method.spec, data_->soft);
   if (fault.empty()) return true;
   errors_[label] = fmt::format("{} is not shown: {}", label, fault);
   passes_.erase(label);
@@ -150,19 +151,21 @@ const DrawnMeshData& DrawnScene::mesh(study::MeshChoice choice) const {
   return meshes_.at(data_->meshes.at(choice));
 }
 
-render::Drawing DrawnScene::drawing(study::MeshChoice choice, const Vec3& light) const {
+render::Drawing DrawnScene::drawing(study::MeshChoice choice, const study::LightSpec& light) const {
   const DrawnMeshData& drawn = mesh(choice);
-  return {drawn.gpu,
-          heights_.at(data_->heights),
-          data_->heights->wrap(),
-          data_->study->relief.space,
-          data_->texelsPerHeight,
-          light,
-          drawn.volumes ? &*drawn.volumes : nullptr,
-          &drawn.texture};
+  render::Drawing drawing{drawn.gpu,
+                          heights_.at(data_->heights),
+                          data_->heights->wrap(),
+                          data_->study->relief.space,
+                          data_->texelsPerHeight,
+                          light.direction(),
+                          drawn.volumes ? &*drawn.volumes : nullptr,
+                          &drawn.texture};
+  drawing.lightRadius = light.radius;
+  return drawing;
 }
 
-render::Drawing DrawnScene::drawing(const MethodData& method, const Vec3& light) const {
+render::Drawing DrawnScene::drawing(const MethodData& method, const study::LightSpec& light) const {
   render::Drawing drawn = drawing(method.mesh, light);
   if (method.lightMesh) drawn.lightMesh = &mesh(*method.lightMesh).gpu;
   return drawn;

@@ -43,9 +43,11 @@ class DrawnScene {
   [[nodiscard]] const SceneData* data() const { return data_.get(); }
   [[nodiscard]] std::shared_ptr<const SceneData> sharedData() const { return data_; }
   [[nodiscard]] const DrawnMeshData& mesh(study::MeshChoice choice) const;
-  [[nodiscard]] render::Drawing drawing(study::MeshChoice choice, const Vec3& light) const;
+  [[nodiscard]] render::Drawing drawing(study::MeshChoice choice,
+                                        const study::LightSpec& light) const;
   /// What the passes of a method draw.
-  [[nodiscard]] render::Drawing drawing(const MethodData& method, const Vec3& light) const;
+  [[nodiscard]] render::Drawing drawing(const MethodData& method,
+                                        const study::LightSpec& light) const;
 
   /// A method with its tables, if all of it is there.
   struct Ready {
@@ -66,7 +68,7 @@ class DrawnScene {
     render::GpuTable distance;
   };
   struct Compiled {
-    std::string key;  ///< file, filter, wrap and parameters
+    std::string key;  ///< file, filter, wrap, disc, whether a share is asked, and parameters
     render::MethodPass pass;
   };
   struct OwnAngles {

@@ -92,6 +92,7 @@ ViewState firstView(const study::StudySpec& study, const cli::ViewRequest& reque
     if (overlay == "curvature") state.overlays.curvature = true;
     if (overlay == "directions") state.overlays.directions = true;
     if (overlay == "section") state.overlays.section = true;
+    if (overlay == "pixel") state.overlays.pixel = true;
   }
   state.panel = request.panel;
   state.help = request.help;

@@ -6,39 +6,59 @@
 
 #include "common/error.h"
 #include "image/images.h"
+#include "image/share_picture.h"
 #include "render/gl_objects.h"
 
 namespace gnomon::app {
 namespace {
 
-Mask emptyMask(const Camera& camera) {
-  return {camera.width, camera.height,
-          std::vector<Shade>(
-              static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height),
-              Shade::none)};
+/// Of the kind that the light asks for.
+Answers noAnswers(const ViewState& state) {
+  const Camera& camera = state.camera;
+  if (state.light.radius > 0) return emptyMap<Visibility>(camera.width, camera.height);
+  return emptyMap<Mask>(camera.width, camera.height);
 }
 
 const PartialTruth* truthOf(const KnownTruth& known, study::MeshChoice mesh, const Camera& camera) {
   const auto found = known.truths.find(mesh);
   if (found == known.truths.end()) return nullptr;
-  const Mask& mask = found->second.mask;
-  return mask.width == camera.width && mask.height == camera.height ? &found->second : nullptr;
+  const surface::SampleGrid& samples = *found->second.samples;
+  return samples.width == camera.width && samples.height == camera.height ? &found->second
+                                                                          : nullptr;
 }
 
 /// A method's answers where both have one, to be held against each other: neither has one where
 /// the other lacks it. Where a truth has none yet, it counts as agreement.
-std::pair<Mask, Mask> comparable(Mask first, Mask second, bool agreeWhereUnknown) {
+template <typename Map>
+void makeComparable(Map& first, Map& second, bool agreeWhereUnknown) {
   for (std::size_t i = 0; i < first.size(); ++i) {
-    Shade& a = first.samples[i];
-    Shade& b = second.samples[i];
-    if (a != Shade::none && b != Shade::none) continue;
-    if (agreeWhereUnknown && a != b) {
-      (a == Shade::none ? a : b) = a == Shade::none ? b : a;
+    auto& a = valuesOf(first)[i];
+    auto& b = valuesOf(second)[i];
+    if (isAnswer(a) && isAnswer(b)) continue;
+    if (agreeWhereUnknown && isAnswer(a) != isAnswer(b)) {
+      (isAnswer(a) ? b : a) = isAnswer(a) ? a : b;
     } else {
-      a = b = Shade::none;
+      a = b = absentIn(first);
     }
   }
+}
+
+/// Both are of one kind, that of the light.
+std::pair<Answers, Answers> comparable(Answers first, Answers second, bool agreeWhereUnknown) {
+  std::visit(
+      [&](auto& map) {
+        makeComparable(map, std::get<std::decay_t<decltype(map)>>(second), agreeWhereUnknown);
+      },
+      first);
   return {std::move(first), std::move(second)};
+}
+
+/// In the colours of the report.
+image::Image differenceOf(const Answers& candidate, const Answers& truth) {
+  if (const auto* map = std::get_if<Visibility>(&candidate)) {
+    return image::shareDifferenceImage(*map, std::get<Visibility>(truth));
+  }
+  return image::differenceImage(std::get<Mask>(candidate), std::get<Mask>(truth));
 }
 
 /// Why there is nothing to show of methods that lack a common mesh; empty while one is awaited.
@@ -91,26 +111,26 @@ surface::SampleGrid PanePictures::samplesOf(const DrawnScene& scene, study::Mesh
   return samples_.render(view, scene.mesh(mesh).gpu);
 }
 
-const Mask* PanePictures::methodMask(const DrawnScene& scene, const ViewState& state,
-                                     const std::string& label, std::uint64_t serial) {
-  const auto found = masks_.find(label);
-  if (found != masks_.end() && found->second.serial == serial) return &found->second.mask;
+const Answers* PanePictures::methodAnswers(const DrawnScene& scene, const ViewState& state,
+                                           const std::string& label, std::uint64_t serial) {
+  const auto found = answers_.find(label);
+  if (found != answers_.end() && found->second.serial == serial) return &found->second.answers;
   const auto ready = scene.method(label);
   if (!ready) return nullptr;
   const study::MeshChoice mesh = ready->data->mesh;
   const render::RenderView view =
       render::cameraView(state.camera, scene.data()->meshes.at(mesh)->mesh());
-  Mask mask = ready->pass
-                  ->render(view, scene.drawing(*ready->data, lightSpec(state.light).direction()),
-                           ready->tables)
-                  .drawn;
-  CachedMask& kept = masks_[label];
-  kept = {serial, std::move(mask)};
-  return &kept.mask;
+  const study::LightSpec light = lightSpec(state.light);
+  const render::Drawing drawing = scene.drawing(*ready->data, light);
+  CachedAnswers& kept = answers_[label];
+  kept = {serial, light.isSoft()
+                      ? Answers(ready->pass->renderVisibility(view, drawing, ready->tables).drawn)
+                      : Answers(ready->pass->render(view, drawing, ready->tables).drawn)};
+  return &kept.answers;
 }
 
 void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& state,
-                         study::MeshChoice mesh, const Mask& mask) {
+                         study::MeshChoice mesh, const Answers& answers) {
   const relief::Wrap wrap = scene.data()->heights->wrap();
   if (!programs_ || programs_->wrap != wrap) programs_.emplace(shaders_, wrap);
   const render::RenderView view =
@@ -121,7 +141,8 @@ void PanePictures::shade(Pane& pane, const DrawnScene& scene, const ViewState& s
   }
   const render::ShadePass& pass =
       mesh.kind == render::DrawnMesh::displaced ? programs_->shadeDisplaced : programs_->shadeBase;
-  pass.draw(view, scene.drawing(mesh, lightSpec(state.light).direction()), mask, *pane.target);
+  const render::Drawing drawing = scene.drawing(mesh, lightSpec(state.light));
+  std::visit([&](const auto& map) { pass.draw(view, drawing, map, *pane.target); }, answers);
   if (const auto& lines = scene.data()->lines; lines && state.overlays.directions) {
     programs_->lines.draw(view, endsOf(lines->larger), {0.70F, 0.10F, 0.35F}, *pane.target);
     programs_->lines.draw(view, endsOf(lines->smaller), {0.05F, 0.35F, 0.60F}, *pane.target);
@@ -147,19 +168,20 @@ void PanePictures::measure(Pane& pane, const PaneContent& content, study::MeshCh
                            std::uint64_t serial) {
   pane.shown.figures.reset();
   if (!content.shown.isMethod()) return;
-  const Mask* candidate = methodMask(scene, state, content.shown.label, serial);
+  const Answers* candidate = methodAnswers(scene, state, content.shown.label, serial);
   if (candidate == nullptr) return;
   if (content.against && content.against->isMethod()) {
-    const Mask* other = methodMask(scene, state, content.against->label, serial);
+    const Answers* other = methodAnswers(scene, state, content.against->label, serial);
     if (other == nullptr) return;
     const auto [a, b] = comparable(*candidate, *other, false);
-    const std::vector<std::uint8_t> all(a.size(), 1);
+    const std::vector<std::uint8_t> all(std::visit([](const auto& map) { return map.size(); }, a),
+                                        1);
     pane.shown.figures = paneFigures(a, b, all);
     return;
   }
   const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, mesh, state.camera);
   if (partial == nullptr || partial->tracedCount == 0) return;
-  pane.shown.figures = paneFigures(*candidate, partial->mask, partial->traced);
+  pane.shown.figures = paneFigures(*candidate, partial->answers, partial->traced);
 }
 
 void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnScene& scene,
@@ -169,7 +191,7 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
     pane.shown.figures.reset();
     if (truth.picture) showImage(pane, *truth.picture);
     if (!truth.picture) {
-      shade(pane, scene, state, scene.data()->standardMesh(), emptyMask(state.camera));
+      shade(pane, scene, state, scene.data()->standardMesh(), noAnswers(state));
     }
     return;
   }
@@ -178,17 +200,17 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
     pane.shown.note = noteOfNone(scene, content);
     pane.shown.figures.reset();
     if (!pane.shown.note.empty()) {
-      shade(pane, scene, state, scene.data()->standardMesh(), emptyMask(state.camera));
+      shade(pane, scene, state, scene.data()->standardMesh(), noAnswers(state));
     }
     return;  // what was there stays until the tables are ready
   }
   const PartialTruth* partial = truthOf(truth, *mesh, state.camera);
-  const auto operand = [&](const PaneSource& source) -> std::optional<Mask> {
+  const auto operand = [&](const PaneSource& source) -> std::optional<Answers> {
     // A truth of the light before is no measure: until there is another, nothing differs.
     const bool usable = partial != nullptr && !(truth.stale && content.isDifference());
-    if (source == tracedTruth) return usable ? partial->preview : emptyMask(state.camera);
-    const Mask* mask = methodMask(scene, state, source.label, serial);
-    return mask != nullptr ? std::optional(*mask) : std::nullopt;
+    if (source == tracedTruth) return usable ? partial->preview : noAnswers(state);
+    const Answers* answers = methodAnswers(scene, state, source.label, serial);
+    return answers != nullptr ? std::optional(*answers) : std::nullopt;
   };
   const auto first = operand(content.shown);
   if (!first) return;
@@ -197,7 +219,7 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
     if (!second) return;
     const bool hasTruth = content.shown == tracedTruth || *content.against == tracedTruth;
     const auto [a, b] = comparable(*first, *second, hasTruth);
-    showImage(pane, image::differenceImage(a, b));
+    showImage(pane, differenceOf(a, b));
   } else {
     shade(pane, scene, state, *mesh, *first);
   }
@@ -224,17 +246,16 @@ bool PanePictures::draw(const DrawnScene& scene, const ViewState& state, const K
   return drawn;
 }
 
-std::optional<Mask> PanePictures::maskOf(const DrawnScene& scene, const ViewState& state,
-                                         const KnownTruth& truth, const PaneContent& content) {
-  if (content.isDifference() || content.shown == displacedSurface) return std::nullopt;
+const Answers* PanePictures::answersOf(const DrawnScene& scene, const ViewState& state,
+                                       const KnownTruth& truth, const PaneContent& content) {
+  if (content.isDifference() || content.shown == displacedSurface) return nullptr;
   const auto mesh = meshOf(scene, content);
-  if (!mesh) return std::nullopt;
+  if (!mesh) return nullptr;
   const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, *mesh, state.camera);
   if (content.shown == tracedTruth) {
-    return partial != nullptr ? std::optional(partial->mask) : std::nullopt;
+    return partial != nullptr ? &partial->answers : nullptr;
   }
-  const Mask* mask = methodMask(scene, state, content.shown.label, serial_);
-  return mask != nullptr ? std::optional(*mask) : std::nullopt;
+  return methodAnswers(scene, state, content.shown.label, serial_);
 }
 
 }  // namespace gnomon::app

@@ -50,9 +50,10 @@ class PanePictures {
             std::uint64_t serial);
 
   [[nodiscard]] const PanePicture& pane(std::size_t index) const { return panes_.at(index).shown; }
-  /// The mask that a pane shows: a method's, or the truth's as far as traced. None for others.
-  [[nodiscard]] std::optional<Mask> maskOf(const DrawnScene& scene, const ViewState& state,
-                                           const KnownTruth& truth, const PaneContent& content);
+  /// What a pane shows: a method's answers, or the truth's as far as traced. Null for others. Valid
+  /// until the next drawing.
+  [[nodiscard]] const Answers* answersOf(const DrawnScene& scene, const ViewState& state,
+                                         const KnownTruth& truth, const PaneContent& content);
   /// The pixels that a mesh shows.
   [[nodiscard]] surface::SampleGrid samplesOf(const DrawnScene& scene, study::MeshChoice mesh,
                                               const Camera& camera) const;
@@ -92,18 +93,18 @@ class PanePictures {
     int imageWidth = 0, imageHeight = 0;
     PanePicture shown;
   };
-  struct CachedMask {
+  struct CachedAnswers {
     std::uint64_t serial;
-    Mask mask;
+    Answers answers;
   };
 
   void drawPane(Pane& pane, const PaneContent& content, const DrawnScene& scene,
                 const ViewState& state, const KnownTruth& truth, std::uint64_t serial);
   void shade(Pane& pane, const DrawnScene& scene, const ViewState& state, study::MeshChoice mesh,
-             const Mask& mask);
+             const Answers& answers);
   static void showImage(Pane& pane, const image::Image& image);
-  const Mask* methodMask(const DrawnScene& scene, const ViewState& state, const std::string& label,
-                         std::uint64_t serial);
+  const Answers* methodAnswers(const DrawnScene& scene, const ViewState& state,
+                               const std::string& label, std::uint64_t serial);
   void measure(Pane& pane, const PaneContent& content, study::MeshChoice mesh,
                const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
                std::uint64_t serial);
@@ -111,7 +112,7 @@ class PanePictures {
   std::filesystem::path shaders_;
   std::optional<Programs> programs_;
   render::SamplesPass samples_;
-  std::map<std::string, CachedMask> masks_;
+  std::map<std::string, CachedAnswers> answers_;
   std::array<Pane, 4> panes_;
   std::uint64_t serial_ = 0;
 };

@@ -162,6 +162,7 @@ std::shared_ptr<const SceneData> SceneMaker::make(const SceneRequest& request,
                                                   const StageProgress& progress) {
   auto scene = std::make_shared<SceneData>();
   scene->shaders = request.shaders;
+  scene->soft = request.soft;
   progress("Reading the study")(0);
   scene->study = std::make_shared<const study::StudySpec>(study::readStudy(file_, request.options));
   scene->keys = sceneKeys(*scene->study);

@@ -33,6 +33,7 @@ struct SceneRequest {
   std::vector<std::string> shown;  ///< labels of the methods that need meshes and tables
   bool directions = false;         ///< the lines of the principal directions are wanted
   int shaders = 0;                 ///< counts the changes of shader files
+  bool soft = false;               ///< the light has a disc
 };
 
 /// A table as a texture holds it.
@@ -75,7 +76,8 @@ SceneKeys sceneKeys(const study::StudySpec& study);
 
 struct SceneData {
   SceneKeys keys;
-  int shaders = 0;  ///< of its request: methods compile again where it is another
+  int shaders = 0;    ///< of its request: methods compile again where it is another
+  bool soft = false;  ///< of its request: methods may answer with shares
 
   std::shared_ptr<const study::StudySpec> study;
   std::shared_ptr<const surface::LimitSurface> surface;

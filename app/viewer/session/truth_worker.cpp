@@ -10,6 +10,7 @@
 #include "truth/displaced_picture.h"
 #include "truth/shadow_tracer.h"
 #include "truth/surface_horizons.h"
+#include "truth/visibility_tracer.h"
 
 namespace gnomon::app {
 namespace {
@@ -29,19 +30,33 @@ surface::SampleGrid packedGrid(const surface::SampleGrid& all,
   return grid;
 }
 
+/// Some rows of a grid.
+surface::SampleGrid rowsOf(const surface::SampleGrid& grid, int first, int end) {
+  const auto at = [&](int row) {
+    return grid.samples.begin() + static_cast<std::ptrdiff_t>(row) * grid.width;
+  };
+  return {grid.width, end - first, {at(first), at(end)}};
+}
+
+Mask rowsOf(const Mask& mask, int first, int end) {
+  const auto at = [&](int row) {
+    return mask.samples.begin() + static_cast<std::ptrdiff_t>(row) * mask.width;
+  };
+  return {mask.width, end - first, {at(first), at(end)}};
+}
+
 /// One view on its way to the full resolution.
 class GrowingTruth {
  public:
   GrowingTruth(const TruthView& view, const ProgressiveOrder& order, const TruthRequest& request)
       : order_(order), request_(request) {
     const surface::SampleGrid& grid = *view.samples;
-    truth_ = {view.mesh,
-              view.samples,
-              {grid.width, grid.height, std::vector<Shade>(grid.samples.size(), Shade::none)},
-              {},
-              std::vector<std::uint8_t>(grid.samples.size(), 0),
-              0,
-              order.samples.size()};
+    hard_ = emptyMap<Mask>(grid.width, grid.height);
+    if (isSoft()) shares_ = emptyMap<Visibility>(grid.width, grid.height);
+    truth_.mesh = view.mesh;
+    truth_.samples = view.samples;
+    truth_.traced.assign(grid.samples.size(), 0);
+    truth_.sampleCount = order.samples.size();
   }
 
   /// Traces one level, and publishes what there is from time to time.
@@ -50,34 +65,94 @@ class GrowingTruth {
     constexpr std::size_t samplesAtOnce = 16384;
     const Progress progress = job.progress("Tracing");
     const std::size_t end = order_.levelEnds[level];
-    while (truth_.tracedCount < end) {
+    const bool isLast = end == order_.samples.size();
+    while (hardCount_ < end) {
       progress(truth_.share());
-      add(std::min(samplesAtOnce, end - truth_.tracedCount), *traced);
-      if (Clock::now() - published_ > std::chrono::milliseconds(250)) publish(traced, job);
+      const auto asked =
+          std::span(order_.samples).subspan(hardCount_, std::min(samplesAtOnce, end - hardCount_));
+      add(asked, !isLast, *traced, progress);
+      publishAtTimes(traced, job);
     }
+    if (isSoft() && isLast) refine(traced, job);
     publish(traced, job);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void add(std::size_t count, const TracedMesh& traced) {
+  [[nodiscard]] bool isSoft() const { return request_.light.isSoft(); }
+
+  void mark(std::size_t sample) {
+    truth_.tracedCount += truth_.traced[sample] == 0 ? 1 : 0;
+    truth_.traced[sample] = 1;
+  }
+
+  [[nodiscard]] Visibility sharesOf(const surface::SampleGrid& samples, const Mask& hard,
+                                    int directions, const TracedMesh& traced,
+                                    const Progress& check) const {
+    return truth::traceVisibility(
+        traced.mesh, traced.scene, samples, hard,
+        {request_.light.direction(), request_.light.radius, directions, truth::standardRayOffset},
+        [&](double /*share*/) { check(truth_.share()); });
+  }
+
+  /// @param live  whether a disc is traced here, too
+  void add(std::span<const std::uint32_t> asked, bool live, const TracedMesh& traced,
+           const Progress& check) {
     const SceneData& scene = *request_.scene;
-    const auto asked = std::span(order_.samples).subspan(truth_.tracedCount, count);
-    const truth::Truth found = truth::traceShadows(
-        *scene.surface, scene.study->relief, traced.mesh, traced.scene,
-        packedGrid(*truth_.samples, asked),
-        {request_.light, scene.study->bake.settings.radiusTexels, truth::standardRayOffset});
-    for (std::size_t i = 0; i < count; ++i) {
-      truth_.mask.samples[asked[i]] = found.mask.samples[i];
-      truth_.traced[asked[i]] = 1;
+    const surface::SampleGrid grid = packedGrid(*truth_.samples, asked);
+    const truth::Truth found =
+        truth::traceShadows(*scene.surface, scene.study->relief, traced.mesh, traced.scene, grid,
+                            {request_.light.direction(), scene.study->bake.settings.radiusTexels,
+                             truth::standardRayOffset});
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      hard_.samples[asked[i]] = found.mask.samples[i];
+      if (!isSoft()) mark(asked[i]);
     }
-    truth_.tracedCount += count;
+    hardCount_ += asked.size();
+    if (!isSoft() || !live) return;
+    const Visibility shares = sharesOf(grid, found.mask, liveDirections, traced, check);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      shares_.shares[asked[i]] = shares.shares[i];
+      mark(asked[i]);
+    }
+  }
+
+  /// The shares that a run finds. Each band is traced with a row more on both sides, since what is
+  /// traced at a sample depends on its neighbours.
+  void refine(const std::shared_ptr<const TracedMesh>& traced,
+              const TruthTracer::Worker::Job& job) {
+    constexpr int bandRows = 32;
+    const surface::SampleGrid& grid = *truth_.samples;
+    const Progress progress = job.progress("Tracing the light's disc");
+    for (int top = 0; top < grid.height; top += bandRows) {
+      const double done = static_cast<double>(top) / grid.height;
+      const int first = std::max(0, top - 1);
+      const int end = std::min(grid.height, top + bandRows + 1);
+      const Visibility band = sharesOf(rowsOf(grid, first, end), rowsOf(hard_, first, end),
+                                       request_.scene->study->truth.directions, *traced,
+                                       [&](double) { progress(done); });
+      const auto width = static_cast<std::size_t>(grid.width);
+      const auto rows = static_cast<std::size_t>(std::min(bandRows, grid.height - top));
+      const std::size_t skipped = static_cast<std::size_t>(top - first) * width;
+      const std::size_t begin = static_cast<std::size_t>(top) * width;
+      for (std::size_t i = 0; i < rows * width; ++i) {
+        shares_.shares[begin + i] = band.shares[skipped + i];
+        if (grid.samples[begin + i].isOnSurface()) mark(begin + i);
+      }
+      publishAtTimes(traced, job);
+    }
+  }
+
+  void publishAtTimes(const std::shared_ptr<const TracedMesh>& traced,
+                      const TruthTracer::Worker::Job& job) {
+    if (Clock::now() - published_ > std::chrono::milliseconds(250)) publish(traced, job);
   }
 
   void publish(const std::shared_ptr<const TracedMesh>& traced,
                const TruthTracer::Worker::Job& job) {
-    truth_.preview = previewMask(*truth_.samples, truth_.mask, truth_.traced, coarsest);
+    truth_.answers = isSoft() ? Answers(shares_) : Answers(hard_);
+    truth_.preview = preview(*truth_.samples, truth_.answers, truth_.traced, coarsest);
     TruthResult result;
     result.truth = truth_;
     result.traced = traced;
@@ -88,6 +163,9 @@ class GrowingTruth {
   const ProgressiveOrder& order_;
   const TruthRequest& request_;
   PartialTruth truth_;
+  Mask hard_;  ///< of the light's centre
+  std::size_t hardCount_ = 0;
+  Visibility shares_;  ///< empty of a point
   Clock::time_point published_ = Clock::now();
 };
 
@@ -170,10 +248,10 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
       for (GrowingTruth& truth : truths) truth.trace(level, traced_, job);
       TruthResult result;
       if (level == 0 && request.curvature) {
-        result.curvature = curvaturePicture(scene, *request.curvature, request.light);
+        result.curvature = curvaturePicture(scene, *request.curvature, request.light.direction());
       }
       if (request.picture) {
-        result.picture = seenSurface(*traced_, *request.picture, request.light, stride,
+        result.picture = seenSurface(*traced_, *request.picture, request.light.direction(), stride,
                                      job.progress("Looking at the displaced surface"));
       }
       if (result.picture || result.curvature) publish(job, std::move(result));

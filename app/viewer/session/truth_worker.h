@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/camera.h"
-#include "common/mask.h"
 #include "image/image.h"
+#include "model/answers.h"
 #include "model/progressive_order.h"
 #include "surface/sample_grid.h"
 #include "truth/micro_mesh.h"
@@ -17,7 +17,12 @@
 
 namespace gnomon::app {
 
-/// The truth, traced behind the window at rising resolution: see ProgressiveOrder.
+/// The truth, traced behind the window at rising resolution: see ProgressiveOrder. Under a light
+/// with a disc every second sample a side is first traced toward `liveDirections` of it; then all
+/// samples get the study's own number of directions, in bands of rows from the top.
+
+/// How many directions the disc has while the resolution rises.
+constexpr int liveDirections = 32;
 
 /// The displaced surface in Embree.
 struct TracedMesh {
@@ -47,7 +52,7 @@ struct AnglesRequest {
 
 struct TruthRequest {
   std::shared_ptr<const SceneData> scene;
-  Vec3 light{0, 0, 1};            ///< unit vector toward the light
+  study::LightSpec light;
   std::vector<TruthView> views;   ///< whose truth is asked
   std::optional<Camera> picture;  ///< from where the displaced surface is looked at
   std::shared_ptr<const surface::SampleGrid> curvature;  ///< where the normal curvature is asked
@@ -65,8 +70,8 @@ struct CurvaturePicture {
 struct PartialTruth {
   study::MeshChoice mesh;
   std::shared_ptr<const surface::SampleGrid> samples;
-  Mask mask;                         ///< Shade::none where nothing was traced yet
-  Mask preview;                      ///< to look at: every pixel has the nearest answer
+  Answers answers;                   ///< none where nothing was traced yet
+  Answers preview;                   ///< to look at: every pixel has the nearest answer
   std::vector<std::uint8_t> traced;  ///< one a sample, 1 where it was asked
   std::size_t tracedCount = 0;
   std::size_t sampleCount = 0;  ///< of the view

@@ -76,13 +76,14 @@ study::StudyOptions ViewSession::shownOptions() const {
 void ViewSession::askForScene() {
   const std::vector<std::string> shown = shownMethods(state_);
   const study::StudyOptions options = shownOptions();
+  const bool isSoft = lightSpec(state_.light).isSoft();
   const std::string asked =
-      fmt::format("{}\n{}\n{}\n{}", fmt::join(options.overrides, "\n"), fmt::join(shown, "\n"),
-                  shaderVersion_, state_.overlays.directions);
+      fmt::format("{}\n{}\n{}\n{}\n{}", fmt::join(options.overrides, "\n"), fmt::join(shown, "\n"),
+                  shaderVersion_, state_.overlays.directions, isSoft);
   if (asked == askedScene_) return;
   askedScene_ = asked;
   sceneArrives_ = true;
-  baker_.request({options, shown, state_.overlays.directions, shaderVersion_});
+  baker_.request({options, shown, state_.overlays.directions, shaderVersion_, isSoft});
 }
 
 void ViewSession::takeScenes() {
@@ -179,7 +180,9 @@ void ViewSession::askForTruth() {
     if (mesh && needsTruth(content)) meshes.insert(*mesh);
   }
   const study::MeshChoice standard = scene()->standardMesh();
-  if (state_.overlays.curvature || state_.overlays.section) meshes.insert(standard);
+  if (state_.overlays.curvature || state_.overlays.section || state_.overlays.pixel) {
+    meshes.insert(standard);
+  }
   for (const study::MeshChoice& mesh : meshes) {
     asked += fmt::format("\n{} {} {}", static_cast<int>(mesh.kind), mesh.base.subdivisions,
                          static_cast<int>(mesh.base.curvature));
@@ -201,7 +204,7 @@ void ViewSession::askForTruth() {
     if (!whole) wanted.views.push_back({mesh, grid});
   }
   wanted.scene = scene_.sharedData();
-  wanted.light = lightSpec(state_.light).direction();
+  wanted.light = lightSpec(state_.light);
   if (wantsPicture && !pictureWhole_) wanted.picture = state_.camera;
   if (state_.overlays.curvature && !curvatureWhole_) wanted.curvature = grids_.at(standard);
   wanted.angles = missingAngles();
@@ -286,9 +289,8 @@ double ViewSession::tracedShare(std::size_t pane) const {
   return found == truth_.truths.end() ? 0 : found->second.share();
 }
 
-std::optional<Mask> ViewSession::maskOf(std::size_t pane) {
-  if (!hasScene()) return std::nullopt;
-  return pictures_.maskOf(scene_, state_, truth_, state_.panes.at(pane));
+const Answers* ViewSession::answersOf(const PaneContent& content) {
+  return hasScene() ? pictures_.answersOf(scene_, state_, truth_, content) : nullptr;
 }
 
 const surface::SampleGrid* ViewSession::samples() const {

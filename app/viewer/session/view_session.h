@@ -57,8 +57,9 @@ class ViewSession {
   [[nodiscard]] const PanePicture& pane(std::size_t index) const { return pictures_.pane(index); }
   /// Share of the truth that is traced for a pane, 0 to 1.
   [[nodiscard]] double tracedShare(std::size_t pane) const;
-  /// What a pane shows, as a mask; none for a difference or the displaced surface.
-  [[nodiscard]] std::optional<Mask> maskOf(std::size_t pane);
+  /// What a pane would show, as answers; null for a difference or the displaced surface, and for
+  /// what is not there yet. Valid until the next update.
+  [[nodiscard]] const Answers* answersOf(const PaneContent& content);
   [[nodiscard]] WorkStatus baking() const { return baker_.status(); }
   [[nodiscard]] WorkStatus tracing() const { return tracer_.status(); }
   /// What stands in the way, one a line: shaders that do not compile, keys out of range.

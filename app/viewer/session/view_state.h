@@ -59,6 +59,7 @@ struct Overlays {
   bool curvature = false;   ///< normal curvature along the light
   bool directions = false;  ///< principal directions
   bool section = false;     ///< the cross-section through the pixel under the cursor
+  bool pixel = false;       ///< what is known of that pixel
   friend bool operator==(const Overlays&, const Overlays&) = default;
 };
 

@@ -89,6 +89,9 @@ void ControlPanel::paneChoice(ViewSession& session, std::size_t pane) {
   const auto open = [&](const char* id, const std::string& list, const std::string& shown) {
     const bool isOpen = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge);
     note(list);
+    if (isOpen && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+      ImGui::CloseCurrentPopup();
+    }
     return isOpen;
   };
   const std::string name = fmt::format("pane.{}", pane);
@@ -147,6 +150,10 @@ void ControlPanel::light(ViewState& state) {
   heading("Light, degrees");
   slider("azimuth", "light.azimuth", state.light.azimuth, 0, 360, "%.1f");
   slider("elevation", "light.elevation", state.light.elevation, -10, 90, "%.1f");
+  slider("radius", "light.radius", state.light.radius, 0, study::largestLightRadius, "%.3f");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("sun")) state.light.radius = study::sunRadius;
+  note("light.sun");
 }
 
 void ControlPanel::surface(ViewSession& session) {
@@ -228,8 +235,9 @@ void ControlPanel::overlays(ViewState& state) {
   Overlays& overlays = state.overlays;
   for (const auto& [name, isOn] : {std::pair("curvature", &overlays.curvature),
                                    {"directions", &overlays.directions},
-                                   {"section", &overlays.section}}) {
-    if (isOn != &overlays.curvature) ImGui::SameLine();
+                                   {"section", &overlays.section},
+                                   {"pixel", &overlays.pixel}}) {
+    if (isOn != &overlays.curvature && isOn != &overlays.pixel) ImGui::SameLine();
     ImGui::Checkbox(fmt::format("{}##overlay", name).c_str(), isOn);
     note(fmt::format("overlay.{}", name));
   }

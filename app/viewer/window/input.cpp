@@ -17,7 +17,7 @@ namespace {
 
 /// Keys and what they do.
 using KeyHelp = std::pair<std::string_view, std::string_view>;
-constexpr std::array<KeyHelp, 18> keyHelp = {{
+constexpr std::array<KeyHelp, 20> keyHelp = {{
     {"drag", "turn the surface"},
     {"right drag", "move the surface"},
     {"scroll, + \u2212", "nearer, farther"},
@@ -25,12 +25,14 @@ constexpr std::array<KeyHelp, 18> keyHelp = {{
     {"1 2 4", "one, two or four panes"},
     {"drag the line, [ ]", "move the wipe of two panes"},
     {"N B", "next, previous method in the pane under the cursor"},
+    {"F", "flip the first two panes"},
     {"T", "the traced truth"},
     {"G", "the displaced surface, ray-traced"},
     {"D", "difference to the truth, on and off"},
     {"K", "normal curvature along the light"},
     {"V", "principal directions"},
     {"X", "cross-section through the pixel under the cursor"},
+    {"I", "what is known of that pixel"},
     {"R", "the study's own camera and light"},
     {"S P M", "save: study, picture, masks"},
     {"Tab", "controls, on and off"},
@@ -128,6 +130,7 @@ InputActions Input::press(ViewSession& session, std::span<const int> keys) {
   }
   if (pressed(GLFW_KEY_N)) choose(session, 1);
   if (pressed(GLFW_KEY_B)) choose(session, -1);
+  if (pressed(GLFW_KEY_F)) std::swap(state.panes[0], state.panes[1]);
   if (pressed(GLFW_KEY_T)) content = {tracedTruth};
   if (pressed(GLFW_KEY_G)) content = {displacedSurface};
   if (pressed(GLFW_KEY_D) && content.shown.isMethod()) {
@@ -136,6 +139,7 @@ InputActions Input::press(ViewSession& session, std::span<const int> keys) {
   if (pressed(GLFW_KEY_K)) state.overlays.curvature = !state.overlays.curvature;
   if (pressed(GLFW_KEY_V)) state.overlays.directions = !state.overlays.directions;
   if (pressed(GLFW_KEY_X)) state.overlays.section = !state.overlays.section;
+  if (pressed(GLFW_KEY_I)) state.overlays.pixel = !state.overlays.pixel;
   if (pressed(GLFW_KEY_TAB)) state.panel = !state.panel;
   if (pressed(GLFW_KEY_R)) session.resetView();
   constexpr double degrees = 1;

@@ -46,6 +46,7 @@ class Screen {
     if (session_.hasScene()) panes_.draw(session_, layout_, activePane);
     drawWaiting(session_, layout_);
     if (overlays.section) section_.draw(session_, layout_, {cursor.x, cursor.y});
+    if (overlays.pixel) drawPixelText(session_, probe_, layout_, {cursor.x, cursor.y});
     SaveActions actions;
     if (session_.state().panel) {
       actions = controls_.draw(session_, layout_.panel, frames, said);
@@ -63,6 +64,7 @@ class Screen {
   WindowLayout layout_;
   PaneView panes_;
   SectionPanel section_;
+  PixelProbe probe_;
   ControlPanel controls_;
 };
 

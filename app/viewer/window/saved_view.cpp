@@ -5,7 +5,9 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
+#include "common/overloaded.h"
 #include "image/images.h"
+#include "image/share_picture.h"
 #include "model/saved_study.h"
 #include "study/spec/file_names.h"
 #include "viewer/window/status_file.h"
@@ -56,12 +58,16 @@ std::string savePicture(const ViewSession& session, const image::Image& picture)
 std::string saveMasks(ViewSession& session) {
   std::string said;
   for (std::size_t i = 0; i < static_cast<std::size_t>(session.state().paneCount); ++i) {
-    const auto mask = session.maskOf(i);
-    if (!mask) continue;
+    const Answers* answers = session.answersOf(session.state().panes.at(i));
+    if (answers == nullptr) continue;
     const std::string shown = sourceText(session.state().panes.at(i).shown);
     const fs::path path =
         freePath(session, fmt::format("_{}.png", study::fileNames({shown}).front()));
-    image::writePng(path, image::maskImage(*mask));
+    writeTextAtomically(
+        path,
+        std::visit(Overloaded{[](const Mask& mask) { return image::pngOf(image::maskImage(mask)); },
+                              [](const Visibility& map) { return image::sharePng(map); }},
+                   *answers));
     said += fmt::format("{}saved {}", said.empty() ? "" : "\n", path.string());
   }
   return said.empty() ? "no pane shows a mask" : said;

@@ -18,7 +18,7 @@ std::string saveStudyView(const ViewSession& session);
 /// The window's content.
 std::string savePicture(const ViewSession& session, const image::Image& picture);
 
-/// The masks of the panes that show one.
+/// The masks of the panes that show one; maps of shares where the light has a disc.
 std::string saveMasks(ViewSession& session);
 
 }  // namespace gnomon::app

@@ -9,6 +9,7 @@
 #include "model/cross_section.h"
 #include "relief/patterns.h"
 #include "render/render_scene.h"
+#include "render/soft_light.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::app {
@@ -74,6 +75,43 @@ TEST(CrossSection, SaysOfEveryPixelWhatTheShaderAnswers) {
                             horizon::TableBits::sixteen, 6);
     expectAgreement(scene, render::atlasView(scene.surface, 1));
   }
+}
+
+/// The mean of |ΔV| between the section and the shader that holds its horizon against the disc.
+double meanDifference(const RenderScene& scene, const render::RenderView& view,
+                      const std::string& method,
+                      const std::function<double(const SectionHorizons&)>& share) {
+  const SectionTables tables{scene.horizon, scene.distance, scene.tables};
+  const Vec3 light = lightToward(50, 30);
+  const double radius = radians(8.0);
+  const surface::SampleGrid samples = scene.samples(view);
+  const Visibility drawn =
+      scene
+          .shares(render::readMethod(render::methodFile(render::shaderFolder(), method)), view,
+                  light, radius, render::SoftAnswer::disc)
+          .test;
+  Visibility found = drawn;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const auto section = crossSection(scene.surface, scene.relief, samples.samples[i], light,
+                                      {scene.tables.radiusTexels, 0, radius}, &tables);
+    found.shares[i] = static_cast<float>(share(section.value().fromTables.value()));
+  }
+  return test::meanDifference(drawn, found);
+}
+
+TEST(CrossSection, SeesOfADiscWhatTheShaderAnswers) {
+  const render::GlContext gl;
+  const RenderScene scene(surface::makeTorus(30, 10, 96, 66), randomRelief(64, 32, 2, 21), {16, 6},
+                          horizon::TableBits::sixteen, 6);
+  const render::RenderView view = render::atlasView(scene.surface, 1);
+  const auto of2004 = [](const SectionHorizons& at) { return at.onoue2004Share; };
+  const auto exactly = [](const SectionHorizons& at) { return at.onoueExactShare; };
+  EXPECT_LT(
+      meanDifference(scene, view, "max-forsyth", [](const auto& at) { return at.flat.share; }),
+      1e-3);
+  EXPECT_LT(meanDifference(scene, view, "onoue-2004", of2004), 1e-3);
+  EXPECT_LT(meanDifference(scene, view, "onoue-exact", exactly), 1e-3);
+  EXPECT_GT(meanDifference(scene, view, "max-forsyth", of2004), 0.01);
 }
 
 /// z = 0.005 (x² + y²), 96 wide: a surface on which the 2003 paper falls back to the flat horizon.

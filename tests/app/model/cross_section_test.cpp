@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "truth/disc_scenes.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::app {
@@ -64,6 +66,40 @@ TEST(CrossSection, OfAWallOnAPlaneIsFlatAndItsHorizonTheWallsTop) {
                   1e-6);
     }
   }
+}
+
+/// The wall under a light with a disc, whose lowest and highest rays lie ρ from its centre.
+TEST(CrossSection, ShowsOfADiscTheShareOverTheWall) {
+  const surface::LimitSurface surface(surface::makePlane(96, 32, 12, 4));
+  const relief::Relief relief = wall();
+  const double top = std::atan(6 / (60.25 - 31.5));
+  const double radius = radians(3.0);
+  double last = -1;
+  for (const double over : {-4.0, -3.0, -1.7, 0.0, 0.4, 2.9, 3.5}) {
+    const double elevation = top + radians(over);
+    const CrossSection section =
+        crossSection(surface, relief, sampleAt(surface, relief, {60.25, 16}),
+                     lightToward(180, elevation * 180 / pi), {128, 8, radius})
+            .value();
+    const double expected = test::flatShare(elevation, top, radius);
+    EXPECT_NEAR(section.here.flat.share, expected, 1e-5);
+    EXPECT_NEAR(section.here.onoue2004Share, expected, 1e-5);
+    EXPECT_NEAR(section.here.onoueExactShare, expected, 1e-5);
+    EXPECT_GE(section.here.flat.share, last);
+    last = section.here.flat.share;
+    for (const auto& [ray, angle] : {std::pair(section.lowestRay, elevation - radius),
+                                     {section.lightDirection, elevation},
+                                     {section.highestRay, elevation + radius}}) {
+      EXPECT_NEAR(std::atan2(ray.y, ray.x), angle, 1e-6);
+      EXPECT_NEAR(glm::length(ray), 1, 1e-12);
+    }
+    // Of a point the share is 0 or 1.
+    const CrossSection point =
+        sectionAt(surface, relief, {60.25, 16}, lightToward(180, elevation * 180 / pi));
+    EXPECT_EQ(point.here.flat.share, point.here.flat.shadowed ? 0 : 1);
+    EXPECT_LT(glm::distance(point.lowestRay, point.lightDirection), 1e-12);
+  }
+  EXPECT_EQ(last, 1);
 }
 
 /// Heights in texels: a = σ on an even map, so that slopes in the world are those of the map.
@@ -153,6 +189,7 @@ TEST(CrossSection, IsAbsentWithoutASampleAndFiniteUnderAZenithLight) {
   const CrossSection section = sectionAt(surface, relief, {60, 16}, Vec3(0, 0, 1));
   EXPECT_FALSE(section.here.onoue2004);
   EXPECT_NEAR(section.lightDirection.y, 1, 1e-12);
+  EXPECT_EQ(section.here.flat.share, 1);
   for (const Vec2& point : section.bentRelief) {
     EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
   }

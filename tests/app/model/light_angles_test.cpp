@@ -15,6 +15,18 @@ TEST(LightAngles, AreThoseOfTheLight) {
   EXPECT_EQ(same.name, "elevation 24° azimuth 165°");
 }
 
+TEST(LightAngles, KeepTheLightsDisc) {
+  for (const double degrees : {0.0, study::sunRadius, 0.007, 3.0, 9.999}) {
+    const study::LightSpec light{"", radians(165), radians(24), radians(degrees)};
+    const LightAngles angles = lightAngles(light);
+    EXPECT_EQ(angles.radius, degrees);
+    EXPECT_EQ(lightSpec(angles).radius, light.radius);
+    EXPECT_EQ(dragged(angles, 7, -3).radius, degrees);
+  }
+  EXPECT_EQ(lightSpec({165, 24, study::sunRadius}).name,
+            "elevation 24° azimuth 165° radius 0.266°");
+}
+
 TEST(LightDrag, AndBackReturns) {
   std::mt19937 random(2);
   const auto change = [&] { return 40 * (static_cast<double>(random()) / 4294967296.0 - 0.5); };

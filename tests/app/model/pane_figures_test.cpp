@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
 
 #include "common/error.h"
+#include "compare/share_metrics.h"
 
 namespace gnomon::app {
 namespace {
@@ -64,6 +66,53 @@ TEST(PaneFigures, OfAPartAreThoseOfThatPartAlone) {
   EXPECT_NEAR(figures.tracedShare, 0.25, 0.01);
   EXPECT_NEAR(figures.falseShadow.value.value() + figures.falseLight.value.value(),
               figures.errorRate.value.value(), 1e-15);
+}
+
+/// A third background, which neither has; the rest at random.
+std::pair<Visibility, Visibility> randomShares() {
+  std::mt19937 random(6);
+  const auto share = [&] { return static_cast<float>(random() % 257) / 256; };
+  Visibility candidate{paneWidth, paneHeight, {}};
+  Visibility truth = candidate;
+  for (std::size_t i = 0; i < paneSamples; ++i) {
+    candidate.shares.push_back(i % 3 == 0 ? noSample : share());
+    truth.shares.push_back(i % 3 == 0 ? noSample : share());
+  }
+  return {candidate, truth};
+}
+
+TEST(PaneFigures, OfSharesAreTheMeanErrorAndItsParts) {
+  const auto [candidate, truth] = randomShares();
+  std::vector<std::uint8_t> traced(paneSamples, 0);
+  double dark = 0;
+  double light = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < paneSamples; ++i) {
+    traced[i] = i % 4 != 0 ? 1 : 0;
+    if (traced[i] == 0 || i % 3 == 0) continue;
+    const double off =
+        static_cast<double>(candidate.shares[i]) - static_cast<double>(truth.shares[i]);
+    (off < 0 ? dark : light) += std::abs(off);
+    ++count;
+  }
+  const PaneFigures figures = paneFigures(candidate, truth, traced);
+  EXPECT_TRUE(figures.isSoft);
+  EXPECT_NEAR(figures.errorRate.value.value(), (dark + light) / count, 1e-12);
+  EXPECT_NEAR(figures.falseShadow.value.value(), dark / count, 1e-12);
+  EXPECT_NEAR(figures.falseLight.value.value(), light / count, 1e-12);
+  EXPECT_NEAR(figures.tracedShare, 0.75, 0.01);
+  // Of all samples it is the run's metric.
+  const std::vector<std::uint8_t> all(paneSamples, 1);
+  EXPECT_EQ(paneFigures(candidate, truth, all).errorRate.value,
+            compare::metricNamed(compare::shareMetrics(candidate, truth), "mae").value);
+  // Shares of 0 and 1 are a mask's.
+  const Masks masks = randomMasks();
+  const PaneFigures hard = paneFigures(masks.candidate, masks.truth, traced);
+  const PaneFigures same = paneFigures(asShares(masks.candidate), asShares(masks.truth), traced);
+  EXPECT_EQ(same.errorRate.value, hard.errorRate.value);
+  EXPECT_EQ(same.iou.value, hard.iou.value);
+  EXPECT_FALSE(hard.isSoft);
+  EXPECT_THROW(paneFigures(masks.candidate, truth, traced), InternalError);
 }
 
 TEST(PaneFigures, CountAreasWhereTheyAreGiven) {

@@ -100,6 +100,11 @@ Mask randomTruth(const surface::SampleGrid& grid) {
   return truth;
 }
 
+Mask previewMask(const surface::SampleGrid& grid, const Mask& truth,
+                 const std::vector<std::uint8_t>& traced) {
+  return std::get<Mask>(preview(grid, truth, traced));
+}
+
 std::vector<std::uint8_t> tracedUpTo(const ProgressiveOrder& order, std::size_t end,
                                      std::size_t count) {
   std::vector<std::uint8_t> traced(count, 0);
@@ -151,6 +156,26 @@ TEST(PreviewMask, OfAWholeLevelIsTheNearestTracedSample) {
         found = found || (traced[i] != 0 && x * x + y * y == least && truth.samples[i] == shown);
       }
       EXPECT_TRUE(found) << column << " " << row;
+    }
+  }
+}
+
+/// Shares are chosen as answers of a mask are: those that every mask cut from them has.
+TEST(Preview, OfSharesIsThatOfTheMasksThatTheyAreCutTo) {
+  const surface::SampleGrid grid = disc(70, 50);
+  std::mt19937 random(7);
+  Visibility truth{grid.width, grid.height, {}};
+  for (const surface::SurfaceSample& sample : grid.samples) {
+    truth.shares.push_back(sample.isOnSurface() ? static_cast<float>(random() % 257) / 256
+                                                : noSample);
+  }
+  const ProgressiveOrder order = progressiveOrder(grid);
+  const auto traced = tracedUpTo(order, order.levelEnds[2] + 31, truth.size());
+  const auto shown = std::get<Visibility>(preview(grid, truth, traced));
+  EXPECT_EQ(cutInHalf(shown).samples, previewMask(grid, cutInHalf(truth), traced).samples);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (traced[i] != 0) {
+      EXPECT_EQ(shown.shares[i], truth.shares[i]);
     }
   }
 }

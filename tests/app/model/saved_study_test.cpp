@@ -69,6 +69,7 @@ void expectSame(const study::StudySpec& a, const study::StudySpec& b) {
   EXPECT_EQ(a.base.curvature, b.base.curvature);
   EXPECT_EQ(a.truth.stepTexels, b.truth.stepTexels);
   EXPECT_EQ(a.truth.leastTriangles, b.truth.leastTriangles);
+  EXPECT_EQ(a.truth.directions, b.truth.directions);
   ASSERT_EQ(a.views.size(), b.views.size());
   for (std::size_t k = 0; k < a.views.size(); ++k) EXPECT_TRUE(sameView(a.views[k], b.views[k]));
   ASSERT_EQ(a.lights.size(), b.lights.size());
@@ -76,6 +77,7 @@ void expectSame(const study::StudySpec& a, const study::StudySpec& b) {
     EXPECT_EQ(a.lights[k].name, b.lights[k].name);
     EXPECT_EQ(a.lights[k].azimuth, b.lights[k].azimuth);
     EXPECT_EQ(a.lights[k].elevation, b.lights[k].elevation);
+    EXPECT_EQ(a.lights[k].radius, b.lights[k].radius);
   }
   ASSERT_EQ(a.methods.size(), b.methods.size());
   for (std::size_t k = 0; k < a.methods.size(); ++k) {
@@ -173,6 +175,31 @@ TEST_F(SavedStudy, HoldsEveryChangeOfTheSliders) {
   shown.lights = {lightSpec(*state.light)};
   expectSame(shown, saved);
   EXPECT_FALSE(sameCage(saved.cage, study::readStudy(state.file).cage));
+}
+
+TEST_F(SavedStudy, HoldsTheLightsRadius) {
+  StudyState state;
+  state.file = scenes / "soft/figure8-sun.toml";
+  state.options.overrides = {"truth.directions=64"};
+  study::StudySpec shown = study::readStudy(state.file, state.options);
+  ASSERT_EQ(lightAngles(shown.lights.front()).radius, study::sunRadius);
+  for (const double radius : {study::sunRadius, 3.001, study::largestLightRadius, 0.0}) {
+    state.light = LightAngles{165, 20, radius};
+    saveStudy(state, file("state.toml"));
+    const study::StudySpec saved = study::readStudy(file("state.toml"));
+    EXPECT_EQ(lightAngles(saved.lights.at(0)), *state.light);
+    EXPECT_EQ(saved.lights.at(0).isSoft(), radius > 0);
+    shown.lights = {lightSpec(*state.light)};
+    expectSame(shown, saved);
+  }
+  state.methods = {"max-forsyth + disc"};
+  saveStudy(state, file("disc.toml"));
+  const study::StudySpec held = study::readStudy(file("disc.toml"));
+  ASSERT_EQ(held.methods.size(), 1U);
+  EXPECT_TRUE(held.methods.front().disc);
+  // A point's text is as it always was.
+  EXPECT_THAT(savedStudy(state, file("state.toml")),
+              HasSubstr("[[light]]\nazimuth = 165.0\nelevation = 20.0\n\n[["));
 }
 
 TEST_F(SavedStudy, FindsItsFilesFromElsewhere) {

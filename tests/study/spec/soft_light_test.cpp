@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_file_fixture.h"
@@ -72,6 +73,23 @@ TEST_F(SoftLight, MayBeHeldAgainstAHorizon) {
   EXPECT_FALSE(isSameMethod(study.methods.front(), read(plainStudy).methods.front()));
   EXPECT_THAT(failureWith({"method.0.name='unshadowed'", "method.0.disc=true"}),
               AllOf(HasSubstr("method.0.disc"), HasSubstr("horizonSlope")));
+}
+
+TEST_F(SoftLight, AMethodHeldAgainstItIsCalledSoByOptionsToo) {
+  std::ofstream(file("two.toml")) << plainStudy << R"(
+[[method]]
+name = "onoue-2004"
+[[method]]
+name = "onoue-2004"
+disc = true
+)";
+  StudyOptions options;
+  options.replacements = {"onoue-2004 + disc=max-forsyth"};
+  const StudySpec study = readStudy(file("two.toml"), options);
+  const std::size_t last = study.methods.size() - 1;
+  EXPECT_EQ(study.methods.at(last).label, "onoue-2004 + disc");
+  EXPECT_EQ(study.methods.at(last).file.stem(), "max-forsyth");
+  EXPECT_EQ(study.methods.at(last - 1).file.stem(), "onoue-2004");
 }
 
 TEST_F(SoftLight, IsSwept) {

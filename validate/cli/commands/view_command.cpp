@@ -33,8 +33,8 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
   addList(*view, "--show", request.show,
           "Content of a pane; once, twice or four times for one, two or four panes", "CONTENT");
   addList(*view, "--overlay", request.overlays,
-          "Overlay on the panes: curvature, directions or section", "NAME")
-      ->check(CLI::IsMember({"curvature", "directions", "section"}));
+          "Overlay on the panes: curvature, directions, section or pixel", "NAME")
+      ->check(CLI::IsMember({"curvature", "directions", "section", "pixel"}));
   view->add_option("--width", request.width, "Width of the window, pixels")
       ->capture_default_str()
       ->check(CLI::Range(smallestSide, largestSide))

@@ -22,7 +22,7 @@ struct ViewRequest {
   /// What the panes show, "onoue-2004", "truth", "displaced" or "onoue-2004:truth": one, two or
   /// four; empty for the study's first methods.
   std::vector<std::string> show;
-  std::vector<std::string> overlays;  ///< "curvature", "directions", "section"
+  std::vector<std::string> overlays;  ///< "curvature", "directions", "section", "pixel"
   bool panel = true;                  ///< the controls are shown
   bool help = false;                  ///< and the list of keys
   std::vector<int> cursor;  ///< x and y of the cursor without a display, pixels; empty for none

@@ -1,20 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/disc_share.h"
 #include "render/check/pass_faults.h"
 #include "render/check/tally.h"
 #include "render/check/tile_scene.h"
 
 namespace gnomon::render::check {
-namespace {
-
-/// V of a disc whose centre stands x radii over a straight horizon, as disc.glsl has it.
-double discShare(double x) {
-  const double within = std::clamp(x, -1.0, 1.0);
-  return 1 - (std::acos(within) - within * std::sqrt(1 - within * within)) / pi;
-}
-
-}  // namespace
 
 std::string sharesFault(const Shaders& shaders) {
   constexpr double radius = radians(10.0);

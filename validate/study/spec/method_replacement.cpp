@@ -55,9 +55,10 @@ void removeLadder(toml::table& study, const std::string& label) {
 
 std::string methodLabel(const toml::table& method) {
   if (const auto label = method["label"].value<std::string>()) return *label;
-  if (const auto name = method["name"].value<std::string>()) return *name;
   if (const auto masks = method["masks"].value<std::string>()) return givenName(pathOf(*masks));
-  return stemText(pathOf(method["file"].value_or(std::string())));
+  const auto name = method["name"].value<std::string>();
+  return (name ? *name : stemText(pathOf(method["file"].value_or(std::string())))) +
+         (method["disc"].value_or(false) ? discLabel : "");
 }
 
 void replaceMethods(toml::table& study, const fs::path& file,

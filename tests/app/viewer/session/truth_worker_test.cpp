@@ -6,7 +6,9 @@
 #include <thread>
 
 #include "app/viewer/viewed_study.h"
+#include "model/light_angles.h"
 #include "truth/shadow_tracer.h"
+#include "truth/visibility_tracer.h"
 
 namespace gnomon::app {
 namespace {
@@ -21,8 +23,9 @@ class TruthTracerTest : public ViewedStudy {
                 [] {}) {}
 
   /// Every face's parameters along the rows, with some pixels that show nothing.
-  [[nodiscard]] std::shared_ptr<const surface::SampleGrid> samples() const {
-    surface::SampleGrid grid{61, 37, {}};
+  [[nodiscard]] std::shared_ptr<const surface::SampleGrid> samples(int width = 61,
+                                                                   int height = 37) const {
+    surface::SampleGrid grid{width, height, {}};
     const int faces = scene_->surface->faceCount();
     for (int i = 0; i < grid.width * grid.height; ++i) {
       const auto share = [i](int step) { return static_cast<float>(i * step % 97) / 97; };
@@ -34,7 +37,7 @@ class TruthTracerTest : public ViewedStudy {
   [[nodiscard]] TruthRequest request() const {
     TruthRequest asked;
     asked.scene = scene_;
-    asked.light = scene_->study->lights.front().direction();
+    asked.light = scene_->study->lights.front();
     asked.views = {{scene_->standardMesh(), samples()}};
     return asked;
   }
@@ -52,6 +55,12 @@ class TruthTracerTest : public ViewedStudy {
     return found;
   }
 
+  static const Mask& maskOf(const PartialTruth& truth) { return std::get<Mask>(truth.answers); }
+  static auto shadowCount(const PartialTruth& truth) {
+    const std::vector<Shade>& samples = maskOf(truth).samples;
+    return std::count(samples.begin(), samples.end(), Shade::shadowed);
+  }
+
   SceneMaker maker_;
   std::shared_ptr<const SceneData> scene_;
   TruthTracer tracer_;
@@ -67,9 +76,34 @@ TEST_F(TruthTracerTest, EndsWithTheMaskThatARunTraces) {
   const truth::MicroScene scene(mesh);
   const truth::Truth truth = truth::traceShadows(
       *scene_->surface, scene_->study->relief, mesh, scene, *asked.views[0].samples,
-      {asked.light, scene_->study->bake.settings.radiusTexels, truth::standardRayOffset});
-  EXPECT_EQ(found.back().mask.samples, truth.mask.samples);
+      {asked.light.direction(), scene_->study->bake.settings.radiusTexels,
+       truth::standardRayOffset});
+  EXPECT_EQ(maskOf(found.back()).samples, truth.mask.samples);
   EXPECT_EQ(found.back().share(), 1);
+}
+
+/// In bands, while a run traces the whole view at once.
+TEST_F(TruthTracerTest, UnderADiscEndsWithTheSharesThatARunTraces) {
+  TruthRequest asked = request();
+  asked.views = {{scene_->standardMesh(), samples(61, 100)}};
+  asked.light.radius = radians(study::largestLightRadius);
+  worker_.request(asked);
+  const auto found = truths();
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(found.front().share(), 1);
+  ASSERT_EQ(found.back().share(), 1);
+  const truth::MicroMesh mesh(*scene_->surface, scene_->study->relief, scene_->study->truth);
+  const truth::MicroScene scene(mesh);
+  const truth::Truth hard = truth::traceShadows(
+      *scene_->surface, scene_->study->relief, mesh, scene, *asked.views[0].samples,
+      {asked.light.direction(), scene_->study->bake.settings.radiusTexels,
+       truth::standardRayOffset});
+  const Visibility truth =
+      truth::traceVisibility(mesh, scene, *asked.views[0].samples, hard.mask,
+                             {asked.light.direction(), asked.light.radius,
+                              scene_->study->truth.directions, truth::standardRayOffset});
+  EXPECT_TRUE(isSame(std::get<Visibility>(found.back().answers), truth));
+  EXPECT_FALSE(isSame(truth, asShares(hard.mask))) << "no penumbra: the test shows nothing";
 }
 
 TEST_F(TruthTracerTest, GrowsAndNeverTakesAnAnswerBack) {
@@ -78,10 +112,10 @@ TEST_F(TruthTracerTest, GrowsAndNeverTakesAnAnswerBack) {
   ASSERT_GE(found.size(), 2U);
   for (std::size_t i = 1; i < found.size(); ++i) {
     EXPECT_GE(found[i].tracedCount, found[i - 1].tracedCount);
-    for (std::size_t k = 0; k < found[i].mask.size(); ++k) {
+    for (std::size_t k = 0; k < found[i].traced.size(); ++k) {
       if (found[i - 1].traced[k] == 0) continue;
       EXPECT_EQ(found[i].traced[k], 1);
-      EXPECT_EQ(found[i].mask.samples[k], found[i - 1].mask.samples[k]);
+      EXPECT_EQ(maskOf(found[i]).samples[k], maskOf(found[i - 1]).samples[k]);
     }
   }
 }
@@ -90,16 +124,14 @@ TEST_F(TruthTracerTest, AnotherLightAnswersForItself) {
   worker_.request(request());
   (void)truths();
   TruthRequest low = request();
-  low.light = glm::normalize(Vec3(1, 0, 0.2));
+  low.light = lightSpec({0, 11.3});
   worker_.request(low);
   const auto found = truths();
   ASSERT_FALSE(found.empty());
-  const auto shadowed = std::count(found.back().mask.samples.begin(),
-                                   found.back().mask.samples.end(), Shade::shadowed);
+  const auto shadowed = shadowCount(found.back());
   worker_.request(request());
   const auto again = truths();
-  EXPECT_GT(shadowed, std::count(again.back().mask.samples.begin(), again.back().mask.samples.end(),
-                                 Shade::shadowed));
+  EXPECT_GT(shadowed, shadowCount(again.back()));
 }
 
 TEST_F(TruthTracerTest, TheDisplacedSurfaceComesAtTheAskedSize) {

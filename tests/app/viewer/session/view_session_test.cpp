@@ -1,11 +1,13 @@
 #include "viewer/session/view_session.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <atomic>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "app/viewer/viewed_study.h"
@@ -15,6 +17,8 @@
 #include "render/shader_files.h"
 #include "support/replaced.h"
 #include "support/scoped_variable.h"
+#include "truth/global_occluder.h"
+#include "viewer/session/pixel_probe.h"
 #include "viewer/window/saved_view.h"
 #include "viewer/window/status_file.h"
 
@@ -55,6 +59,10 @@ class ViewSessionTest : public ViewedStudy {
            }) &&
            comesTrue([&] { return !session.tracing().busy; });
   }
+  static std::optional<Mask> maskOf(ViewSession& session, std::size_t pane) {
+    const Answers* answers = session.answersOf(session.state().panes.at(pane));
+    return answers != nullptr ? std::optional(std::get<Mask>(*answers)) : std::nullopt;
+  }
   static double errorRate(const ViewSession& session) {
     const auto& figures = session.pane(0).figures;
     return figures && figures->errorRate.value ? *figures->errorRate.value : -1;
@@ -93,18 +101,18 @@ TEST_F(ViewSessionTest, AMethodLabelledDisplacedIsThatMethod) {
       << "[[method]]\nname = \"unshadowed\"\nlabel = \"displaced\"\n";
   ViewSession session(request({"displaced"}), [] {});
   ASSERT_TRUE(completes(session));
-  const auto mask = session.maskOf(0);
+  const auto mask = maskOf(session, 0);
   ASSERT_TRUE(mask) << "the ray-traced surface has none";
   const double error = errorRate(session);
   session.state().panes[0] = {methodSource("unshadowed")};
   ASSERT_TRUE(completes(session));
-  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+  EXPECT_EQ(maskOf(session, 0)->samples, mask->samples);
   EXPECT_EQ(errorRate(session), error);
   EXPECT_GT(error, 0);
   // The surface is still there to be looked at.
   session.state().panes[0] = {displacedSurface};
   ASSERT_TRUE(completes(session));
-  EXPECT_FALSE(session.maskOf(0));
+  EXPECT_FALSE(maskOf(session, 0));
   EXPECT_FALSE(session.pane(0).figures);
 }
 
@@ -146,7 +154,7 @@ TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileCh
   session.state().changes.methods["mine"].bake.azimuths = 16;
   ASSERT_TRUE(completes(session));
   EXPECT_EQ(trials, 1) << "its file is the same";
-  const auto mask = session.maskOf(0);
+  const auto mask = maskOf(session, 0);
   ASSERT_TRUE(mask);
   std::ofstream(mine) << text << "float broken = ;\n// fatal\n";
   ASSERT_TRUE(comesTrue([&] {
@@ -156,7 +164,47 @@ TEST_F(ViewSessionTest, AMethodIsTriedBeforeTheDriverGetsItAndAgainWhenItsFileCh
   EXPECT_EQ(trials, 2);
   EXPECT_EQ(session.errors(), std::vector<std::string>{"mine.glsl: it crashes"})
       << "the driver has compiled it";
-  EXPECT_EQ(session.maskOf(0)->samples, mask->samples);
+  EXPECT_EQ(maskOf(session, 0)->samples, mask->samples);
+}
+
+/// Its answers are those of the panes, its region that of a trace of the whole view.
+TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
+  ViewSession session(request({"max-forsyth"}), [] {});
+  session.state().overlays.pixel = true;
+  ASSERT_TRUE(completes(session));
+  const surface::SampleGrid& samples = *session.samples();
+  const SceneData& scene = *session.scene();
+  const TracedMesh& traced = *session.traced();
+  const truth::TraceSettings light{scene.study->lights.front().direction(),
+                                   scene.study->bake.settings.radiusTexels,
+                                   truth::standardRayOffset};
+  truth::Truth truth = truth::traceShadows(*scene.surface, scene.study->relief, traced.mesh,
+                                           traced.scene, samples, light);
+  truth::markGlobal(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
+                    truth::SurfacePaths(*scene.surface), {}, samples, {&light, 1}, {&truth, 1});
+  const Mask mask = *maskOf(session, 0);
+  const auto word = [](Shade shade) { return shade == Shade::lit ? "lit" : "shadow"; };
+  PixelProbe probe;
+  std::set<truth::Region> regions;
+  for (std::size_t i = 0; i < mask.size(); i += 7) {
+    const auto width = static_cast<std::size_t>(samples.width);
+    const ViewPixel pixel{static_cast<int>(i % width), static_cast<int>(i / width)};
+    const std::string text = probe.textOf(session, pixel);
+    if (mask.samples[i] == Shade::none) {
+      EXPECT_EQ(text, "");
+      continue;
+    }
+    EXPECT_THAT(text, ::testing::StartsWith(fmt::format(
+                          "max-forsyth {}, truth {}: {}; horizon ", word(mask.samples[i]),
+                          word(truth.mask.samples[i]), truth::regionName(truth.regions[i]))));
+    regions.insert(truth.regions[i]);
+  }
+  EXPECT_GE(regions.size(), 3U);
+  // Under a disc the answers are shares.
+  session.state().light.radius = 5;
+  ASSERT_TRUE(completes(session));
+  EXPECT_THAT(probe.textOf(session, {samples.width / 2, samples.height / 2}),
+              ::testing::MatchesRegex("max-forsyth V [01]\\.000, truth V [01]\\.[0-9]+: .*"));
 }
 
 TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
@@ -171,8 +219,8 @@ TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
   const test::ScopedVariable shaders("GNOMON_SHADERS", file("shaders").c_str());
   ViewSession session(request({"max-forsyth", "shadow-volume"}), [] {});
   ASSERT_TRUE(completes(session));
-  EXPECT_TRUE(session.maskOf(0));
-  EXPECT_FALSE(session.maskOf(1));
+  EXPECT_TRUE(maskOf(session, 0));
+  EXPECT_FALSE(maskOf(session, 1));
   EXPECT_FALSE(session.pane(1).figures);
   EXPECT_EQ(session.pane(1).note, "not shown: see the message");
   ASSERT_EQ(session.errors().size(), 1U);
@@ -184,7 +232,7 @@ TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
     session.update();
     return session.errors().empty() && session.isComplete();
   }));
-  EXPECT_TRUE(session.maskOf(1));
+  EXPECT_TRUE(maskOf(session, 1));
   // What all methods need is not checked in vain either.
   const fs::path samples = file("shaders/common/samples.frag");
   const std::string turned =

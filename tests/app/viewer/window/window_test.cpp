@@ -217,6 +217,87 @@ TEST_F(ViewerWindow, ASavedStudyReproducesTheFiguresOnTheScreen) {
   EXPECT_TRUE(found);
 }
 
+TEST_F(ViewerWindow, ADiscOfLightIsMeasuredAsTheSavedStudyMeasuresIt) {
+  write("ball.toml", ballStudy() + "\n[[method]]\nname = \"max-forsyth\"\ndisc = true\n");
+  DrivenViewer viewer = open({"--show", "max-forsyth + disc", "--show", "onoue-2004", "--width",
+                              "560", "--height", "700"});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const json hard = viewer.status();
+  EXPECT_EQ(hard.at("light").at("radius"), 0);
+  viewer.clickControl("light.sun");
+  ASSERT_TRUE(viewer.waitFor([](const json& now) { return now.at("light").at("radius") == 0.266; }))
+      << viewer.status().dump(2);
+  viewer.dragControl("light.radius", 0.05, 0.4);
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.status().dump(2);
+  EXPECT_GT(viewer.status().at("light").at("radius"), 3);
+  viewer.clickControl("save.study");
+  ASSERT_TRUE(appears(folder() / "out/ball/view/view-1.json")) << viewer.status().dump(2);
+  viewer.key("m");
+  ASSERT_TRUE(appears(folder() / "out/ball/view/view-1_onoue-2004.png"));
+  viewer.key("r");
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) {
+    return now.at("complete").get<bool>() && now.at("panes") == hard.at("panes");
+  })) << viewer.status().dump(2);
+  viewer.key("q");
+  EXPECT_EQ(viewer.waitForEnd(), 0) << viewer.output();
+
+  const json screen = json::parse(read("out/ball/view/view-1.json"));
+  const Outcome outcome = gnomon({"run", "out/ball/view/view-1.toml"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json run = summary("view-1");
+  const json& first = run.at("results")[0];
+  for (const json& pane : screen.at("panes")) {
+    const json result = resultOf(run, pane.at("shows"), first.at("light"), first.at("view"));
+    expectSameFigures(pane, result);
+    EXPECT_EQ(pane.at("error_rate"), result.at("mae"));
+  }
+  EXPECT_NE(screen.at("panes")[0].at("error_rate"), hard.at("panes")[0].at("error_rate"));
+  // The masks are the run's maps of shares.
+  std::size_t same = 0;
+  for (const auto& entry : fs::directory_iterator(folder() / "out/view-1/masks")) {
+    const std::string name = entry.path().filename().string();
+    for (const char* method : {"max-forsyth-disc", "onoue-2004"}) {
+      if (name.find(std::string("_") + method) == std::string::npos) continue;
+      ++same;
+      EXPECT_EQ(read("out/view-1/masks/" + name),
+                read(fmt::format("out/ball/view/view-1_{}.png", method)));
+    }
+  }
+  EXPECT_EQ(same, 2U);
+}
+
+/// Also with one pane: the other content comes into it, and goes again.
+TEST_F(ViewerWindow, TheFirstTwoPanesFlip) {
+  DrivenViewer viewer = open({"--show", "max-forsyth", "--show", "truth"});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const auto shows = [](const json& now, std::size_t pane, const char* content) {
+    return now.at("panes")[pane].at("shows") == content;
+  };
+  viewer.key("f");
+  EXPECT_TRUE(viewer.waitFor(
+      [&](const json& now) { return shows(now, 0, "truth") && shows(now, 1, "max-forsyth"); }));
+  viewer.key("1");
+  viewer.key("f");
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) {
+    return now.at("panes").size() == 1 && shows(now, 0, "max-forsyth");
+  }));
+  viewer.key("f");
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) { return shows(now, 0, "truth"); }));
+}
+
+TEST_F(ViewerWindow, ADropDownClosesOnEscape) {
+  DrivenViewer viewer = open({"--show", "max-forsyth"});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const auto isOpen = [](const json& now) {
+    return now.at("controls").contains("pane.0.shown.truth");
+  };
+  viewer.clickControl("pane.0.shown");
+  ASSERT_TRUE(viewer.waitFor(isOpen)) << viewer.status().dump(2);
+  viewer.key("Escape");
+  EXPECT_TRUE(viewer.waitFor([&](const json& now) { return !isOpen(now); }, 10));
+  EXPECT_EQ(viewer.status().at("panes")[0].at("shows"), "max-forsyth");
+}
+
 TEST_F(ViewerWindow, OverlaysAndTheListOfKeysComeAndGo) {
   DrivenViewer viewer = open({});
   ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();

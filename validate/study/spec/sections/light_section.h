@@ -10,6 +10,8 @@ namespace gnomon::study {
 
 /// The sun's angular radius as seen from the Earth, degrees: mean over the year.
 constexpr double sunRadius = 0.266;
+/// The largest angular radius of a light, degrees.
+constexpr double largestLightRadius = 10;
 
 /// A directional light. Azimuth counter-clockwise from +x about +z, elevation over the xy plane.
 struct LightSpec {
@@ -43,7 +45,7 @@ inline StudyKeys keysOf(LightSection& light) {
                "`\"elevation 24° azimuth 165°\"`", Enters::nothing),
       studyKey("radius", Unusual{&light.radius},
                "degrees: angular radius of the light's disc, for soft shadows; 0 is a point",
-               {0, 10}),
+               {0, largestLightRadius}),
       studyKey("sun", Unusual{&light.sun}, "in place of `radius`: that of the sun, 0.266°")};
 }
 

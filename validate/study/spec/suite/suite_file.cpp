@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/shader_files.h"
+#include "study/spec/sections/light_section.h"
 
 namespace gnomon::study {
 namespace {
@@ -120,7 +121,7 @@ SuiteSpec readLike(const TomlReader& root, const TomlReader& header,
   suite.name = header.text("name");
   header.finish();
   const TomlReader light = root.table("light");
-  suite.lightRadius = readDistribution(light, "radius", {0, 10});
+  suite.lightRadius = readDistribution(light, "radius", {0, largestLightRadius});
   light.finish();
   root.finish();
   return suite;
