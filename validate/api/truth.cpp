@@ -165,13 +165,9 @@ std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine, const Prog
 }
 
 ShadowTruth shadowTruthOf(const truth::Truth& truth, const truth::Truth& coarse) {
-  ShadowTruth result{truth.mask.width,
-                     truth.mask.height,
-                     {},
-                     {},
-                     truth.isSoft() ? truth::shareChange(truth.visibility, coarse.visibility).mean
-                                    : truth::flipRate(truth.mask, coarse.mask),
-                     truth.visibility.shares};
+  ShadowTruth result{
+      truth.mask.width,       truth.mask.height, {}, {}, truth::uncertaintyOf(truth, coarse),
+      truth.visibility.shares};
   for (const Shade shade : truth.mask.samples) {
     result.mask.push_back(static_cast<std::uint8_t>(shade));
   }

@@ -40,24 +40,26 @@ std::size_t seenFrom(const MicroScene& scene, const Facet& facet, double rayOffs
 /// What the directions that come first say of a sample.
 enum class Begun : std::uint8_t { nothing, dark, lit, mixed };
 
-/// The two passes over the samples of a view.
+/// The two passes over the points of a view.
+/// @tparam FacetOf  gives the facet that holds the point of an index
+template <typename FacetOf>
 class DiscTracer {
  public:
-  DiscTracer(const MicroMesh& mesh, const MicroScene& scene, const surface::SampleGrid& samples,
-             const Mask& hard, const DiscSettings& settings)
-      : mesh_(mesh),
-        scene_(scene),
-        samples_(samples),
+  /// @param rayOffset  world length
+  DiscTracer(const MicroScene& scene, const Mask& hard, const DiscSettings& settings,
+             double rayOffset, FacetOf facetOf)
+      : scene_(scene),
         hard_(hard),
-        rayOffset_(mesh.rayOffset(settings.rayOffset)),
+        rayOffset_(rayOffset),
+        facetOf_(facetOf),
         directions_(
             discDirections(settings.light, settings.radius, discPoints(settings.directions))),
         rim_(discDirections(settings.light, settings.radius, discRim(rimDirections))),
         isAdaptive_(settings.isAdaptive),
-        begun_(samples.samples.size(), Begun::nothing) {}
+        begun_(hard.size(), Begun::nothing) {}
 
   Visibility trace(const Progress& progress) {
-    const auto height = static_cast<std::size_t>(samples_.height);
+    const auto height = static_cast<std::size_t>(hard_.height);
     const std::size_t bands = (height + bandRows - 1) / bandRows;
     CountedProgress done(progress, 2 * bands);
     const auto forEachSample = [&](const auto& work) {
@@ -71,8 +73,7 @@ class DiscTracer {
       });
     };
     forEachSample([&](std::size_t i) { begun_[i] = isAdaptive_ ? begin(i) : Begun::mixed; });
-    Visibility found{samples_.width, samples_.height,
-                     std::vector<float>(samples_.samples.size(), noSample)};
+    Visibility found{hard_.width, hard_.height, std::vector<float>(hard_.size(), noSample)};
     forEachSample([&](std::size_t i) {
       found.shares[i] = !isSettled(i) ? shareOf(i) : begun_[i] == Begun::dark ? 0.0F : 1.0F;
     });
@@ -80,10 +81,10 @@ class DiscTracer {
   }
 
  private:
-  [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(samples_.width); }
+  [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(hard_.width); }
 
   [[nodiscard]] std::size_t seenOf(std::size_t i, std::span<const Vec3> directions) const {
-    return seenFrom(scene_, mesh_.facet(samples_.samples[i]), rayOffset_, directions);
+    return seenFrom(scene_, facetOf_(i), rayOffset_, directions);
   }
 
   [[nodiscard]] float shareOf(std::size_t i) const {
@@ -102,8 +103,8 @@ class DiscTracer {
     if (begun_[i] == Begun::mixed) return false;
     const auto column = static_cast<int>(i % width());
     const auto row = static_cast<int>(i / width());
-    for (int y = std::max(0, row - 1); y < std::min(samples_.height, row + 2); ++y) {
-      for (int x = std::max(0, column - 1); x < std::min(samples_.width, column + 2); ++x) {
+    for (int y = std::max(0, row - 1); y < std::min(hard_.height, row + 2); ++y) {
+      for (int x = std::max(0, column - 1); x < std::min(hard_.width, column + 2); ++x) {
         const Begun other =
             begun_[static_cast<std::size_t>(y) * width() + static_cast<std::size_t>(x)];
         if (other != Begun::nothing && other != begun_[i]) return false;
@@ -112,27 +113,39 @@ class DiscTracer {
     return true;
   }
 
-  const MicroMesh& mesh_;
   const MicroScene& scene_;
-  const surface::SampleGrid& samples_;
   const Mask& hard_;
   double rayOffset_;
+  FacetOf facetOf_;
   std::vector<Vec3> directions_;
   std::vector<Vec3> rim_;
   bool isAdaptive_;
-  std::vector<Begun> begun_;  ///< one a sample
+  std::vector<Begun> begun_;  ///< one a point
 };
+
+/// @throws InternalError unless the mask has one answer for each point of the view
+void requireView(const Mask& hard, int width, int height, std::size_t points) {
+  if (hard.width == width && hard.height == height && hard.size() == points) return;
+  throw InternalError("a mask of another view than the points of a soft light");
+}
 
 }  // namespace
 
 Visibility traceVisibility(const MicroMesh& mesh, const MicroScene& scene,
                            const surface::SampleGrid& samples, const Mask& hard,
                            const DiscSettings& settings, const Progress& progress) {
-  if (hard.width != samples.width || hard.height != samples.height ||
-      hard.size() != samples.samples.size()) {
-    throw InternalError("a mask of another view than the samples of a soft light");
-  }
-  return DiscTracer(mesh, scene, samples, hard, settings).trace(progress);
+  requireView(hard, samples.width, samples.height, samples.samples.size());
+  return DiscTracer(scene, hard, settings, mesh.rayOffset(settings.rayOffset),
+                    [&](std::size_t i) { return mesh.facet(samples.samples[i]); })
+      .trace(progress);
+}
+
+Visibility traceVisibility(const SeenSurface& seen, const MicroScene& scene, const Mask& hard,
+                           const DiscSettings& settings, const Progress& progress) {
+  requireView(hard, seen.width, seen.height, seen.points.size());
+  return DiscTracer(scene, hard, settings, seen.rayOffset,
+                    [&](std::size_t i) { return seen.points[i].facet; })
+      .trace(progress);
 }
 
 ShareChange shareChange(const Visibility& a, const Visibility& b) {
@@ -153,6 +166,11 @@ ShareChange shareChange(const Visibility& a, const Visibility& b) {
   std::nth_element(changes.begin(), changes.begin() + static_cast<std::ptrdiff_t>(place),
                    changes.end());
   return {sum / static_cast<double>(changes.size()), changes[place]};
+}
+
+double uncertaintyOf(const Truth& truth, const Truth& coarse) {
+  return truth.isSoft() ? shareChange(truth.visibility, coarse.visibility).mean
+                        : flipRate(truth.mask, coarse.mask);
 }
 
 }  // namespace gnomon::truth

@@ -176,13 +176,11 @@ UncertaintyRecord measured(RunScene& scene, const truth::Truth& coarse, const Ba
   const compare::LightField field =
       scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
   UncertaintyRecord found{
-      "", "", truth::flipRate(truth.mask, coarse.mask),
+      "", "", truth::uncertaintyOf(truth, coarse),
       differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
       compare::compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
   if (!truth.isSoft()) return found;
-  const truth::ShareChange change = truth::shareChange(truth.visibility, coarse.visibility);
-  found.flipRate = change.mean;
-  found.percentile99 = change.percentile99;
+  found.percentile99 = truth::shareChange(truth.visibility, coarse.visibility).percentile99;
   found.shares =
       sharesMetrics(coarse.visibility, truth.visibility, base.views[view].weights, field);
   return found;
@@ -306,7 +304,8 @@ ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, doub
   return truths;
 }
 
-void traceUncertainty(RunScene& scene, TruthRecord& truth) {
+void traceUncertainty(RunScene& scene, TruthRecord& truth,
+                      const std::function<void(const TracedSurface&)>& whileTraced) {
   truth::MicroMeshSettings twice = scene.study.truth;
   twice.stepTexels = 2 * truth.askedStepTexels;
   const cache::ContentKey key = cache::KeyBuilder("half the resolution")
@@ -329,6 +328,7 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
       truth.flips.push_back(std::move(flips[l]));
     }
   }
+  if (whileTraced) whileTraced(half.get());
 }
 
 }  // namespace gnomon::study

@@ -75,7 +75,9 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 /// shares do, tell the truth's uncertainty.
 /// @param truth  its step is doubled for the coarser mesh; receives the flip rates and the
 ///   uncertainty
+/// @param whileTraced  called with the coarser surface before it goes
 /// @throws InputError where the coarser mesh has more than half the triangles: too similar to tell
-void traceUncertainty(RunScene& scene, TruthRecord& truth);
+void traceUncertainty(RunScene& scene, TruthRecord& truth,
+                      const std::function<void(const TracedSurface&)>& whileTraced = {});
 
 }  // namespace gnomon::study
