@@ -23,7 +23,7 @@ Html changePictures(const study::ReferencePictures& row, const std::filesystem::
               row.view, row.light,
               changePicture(row.before, "as committed, against its truth", folder),
               changePicture(row.after, "now, against the truth", folder),
-              changePicture(row.change, "what changed: orange has become dark, blue lit", folder),
+              changePicture(row.change, "what changed: orange has become darker, blue lighter", folder),
               htmlNote(row.note));
 }
 
