@@ -198,6 +198,9 @@ def main():
         sys.exit(__doc__)
     export, out = folders
     about = json.loads((export / "export.json").read_text())
+    for light in about["lights"]:
+        if light.get("radius_degrees", 0) > 0:
+            sys.exit(f"light \"{light['name']}\": a disc found, a point expected: masks are hard here")
     lights = [Vector(light["direction"]) for light in about["lights"]]
     vertices, triangles = read_ply(export / about["displaced_mesh"]["file"])
     start = time.monotonic()

@@ -13,10 +13,11 @@ int main() {
   const auto sphere = gnomon::makeShape("sphere", {66.7, 1.92, 1.92}, 20, 20);
   const auto samples = gnomon::atlasSamples(sphere, 16);
   const auto truths = gnomon::traceTruth(sphere, relief, samples, {{0.8, 0.3, 0.5}});
-  const auto& [width, height, mask, regions, uncertainty] = truths.front();
-  const std::vector<std::uint8_t> unshadowed(mask.size(), 0);
+  const gnomon::ShadowTruth& truth = truths.front();
+  const std::vector<std::uint8_t> unshadowed(truth.mask.size(), 0);
   const auto figures =
-      gnomon::compareMasks({width, height, unshadowed}, {width, height, mask}, {samples.weights});
+      gnomon::compareMasks({truth.width, truth.height, unshadowed},
+                           {truth.width, truth.height, truth.mask}, {samples.weights});
   std::printf("wrong on %.1f %% of the surface (truth: ± %.1f %%)\n",
-              100 * *figures.value("error_rate"), 100 * uncertainty);
+              100 * *figures.value("error_rate"), 100 * truth.uncertainty);
 }

@@ -82,11 +82,42 @@ gnomon::MaskView viewOf(const Array<std::uint8_t>& mask) {
   return {static_cast<int>(mask.shape(1)), static_cast<int>(mask.shape(0)), spanOf(mask)};
 }
 
+bool holdsFloats(const py::array& array) {
+  return array.dtype().kind() == 'f';
+}
+
+py::array_t<float> ownArrayOf(gnomon::SharePixels&& map) {
+  return arrayOf(std::move(map.shares), {map.height, map.width});
+}
+
+/// Shares of a light's disc: NaN no answer. A mask's answers are shares of 0 and 1.
+Array<float> sharesOf(const py::array& map, const char* name) {
+  if (!holdsFloats(map)) return ownArrayOf(gnomon::sharesOfMask(viewOf(maskOf(map, name))));
+  requireShape(map, name, 2, "(height, width)");
+  return Array<float>(map);
+}
+
+gnomon::ShareView viewOf(const Array<float>& map) {
+  return {static_cast<int>(map.shape(1)), static_cast<int>(map.shape(0)), spanOf(map)};
+}
+
+gnomon::MaskFigures figuresOf(const py::array& candidate, const py::array& truth,
+                              const gnomon::CompareOptions& options) {
+  if (holdsFloats(truth)) {
+    const Array<float> answers = sharesOf(candidate, "candidate");
+    const Array<float> expected = sharesOf(truth, "truth");
+    const py::gil_scoped_release released;
+    return gnomon::compareShares(viewOf(answers), viewOf(expected), options);
+  }
+  const Array<std::uint8_t> answers = maskOf(candidate, "candidate");
+  const Array<std::uint8_t> expected = maskOf(truth, "truth");
+  const py::gil_scoped_release released;
+  return gnomon::compareMasks(viewOf(answers), viewOf(expected), options);
+}
+
 py::dict compare(const py::array& candidate, const py::array& truth,
                  const std::optional<Array<bool>>& roi,
                  const std::optional<Array<double>>& weights) {
-  const Array<std::uint8_t> answers = maskOf(candidate, "candidate");
-  const Array<std::uint8_t> expected = maskOf(truth, "truth");
   gnomon::CompareOptions options;
   if (roi) {
     requireShape(*roi, "roi", 2, "(height, width)");
@@ -97,11 +128,7 @@ py::dict compare(const py::array& candidate, const py::array& truth,
     requireShape(*weights, "weights", 2, "(height, width)");
     options.weights = spanOf(*weights);
   }
-  gnomon::MaskFigures figures;
-  {
-    const py::gil_scoped_release released;
-    figures = gnomon::compareMasks(viewOf(answers), viewOf(expected), options);
-  }
+  const gnomon::MaskFigures figures = figuresOf(candidate, truth, options);
   py::dict result("tp"_a = figures.truePositive, "fp"_a = figures.falsePositive,
                   "fn"_a = figures.falseNegative, "tn"_a = figures.trueNegative,
                   "samples"_a = figures.samples);
@@ -123,6 +150,15 @@ py::array_t<std::uint8_t> readMask(const std::filesystem::path& file) {
     mask = gnomon::readMask(file);
   }
   return arrayOf(std::move(mask.samples), {mask.height, mask.width});
+}
+
+py::array_t<float> readShares(const std::filesystem::path& file) {
+  gnomon::SharePixels map;
+  {
+    const py::gil_scoped_release released;
+    map = gnomon::readShares(file);
+  }
+  return ownArrayOf(std::move(map));
 }
 
 /// Ends work from within, when a signal has raised an exception in Python.
@@ -230,18 +266,21 @@ py::list trace(const gnomon::Surface& surface, const Array<float>& heights,
                const gnomon::SurfaceSamples& samples,
                const std::vector<std::array<double, 3>>& lights,
                const std::array<double, 2>& repeats, bool heightsInTexels, bool mapRepeats,
-               std::optional<double> step, std::optional<double> radius) {
+               std::optional<double> step, std::optional<double> radius,
+               const std::vector<double>& discs, int directions) {
   const gnomon::Displacement relief{heightMapOf(heights, mapRepeats), repeats, heightsInTexels};
   std::vector<gnomon::ShadowTruth> truths = interruptibly([&](const Stop& stop) {
     return gnomon::traceTruth(surface, relief, samples, lights,
-                              {step, radius, [&](double) { stop(); }});
+                              {step, radius, discs, directions, [&](double) { stop(); }});
   });
   py::list list;
   for (gnomon::ShadowTruth& truth : truths) {
     const std::vector<py::ssize_t> shape = {truth.height, truth.width};
+    py::object shares = py::none();
+    if (!truth.shares.empty()) shares = arrayOf(std::move(truth.shares), shape);
     list.append(py::dict("mask"_a = arrayOf(std::move(truth.mask), shape),
                          "regions"_a = arrayOf(std::move(truth.regions), shape),
-                         "uncertainty"_a = truth.uncertainty));
+                         "uncertainty"_a = truth.uncertainty, "shares"_a = std::move(shares)));
   }
   return list;
 }
@@ -325,9 +364,11 @@ PYBIND11_MODULE(_gnomon, module) {
       py::call_guard<py::gil_scoped_release>());
   module.def("horizons", &horizons, "heights"_a, "azimuths"_a, "radius"_a, "repeats"_a);
   module.def("trace", &trace, "surface"_a, "heights"_a, "samples"_a, "lights"_a, "repeats"_a,
-             "heights_in_texels"_a, "map_repeats"_a, "step"_a, "radius"_a);
+             "heights_in_texels"_a, "map_repeats"_a, "step"_a, "radius"_a, "discs"_a,
+             "directions"_a);
   module.def("compare", &compare, "candidate"_a, "truth"_a, "roi"_a, "weights"_a);
   module.def("read_mask", &readMask, "file"_a);
+  module.def("read_shares", &readShares, "file"_a);
   module.def("run", &run, "study"_a, "out"_a, "methods"_a, "settings"_a, "quick"_a, "cache"_a,
              "progress"_a);
 }

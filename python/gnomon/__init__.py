@@ -1,8 +1,9 @@
 """How right real-time bump-map shadows are, measured: Gnomon for Python.
 
 Masks are arrays of bytes, 0 lit, 1 shadowed, 2 no answer (booleans are taken too), row 0 at the top.
-Height maps are arrays (rows, columns) whose row 0 is at v = 0. Angles are radians, lengths world units
-unless a name says texels. Functions use all processors and let other threads of Python run.
+Under a light with a disc they are float32: the share of the disc that is seen, 0 none, 1 all of it, NaN
+no answer. Height maps are arrays (rows, columns) whose row 0 is at v = 0. Angles are radians, lengths
+world units unless a name says texels. Functions use all processors and let other threads of Python run.
 
 >>> import gnomon
 >>> result = gnomon.run("scenes/figure8.toml", methods=["max-forsyth"], quick=True)
@@ -18,6 +19,7 @@ from gnomon._gnomon import (
     make_shape,
     make_surface,
     read_mask,
+    read_shares,
     read_surface,
 )
 from gnomon.arrays import atlas, camera, compare, horizons, trace
@@ -39,6 +41,7 @@ __all__ = [
     "make_shape",
     "make_surface",
     "read_mask",
+    "read_shares",
     "read_surface",
     "run",
     "trace",

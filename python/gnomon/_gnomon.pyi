@@ -54,6 +54,8 @@ def trace(
     map_repeats: bool,
     step: Optional[float],
     radius: Optional[float],
+    discs: List[float],
+    directions: int,
 ) -> List[Dict[str, Any]]: ...
 def compare(
     candidate: np.ndarray,
@@ -62,6 +64,7 @@ def compare(
     weights: Optional[np.ndarray],
 ) -> Dict[str, Any]: ...
 def read_mask(file: Union[str, pathlib.Path]) -> np.ndarray: ...
+def read_shares(file: Union[str, pathlib.Path]) -> np.ndarray: ...
 def run(
     study: pathlib.Path,
     out: pathlib.Path,

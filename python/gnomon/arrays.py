@@ -1,7 +1,7 @@
 """Functions on arrays: horizons, samples of a surface, exact shadows, comparisons of masks."""
 
 import math
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -62,17 +62,21 @@ def camera(
 
 
 class Truth(NamedTuple):
-    """The exact shadow under one light; both arrays are (height, width) uint8.
+    """The exact shadow under one light; mask and regions are (height, width) uint8.
 
+    mask         0 lit, 1 shadowed, 2 no answer; of a disc 1 where less than half of it is seen
     regions      0 no sample, 1 lit, 2 attached, 3 cast, 4 distant, 5 beyond the terminator,
-                 6 global
+                 6 global; of a disc those of its centre
     uncertainty  share of the samples that change at half the resolution: differences between
-                 methods below it mean nothing
+                 methods below it mean nothing; of a disc the mean change of the shares
+    shares       (height, width) float32, the share of the disc that a sample sees, NaN no answer;
+                 None of a point light
     """
 
     mask: np.ndarray
     regions: np.ndarray
     uncertainty: float
+    shares: Optional[np.ndarray] = None
 
 
 def trace(
@@ -85,25 +89,35 @@ def trace(
     map_repeats: bool = True,
     step: Optional[float] = None,
     radius: Optional[float] = None,
+    disc: Union[float, Sequence[float]] = 0,
+    directions: int = 256,
 ) -> List[Truth]:
     """The exact shadows of a surface displaced by a height map, one truth a light.
 
-    lights   vectors toward the lights, (lights, 3)
-    repeats  times that the map is laid over one unit of u and of v
-    step     longest edge of the traced mesh, texels; by default for four million triangles
-    radius   occluders farther than this along the surface are "distant", texels
+    lights      vectors toward the lights, (lights, 3)
+    repeats     times that the map is laid over one unit of u and of v
+    step        longest edge of the traced mesh, texels; by default for four million triangles
+    radius      occluders farther than this along the surface are "distant", texels
+    disc        angular radius of all lights, or of each, radians; 0 is a point, the sun
+                math.radians(0.266)
+    directions  toward a disc, each for an equal solid angle: an even number
     """
-    directions = [tuple(float(x) for x in light) for light in lights]
+    vectors = [tuple(float(x) for x in light) for light in lights]
+    discs = np.asarray(disc, float)
+    if discs.ndim == 0:
+        discs = np.full(len(vectors), discs)
     truths = _gnomon.trace(
         surface,
         np.asarray(heights),
         samples,
-        directions,
+        vectors,
         tuple(repeats),
         heights_in_texels,
         map_repeats,
         step,
         radius,
+        discs.tolist(),
+        directions,
     )
     return [Truth(**truth) for truth in truths]
 
@@ -116,6 +130,11 @@ def compare(
 ) -> Dict[str, Any]:
     """A mask against the truth: tp, fp, fn, tn, samples and every metric of `gnomon compare`, and
     "error_interval", the 95 % interval [low, high] of error_rate.
+
+    A truth of floats holds shares of a light's disc, as `Truth.shares`; the candidate may then be
+    shares or a mask. Each sample is divided among tp, fp, fn and tn, error_rate is the mean
+    difference of the shares, and mae, rmse, off_by_more_than_0.1, umbra_iou and penumbra_iou come
+    with it.
 
     All arrays are (height, width). What is not defined is None, with its reason in "undefined".
 

@@ -4,7 +4,7 @@ import csv
 import json
 import os
 import pathlib
-from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 
@@ -42,14 +42,22 @@ def _rows_of(file: pathlib.Path) -> List[Dict[str, str]]:
         return list(csv.DictReader(stream))
 
 
-class _Masks(Mapping[Any, np.ndarray]):
-    """Masks by key, each read when it is asked for."""
+def _read(file: pathlib.Path, is_soft: bool) -> np.ndarray:
+    return _gnomon.read_shares(file) if is_soft else _gnomon.read_mask(file)
 
-    def __init__(self, files: Dict[Any, pathlib.Path]) -> None:
+
+class _Masks(Mapping[Any, np.ndarray]):
+    """Masks and maps of shares by key, each read when it is asked for.
+
+    soft  the keys of maps of shares
+    """
+
+    def __init__(self, files: Dict[Any, pathlib.Path], soft: Set[Any]) -> None:
         self._files = files
+        self._soft = soft
 
     def __getitem__(self, key: Any) -> np.ndarray:
-        return _gnomon.read_mask(self._files[key])
+        return _read(self._files[key], key in self._soft)
 
     def __iter__(self) -> Iterator[Any]:
         return iter(self._files)
@@ -148,6 +156,11 @@ class Result:
             for picture in panel["pictures"]:
                 yield panel["view"], panel["light"], picture
 
+    def _is_soft(self, light: str) -> bool:
+        """Whether a light is a disc: then what is called a mask holds shares."""
+        lights = self.summary["study"]["settings"]["light"]
+        return any(one["name"] == light and one.get("radius", 0) > 0 for one in lights)
+
     def _mask_files(self) -> Dict[Tuple[str, str, str], pathlib.Path]:
         return {
             (picture["method"], view, light): self.folder / picture["mask"]
@@ -158,22 +171,23 @@ class Result:
     @property
     def masks(self) -> Mapping[Tuple[str, str, str], np.ndarray]:
         """What each method drew, by (method, view, light): (height, width) uint8, 0 lit, 1 shadowed,
-        2 no answer."""
-        files = self._mask_files()
-        return _Masks({key: file for key, file in files.items() if key[0] != "truth"})
+        2 no answer. Under a light with a disc float32: the share of it that is seen, in steps of
+        1/65535, NaN no answer; of a hard method 0 and 1."""
+        files = {key: file for key, file in self._mask_files().items() if key[0] != "truth"}
+        return _Masks(files, {key for key in files if self._is_soft(key[2])})
 
     @property
     def truth(self) -> Mapping[Tuple[str, str], np.ndarray]:
         """The traced truth by (view, light), as `masks`: at the samples of the study's own mesh. Methods
         that draw another mesh have samples of their own, see `truth_of`."""
-        files = self._mask_files()
-        return _Masks({key[1:]: file for key, file in files.items() if key[0] == "truth"})
+        files = {key[1:]: file for key, file in self._mask_files().items() if key[0] == "truth"}
+        return _Masks(files, {key for key in files if self._is_soft(key[1])})
 
     def truth_of(self, method: str, view: str, light: str) -> np.ndarray:
         """The truth at the samples of a method."""
         for seen, lit, picture in self._pictures():
             if (picture.get("method"), seen, lit) == (method, view, light):
-                return _gnomon.read_mask(self.folder / picture["truth"]["mask"])
+                return _read(self.folder / picture["truth"]["mask"], self._is_soft(lit))
         raise KeyError((method, view, light))
 
 

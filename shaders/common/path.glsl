@@ -222,6 +222,35 @@ Crossings crossingsFrom(Path path, float t) {
   return at;
 }
 
+// The relief at two crossings, the ends of a cell.
+struct CellEnds {
+  vec2 place;   // texels along the path
+  vec2 height;  // h there, height units
+};
+
+// The cell from one crossing to the next.
+CellEnds cellEnds(Path path, float enter, float leave, vec2 texelSize) {
+  // Half of the way through the cell, and its place there.
+  float far = 0.5 * (leave - enter);
+  float middle = enter + far;
+  vec2 bent = middle * path.bend;
+  Cell cell = heightCell(path.start + middle * (path.direction + bent), texelSize);
+  vec2 way = far * (path.direction + 2.0 * bent);
+  // Both ends no farther than the cell goes, and a thousandth of a texel: a bent path does not
+  // leave it where a straight one would.
+  vec2 room = 1e-3 + mix(cell.fraction, 1.0 - cell.fraction, greaterThan(way, vec2(0.0)));
+  vec2 each = 1.0 / max(abs(way), 1e-6);
+  vec2 back = (1.002 - room) * each;
+  vec2 on = room * each;
+  float first = min(min(back.x, back.y), 1.0);
+  float second = min(min(on.x, on.y), 1.0);
+  CellEnds ends;
+  ends.height = vec2(heightIn(cell.heights, cell.fraction - first * way),
+                     heightIn(cell.heights, cell.fraction + second * way));
+  ends.place = vec2(middle - first * far, middle + second * far);
+  return ends;
+}
+
 // Whether the relief hides the light at a crossing up to `end`. The two ends of a cell are two
 // crossings, so that every other cell of the way is enough, and with it half of the reads. The loop
 // has one way out, since a software renderer pays for each in every step, and that at its top: of a
@@ -233,24 +262,9 @@ bool shadowedAtCrossings(Path path, Crossings at, float end) {
     pass(at);
     float leave = nextCrossing(at);
     pass(at);
-    // Half of the way through the cell, and its place there.
-    float far = 0.5 * (leave - enter);
-    float middle = enter + far;
-    vec2 bent = middle * path.bend;
-    Cell cell = heightCell(path.start + middle * (path.direction + bent), texelSize);
-    vec2 way = far * (path.direction + 2.0 * bent);
-    // Both ends no farther than the cell goes, and a thousandth of a texel: a bent path does not
-    // leave it where a straight one would.
-    vec2 room = 1e-3 + mix(cell.fraction, 1.0 - cell.fraction, greaterThan(way, vec2(0.0)));
-    vec2 each = 1.0 / max(abs(way), 1e-6);
-    vec2 back = (1.002 - room) * each;
-    vec2 on = room * each;
-    float first = min(min(back.x, back.y), 1.0);
-    float second = min(min(on.x, on.y), 1.0);
-    float entered = heightIn(cell.heights, cell.fraction - first * way);
-    float left = heightIn(cell.heights, cell.fraction + second * way);
-    float before = excess(path, middle - first * far, entered);
-    float after = excess(path, middle + second * far, left);
+    CellEnds ends = cellEnds(path, enter, leave, texelSize);
+    float before = excess(path, ends.place.x, ends.height.x);
+    float after = excess(path, ends.place.y, ends.height.y);
     most = max(before, leave <= end ? after : -1.0);
   }
   return most >= 0.0;
@@ -266,21 +280,9 @@ float horizonAtCrossings(Path path, inout Crossings at, float end, float lowest,
     pass(at);
     float leave = nextCrossing(at);
     pass(at);
-    float far = 0.5 * (leave - enter);
-    float middle = enter + far;
-    vec2 bent = middle * path.bend;
-    Cell cell = heightCell(path.start + middle * (path.direction + bent), texelSize);
-    vec2 way = far * (path.direction + 2.0 * bent);
-    vec2 room = 1e-3 + mix(cell.fraction, 1.0 - cell.fraction, greaterThan(way, vec2(0.0)));
-    vec2 each = 1.0 / max(abs(way), 1e-6);
-    vec2 back = (1.002 - room) * each;
-    vec2 on = room * each;
-    float first = min(min(back.x, back.y), 1.0);
-    float second = min(min(on.x, on.y), 1.0);
-    float entered = heightIn(cell.heights, cell.fraction - first * way);
-    float left = heightIn(cell.heights, cell.fraction + second * way);
-    float before = slopeOf(path, max(middle - first * far, 4e-3), entered);
-    float after = slopeOf(path, max(middle + second * far, 4e-3), left);
+    CellEnds ends = cellEnds(path, enter, leave, texelSize);
+    float before = slopeOf(path, max(ends.place.x, 4e-3), ends.height.x);
+    float after = slopeOf(path, max(ends.place.y, 4e-3), ends.height.y);
     most = max(most, max(enter > 4e-3 ? before : -1e9, leave <= end && leave > 4e-3 ? after : -1e9));
   }
   return most;

@@ -137,6 +137,27 @@ bool isBesideEdge(vec3 place, vec2 tilt, float far) {
   return isBeside;
 }
 
+// Where the depth map is asked for a pixel.
+struct DepthPlace {
+  vec3 place;  // in the map, A nearer to the light than the displaced point
+  vec2 tilt;   // of the plane of its facet
+  float near;  // t, what of the path is lost to the map, texels
+};
+
+// @param cosine  of the facet to the light's centre
+DepthPlace depthPlaceOf(Pixel pixel, LocalLight light, Path path, float piece, vec3 facet,
+                        float cosine) {
+  float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6), steepest);
+  float off = bias * lightMapLengths.x + piece_bias * piece;
+  float allowance = off * (1.0 + 0.5 * slope);
+  DepthPlace at;
+  at.near = allowance / (path.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
+  at.place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
+  at.place.z -= allowance / lightMapLengths.y;
+  at.tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
+  return at;
+}
+
 bool isShadowed(Pixel pixel, LocalLight light) {
   Path path = makePath(pixel, light);
   float piece = pieceLength();
@@ -144,17 +165,10 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   float cosine = dot(facet, lightDirection);
   if (!(cosine > 0.0)) return true;
 
-  float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / cosine, steepest);
-  float off = bias * lightMapLengths.x + piece_bias * piece;
-  float allowance = off * (1.0 + 0.5 * slope);
-  float near = allowance / (path.worldPerTexel * sqrt(1.0 + path.slope * path.slope));
-
-  vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
-  place.z -= allowance / lightMapLengths.y;
-  vec2 tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
-  if (shareNearer(place, tilt) > 0.5) return true;
-  bool isLong = isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
-  return shadowedAtCrossings(path, isLong ? path.limit : min(near, path.limit));
+  DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
+  if (shareNearer(at.place, at.tilt) > 0.5) return true;
+  bool isLong = isBesideEdge(at.place, at.tilt, edge * piece / lightMapLengths.x);
+  return shadowedAtCrossings(path, isLong ? path.limit : min(at.near, path.limit));
 }
 
 // A disc as light. What stands D nearer to the light hides some of it where it lies within D tan ρ
@@ -209,21 +223,16 @@ float visibility(Pixel pixel, LocalLight light) {
   float cosine = dot(facet, lightDirection);
   if (!(cosine > -sin(lightRadius))) return 0.0;
 
-  float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6), steepest);
-  float off = bias * lightMapLengths.x + piece_bias * piece;
-  float allowance = off * (1.0 + 0.5 * slope);
-  float near = allowance / (path.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
-
-  vec3 place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
-  place.z -= allowance / lightMapLengths.y;
-  vec2 tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
+  DepthPlace depth = depthPlaceOf(pixel, light, path, piece, facet, cosine);
+  vec3 place = depth.place;
+  vec2 tilt = depth.tilt;
   float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
   float radius = reach * max(blockerDistance(place, tilt, reach), 0.0);
   float far = shareByDepth(place, tilt, radius);
   if (far <= 0.0) return 0.0;
   bool isLong = far < 1.0 || radius > 0.0 || isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
   float enough = slopeTurned(light.slope, tan(lightRadius));
-  float end = isLong ? path.limit : min(near, path.limit);
+  float end = isLong ? path.limit : min(depth.near, path.limit);
   int marches = marchesUpTo(end);
   float sum = 0.0;
   for (int march = 0; march < marches; ++march) {

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "api/failure_of.h"
@@ -62,6 +64,48 @@ TEST(ApiCompare, HasAnIntervalOrAReason) {
   const MaskFigures few = compareMasks({3, 2, judged}, {3, 2, right});
   EXPECT_FALSE(few.errorInterval);
   EXPECT_NE(few.intervalReason, "");
+}
+
+constexpr float noShare = std::numeric_limits<float>::quiet_NaN();
+
+TEST(ApiCompare, DividesSharesAmongTheCells) {
+  const std::vector<float> truth = {1, 0.5F, 0, noShare};
+  const std::vector<float> mine = {0.75F, 1, 0, noShare};
+  const std::vector<double> weights = {2, 1, 1, 100};
+  const MaskFigures figures =
+      compareShares({2, 2, mine}, {2, 2, truth}, {.weights = weights, .region = {}});
+  EXPECT_EQ(figures.samples, 3U);
+  EXPECT_DOUBLE_EQ(figures.falsePositive, 2 * 0.25);
+  EXPECT_DOUBLE_EQ(figures.falseNegative, 0.5);
+  EXPECT_DOUBLE_EQ(figures.truePositive, 1);
+  EXPECT_DOUBLE_EQ(figures.trueNegative, 2 * 0.75 + 0.5);
+  EXPECT_DOUBLE_EQ(figures.value("mae").value(), 1.0 / 4);
+  EXPECT_DOUBLE_EQ(figures.value("error_rate").value(), 1.0 / 4);
+  EXPECT_DOUBLE_EQ(figures.value("rmse").value(), std::sqrt((2 * 0.0625 + 0.25) / 4));
+  EXPECT_DOUBLE_EQ(figures.value("umbra_iou").value(), 1);
+}
+
+TEST(ApiCompare, FindsSharesOfZeroAndOneAsItFindsMasks) {
+  const SharePixels mine = sharesOfMask({3, 2, judged});
+  const SharePixels truth = sharesOfMask({3, 2, right});
+  const MaskFigures soft = compareShares({3, 2, mine.shares}, {3, 2, truth.shares});
+  const MaskFigures hard = compareMasks({3, 2, judged}, {3, 2, right});
+  for (const MaskMetric& metric : hard.metrics) {
+    EXPECT_EQ(soft.value(metric.name), metric.value) << metric.name;
+  }
+  EXPECT_EQ(soft.value("mae"), hard.value("error_rate"));
+  EXPECT_EQ(soft.errorInterval, hard.errorInterval);
+}
+
+TEST(ApiCompare, RefusesWhatIsNoShare) {
+  const std::vector<float> truth = {1, 0.5F, 0, noShare};
+  const auto refusal = [&](const std::vector<float>& mine, int width = 2) {
+    return failureOf([&] { (void)compareShares({width, 2, mine}, {2, 2, truth}); });
+  };
+  EXPECT_THAT(refusal({1, 1.5F, 0, noShare}), HasSubstr("1.5 at column 1, row 0"));
+  EXPECT_THAT(refusal({1, 1, -0.5F, noShare}), HasSubstr("-0.5 at column 0, row 1"));
+  EXPECT_THAT(refusal({1, noShare, 0, 0}), HasSubstr("no sample at 1"));
+  EXPECT_THAT(refusal({1, 1, 0, 1}, 1), HasSubstr("4 samples found, 1 × 2 expected"));
 }
 
 TEST(ApiCompare, SaysWhyAMetricIsUndefined) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -80,6 +81,34 @@ TEST(ApiTruth, ABareSphereIsLitWhereItFacesTheLight) {
   EXPECT_THAT(truths[1].mask, Each(0));
 }
 
+// Seen from x on the ground, the wall's top edge at 23.5 is a straight horizon.
+TEST(ApiTruth, ADiscOverAWallIsSeenByTheClosedForm) {
+  constexpr double disc = 0.05;
+  const double elevation = std::atan(0.45);
+  const std::vector<float> texels = wall();
+  const Surface plane = makeShape("plane", {side, side}, 4, 4);
+  const auto truths = traceTruth(plane, {{side, side, texels, false}},
+                                 atlasSamples(plane, side / 4), {{-2, 0, 2 * 0.45}, {-1, 0, 0.45}},
+                                 {.step = 0.25, .radius = {}, .discs = {disc, 0}});
+  const ShadowTruth& soft = truths.front();
+  EXPECT_THAT(truths.back().shares, ::testing::IsEmpty()) << "a point";
+  ASSERT_EQ(soft.shares.size(), soft.mask.size());
+  int penumbra = 0;
+  for (int x = 26; x < side; ++x) {
+    const double beta = std::atan(4 / (x + 0.5 - 23.5));
+    const double height = std::clamp((elevation - beta) / disc, -1.0, 1.0);
+    const double expected =
+        1 - (std::acos(height) - height * std::sqrt(1 - height * height)) / std::numbers::pi;
+    const float share = soft.shares[at(x, side / 2)];
+    EXPECT_NEAR(share, expected, 0.01) << x;
+    EXPECT_EQ(soft.mask[at(x, side / 2)], share < 0.5F ? 1 : 0) << x;
+    penumbra += share > 0 && share < 1 ? 1 : 0;
+  }
+  EXPECT_GE(penumbra, 2);
+  EXPECT_GT(soft.uncertainty, 0) << "fewer directions, a coarser mesh";
+  EXPECT_LT(soft.uncertainty, 0.01);
+}
+
 TEST(ApiTruth, RefusesWhatItCannotTrace) {
   const std::vector<float> flat(4, 0.0F);
   const Surface plane = makeShape("plane", {1, 1}, 2, 2);
@@ -95,6 +124,17 @@ TEST(ApiTruth, RefusesWhatItCannotTrace) {
   EXPECT_THAT(refusal({2, 1, {{0, 0, 0}}, {}}, {0, 0, 1}, bare), HasSubstr("2 × 1"));
   EXPECT_THAT(refusal(samples, {0, 0, 1}, {{2, 2, flat}, {0, 1}}), HasSubstr("repeats"));
   EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = 0.5, .radius = 0}), HasSubstr("radius"));
+  EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = 0.5, .radius = {}, .discs = {0.1, 0.1}}),
+              StartsWith("discs: 2 found"));
+  for (const double disc : {-0.1, 0.2, std::nan("")}) {
+    EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = 0.5, .radius = {}, .discs = {disc}}),
+                StartsWith("discs: "));
+  }
+  for (const int directions : {30, 33, 65538}) {
+    EXPECT_THAT(refusal(samples, {0, 0, 1}, bare,
+                        {.step = 0.5, .radius = {}, .discs = {0.1}, .directions = directions}),
+                StartsWith("directions: "));
+  }
   EXPECT_THAT(refusal(samples, {0, 0, 1}, bare, {.step = -1, .radius = {}}),
               StartsWith("step: -1 texels found"));
   EXPECT_THAT(

@@ -282,6 +282,94 @@ TEST_F(Export, WhatACameraDrawsOfTheDisplacedMeshIsThere) {
   }
 }
 
+/// Directions of about equal solid angle toward a disc, in rings.
+std::vector<Point> towardDisc(const Point& centre, double radius, int rings) {
+  Point level = cross({0, 0, 1}, centre);
+  const double length = std::sqrt(dot(level, level));
+  for (double& x : level) x /= length;
+  const Point upward = cross(centre, level);
+  std::vector<Point> directions;
+  for (int ring = 0; ring < rings; ++ring) {
+    const int count = 2 * ring + 1;  // the ring from r = ring / rings to the next has that area
+    const double aside = std::sin(radius) * (ring + 0.5) / rings;
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2 * 3.14159265358979 * (k + 0.3) / count;
+      Point direction{};
+      for (std::size_t j = 0; j < 3; ++j) {
+        direction.at(j) = std::sqrt(1 - aside * aside) * centre.at(j) +
+                          aside * (std::cos(angle) * level.at(j) + std::sin(angle) * upward.at(j));
+      }
+      directions.push_back(direction);
+    }
+  }
+  return directions;
+}
+
+TEST_F(Export, WhatACameraDrawsUnderADiscAreShares) {
+  const nlohmann::json about =
+      exported("ring", replaced(torusStudy(), "elevation = 60\n", "elevation = 60\nradius = 8\n"),
+               {"--subdivisions", "4"});
+  const nlohmann::json& view = about.at("views").at(0);
+  const nlohmann::json& mask = view.at("drawn").at("masks").at(0);
+  const auto part = [](const nlohmann::json& name) {
+    return "out/ring/export/" + name.get<std::string>();
+  };
+  const Channels drawn = readChannels(file(part(view.at("drawn").at("samples"))));
+  const Channels shares = readChannels(file(part(mask.at("shares"))));
+  const Triangles mesh = readPly(file(part(about.at("displaced_mesh").at("file"))));
+  const auto pixels = static_cast<std::size_t>(drawn.width) * std::size_t(drawn.height);
+  const std::vector<Point> directions =
+      towardDisc(pointOf(about.at("lights").at(0).at("direction")), 8 * 3.14159265358979 / 180, 6);
+  std::vector<double> seen(pixels, 0);
+  for (const Point& direction : directions) {
+    const SunRays rays(mesh, direction);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const Point facet = drawn.point("facet", i);
+      if (dot(facet, direction) <= 0) continue;
+      Point origin = drawn.point("point", i);
+      for (std::size_t k = 0; k < 3; ++k) origin.at(k) += 0.05 * facet.at(k);
+      seen[i] += rays.blocked(origin) ? 0 : 1.0 / double(directions.size());
+    }
+  }
+  double sum = 0;
+  std::size_t count = 0, between = 0;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const Point facet = drawn.point("facet", i);
+    ASSERT_EQ(shares.of.at("A")[i] == 0, dot(facet, facet) == 0) << i;
+    if (shares.of.at("A")[i] == 0) continue;
+    const double share = shares.of.at("V")[i];
+    sum += std::abs(share - seen[i]);
+    between += share > 0 && share < 1 ? 1 : 0;
+    ++count;
+  }
+  EXPECT_LT(sum / double(count), 0.01);
+  EXPECT_GT(between, count / 20) << "else masks would do as well";
+  EXPECT_FALSE(view.at("drawn").at("masks").at(1).contains("shares")) << "a point";
+}
+
+// That of the pixels that the camera draws, by the rule of the samples', not that of the samples.
+TEST_F(Export, WhatACameraDrawsHasAnUncertaintyOfItsOwn) {
+  const nlohmann::json about =
+      exported("ring", replaced(torusStudy(), "elevation = 60\n", "elevation = 60\nradius = 8\n"));
+  const nlohmann::json& view = about.at("views").at(0);
+  for (std::size_t l = 0; l < 2; ++l) {
+    const nlohmann::json& mask = view.at("drawn").at("masks").at(l);
+    const double own = mask.at("uncertainty");
+    const double samples = view.at("masks").at(l).at("uncertainty");
+    EXPECT_GT(own, samples / 4);
+    EXPECT_LT(own, samples * 4);
+    EXPECT_NE(own, samples);
+    std::vector<std::string> files = {mask.at("truth")};
+    if (mask.contains("shares")) files.push_back(mask.at("shares"));
+    for (const std::string& name : files) {
+      const std::string path = "out/ring/export/" + name;
+      const Outcome outcome = gnomon({"compare", path, path, "--json", "-"});
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_EQ(nlohmann::json::parse(outcome.out).at("uncertainty"), own) << name;
+    }
+  }
+}
+
 TEST_F(Export, TheHeightMapIsTheStudysOwn) {
   runStudy("small", smallStudy());
   const nlohmann::json about = exported("small", smallStudy());

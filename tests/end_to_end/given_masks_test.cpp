@@ -135,14 +135,56 @@ TEST_F(GivenMasks, ThatDoNotFitAreRefusedWithTheirFile) {
   expectRefusal(study, {"mine/camera_evening.png: camera_evening_truth.tif found beside it"});
 }
 
-TEST_F(GivenMasks, HaveNoSettingsAndNoSweep) {
+// Each case of a sweep is told by its own folder: the truth's masks are right in each, and would be
+// wrong in the other.
+TEST_F(GivenMasks, OfASweepHaveAFolderForEachCase) {
+  const std::string sweep = "\n[sweep]\nkey = \"relief.height\"\nvalues = [2, 4]\n";
+  write("small.toml", smallStudy() + sweep);
+  ASSERT_EQ(gnomon({"export", "small.toml"}).status, 0);
+  for (const std::string one : {"2", "4"}) {
+    fs::create_directories(file("mine"));
+    fs::rename(file("out/small/" + one + "/export/masks"), file("mine/" + one));
+  }
+  EXPECT_NE(read("mine/2/camera_evening_truth.png"), read("mine/4/camera_evening_truth.png"));
+  runStudy("small", smallStudy() + given("mine", "right") + sweep);
+  for (const std::string one : {"2", "4"}) {
+    const nlohmann::json found = summary("small/" + one);
+    EXPECT_EQ(resultOf(found, "right", "evening", "camera").at("error_rate"), 0) << one;
+    EXPECT_GT(resultOf(found, "unshadowed", "evening", "camera").at("error_rate"), 0);
+    EXPECT_EQ(found.at("methods").back().at("name"), "mine");
+  }
+  // The copies of the sweep and of a case find them, too.
+  EXPECT_EQ(gnomon({"run", "out/small/4/small-4.toml", "--out", "one"}).status, 0);
+  EXPECT_EQ(gnomon({"run", "out/small/small.toml", "--out", "again"}).status, 0);
+  EXPECT_EQ(summary("small/4", "again").at("results"), summary("small/4").at("results"));
+  const auto exchanged = file("mine/3");
+  fs::rename(file("mine/2"), exchanged);
+  fs::rename(file("mine/4"), file("mine/2"));
+  fs::rename(exchanged, file("mine/4"));
+  runStudy("small", smallStudy() + given("mine", "right") + sweep);
+  EXPECT_GT(resultOf(summary("small/2"), "right", "evening", "camera").at("error_rate"), 0);
+}
+
+TEST_F(GivenMasks, OfASweepAreAllThereBeforeItsFirstCase) {
+  const std::string sweep = "\n[sweep]\nkey = \"relief.height\"\nvalues = [2, 4]\n";
+  write("small.toml", smallStudy() + sweep);
+  ASSERT_EQ(gnomon({"export", "small.toml"}).status, 0);
+  fs::create_directories(file("mine"));
+  fs::rename(file("out/small/2/export/masks"), file("mine/2"));
+  fs::remove_all(file("out"));
+  const std::string study = smallStudy() + given("mine", "mine") + sweep;
+  expectRefusal(study, {"small.toml: small/4: ",
+                        "mine/4: No such file or directory, a folder of masks expected"});
+  EXPECT_FALSE(fs::exists(file("out/small/2/summary.json"))) << "no case has run";
+  fs::create_directories(file("mine/4"));
+  expectRefusal(study, {"small.toml: small/4: ", "mine/4/camera_evening.png: missing"});
+}
+
+TEST_F(GivenMasks, HaveNoSettings) {
   expectRefusal(smallStudy() + given("mine", "mine") + "filter = \"exact\"\n",
                 {"filter: unknown key, expected label, masks"});
   expectRefusal(smallStudy() + "\n[[method]]\nmasks = \"mine\"\nname = \"unshadowed\"\n",
                 {"`name` found beside it"});
-  expectRefusal(smallStudy() + given("mine", "mine") +
-                    "\n[sweep]\nkey = \"relief.height\"\nvalues = [1, 2]\n",
-                {"masks: a [sweep] found"});
 }
 
 }  // namespace

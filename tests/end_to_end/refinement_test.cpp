@@ -49,6 +49,25 @@ TEST_F(Refinement, IsTheRunAtTheStepThatItFinds) {
   EXPECT_EQ(refined.at("truth").at("flips"), fixed.at("truth").at("flips"));
 }
 
+// The level that is certain enough is found by the mean change of the shares.
+TEST_F(Refinement, GoesByTheSharesOfASoftLight) {
+  const auto soft = [](const std::string& text) {
+    return replaced(text, "elevation = 30\n", "elevation = 30\nradius = 4\n");
+  };
+  constexpr double wanted = 0.002;
+  runStudy("small", soft(wanting(wanted)));
+  const auto truth = summary("small").at("truth");
+  const auto& levels = truth.at("refinement");
+  ASSERT_GE(levels.size(), 3U);
+  EXPECT_EQ(truth.at("uncertainty"), levels.back().at("flip_rate"));
+  EXPECT_EQ(truth.at("uncertainty"), truth.at("flips").at(0).at("shares").at("mae"));
+  EXPECT_LE(truth.at("uncertainty"), wanted);
+  EXPECT_GT(levels[levels.size() - 2].at("flip_rate"), wanted);
+  runStudy("small", wanting(wanted), {"--out", "hard"});
+  EXPECT_NE(summary("small", "hard").at("truth").at("refinement").at(1).at("flip_rate"),
+            levels[1].at("flip_rate"));
+}
+
 TEST_F(Refinement, SaysWhatIsReachedWhereTheWishIsNot) {
   // One long face: its third level has more lines than a grid can have.
   const std::string text = replaced(replaced(wanting(0.004), "quads = [4, 4]", "quads = [1, 1]"),

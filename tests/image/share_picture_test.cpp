@@ -57,6 +57,38 @@ TEST_F(SharePicture, ComesBackFromFloatsAsItIs) {
   EXPECT_NEAR(back.shares[258], map.shares[258], 3e-5);
 }
 
+// Every pair of shares in steps of a sixteenth.
+TEST_F(SharePicture, ComesBackFromASignedDifferenceAsFarAsItsColoursHoldIt) {
+  Visibility candidate{17, 18, {}};
+  Visibility truth{17, 18, {}};
+  for (int k = 0; k < 17 * 17; ++k) {
+    candidate.shares.push_back(static_cast<float>(k % 17) / 16);
+    truth.shares.push_back(static_cast<float>(k / 17) / 16);
+  }
+  candidate.shares.resize(17 * 18, noSample);
+  truth.shares.resize(17 * 18, noSample);
+  const Visibility back =
+      sharesOfDifference(write("d.png", pngOf(shareDifferenceImage(candidate, truth))));
+  ASSERT_EQ(back.size(), candidate.size());
+  for (std::size_t i = 0; i < 17 * 17; ++i) {
+    const float share = candidate.shares[i];
+    const float off = std::abs(share - truth.shares[i]);
+    const bool isMask = off == 1 || (off == 0 && (share == 0 || share == 1));
+    EXPECT_NEAR(back.shares[i], share, isMask ? 0 : off <= 0.5F ? 0.02 : 0.1) << i;
+  }
+  for (std::size_t i = 17 * 17; i < back.size(); ++i) EXPECT_TRUE(std::isnan(back.shares[i]));
+}
+
+TEST_F(SharePicture, RefusesColoursThatNoSignedDifferenceHas) {
+  for (const Rgb& colour :
+       {Rgb{0, 255, 0}, Rgb{10, 10, 10}, Rgb{255, 0, 255}, Rgb{240, 240, 240}}) {
+    const Image image{1, 1, {colour.begin(), colour.end()}};
+    EXPECT_THAT(
+        messageOf<InputError>([&] { (void)sharesOfDifference(write("d.png", pngOf(image))); }),
+        HasSubstr("d.png: a colour found that no signed difference has"));
+  }
+}
+
 TEST_F(SharePicture, IsReadUpsideDownAndInverted) {
   const Visibility map{1, 2, {0.25F, noSample}};
   const auto path = write("map.exr", shareExr(map));

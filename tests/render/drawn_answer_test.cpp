@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
 #include "relief/patterns.h"
+#include "render/method_text.h"
 #include "render/render_scene.h"
 #include "render/shader_files.h"
 #include "truth/truth_scenes.h"
@@ -75,14 +74,10 @@ TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
 
 /// A method whose normal points to the light up to half of the map, and from it beyond.
 Method halfTurnedAway() {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "half.glsl";
-  std::ofstream(path) << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\nnormal = \"own\"\n*/\n"
-                         "vec3 shadingNormal(Pixel pixel) {\n"
-                         "  return pixel.texel.x < 24.0 ? lightDirection : -lightDirection;\n}\n"
-                         "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n";
-  Method method = readMethod(path);
-  std::filesystem::remove(path);
-  return method;
+  return test::methodOfText("normal = \"own\"",
+                            "vec3 shadingNormal(Pixel pixel) {\n"
+                            "  return pixel.texel.x < 24.0 ? lightDirection : -lightDirection;\n}\n"
+                            "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n");
 }
 
 TEST(DrawnAnswer, IsByTheMethodsOwnNormalWhereItHasOne) {

@@ -238,16 +238,6 @@ TEST(SloanCohen, DoesNotDependOnTheSizeOfATexelWhereHeightsAreInTexels) {
 
 // ---- horizons of the real geometry
 
-horizon::AngleTable shot(const RenderScene& scene, const TracedScene& traced, int azimuths,
-                         double limit) {
-  const surface::SampleGrid texels = scene.samples(scene.texture);
-  horizon::AngleTable table = truth::shootHorizons(scene.surface, scene.relief, traced.mesh,
-                                                   traced.scene, texels, azimuths, limit);
-  table.originX = scene.texture.texelWindow.x;
-  table.originY = scene.texture.texelWindow.y;
-  return table;
-}
-
 TEST(SloanCohenSurface, OnASphereIsBetterThanTheFlatHorizonMap) {
   const GlContext gl;
   RenderScene scene(surface::makeSphere(60, 1.2, 1.2, 24, 24),

@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "common/error.h"
 #include "relief/patterns.h"
+#include "render/method_text.h"
 #include "render/render_scene.h"
 #include "render/soft_light.h"
-#include "support/temporary_folder.h"
+#include "render/traced_scene.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::render {
@@ -23,8 +23,10 @@ namespace {
 using test::DisplacedScene;
 using test::lightToward;
 using test::meanDifference;
+using test::methodOfText;
 using test::RenderScene;
 using test::shareOver;
+using test::TracedScene;
 
 const double sun = radians(0.266);
 
@@ -104,6 +106,53 @@ TEST(SoftLight, OverAWallIsTheClosedForm) {
   EXPECT_GT(wall.error(hard.test, 17.3, radians(5.0)), 0.4) << "0 or 1 is not a share";
 }
 
+/// V where the horizon's angle is wrong by `angle`: dV / dx is 2 / π at most.
+double shareOff(double angle, double radius) {
+  return 2 / pi * angle / radius;
+}
+
+/// Its rays end within 0.001 radians of the horizon, and its basis maps mix in some of the azimuths
+/// beside the light's, where the wall has ended.
+TEST(SoftLight, OfHorizonsShotOnTheSurfaceIsTheClosedForm) {
+  const GlContext gl;
+  Wall wall;
+  const TracedScene traced(wall.scene.surface, wall.scene.relief, 0.25);
+  wall.scene.surfaceAngles = shot(wall.scene, traced, 8, pi / 2);
+  for (const double radius : {radians(2.0), radians(5.0)}) {
+    EXPECT_LT(wall.errorOf("sloan-cohen-surface", radius), shareOff(0.004, radius)) << radius;
+  }
+  const VisibilityAnswers hard = wall.scene.shares(methodOf("sloan-cohen-surface"), wall.view,
+                                                   Wall::light(17.3), radians(5.0));
+  EXPECT_GT(wall.error(hard.test, 17.3, radians(5.0)), 0.4) << "0 or 1 is not a share";
+}
+
+/// Its table ends at the tangent plane, which is a sphere's own horizon. A facet of an eighth of a
+/// texel leans from it by up to 0.0018 radians.
+TEST(SoftLight, OfHorizonsShotOnASphereKnowsTheTerminator) {
+  const GlContext gl;
+  RenderScene scene(surface::makeSphere(60, 1.8, 0.8, 30, 15),
+                    test::stepRelief(
+                        64, 32, 3, [](int, int) { return true; }, relief::Wrap::repeat),
+                    {8, 64}, horizon::TableBits::thirtyTwo, 8);
+  const TracedScene traced(scene.surface, scene.relief, 0.125);
+  scene.surfaceAngles = shot(scene, traced, 8, pi / 2);
+  const RenderView view = atlasView(scene.surface, 8);
+  const surface::SampleGrid samples = scene.samples(view);
+  const Vec3 light = lightToward(0, 2);
+  const double disc = radians(5.0);
+  const Visibility found =
+      scene.shares(methodOf("sloan-cohen-surface"), view, light, disc, SoftAnswer::disc).test;
+  std::size_t inPenumbra = 0;
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const surface::LimitPoint place = scene.surface.evaluate(samples.samples[i]);
+    const Vec3 normal = glm::normalize(glm::cross(place.ds, place.dt));
+    const double seen = shareOver(std::asin(glm::dot(normal, light)), disc);
+    ASSERT_NEAR(static_cast<double>(found.shares[i]), seen, shareOff(0.005, disc)) << i;
+    inPenumbra += seen > 0 && seen < 1 ? 1 : 0;
+  }
+  EXPECT_GT(inPenumbra, 100U);
+}
+
 /// Ground as high everywhere is a larger sphere with the same terminator. Marches leave it to the
 /// shading normal: between themselves and the first crossing they see no slope.
 TEST(SoftLight, AtASpheresTerminatorIsTheClosedForm) {
@@ -169,6 +218,16 @@ std::vector<std::string> methodsOfTheBaseMesh() {
   return names;
 }
 
+/// Those of them that answer with shares, by themselves or by a horizon.
+std::vector<std::string> softMethods() {
+  std::vector<std::string> names = methodsOfTheBaseMesh();
+  std::erase_if(names, [](const std::string& name) {
+    const Method method = methodOf(name);
+    return !method.answersShares && !method.hasHorizon;
+  });
+  return names;
+}
+
 void expectShares(const Visibility& found, const Mask& mask, const std::string& name) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool isSample = mask.samples[i] != Shade::none;
@@ -218,9 +277,8 @@ TEST(SoftLight, OfAHardMethodIsTheMask) {
 TEST(SoftLight, IsAShareOfEverySample) {
   const GlContext gl;
   const Bumps bumps;
-  for (const std::string& name : methodsOfTheBaseMesh()) {
+  for (const std::string& name : softMethods()) {
     const Method method = methodOf(name);
-    if (!method.answersShares && !method.hasHorizon) continue;
     const Mask mask = bumps.scene.test(method, bumps.view, bumps.light);
     for (const double degrees : {0.01, 0.266, 10.0}) {
       const VisibilityAnswers found = bumps.scene.shares(method, bumps.view, bumps.light,
@@ -235,9 +293,8 @@ TEST(SoftLight, IsAShareOfEverySample) {
 TEST(SoftLight, TendsToTheMask) {
   const GlContext gl;
   const Bumps bumps;
-  for (const std::string& name : methodsOfTheBaseMesh()) {
+  for (const std::string& name : softMethods()) {
     const Method method = methodOf(name);
-    if (!method.answersShares && !method.hasHorizon) continue;
     const VisibilityAnswers hard = bumps.scene.shares(method, bumps.view, bumps.light, 0);
     const VisibilityAnswers found =
         bumps.scene.shares(method, bumps.view, bumps.light, radians(0.001), softAnswerOf(method));
@@ -311,38 +368,28 @@ TEST(SoftLight, OfTwoScalesIsNearTheClosedForm) {
   }
 }
 
-class OwnMethods : public TemporaryFolder {
- protected:
-  [[nodiscard]] Method method(const std::string& declaration, const std::string& code) const {
-    std::ofstream(file("mine.glsl")) << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n"
-                                     << declaration << "\n*/\n"
-                                     << code;
-    return readMethod(file("mine.glsl"));
-  }
+/// The march along the path, toward 64 directions over the disc.
+Method directionsOneByOne() {
+  return methodOfText("tables = [\"height\"]",
+                      "float visibility(Pixel pixel, LocalLight light) {\n"
+                      "  float lit = 0.0;\n"
+                      "  for (int k = 0; k < 64; ++k) {\n"
+                      "    vec3 direction = discDirection(k, 64);\n"
+                      "    Path path = makePath(pixel, makeLocalLight(pixel, direction));\n"
+                      "    bool dark = shadowedByBareSurface(path) || "
+                      "shadowedAtCrossings(path, path.limit);\n"
+                      "    lit += dark ? 0.0 : 1.0;\n"
+                      "  }\n"
+                      "  return lit / 64.0;\n}\n");
+}
 
-  /// The march along the path, toward 64 directions over the disc.
-  [[nodiscard]] Method directionsOneByOne() const {
-    return method("tables = [\"height\"]",
-                  "float visibility(Pixel pixel, LocalLight light) {\n"
-                  "  float lit = 0.0;\n"
-                  "  for (int k = 0; k < 64; ++k) {\n"
-                  "    vec3 direction = discDirection(k, 64);\n"
-                  "    Path path = makePath(pixel, makeLocalLight(pixel, direction));\n"
-                  "    bool dark = shadowedByBareSurface(path) || "
-                  "shadowedAtCrossings(path, path.limit);\n"
-                  "    lit += dark ? 0.0 : 1.0;\n"
-                  "  }\n"
-                  "  return lit / 64.0;\n}\n");
-  }
-};
-
-TEST_F(OwnMethods, MayAnswerWithAShareAlone) {
+TEST(OwnMethods, MayAnswerWithAShareAlone) {
   const GlContext gl;
   const Wall wall;
   const Method mine =
-      method("",
-             "float visibility(Pixel pixel, LocalLight light) {\n"
-             "  return pixel.texel.x < 48.0 ? 0.25 : shareOver(light.slope, 0.5);\n}\n");
+      methodOfText("",
+                   "float visibility(Pixel pixel, LocalLight light) {\n"
+                   "  return pixel.texel.x < 48.0 ? 0.25 : shareOver(light.slope, 0.5);\n}\n");
   EXPECT_TRUE(mine.answersShares);
   EXPECT_FALSE(mine.hasHorizon);
   const double elevation = inDegrees(std::atan(0.5)) + 0.5;
@@ -357,14 +404,14 @@ TEST_F(OwnMethods, MayAnswerWithAShareAlone) {
   }
 }
 
-TEST_F(OwnMethods, AnswerFrom0To1WhateverTheySay) {
+TEST(OwnMethods, AnswerFrom0To1WhateverTheySay) {
   const GlContext gl;
   const Wall wall;
   const Method mine =
-      method("",
-             "float visibility(Pixel pixel, LocalLight light) {\n"
-             "  int x = int(pixel.texel.x) % 3;\n"
-             "  return x == 0 ? -1.0 : (x == 1 ? 7.0 : sqrt(-pixel.texel.x));\n}\n");
+      methodOfText("",
+                   "float visibility(Pixel pixel, LocalLight light) {\n"
+                   "  int x = int(pixel.texel.x) % 3;\n"
+                   "  return x == 0 ? -1.0 : (x == 1 ? 7.0 : sqrt(-pixel.texel.x));\n}\n");
   const auto found = wall.scene.shares(mine, wall.view, Wall::light(20), sun);
   for (std::size_t i = 0; i < found.test.size(); ++i) {
     const bool isWhole = i % Wall::columns % 3 == 1;
@@ -373,11 +420,11 @@ TEST_F(OwnMethods, AnswerFrom0To1WhateverTheySay) {
   }
 }
 
-TEST_F(OwnMethods, MayHaveAHorizonAlone) {
+TEST(OwnMethods, MayHaveAHorizonAlone) {
   const GlContext gl;
   const Wall wall;
   const Method mine =
-      method("", "float horizonSlope(Pixel pixel, LocalLight light) { return 0.5; }\n");
+      methodOfText("", "float horizonSlope(Pixel pixel, LocalLight light) { return 0.5; }\n");
   EXPECT_FALSE(mine.answersShares);
   EXPECT_TRUE(mine.hasHorizon);
   for (const double over : {-1.0, 0.4, 3.0}) {
@@ -391,7 +438,7 @@ TEST_F(OwnMethods, MayHaveAHorizonAlone) {
   }
 }
 
-TEST_F(OwnMethods, WithoutAHorizonHaveNoDisc) {
+TEST(OwnMethods, WithoutAHorizonHaveNoDisc) {
   const GlContext gl;
   const Wall wall;
   try {
@@ -405,18 +452,18 @@ TEST_F(OwnMethods, WithoutAHorizonHaveNoDisc) {
   }
 }
 
-TEST_F(OwnMethods, DirectionsOverTheDiscAreOfEqualSolidAngle) {
+TEST(OwnMethods, DirectionsOverTheDiscAreOfEqualSolidAngle) {
   const GlContext gl;
   const Wall wall;
   const Method counting =
-      method("",
-             "float visibility(Pixel pixel, LocalLight light) {\n"
-             "  float over = 0.0;\n"
-             "  for (int k = 0; k < 256; ++k) {\n"
-             "    vec3 to = discDirection(k, 256);\n"
-             "    over += to.z > 0.35 && abs(length(to) - 1.0) < 1e-5 ? 1.0 : 0.0;\n"
-             "  }\n"
-             "  return over / 256.0;\n}\n");
+      methodOfText("",
+                   "float visibility(Pixel pixel, LocalLight light) {\n"
+                   "  float over = 0.0;\n"
+                   "  for (int k = 0; k < 256; ++k) {\n"
+                   "    vec3 to = discDirection(k, 256);\n"
+                   "    over += to.z > 0.35 && abs(length(to) - 1.0) < 1e-5 ? 1.0 : 0.0;\n"
+                   "  }\n"
+                   "  return over / 256.0;\n}\n");
   const double edge = inDegrees(std::asin(0.35));
   for (const double radius : {0.5, 5.0}) {
     for (const double x : {-0.9, -0.5, 0.0, 0.3, 0.8}) {
@@ -430,7 +477,7 @@ TEST_F(OwnMethods, DirectionsOverTheDiscAreOfEqualSolidAngle) {
 
 /// Over a wall across the light the one horizon of the march is that of all directions; over bumps
 /// it is not, and the bounds are what was found.
-TEST_F(OwnMethods, OneHorizonIsNearToDirectionsOneByOne) {
+TEST(OwnMethods, OneHorizonIsNearToDirectionsOneByOne) {
   const GlContext gl;
   const Method each = directionsOneByOne();
   const Wall wall;

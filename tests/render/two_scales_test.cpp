@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "common/error.h"
 #include "render/displaced_rays.h"
+#include "render/method_text.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::render {
@@ -33,23 +32,15 @@ relief::Relief worldRelief(int width, int height, std::vector<float> texels) {
 
 /// A method that says shadowed where the light sees something else than P + `height` n.
 Method depthProbe(const std::string& lines, double height) {
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".glsl");
-  std::ofstream(path)
-      << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\npasses = [\"light-depth\"]\n"
-      << lines
-      << "[parameters.depth_side]\ndefault = 64\nminimum = 1\nmaximum = 64\n"
-         "[parameters.light_pieces]\ndefault = 2\nminimum = 1\nmaximum = 64\n*/\n"
-         "bool isShadowed(Pixel pixel, LocalLight light) {\n"
-         "  vec3 place = lightMapPlace(pixel.position + "
-      << height
-      << " * pixel.normal);\n"
-         "  float off = place.z - lightDepthOf(ivec2(floor(place.xy)));\n"
-         "  return abs(off) * lightMapLengths.y > 0.01;\n}\n";
-  Method method = readMethod(path);
-  std::filesystem::remove(path);
-  return method;
+  return test::methodOfText("passes = [\"light-depth\"]\n" + lines +
+                                "[parameters.depth_side]\ndefault = 64\nminimum = 1\nmaximum = 64\n"
+                                "[parameters.light_pieces]\ndefault = 2\nminimum = 1\nmaximum = 64",
+                            "bool isShadowed(Pixel pixel, LocalLight light) {\n"
+                            "  vec3 place = lightMapPlace(pixel.position + " +
+                                std::to_string(height) +
+                                " * pixel.normal);\n"
+                                "  float off = place.z - lightDepthOf(ivec2(floor(place.xy)));\n"
+                                "  return abs(off) * lightMapLengths.y > 0.01;\n}\n");
 }
 
 TEST(LightMesh, IsWhatTheLightSees) {

@@ -3,30 +3,37 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "api/inner/translated.h"
 #include "common/error.h"
 #include "common/mask.h"
+#include "common/visibility.h"
 #include "compare/boundaries.h"
 #include "compare/counts.h"
 #include "compare/mask_checks.h"
 #include "compare/mask_metrics.h"
 #include "compare/rates.h"
+#include "compare/share_metrics.h"
 #include "image/mask_picture.h"
+#include "image/share_picture.h"
 
 namespace gnomon {
 inline namespace api {
 namespace {
 
+void requireWhole(int width, int height, std::size_t samples, const char* what) {
+  const bool isWhole =
+      width >= 1 && height >= 1 &&
+      samples == static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (isWhole) return;
+  throw InputError(
+      fmt::format("{}: {} samples found, {} × {} expected", what, samples, width, height));
+}
+
 Mask maskOf(const MaskView& view, const char* what) {
   Mask mask{view.width, view.height, {}};
-  const bool isWhole = view.width >= 1 && view.height >= 1 &&
-                       view.samples.size() == static_cast<std::size_t>(view.width) *
-                                                  static_cast<std::size_t>(view.height);
-  if (!isWhole) {
-    throw InputError(fmt::format("{}: {} samples found, {} × {} expected", what,
-                                 view.samples.size(), view.width, view.height));
-  }
+  requireWhole(view.width, view.height, view.samples.size(), what);
   mask.samples.reserve(view.samples.size());
   for (const std::uint8_t value : view.samples) {
     if (value > static_cast<std::uint8_t>(Shade::none)) {
@@ -36,6 +43,16 @@ Mask maskOf(const MaskView& view, const char* what) {
     mask.samples.push_back(static_cast<Shade>(value));
   }
   return mask;
+}
+
+/// Shares of another size or range are refused where they are compared.
+Visibility mapOf(const ShareView& view, const char* what) {
+  requireWhole(view.width, view.height, view.shares.size(), what);
+  return {view.width, view.height, {view.shares.begin(), view.shares.end()}};
+}
+
+SharePixels pixelsOf(Visibility map) {
+  return {map.width, map.height, std::move(map.shares)};
 }
 
 /// A region as a mask that is lit where samples count.
@@ -53,6 +70,39 @@ void add(std::vector<MaskMetric>& list, const std::vector<compare::Metric>& metr
   for (const compare::Metric& metric : metrics) {
     list.push_back({std::string(metric.name), metric.value, std::string(metric.reason)});
   }
+}
+
+/// The region of some options, if there is one.
+std::optional<Mask> regionOf(const Mask& truth, const CompareOptions& options) {
+  if (options.region.empty()) return std::nullopt;
+  return regionMask(truth, options.region);
+}
+
+/// The figures of masks, or of shares where there are any.
+MaskFigures figuresOf(const compare::ComparedMasks& masks, std::span<const double> weights) {
+  const bool isSoft = masks.truthShares.size() > 0;
+  const compare::Counts counts =
+      isSoft ? compare::countSamples(masks.candidateShares, masks.truthShares, weights)
+             : compare::countSamples(masks.candidate, masks.truth, weights);
+  MaskFigures figures{counts.truePositive,
+                      counts.falsePositive,
+                      counts.falseNegative,
+                      counts.trueNegative,
+                      counts.samples,
+                      {},
+                      {},
+                      {}};
+  add(figures.metrics, compare::rates(counts));
+  add(figures.metrics, compare::compareBoundaries(masks.candidate, masks.truth));
+  if (isSoft) {
+    add(figures.metrics, compare::shareMetrics(masks.candidateShares, masks.truthShares, weights));
+  }
+  const compare::ConfidenceInterval confidence = compare::maskConfidence({&masks, 1}, weights);
+  if (confidence.interval) {
+    figures.errorInterval = {confidence.interval->low, confidence.interval->high};
+  }
+  figures.intervalReason = confidence.reason;
+  return figures;
 }
 
 }  // namespace
@@ -78,33 +128,33 @@ MaskPixels readMask(const std::filesystem::path& file) {
   });
 }
 
+SharePixels readShares(const std::filesystem::path& file) {
+  return translated([&] { return pixelsOf(image::readSharePicture(file)); });
+}
+
+SharePixels sharesOfMask(const MaskView& mask) {
+  return translated([&] { return pixelsOf(asShares(maskOf(mask, "mask"))); });
+}
+
 MaskFigures compareMasks(const MaskView& candidate, const MaskView& truth,
                          const CompareOptions& options) {
   return translated([&] {
     Mask right = maskOf(truth, "truth");
-    std::optional<Mask> region;
-    if (!options.region.empty()) region = regionMask(right, options.region);
-    const compare::ComparedMasks masks = compare::commonPixels(
-        maskOf(candidate, "candidate"), std::move(right), region ? &*region : nullptr);
-    const compare::Counts counts =
-        compare::countSamples(masks.candidate, masks.truth, options.weights);
-    MaskFigures figures{counts.truePositive,
-                        counts.falsePositive,
-                        counts.falseNegative,
-                        counts.trueNegative,
-                        counts.samples,
-                        {},
-                        {},
-                        {}};
-    add(figures.metrics, compare::rates(counts));
-    add(figures.metrics, compare::compareBoundaries(masks.candidate, masks.truth));
-    const compare::ConfidenceInterval confidence =
-        compare::maskConfidence({&masks, 1}, options.weights);
-    if (confidence.interval) {
-      figures.errorInterval = {confidence.interval->low, confidence.interval->high};
-    }
-    figures.intervalReason = confidence.reason;
-    return figures;
+    const std::optional<Mask> region = regionOf(right, options);
+    return figuresOf(compare::commonPixels(maskOf(candidate, "candidate"), std::move(right),
+                                           region ? &*region : nullptr),
+                     options.weights);
+  });
+}
+
+MaskFigures compareShares(const ShareView& candidate, const ShareView& truth,
+                          const CompareOptions& options) {
+  return translated([&] {
+    const Visibility right = mapOf(truth, "truth");
+    const std::optional<Mask> region = regionOf(cutInHalf(right), options);
+    return figuresOf(
+        compare::commonPixels(mapOf(candidate, "candidate"), right, region ? &*region : nullptr),
+        options.weights);
   });
 }
 

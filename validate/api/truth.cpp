@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "api/inner/height_field_of.h"
@@ -13,10 +14,12 @@
 #include "horizon/search_radius.h"
 #include "relief/patch_border.h"
 #include "relief/relief.h"
+#include "truth/disc_directions.h"
 #include "truth/global_occluder.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
 #include "truth/shadow_tracer.h"
+#include "truth/visibility_tracer.h"
 
 namespace gnomon {
 inline namespace api {
@@ -78,12 +81,37 @@ std::vector<Vec3> unitVectors(const std::vector<std::array<double, 3>>& lights) 
   return directions;
 }
 
+/// The radius of each light's disc.
+std::vector<double> discsOf(const TraceOptions& options, std::size_t lights) {
+  constexpr double most = std::numbers::pi / 18;
+  if (options.discs.empty()) return std::vector<double>(lights, 0.0);
+  if (options.discs.size() != lights) {
+    throw InputError(fmt::format("discs: {} found, one for each of {} lights expected",
+                                 options.discs.size(), lights));
+  }
+  for (const double disc : options.discs) {
+    if (!(disc >= 0 && disc <= most)) {
+      throw InputError(
+          fmt::format("discs: {} found, a radius from 0 to π/18 (10 degrees) expected", disc));
+    }
+  }
+  return options.discs;
+}
+
+void requireDirections(int directions) {
+  if (directions >= 32 && directions <= 65536 && directions % 2 == 0) return;
+  throw InputError(
+      fmt::format("directions: {} found, an even number from 32 to 65536 expected", directions));
+}
+
 /// What every trace of one call shares.
 struct Task {
   const surface::LimitSurface& surface;
   relief::Relief relief;
   surface::SampleGrid samples;
   std::vector<truth::TraceSettings> lights;
+  std::vector<double> discs;  ///< one a light
+  int directions;
 };
 
 struct Traced {
@@ -103,16 +131,28 @@ Traced trace(const Task& task, std::optional<double> step, const Progress& progr
   const truth::MicroMesh mesh(task.surface, task.relief, settings, partOf(progress, 0, 0.2));
   const truth::MicroScene scene(mesh, partOf(progress, 0.2, 0.4));
   Traced traced{truth::traceShadows(task.surface, task.relief, mesh, scene, task.samples,
-                                    task.lights, partOf(progress, 0.4, 1)),
+                                    task.lights, partOf(progress, 0.4, 0.7)),
                 mesh.askedStepTexels(), mesh.triangleCount()};
   truth::markGlobal(task.surface, task.relief, mesh, scene, truth::SurfacePaths(task.surface), {},
                     task.samples, task.lights, traced.truths);
+  const auto lights = static_cast<double>(task.lights.size());
+  for (std::size_t i = 0; i < task.lights.size(); ++i) {
+    if (task.discs[i] == 0) continue;
+    const auto& [light, radius, rayOffset] = task.lights[i];
+    const double done = 0.7 + 0.3 * static_cast<double>(i) / lights;
+    traced.truths[i].answerBy(
+        truth::traceVisibility(mesh, scene, task.samples, traced.truths[i].mask,
+                               {light, task.discs[i], task.directions, rayOffset},
+                               partOf(progress, done, done + 0.3 / lights)));
+  }
   return traced;
 }
 
-/// The same at half the resolution and half the rays' offset, as the uncertainty of a run is found.
+/// The same at half the resolution and half the rays' offset, and with half the directions, as the
+/// uncertainty of a run is found.
 std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine, const Progress& progress) {
   for (truth::TraceSettings& light : task.lights) light.rayOffset = truth::standardRayOffset / 2;
+  task.directions /= 2;
   Traced coarse = trace(task, 2 * fine.step, progress);
   if (2 * coarse.triangles > fine.triangles) {
     throw InputError(
@@ -126,7 +166,8 @@ std::vector<truth::Truth> traceCoarser(Task task, const Traced& fine, const Prog
 
 ShadowTruth shadowTruthOf(const truth::Truth& truth, const truth::Truth& coarse) {
   ShadowTruth result{
-      truth.mask.width, truth.mask.height, {}, {}, truth::flipRate(truth.mask, coarse.mask)};
+      truth.mask.width,       truth.mask.height, {}, {}, truth::uncertaintyOf(truth, coarse),
+      truth.visibility.shares};
   for (const Shade shade : truth.mask.samples) {
     result.mask.push_back(static_cast<std::uint8_t>(shade));
   }
@@ -146,11 +187,17 @@ std::vector<ShadowTruth> traceTruth(const Surface& surface, const Displacement& 
     const Progress progress = tell;
     const Surface::Data& data = surface.data();
     const std::vector<Vec3> directions = unitVectors(lights);
+    requireDirections(options.directions);
     Task task{
-        data.limit, reliefOf(data, displacement), gridOf(samples, data.limit.faceCount()), {}};
+        data.limit, reliefOf(data, displacement),        gridOf(samples, data.limit.faceCount()),
+        {},         discsOf(options, directions.size()), options.directions};
+    std::vector<Vec3> lowest;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      lowest.push_back(truth::lowestOfDisc(directions[i], task.discs[i]));
+    }
     const double radius = options.radius
                               ? *options.radius
-                              : horizon::searchRadius(data.limit, task.relief, directions).texels;
+                              : horizon::searchRadius(data.limit, task.relief, lowest).texels;
     if (!(radius > 0)) throw InputError(fmt::format("radius: {} found, above 0 expected", radius));
     for (const Vec3& direction : directions) task.lights.push_back({direction, radius});
     const Traced fine = trace(task, options.step, partOf(progress, 0, 0.8));

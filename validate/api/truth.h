@@ -38,6 +38,9 @@ struct TraceOptions {
   /// Occluders farther than this along the surface are `distant`, texels; where unset, the longest
   /// shadow that the lights can cast.
   std::optional<double> radius;
+  /// Angular radius of each light's disc, radians, 0 to π/18; 0 is a point. Empty: all are points.
+  std::vector<double> discs = {};
+  int directions = 256;  ///< toward a disc, each for an equal solid angle: even, 32 to 65536
   /// Told what share is done, 0 to 1, from any thread but never from two at once. What it throws
   /// cancels the trace and comes out of `traceTruth`.
   std::function<void(double share)> progress = {};
@@ -46,19 +49,23 @@ struct TraceOptions {
 /// The exact shadow of a displaced surface under one light.
 struct ShadowTruth {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> mask;     ///< as in MaskView: 0 lit, 1 shadowed, 2 no answer
-  std::vector<std::uint8_t> regions;  ///< a ShadowRegion for each sample
+  /// As in MaskView: 0 lit, 1 shadowed, 2 no answer. Of a disc: shadowed where V < 1/2.
+  std::vector<std::uint8_t> mask;
+  std::vector<std::uint8_t> regions;  ///< a ShadowRegion for each sample; of the disc's centre
   /// Share of the samples that change at half the mesh's resolution: no difference between methods
-  /// below it means anything.
+  /// below it means anything. Of a disc the mean of |ΔV|, with half as many directions too.
   double uncertainty = 0;
+  /// As in ShareView: V, the share of the disc that each sample sees. Empty of a point light.
+  std::vector<float> shares = {};
 };
 
-/// Traces one ray from every sample's displaced point toward each light, on all threads. The bytes
-/// do not depend on their number.
+/// Traces one ray from every sample's displaced point toward each light, on all threads; toward a
+/// disc as many as decide which share of it is seen. The bytes do not depend on the number of
+/// threads.
 /// @param lights  vectors toward directional lights, of any length
 /// @return one truth for each light
-/// @throws Exception  badInput for a height map, sample, light or step out of range; internal where
-///   the mesh does not fit into memory
+/// @throws Exception  badInput for a height map, sample, light, disc or step out of range, and for
+///   another number of discs than of lights; internal where the mesh does not fit into memory
 GNOMON_API std::vector<ShadowTruth> traceTruth(const Surface& surface,
                                                const Displacement& displacement,
                                                const SurfaceSamples& samples,

@@ -22,6 +22,7 @@
 #include "study/judge/claims.h"
 #include "study/judge/radius_check.h"
 #include "study/judge/sweep_result.h"
+#include "study/spec/mask_files.h"
 #include "study/spec/resolved_study.h"
 #include "study/spec/study_inputs.h"
 
@@ -147,9 +148,19 @@ void keepFirst(Records& records, std::size_t count) {
   }
 }
 
+/// @throws InputError naming the first mask of another program that is missing
+void requireMasks(const study::StudySpec& step) {
+  inStudy(step, [&] {
+    for (const study::MethodSpec& method : step.methods) {
+      (void)study::givenMaskFiles(step, method);
+    }
+  });
+}
+
 void runSteps(const PlanRecords& part, CaseSource& cases, const RunRequest& request,
               cache::Cache& cache, Records& records, const StepJudge& judge) {
   const study::StudyPlan& plan = *part.plan;
+  for (const study::StudySpec& step : plan.steps) requireMasks(step);
   for (const study::StudySpec& step : plan.steps) cases.prepare(step);
   report::RunFolder& folder = records.folders.of(plan.name);
   std::optional<toml::table> swept;

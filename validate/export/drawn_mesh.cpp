@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "export/sample_map.h"
-#include "image/images.h"
+#include "export/truth_files.h"
 #include "truth/displaced_picture.h"
+#include "truth/visibility_tracer.h"
 
 namespace gnomon::exporting {
 namespace {
@@ -37,6 +38,18 @@ Mask maskOf(const truth::SeenSurface& seen, const std::vector<float>& light) {
   return mask;
 }
 
+/// @param directions  toward the disc of a light that has one
+truth::Truth truthOf(const truth::SeenSurface& seen, const truth::MicroScene& scene,
+                     const study::LightSpec& light, int directions) {
+  truth::Truth found;
+  found.mask = maskOf(seen, truth::displacedPicture(seen, scene, light.direction()));
+  if (light.isSoft()) {
+    found.answerBy(truth::traceVisibility(seen, scene, found.mask,
+                                          {light.direction(), light.radius, directions}));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string drawnMapFile(const study::CaseNames& names, std::size_t view) {
@@ -47,20 +60,46 @@ std::string drawnMaskFile(const study::CaseNames& names, std::size_t view, std::
   return fmt::format("drawn/masks/{}_{}_truth.png", names.views[view], names.lights[light]);
 }
 
-void writeDrawnMesh(report::RunFolder& folder, const study::RunScene& scene,
-                    const study::TracedSurface& surface) {
-  const study::CaseNames names = study::caseNames(scene.study);
-  for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
-    const Camera* camera = cameraOf(scene.study.views[v]);
+std::string drawnShareFile(const study::CaseNames& names, std::size_t view, std::size_t light) {
+  return fmt::format("drawn/shares/{}_{}_truth.exr", names.views[view], names.lights[light]);
+}
+
+DrawnTruths writeDrawnMesh(report::RunFolder& folder, const study::RunScene& scene,
+                           const study::TracedSurface& surface) {
+  const study::StudySpec& study = scene.study;
+  const study::CaseNames names = study::caseNames(study);
+  DrawnTruths drawn(study.views.size());
+  for (std::size_t v = 0; v < study.views.size(); ++v) {
+    const Camera* camera = cameraOf(study.views[v]);
     if (camera == nullptr) continue;
     const truth::SeenSurface seen = truth::seenSurface(surface.mesh, surface.scene, *camera);
     writeSampleMap(folder, drawnMapFile(names, v), mapOf(seen, surface.mesh.centre()));
-    for (std::size_t l = 0; l < scene.study.lights.size(); ++l) {
-      const std::vector<float> light =
-          truth::displacedPicture(seen, surface.scene, scene.study.lights[l].direction());
-      folder.write(drawnMaskFile(names, v, l), image::pngOf(image::maskImage(maskOf(seen, light))));
+    for (std::size_t l = 0; l < study.lights.size(); ++l) {
+      drawn[v].push_back(truthOf(seen, surface.scene, study.lights[l], study.truth.directions));
+      writeTruthMask(folder, drawn[v].back(), drawnMaskFile(names, v, l),
+                     drawnShareFile(names, v, l));
     }
   }
+  return drawn;
+}
+
+std::vector<std::vector<double>> drawnUncertainties(const study::RunScene& scene,
+                                                    const study::TracedSurface& coarse,
+                                                    const DrawnTruths& drawn) {
+  const study::StudySpec& study = scene.study;
+  std::vector<std::vector<double>> uncertainties(study.views.size());
+  for (std::size_t v = 0; v < study.views.size(); ++v) {
+    const Camera* camera = cameraOf(study.views[v]);
+    if (camera == nullptr) continue;
+    truth::SeenSurface seen = truth::seenSurface(coarse.mesh, coarse.scene, *camera);
+    seen.rayOffset /= 2;
+    for (std::size_t l = 0; l < study.lights.size(); ++l) {
+      const truth::Truth other =
+          truthOf(seen, coarse.scene, study.lights[l], study.truth.directions / 2);
+      uncertainties[v].push_back(truth::uncertaintyOf(drawn[v][l], other));
+    }
+  }
+  return uncertainties;
 }
 
 }  // namespace gnomon::exporting

@@ -29,8 +29,10 @@ report::Json conventionsJson() {
        "texel (x, y, weight), base, normal, point, facet."},
       {"drawn",
        "What the camera's own primary rays meet: point and facet of the displaced surface at the "
-       "pixel's centre, 0 where there is nothing, and whether that point is lit. Other points than "
-       "the samples; no score is made of them."},
+       "pixel's centre, 0 where there is nothing, and whether that point is lit, of a disc the "
+       "share "
+       "that it sees. Other points than the samples; no score is made of them. Their uncertainty "
+       "is that of these points: the pixels that change at half the truth's resolution."},
       {"matrices",
        "Row by row, for column vectors: clip = projection view (x, y, z, 1). The camera looks "
        "along "
@@ -103,21 +105,32 @@ void addMap(report::Json& json, const std::string& file) {
   json["samples_layers"] = layersName(file);
 }
 
-report::Json drawnJson(const study::RunScene& scene, const study::CaseNames& names,
-                       std::size_t view) {
+/// One light of the masks of a view.
+report::Json maskJson(const study::LightSpec& light, const std::string& maskFile,
+                      const std::string& shareFile, double uncertainty) {
+  report::Json json = {{"light", light.name},
+                       {"truth", maskFile},
+                       {"uncertainty", report::jsonNumber(uncertainty, "views.masks.uncertainty")}};
+  if (light.isSoft()) json["shares"] = shareFile;
+  return json;
+}
+
+report::Json drawnJson(const study::RunScene& scene, const std::vector<double>& uncertainties,
+                       const study::CaseNames& names, std::size_t view) {
   report::Json json = report::Json::object();
   addMap(json, drawnMapFile(names, view));
   report::Json masks = report::Json::array();
   for (std::size_t l = 0; l < scene.study.lights.size(); ++l) {
-    masks.push_back(
-        {{"light", scene.study.lights[l].name}, {"truth", drawnMaskFile(names, view, l)}});
+    masks.push_back(maskJson(scene.study.lights[l], drawnMaskFile(names, view, l),
+                             drawnShareFile(names, view, l), uncertainties.at(l)));
   }
   json["masks"] = std::move(masks);
   return json;
 }
 
 report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
-                      const study::CaseNames& names, std::size_t index) {
+                      const std::vector<double>& drawnUncertainties, const study::CaseNames& names,
+                      std::size_t index) {
   const study::BaseCase& base = scene.standardBase();
   const study::ViewSpec& spec = scene.study.views[index];
   const render::RenderView& view = base.views[index].view;
@@ -133,16 +146,13 @@ report::Json viewJson(study::RunScene& scene, const study::StudyRecord& record,
   report::Json masks = report::Json::array();
   const std::size_t lights = scene.study.lights.size();
   for (std::size_t l = 0; l < lights; ++l) {
-    masks.push_back(
-        {{"light", scene.study.lights[l].name},
-         {"truth", truthMaskFile(names, index, l)},
-         {"uncertainty", report::jsonNumber(record.truth.flips.at(index * lights + l).flipRate,
-                                            "views.masks.uncertainty")}});
-    if (scene.study.lights[l].isSoft()) masks.back()["shares"] = truthShareFile(names, index, l);
+    masks.push_back(maskJson(scene.study.lights[l], truthMaskFile(names, index, l),
+                             truthShareFile(names, index, l),
+                             record.truth.flips.at(index * lights + l).flipRate));
   }
   json["masks"] = std::move(masks);
-  json["drawn"] =
-      cameraOf(spec) == nullptr ? report::Json(nullptr) : drawnJson(scene, names, index);
+  json["drawn"] = cameraOf(spec) == nullptr ? report::Json(nullptr)
+                                            : drawnJson(scene, drawnUncertainties, names, index);
   return json;
 }
 
@@ -203,11 +213,11 @@ report::Json displacedJson(const ExportedMesh& mesh) {
 
 std::string exportJson(study::RunScene& scene, const study::StudyRecord& record,
                        const ExportedMesh& mesh, const horizon::StoredHorizons& tables,
-                       double rayLift) {
+                       double rayLift, const std::vector<std::vector<double>>& drawnUncertainties) {
   const study::CaseNames names = study::caseNames(scene.study);
   report::Json views = report::Json::array();
   for (std::size_t v = 0; v < scene.study.views.size(); ++v) {
-    views.push_back(viewJson(scene, record, names, v));
+    views.push_back(viewJson(scene, record, drawnUncertainties.at(v), names, v));
   }
   const surface::BaseMesh& base = scene.standardBase().drawn.get()->mesh;
   const report::Json json = {{"schema", "gnomon-export/1"},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "export/mesh_distance.h"
 #include "horizon/table_file.h"
@@ -21,9 +22,10 @@ struct ExportedMesh {
 
 /// The export's description, schema "gnomon-export/1": files, units, conventions, camera matrices,
 /// lights. Enough for another renderer to answer at the study's samples.
-/// @param rayLift  world length by which the truth's rays start off their facets
+/// @param rayLift             world length by which the truth's rays start off their facets
+/// @param drawnUncertainties  [view][light], as `drawnUncertainties` gives them
 std::string exportJson(study::RunScene& scene, const study::StudyRecord& record,
                        const ExportedMesh& mesh, const horizon::StoredHorizons& tables,
-                       double rayLift);
+                       double rayLift, const std::vector<std::vector<double>>& drawnUncertainties);
 
 }  // namespace gnomon::exporting

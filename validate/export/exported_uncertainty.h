@@ -5,8 +5,8 @@
 
 namespace gnomon::exporting {
 
-/// The uncertainty of a truth's mask that lies in an export, a share of its samples: what the
-/// `export.json` beside its folder states.
+/// The uncertainty of a truth's mask or shares that lie in an export, a share of its samples: what
+/// the `export.json` one or two folders up states.
 /// @return none for any other file
 /// @throws InputError for an `export.json` that is damaged
 std::optional<double> exportedUncertainty(const std::filesystem::path& truthMask);

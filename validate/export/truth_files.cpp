@@ -66,16 +66,21 @@ std::string truthShareFile(const study::CaseNames& names, std::size_t view, std:
   return fmt::format("shares/{}_{}_truth.exr", names.views[view], names.lights[light]);
 }
 
+void writeTruthMask(report::RunFolder& folder, const truth::Truth& truth,
+                    const std::string& maskFile, const std::string& shareFile) {
+  if (truth.isSoft()) {
+    folder.write(maskFile, image::sharePng(truth.visibility));
+    folder.write(shareFile, image::shareExr(truth.visibility));
+  } else {
+    folder.write(maskFile, image::pngOf(image::maskImage(truth.mask)));
+  }
+}
+
 void writeTruthMasks(report::RunFolder& folder, study::RunScene& scene) {
   const study::CaseNames names = study::caseNames(scene.study);
   forEachCase(scene.study, [&](std::size_t v, std::size_t l) {
-    const truth::Truth& truth = scene.standardBase().views[v].truths[l];
-    if (truth.isSoft()) {
-      folder.write(truthMaskFile(names, v, l), image::sharePng(truth.visibility));
-      folder.write(truthShareFile(names, v, l), image::shareExr(truth.visibility));
-    } else {
-      folder.write(truthMaskFile(names, v, l), image::pngOf(image::maskImage(truth.mask)));
-    }
+    writeTruthMask(folder, scene.standardBase().views[v].truths[l], truthMaskFile(names, v, l),
+                   truthShareFile(names, v, l));
   });
 }
 

@@ -15,8 +15,12 @@ std::string truthMaskFile(const study::CaseNames& names, std::size_t view, std::
 /// `shares/VIEW_LIGHT_truth.exr`: under a light with a disc, V as floats.
 std::string truthShareFile(const study::CaseNames& names, std::size_t view, std::size_t light);
 
-/// Writes the truths of the scene's standard base as mask pictures; of a light with a disc the
-/// mask is a map of visibility in 16-bit greys, and as floats in `truthShareFile`.
+/// Writes a truth's mask as a picture; of a light with a disc the mask is a map of visibility in
+/// 16-bit greys, and as floats in `shareFile`.
+void writeTruthMask(report::RunFolder& folder, const truth::Truth& truth,
+                    const std::string& maskFile, const std::string& shareFile);
+
+/// Writes the truths of the scene's standard base, in `truthMaskFile` and `truthShareFile`.
 void writeTruthMasks(report::RunFolder& folder, study::RunScene& scene);
 
 /// Writes what `gnomon truth` finds: the masks, `regions/VIEW_LIGHT.png` (in the colours that the

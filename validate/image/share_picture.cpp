@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -80,6 +81,41 @@ Rgb differenceColour(float candidate, float truth) {
   return mixed(base, off > 0 ? Colours::falseLight : Colours::falseShadow, std::abs(off));
 }
 
+/// What a colour of a signed difference tells.
+struct SharesOfColour {
+  double candidate, truth;
+};
+
+/// The inverse of differenceColour: only an error's colour has tint, and the rest is the grey of
+/// the truth's share.
+SharesOfColour sharesOfColour(const Rgb& colour) {
+  using Colours = DifferenceColours;
+  const bool isDarker = colour[0] > colour[2];
+  const Rgb& error = isDarker ? Colours::falseShadow : Colours::falseLight;
+  const double off =
+      std::min(1.0, static_cast<double>(colour[0] - colour[2]) / (error[0] - error[2]));
+  const double level = off < 1 ? (colour[1] - off * error[1]) / (1 - off) : 0;
+  const double share =
+      (level - Colours::bothShadowed[1]) / (Colours::bothLit[1] - Colours::bothShadowed[1]);
+  // The candidate's share is one, too.
+  const double truth = isDarker ? std::clamp(share, off, 1.0) : std::clamp(share, 0.0, 1 - off);
+  return {isDarker ? truth - off : truth + off, truth};
+}
+
+/// @throws InputError for a colour that no signed difference has
+float candidateOf(const Rgb& colour, const std::filesystem::path& path) {
+  if (colour == DifferenceColours::none) return noSample;
+  const SharesOfColour shares = sharesOfColour(colour);
+  const auto candidate = static_cast<float>(shares.candidate);
+  const Rgb expected = differenceColour(candidate, static_cast<float>(shares.truth));
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    if (std::abs(colour[k] - expected[k]) <= 2) continue;
+    throw InputError(
+        fmt::format("{}: a colour found that no signed difference has", path.string()));
+  }
+  return candidate;
+}
+
 void requireSameSamples(const Visibility& candidate, const Visibility& truth) {
   if (candidate.width != truth.width || candidate.height != truth.height) {
     throw InputError(fmt::format("candidate: {} x {} samples, but the truth has {} x {}",
@@ -145,6 +181,21 @@ Image shareDifferenceImage(const Visibility& candidate, const Visibility& truth)
     image.rgb.insert(image.rgb.end(), colour.begin(), colour.end());
   }
   return image;
+}
+
+Visibility sharesOfDifference(const std::filesystem::path& path) {
+  std::array<GreyPicture, 3> channels;
+  for (std::size_t k = 0; k < 3; ++k) channels[k] = readGreyPicture(path, std::string(1, "RGB"[k]));
+  Visibility map{channels[0].width, channels[0].height, {}};
+  map.shares.reserve(channels[0].values.size());
+  for (std::size_t i = 0; i < channels[0].values.size(); ++i) {
+    Rgb colour{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      colour[k] = static_cast<std::uint8_t>(std::lround(255 * channels[k].values[i]));
+    }
+    map.shares.push_back(candidateOf(colour, path));
+  }
+  return map;
 }
 
 }  // namespace gnomon::image

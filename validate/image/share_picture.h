@@ -38,4 +38,9 @@ bool holdsShares(const std::filesystem::path& path, const MaskReading& reading =
 /// @throws InputError if the sizes differ or only one of the two has a sample somewhere
 Image shareDifferenceImage(const Visibility& candidate, const Visibility& truth);
 
+/// The candidate's shares in a file of such a picture: zeros and ones as they are, others to 0.02
+/// where they differ from the truth by at most a half, else to 0.1: its colours have 8 bits.
+/// @throws InputError as `readGreyPicture`, and for a colour that no such picture has
+Visibility sharesOfDifference(const std::filesystem::path& path);
+
 }  // namespace gnomon::image

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/error.h"
 #include "common/files/atomic_file.h"
-#include "image/grey_picture.h"
 #include "image/images.h"
+#include "image/share_picture.h"
 
 namespace gnomon::report {
 namespace fs = std::filesystem;
@@ -17,25 +16,10 @@ namespace {
 using Kind = study::PictureRecord::Kind;
 constexpr const char* pictureFolder = "references";
 
-/// The method's answer in a colour of a signed difference, of which the red part is enough.
-Shade shadeOf(float red, const fs::path& path) {
-  const auto is = [&](const image::Rgb& colour) {
-    return std::lround(255 * red) == static_cast<long>(colour[0]);
-  };
-  if (is(image::DifferenceColours::none)) return Shade::none;
-  if (is(image::DifferenceColours::bothLit) || is(image::DifferenceColours::falseLight))
-    return Shade::lit;
-  if (is(image::DifferenceColours::bothShadowed) || is(image::DifferenceColours::falseShadow)) {
-    return Shade::shadowed;
-  }
-  throw InputError(fmt::format("{}: a colour found that no signed difference has", path.string()));
-}
-
 /// Leaves only the samples that both have.
-void keepCommon(Mask& a, Mask& b) {
+void keepCommon(Visibility& a, Visibility& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a.samples[i] == Shade::none) b.samples[i] = Shade::none;
-    if (b.samples[i] == Shade::none) a.samples[i] = Shade::none;
+    if (std::isnan(a.shares[i]) || std::isnan(b.shares[i])) a.shares[i] = b.shares[i] = noSample;
   }
 }
 
@@ -50,18 +34,10 @@ std::string differenceOf(const study::StudyRecord& record, const study::Referenc
   return "";
 }
 
-/// Whether a row's light has a disc.
-bool isSoft(const study::StudyRecord& record, const study::ReferencePictures& row) {
-  return std::any_of(
-      record.results.begin(), record.results.end(), [&](const study::ResultRecord& result) {
-        return result.view == row.view && result.light == row.light && !result.shares.empty();
-      });
-}
-
 /// Copies what was kept and draws the change.
 void drawChange(study::ReferencePictures& row, RunFolder& folder, const fs::path& old) {
-  Mask before = maskOfDifference(old);
-  Mask after = maskOfDifference(folder.path() / row.after);
+  Visibility before = image::sharesOfDifference(old);
+  Visibility after = image::sharesOfDifference(folder.path() / row.after);
   if (before.width != after.width || before.height != after.height) {
     row.note = fmt::format("{} has {} × {} pixels, this run {} × {}", old.string(), before.width,
                            before.height, after.width, after.height);
@@ -72,18 +48,10 @@ void drawChange(study::ReferencePictures& row, RunFolder& folder, const fs::path
   row.before = fmt::format("{}/{}_before.png", pictureFolder, name);
   row.change = fmt::format("{}/{}_change.png", pictureFolder, name);
   folder.write(row.before, readFile(old));
-  folder.write(row.change, image::pngOf(image::differenceImage(after, before)));
+  folder.write(row.change, image::pngOf(image::shareDifferenceImage(after, before)));
 }
 
 }  // namespace
-
-Mask maskOfDifference(const fs::path& path) {
-  const image::GreyPicture picture = image::readGreyPicture(path, "R");
-  Mask mask{picture.width, picture.height, {}};
-  mask.samples.reserve(picture.values.size());
-  for (const float red : picture.values) mask.samples.push_back(shadeOf(red, path));
-  return mask;
-}
 
 void keepReferencePictures(const study::StudyRecord& record, const fs::path& folder,
                            const fs::path& kept) {
@@ -114,11 +82,6 @@ std::vector<study::ReferencePictures> drawReferencePictures(const study::StudyRe
     study::ReferencePictures row{gate.method, gate.view, gate.light, "", "", "", ""};
     row.after = differenceOf(record, row);
     if (row.after.empty()) continue;
-    if (isSoft(record, row)) {
-      row.note = "the pictures of a soft light hold shares, which are not told apart here";
-      rows.push_back(std::move(row));
-      continue;
-    }
     const fs::path old = kept / fs::path(row.after).filename();
     if (fs::exists(old)) {
       drawChange(row, folder, old);

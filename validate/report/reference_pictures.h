@@ -3,17 +3,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/mask.h"
 #include "report/run_folder.h"
 #include "study/record/record.h"
 
 namespace gnomon::report {
 
 /// Pictures for references that do not hold: what was committed, what is now, and what changed.
-
-/// The method's mask in a signed difference that a run wrote: see DifferenceColours.
-/// @throws InputError naming the file for a picture with any other colour, and as readGreyPicture
-Mask maskOfDifference(const std::filesystem::path& path);
 
 /// Keeps the signed differences of a run beside its references.
 /// @param folder  of the run
@@ -25,9 +20,9 @@ void keepReferencePictures(const study::StudyRecord& record, const std::filesyst
 
 /// A set of pictures for each method, view and light of which a reference fails or is undefined, in
 /// the references' order. What was kept is copied into `references/` of the run's folder, and the
-/// change drawn beside it: in the colours of a signed difference of the method's mask now from that
-/// which was committed, without the samples that only one of them has.
-/// @throws InputError where a picture of the run cannot be read or one cannot be written
+/// change drawn beside it: in the colours of a signed difference of the method's mask now, or its
+/// shares, from those that were committed, without the samples that only one of them has.
+/// @throws InputError where a picture cannot be read, as `image::sharesOfDifference`, or written
 std::vector<study::ReferencePictures> drawReferencePictures(const study::StudyRecord& record,
                                                             RunFolder& folder,
                                                             const std::filesystem::path& kept);

@@ -33,6 +33,17 @@ void spreadAlong(double Vec2::*axis, std::vector<Vec2>& points) {
   }
 }
 
+/// The axes of a disc: x along the horizon of the xy plane, y toward +z.
+struct DiscAxes {
+  Vec3 level, upward;
+};
+
+DiscAxes axesOf(const Vec3& centre) {
+  const bool isUpright = std::hypot(centre.x, centre.y) < 1e-9;
+  const Vec3 level = isUpright ? Vec3(1, 0, 0) : glm::normalize(glm::cross(Vec3(0, 0, 1), centre));
+  return {level, glm::cross(centre, level)};
+}
+
 }  // namespace
 
 std::vector<Vec2> discPoints(int count) {
@@ -58,9 +69,7 @@ std::vector<Vec2> discRim(int count) {
 }
 
 std::vector<Vec3> discDirections(const Vec3& centre, double radius, std::span<const Vec2> points) {
-  const bool isUpright = std::hypot(centre.x, centre.y) < 1e-9;
-  const Vec3 level = isUpright ? Vec3(1, 0, 0) : glm::normalize(glm::cross(Vec3(0, 0, 1), centre));
-  const Vec3 upward = glm::cross(centre, level);
+  const auto [level, upward] = axesOf(centre);
   std::vector<Vec3> directions;
   directions.reserve(points.size());
   for (const Vec2& point : points) {
@@ -72,6 +81,11 @@ std::vector<Vec3> discDirections(const Vec3& centre, double radius, std::span<co
         glm::normalize((1 - height) * centre + aside.x * level + aside.y * upward));
   }
   return directions;
+}
+
+Vec3 lowestOfDisc(const Vec3& centre, double radius) {
+  if (radius == 0) return centre;
+  return std::cos(radius) * centre - std::sin(radius) * axesOf(centre).upward;
 }
 
 }  // namespace gnomon::truth

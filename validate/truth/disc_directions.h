@@ -36,4 +36,8 @@ std::vector<Vec2> discRim(int count);
 /// @returns unit vectors, in the points' order
 std::vector<Vec3> discDirections(const Vec3& centre, double radius, std::span<const Vec2> points);
 
+/// The unit vector toward the lowest point of a disc over the xy plane: the centre turned by ρ in
+/// its vertical plane, in any one if it is on the z axis. The centre itself, to the bit, for ρ = 0.
+Vec3 lowestOfDisc(const Vec3& centre, double radius);
+
 }  // namespace gnomon::truth

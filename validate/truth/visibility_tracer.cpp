@@ -71,18 +71,20 @@ std::vector<Vec2> inPatches(std::vector<Vec2> points) {
   return points;
 }
 
-/// The two passes over the samples of a view.
+/// The two passes over the points of a view.
+/// @tparam FacetOf  gives the facet that holds the point of an index
+template <typename FacetOf>
 class DiscTracer {
  public:
-  DiscTracer(const MicroMesh& mesh, const MicroScene& scene, const surface::SampleGrid& samples,
-             const Mask& hard, const DiscSettings& settings)
-      : mesh_(mesh),
-        scene_(scene),
-        samples_(samples),
+  /// @param rayOffset  world length
+  DiscTracer(const MicroScene& scene, const Mask& hard, const DiscSettings& settings,
+             double rayOffset, FacetOf facetOf)
+      : scene_(scene),
         hard_(hard),
-        rayOffset_(mesh.rayOffset(settings.rayOffset)),
+        rayOffset_(rayOffset),
+        facetOf_(facetOf),
         isAdaptive_(settings.isAdaptive),
-        begun_(samples.samples.size(), Begun::nothing) {
+        begun_(hard.size(), Begun::nothing) {
     const std::vector<Vec3> rim =
         discDirections(settings.light, settings.radius, discRim(rimDirections));
     for (const std::size_t k : {0, 1}) rims_[k] = everySecond(k, rim);
@@ -92,7 +94,7 @@ class DiscTracer {
   }
 
   Visibility trace(const Progress& progress) {
-    const auto height = static_cast<std::size_t>(samples_.height);
+    const auto height = static_cast<std::size_t>(hard_.height);
     const std::size_t bands = (height + bandRows - 1) / bandRows;
     CountedProgress done(progress, 2 * bands);
     const auto forEachBand = [&](const auto& work) {
@@ -103,14 +105,13 @@ class DiscTracer {
       });
     };
     forEachBand([this](std::size_t first, std::size_t end) { begin(first, end); });
-    Visibility found{samples_.width, samples_.height,
-                     std::vector<float>(samples_.samples.size(), noSample)};
+    Visibility found{hard_.width, hard_.height, std::vector<float>(hard_.size(), noSample)};
     forEachBand([&](std::size_t first, std::size_t end) { finish(first, end, found); });
     return found;
   }
 
  private:
-  [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(samples_.width); }
+  [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(hard_.width); }
 
   /// Half of the rim, the other half at the neighbours in the row and in the column.
   [[nodiscard]] std::span<const Vec3> rimOf(std::size_t i) const { return rims_[colourOf(i)]; }
@@ -122,14 +123,12 @@ class DiscTracer {
     return (i % width() + i / width()) % 2;
   }
 
-  [[nodiscard]] Facet facetOf(std::size_t i) const { return mesh_.facet(samples_.samples[i]); }
-
   /// What the hard light and the rim say of some samples.
   void begin(std::size_t first, std::size_t end) {
     std::vector<std::size_t> seen(end - first, 0);
     SeenCounter counter(scene_, rayOffset_);
     for (std::size_t i = first; isAdaptive_ && i < end; ++i) {
-      if (hard_.samples[i] != Shade::none) counter.add(facetOf(i), rimOf(i), seen[i - first]);
+      if (hard_.samples[i] != Shade::none) counter.add(facetOf_(i), rimOf(i), seen[i - first]);
     }
     counter.finish();
     for (std::size_t i = first; i < end; ++i) {
@@ -154,8 +153,8 @@ class DiscTracer {
         continue;
       }
       open.push_back(i);
-      counter.add(facetOf(i), halves_[0], seen[i - first]);
-      if (begun_[i] != Begun::mixed) counter.add(facetOf(i), otherRimOf(i), seenOfRim[i - first]);
+      counter.add(facetOf_(i), halves_[0], seen[i - first]);
+      if (begun_[i] != Begun::mixed) counter.add(facetOf_(i), otherRimOf(i), seenOfRim[i - first]);
     }
     counter.finish();
     std::erase_if(open, [&](std::size_t i) {
@@ -166,7 +165,7 @@ class DiscTracer {
       if (agrees) found.shares[i] = shareOf(begun_[i]);
       return agrees;
     });
-    for (const std::size_t i : open) counter.add(facetOf(i), halves_[1], seen[i - first]);
+    for (const std::size_t i : open) counter.add(facetOf_(i), halves_[1], seen[i - first]);
     counter.finish();
     for (const std::size_t i : open) {
       found.shares[i] = static_cast<float>(seen[i - first]) /
@@ -182,8 +181,8 @@ class DiscTracer {
     if (begun_[i] == Begun::mixed) return false;
     const auto column = static_cast<int>(i % width());
     const auto row = static_cast<int>(i / width());
-    for (int y = std::max(0, row - 1); y < std::min(samples_.height, row + 2); ++y) {
-      for (int x = std::max(0, column - 1); x < std::min(samples_.width, column + 2); ++x) {
+    for (int y = std::max(0, row - 1); y < std::min(hard_.height, row + 2); ++y) {
+      for (int x = std::max(0, column - 1); x < std::min(hard_.width, column + 2); ++x) {
         const Begun other =
             begun_[static_cast<std::size_t>(y) * width() + static_cast<std::size_t>(x)];
         if (other != Begun::nothing && other != begun_[i]) return false;
@@ -192,27 +191,39 @@ class DiscTracer {
     return true;
   }
 
-  const MicroMesh& mesh_;
   const MicroScene& scene_;
-  const surface::SampleGrid& samples_;
   const Mask& hard_;
   double rayOffset_;
+  FacetOf facetOf_;
   std::array<std::vector<Vec3>, 2> rims_;    ///< alternate places of the rim
   std::array<std::vector<Vec3>, 2> halves_;  ///< alternate ones of the N directions
   bool isAdaptive_;
-  std::vector<Begun> begun_;  ///< one a sample
+  std::vector<Begun> begun_;  ///< one a point
 };
+
+/// @throws InternalError unless the mask has one answer for each point of the view
+void requireView(const Mask& hard, int width, int height, std::size_t points) {
+  if (hard.width == width && hard.height == height && hard.size() == points) return;
+  throw InternalError("a mask of another view than the points of a soft light");
+}
 
 }  // namespace
 
 Visibility traceVisibility(const MicroMesh& mesh, const MicroScene& scene,
                            const surface::SampleGrid& samples, const Mask& hard,
                            const DiscSettings& settings, const Progress& progress) {
-  if (hard.width != samples.width || hard.height != samples.height ||
-      hard.size() != samples.samples.size()) {
-    throw InternalError("a mask of another view than the samples of a soft light");
-  }
-  return DiscTracer(mesh, scene, samples, hard, settings).trace(progress);
+  requireView(hard, samples.width, samples.height, samples.samples.size());
+  return DiscTracer(scene, hard, settings, mesh.rayOffset(settings.rayOffset),
+                    [&](std::size_t i) { return mesh.facet(samples.samples[i]); })
+      .trace(progress);
+}
+
+Visibility traceVisibility(const SeenSurface& seen, const MicroScene& scene, const Mask& hard,
+                           const DiscSettings& settings, const Progress& progress) {
+  requireView(hard, seen.width, seen.height, seen.points.size());
+  return DiscTracer(scene, hard, settings, seen.rayOffset,
+                    [&](std::size_t i) { return seen.points[i].facet; })
+      .trace(progress);
 }
 
 ShareChange shareChange(const Visibility& a, const Visibility& b) {
@@ -233,6 +244,11 @@ ShareChange shareChange(const Visibility& a, const Visibility& b) {
   std::nth_element(changes.begin(), changes.begin() + static_cast<std::ptrdiff_t>(place),
                    changes.end());
   return {sum / static_cast<double>(changes.size()), changes[place]};
+}
+
+double uncertaintyOf(const Truth& truth, const Truth& coarse) {
+  return truth.isSoft() ? shareChange(truth.visibility, coarse.visibility).mean
+                        : flipRate(truth.mask, coarse.mask);
 }
 
 }  // namespace gnomon::truth

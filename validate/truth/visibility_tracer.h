@@ -6,8 +6,10 @@
 #include "common/progress.h"
 #include "common/visibility.h"
 #include "surface/sample_grid.h"
+#include "truth/displaced_picture.h"
 #include "truth/micro_mesh.h"
 #include "truth/micro_scene.h"
+#include "truth/shadow_tracer.h"
 
 namespace gnomon::truth {
 
@@ -47,6 +49,11 @@ Visibility traceVisibility(const MicroMesh& mesh, const MicroScene& scene,
                            const surface::SampleGrid& samples, const Mask& hard,
                            const DiscSettings& settings, const Progress& progress = {});
 
+/// The same of the points where a camera's own rays meet the surface; a ray to the disc starts
+/// `seen.rayOffset` off its facet, whatever the settings say.
+Visibility traceVisibility(const SeenSurface& seen, const MicroScene& scene, const Mask& hard,
+                           const DiscSettings& settings, const Progress& progress = {});
+
 /// |ΔV| of two maps of one view, over the samples that both hold, each counted alike: the truth's
 /// own error, where one was traced with half the directions on half the resolution of the other.
 struct ShareChange {
@@ -56,5 +63,10 @@ struct ShareChange {
 /// Zeros where there is no sample.
 /// @throws InternalError for maps of different sizes
 ShareChange shareChange(const Visibility& a, const Visibility& b);
+
+/// A truth's own error, where the other one was traced at half its resolution: `flipRate` of the
+/// masks; of a light with a disc the mean of |ΔV|, where half as many directions were traced too.
+/// @throws InternalError as both
+double uncertaintyOf(const Truth& truth, const Truth& coarse);
 
 }  // namespace gnomon::truth

@@ -99,7 +99,7 @@ TEST_F(BaselineCheck, IsToldByTheSummaryAndTheReport) {
   const std::string report = read("out/small/report.html");
   EXPECT_THAT(report, HasSubstr("<span class=\"tag failed\">fail</span> 2 of 2 thresholds met, "));
   EXPECT_THAT(report, HasSubstr("as committed, against its truth"));
-  EXPECT_THAT(report, HasSubstr("what changed: orange has become dark, blue lit"));
+  EXPECT_THAT(report, HasSubstr("what changed: orange has become darker, blue lighter"));
 }
 
 /// The change is that of the masks, sample by sample.
@@ -129,6 +129,30 @@ TEST_F(BaselineCheck, DrawsWhatChanged) {
   // Nothing of it stays once the reference holds again.
   ASSERT_EQ(check().status, 0);
   EXPECT_TRUE(filesBelow("out/small/references").empty());
+}
+
+/// Under a disc it is that of the shares, as far as 8 bits a colour hold them.
+TEST_F(BaselineCheck, DrawsWhatChangedOfShares) {
+  write("small.toml", replaced(smallStudy(), "elevation = 30\n", "elevation = 30\nradius = 4\n") +
+                          "disc = true\n[[threshold]]\nmax = 0.9\n");
+  ASSERT_EQ(update("a test", {"--baseline-pictures"}).status, 0);
+  const std::string mask = "out/small/masks/camera_evening_max-forsyth-disc.png";
+  std::filesystem::copy_file(file(mask), file("before.png"));
+  ASSERT_EQ(check({"--set", "method.1.bake.azimuths=1"}).status, 1);
+  ASSERT_EQ(gnomon({"compare", mask, "before.png", "--difference", "expected.png"}).status, 0);
+  const GreyImage expected = readGrey(file("expected.png"));
+  const GreyImage red =
+      readGrey(file("out/small/references/camera_evening_max-forsyth-disc_difference_change.png"));
+  ASSERT_EQ(red.pixels.size(), expected.pixels.size());
+  double apart = 0;
+  int changed = 0;
+  for (std::size_t i = 0; i < red.pixels.size(); ++i) {
+    apart += std::abs(red.pixels[i] - expected.pixels[i]);
+    changed += expected.pixels[i] != 255 && std::abs(expected.pixels[i] - 226) > 20 ? 1 : 0;
+  }
+  EXPECT_GT(changed, 200);
+  EXPECT_LT(apart / static_cast<double>(red.pixels.size()), 0.5) << "of 255";
+  EXPECT_THAT(read("out/small/report.html"), HasSubstr("what changed: orange has become darker"));
 }
 
 TEST_F(BaselineCheck, RemovesItsOwnPicturesAndNoOthers) {

@@ -93,6 +93,31 @@ TEST_F(Gather, TakesScenesOfSeveralFolders) {
   EXPECT_EQ(json["command"], "gnomon gather rest all --out parts");
 }
 
+TEST_F(Gather, OfSoftScenesGathersTheirMae) {
+  write("soft.toml", replaced(replaced(ofSuite("soft", "suite-s"), "elevation = 30\n",
+                                       "elevation = 30\nradius = 4\n"),
+                              "name = \"max-forsyth\"", "name = \"max-forsyth\"\ndisc = true"));
+  ASSERT_EQ(gnomon({"run", "soft.toml", "--quick", "--metrics-only"}).status, 0);
+  std::filesystem::create_directories(file("scenes"));
+  const auto summary = nlohmann::json::parse(read("out/soft/summary.json"));
+  for (int i = 0; i < 20; ++i) {
+    nlohmann::json scene = summary;
+    const std::string name = fmt::format("scene-{:02}", i);
+    scene["study"]["name"] = name;
+    std::filesystem::create_directories(file("scenes/" + name));
+    write("scenes/" + name + "/summary.json", scene.dump());
+  }
+  ASSERT_EQ(gnomon({"gather", "scenes", "--out", "soft"}).status, 0);
+  const auto json = nlohmann::json::parse(read("soft/suite.json"));
+  EXPECT_EQ(json["statistic"], "mae");
+  EXPECT_THAT(read("soft/suite.html"), HasSubstr("the mean of |ΔV| (mae)"));
+  for (const nlohmann::json& method : json["methods"]) {
+    const auto row = resultOf(summary, method["label"], "evening", "camera");
+    EXPECT_NEAR(method["mean"].get<double>(), row.at("mae").get<double>(), 1e-12);
+    EXPECT_EQ(row.at("mae"), row.at("error_rate"));
+  }
+}
+
 TEST_F(Gather, ComparesRankings) {
   copyScenes("out/drawn", "scenes", 20);
   ASSERT_EQ(gnomon({"gather", "scenes", "--out", "first"}).status, 0);

@@ -130,19 +130,25 @@ void exportOne(const study::StudySpec& study, report::RunFolder& folder,
   });
   horizon::writeHorizons(folder.newFile("tables.exr"), tables);
   double rayLift = 0;
-  study::StudyRecord record =
-      study::traceStudy(scene, gl, [&](const study::TracedSurface& surface) {
+  exporting::DrawnTruths drawn;
+  std::vector<std::vector<double>> uncertainties;
+  study::StudyRecord record = study::traceStudy(
+      scene, gl,
+      [&](const study::TracedSurface& surface) {
         rayLift = surface.mesh.rayOffset();
         exporting::writeSampleMaps(folder, scene, surface.mesh);
         exported.about.distance = exporting::meshDistance(scene, surface.mesh, exported.mesh,
                                                           exported.about.subdivisions);
-        exporting::writeDrawnMesh(folder, scene, surface);
+        drawn = exporting::writeDrawnMesh(folder, scene, surface);
+      },
+      [&](const study::TracedSurface& coarse) {
+        uncertainties = exporting::drawnUncertainties(scene, coarse, drawn);
       });
   record.command = request.command;
   exporting::writeTruthMasks(folder, scene);
   exporting::writeRegionsOfInterest(folder, scene);
   const exporting::ExportedMesh& mesh = exported.about;
-  folder.finish(exporting::exportJson(scene, record, mesh, tables, rayLift));
+  folder.finish(exporting::exportJson(scene, record, mesh, tables, rayLift, uncertainties));
   printLine(fmt::format(
       "{}: {} triangles displaced ({} pieces a face's side, at most {:.2g} "
       "texels off the truth's surface), {} views, {} lights",

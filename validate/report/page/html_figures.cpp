@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "compare/rates.h"
 #include "image/images.h"
+#include "image/share_picture.h"
 #include "report/text/names.h"
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
@@ -106,11 +108,31 @@ Html captionHtml(const Figure& figure, std::size_t index, const Rate& rate) {
   return html("<figcaption>{}</figcaption>\n", caption);
 }
 
+/// Whether a panel's light has a disc: its shadings are not composed of layers.
+bool isSoft(const study::PanelRecord& panel) {
+  return std::any_of(
+      panel.pictures.begin(), panel.pictures.end(),
+      [](const study::PictureRecord& picture) { return !picture.mask.empty() && !picture.layers; });
+}
+
+/// The number of the mesh that a shading shows: that of its layers, or else of the first picture
+/// that is held against the same truth. None of other pictures.
+std::optional<std::size_t> meshOf(const study::PictureRecord& picture,
+                                  const study::PanelRecord& panel) {
+  if (picture.layers || !picture.truth) return picture.layers;
+  const auto same = std::find_if(panel.pictures.begin(), panel.pictures.end(),
+                                 [&](const study::PictureRecord& other) {
+                                   return other.truth && other.truth->mask == picture.truth->mask;
+                                 });
+  return static_cast<std::size_t>(same - panel.pictures.begin());
+}
+
 Html figureHtml(const study::StudyRecord& record, const study::PanelRecord& panel,
                 const Figure& figure, std::size_t index, const fs::path& folder) {
   const Rate rate = rateOf(record, {panel.view, panel.light}, figure.method);
   const study::PictureRecord& first = *figure.pictures.front();
-  const Html layers = first.layers ? html(" data-mesh=\"{}\"", *first.layers) : Html();
+  const std::optional<std::size_t> place = meshOf(first, panel);
+  const Html mesh = place ? html(" data-mesh=\"{}\"", *place) : Html();
   Html pictures;
   for (const study::PictureRecord* picture : figure.pictures) {
     pictures += pictureHtml(*picture, panel, folder);
@@ -118,7 +140,7 @@ Html figureHtml(const study::StudyRecord& record, const study::PanelRecord& pane
   return html(
       "<figure data-method=\"{}\" data-letter=\"{}\" data-name=\"{}\" data-rate=\"{}\"{}>\n{}{}"
       "</figure>\n",
-      figure.method, letters(index), first.caption, rate.text, layers, pictures,
+      figure.method, letters(index), first.caption, rate.text, mesh, pictures,
       captionHtml(figure, index, rate));
 }
 
@@ -126,12 +148,21 @@ Html layerHtml(std::string_view kind, std::size_t mesh, const Html& address) {
   return html("<img class=\"{}\" data-mesh=\"{}\" alt=\"\" src=\"{}\">\n", kind, mesh, address);
 }
 
+/// The truth's mask; its shares as a signed difference from themselves, which the viewer reads as
+/// it does a method's.
+Html truthAddress(const study::PanelRecord& panel, const fs::path& file) {
+  if (!isSoft(panel)) return pngAddress(file);
+  const Visibility truth = image::readSharePicture(file);
+  return pictureAddress("image/png", image::pngOf(image::shareDifferenceImage(truth, truth)));
+}
+
 /// What shadings are composed of: the layers, and the truth's mask.
 Html layersHtml(const study::PanelRecord& panel, const fs::path& folder) {
   Html layers;
   for (const study::PictureRecord& picture : panel.pictures) {
-    if (picture.method != truthMethod || !picture.layers) continue;
-    layers += layerHtml("truth", *picture.layers, pngAddress(folder / picture.mask));
+    const std::optional<std::size_t> mesh = meshOf(picture, panel);
+    if (picture.method != truthMethod || !mesh) continue;
+    layers += layerHtml("truth", *mesh, truthAddress(panel, folder / picture.mask));
   }
   for (std::size_t i = 0; i < panel.layers.size(); ++i) {
     layers += layerHtml("lit", i, pictureAddress("image/webp", panel.layers[i].lit)) +
@@ -169,13 +200,6 @@ Html shareLegend() {
       legendEntry("--false-light", "1: lit, but the truth is in umbra"));
 }
 
-/// Whether a panel's light has a disc: its shadings are not composed of layers.
-bool isSoft(const study::PanelRecord& panel) {
-  return std::any_of(
-      panel.pictures.begin(), panel.pictures.end(),
-      [](const study::PictureRecord& picture) { return !picture.mask.empty() && !picture.layers; });
-}
-
 }  // namespace
 
 Html pngAddress(const fs::path& path) {
@@ -197,9 +221,10 @@ Html panelFigures(const study::StudyRecord& record, const study::PanelRecord& pa
     return has(figure, study::PictureRecord::Kind::difference);
   });
   return html(
-      "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\">\n{}{}"
+      "<div class=\"panel\" data-title=\"{} · {}\" data-width=\"{}\" data-height=\"{}\"{}>\n{}{}"
       "</div>\n{}",
-      panel.view, panel.light, panel.width, panel.height, content, layersHtml(panel, folder),
+      panel.view, panel.light, panel.width, panel.height,
+      isSoft(panel) ? html(" data-soft") : Html(), content, layersHtml(panel, folder),
       !signedOnes     ? Html()
       : isSoft(panel) ? shareLegend()
                       : differenceLegend());

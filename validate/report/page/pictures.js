@@ -1,8 +1,17 @@
 // The pictures that the page holds, and what can be composed of them. A method's difference picture
-// holds two masks: in its colours the red channel tells the truth's answer, the blue one the
-// method's. A shading is the lit layer of its mesh where a mask is lit, and the dark one elsewhere.
-const dark = 0, lit = 1, none = 2;
-const split = 160;  // between the dark and the light values of both channels
+// holds the truth's shares of light and the method's: 1 lit, 0 dark, between them under a soft light,
+// NaN no sample. Under a hard light a shading is the lit layer of its mesh, and where the mask is
+// dark the dark one; under a soft one the page has it whole.
+
+/// The colours of a signed difference, as the page's style has them: red, green, blue.
+function differenceColours() {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name) => style.getPropertyValue(name).match(/\d+/g).map(Number);
+  return {
+    falseShadow: colour('--false-shadow'), falseLight: colour('--false-light'),
+    lit: colour('--both-lit'), dark: colour('--both-shadowed')
+  };
+}
 
 function canvasOf(width, height) {
   const canvas = document.createElement('canvas');
@@ -20,23 +29,36 @@ async function pixelsOf(image) {
   return context.getImageData(0, 0, image.naturalWidth, image.naturalHeight).data;
 }
 
-/// The method's mask in a difference picture: channel 2; its truth's: channel 0.
-function maskOfDifference(pixels, channel) {
-  const mask = new Uint8Array(pixels.length / 4);
-  for (let i = 0, p = 0; i < mask.length; ++i, p += 4) {
-    const white = pixels[p] > 245 && pixels[p + 1] > 245 && pixels[p + 2] > 245;
-    mask[i] = white ? none : pixels[p + channel] > split ? lit : dark;
+/// The method's shares in a difference picture, or its truth's. A colour there is the grey of the
+/// truth's share, mixed with that of the error by how much they differ: only the latter has tint.
+function sharesOfDifference(pixels, ofTruth) {
+  const {falseShadow, falseLight, lit, dark} = differenceColours();
+  const shares = new Float32Array(pixels.length / 4);
+  for (let i = 0, p = 0; i < shares.length; ++i, p += 4) {
+    const red = pixels[p], green = pixels[p + 1], blue = pixels[p + 2];
+    if (red > 245 && green > 245 && blue > 245) {
+      shares[i] = NaN;
+      continue;
+    }
+    const darker = red > blue;
+    const error = darker ? falseShadow : falseLight;
+    const off = Math.min(1, (red - blue) / (error[0] - error[2]));
+    const grey = off < 1 ? (green - off * error[1]) / (1 - off) : 0;
+    const truth = (grey - dark[1]) / (lit[1] - dark[1]);
+    // The method's share is one, too.
+    const possible = darker ? Math.min(1, Math.max(off, truth)) : Math.min(1 - off, Math.max(0, truth));
+    shares[i] = ofTruth ? possible : possible + (darker ? -off : off);
   }
-  return mask;
+  return shares;
 }
 
 /// A mask picture: white lit, black dark, grey none.
-function maskOfMask(pixels) {
-  const mask = new Uint8Array(pixels.length / 4);
-  for (let i = 0, p = 0; i < mask.length; ++i, p += 4) {
-    mask[i] = pixels[p] > 192 ? lit : pixels[p] < 64 ? dark : none;
+function sharesOfMask(pixels) {
+  const shares = new Float32Array(pixels.length / 4);
+  for (let i = 0, p = 0; i < shares.length; ++i, p += 4) {
+    shares[i] = pixels[p] > 192 ? 1 : pixels[p] < 64 ? 0 : NaN;
   }
-  return mask;
+  return shares;
 }
 
 /// A canvas that `paint` fills, one word a pixel.
@@ -61,6 +83,7 @@ class Scene {
     this.title = panel.dataset.title;
     this.width = Number(panel.dataset.width);
     this.height = Number(panel.dataset.height);
+    this.isSoft = panel.dataset.soft !== undefined;
     this.layers = panel.querySelector('.layers');
     this.pictures = [...panel.querySelectorAll('figure')].flatMap((figure) => this.picturesOf(figure));
     this.kept = new Map();
@@ -68,8 +91,9 @@ class Scene {
 
   picturesOf(figure) {
     const {letter, name, rate, mesh} = figure.dataset;
-    const whole = figure.querySelector('img.whole');
-    const picture = {letter, name, rate: rate || '', figure, mesh};
+    const shaded = figure.querySelector('img.shaded.whole');  // under a soft light
+    const whole = figure.querySelector('img.whole:not(.shaded)');
+    const picture = {letter, name, rate: rate || '', figure, mesh, shaded};
     picture.difference = figure.querySelector('img.difference');
     picture.isTruth = figure.dataset.method === 'truth';
     if (mesh === undefined) return whole ? [{...picture, whole}] : [];
@@ -86,15 +110,16 @@ class Scene {
     return this.kept.get(key);
   }
 
-  mask(picture) {
-    return this.keep('mask ' + picture.letter, async () => {
-      if (!picture.isTruth) return maskOfDifference(await pixelsOf(picture.difference), 2);
-      return maskOfMask(await pixelsOf(this.layers.querySelector('img.truth')));
+  shares(picture) {
+    return this.keep('shares ' + picture.letter, async () => {
+      if (!picture.isTruth) return sharesOfDifference(await pixelsOf(picture.difference), false);
+      const pixels = await pixelsOf(this.layers.querySelector('img.truth'));
+      return this.isSoft ? sharesOfDifference(pixels, true) : sharesOfMask(pixels);
     });
   }
 
   async truthOf(picture) {
-    return maskOfDifference(await pixelsOf(picture.difference), 0);
+    return sharesOfDifference(await pixelsOf(picture.difference), true);
   }
 
   layer(kind, mesh) {
@@ -106,13 +131,14 @@ class Scene {
 
   /// A picture as it is shaded.
   shading(picture) {
-    if (picture.whole) return this.keep('whole ' + picture.letter, () => this.copyOf(picture.whole));
+    const whole = picture.whole || picture.shaded;
+    if (whole) return this.keep('whole ' + picture.letter, () => this.copyOf(whole));
     return this.keep('shading ' + picture.letter, async () => {
-      const [mask, light, shadow] = await Promise.all([
-        this.mask(picture), this.layer('lit', picture.mesh), this.layer('dark', picture.mesh)
+      const [shares, light, shadow] = await Promise.all([
+        this.shares(picture), this.layer('lit', picture.mesh), this.layer('dark', picture.mesh)
       ]);
       return painted(this.width, this.height, (words) => {
-        for (let i = 0; i < words.length; ++i) words[i] = mask[i] === dark ? shadow[i] : light[i];
+        for (let i = 0; i < words.length; ++i) words[i] = shares[i] === 0 ? shadow[i] : light[i];
       });
     });
   }
@@ -124,42 +150,46 @@ class Scene {
     return canvas;
   }
 
-  /// A picture as its mask alone; one that is no method's stays as it is.
+  /// A picture as its mask alone, of a soft light as its shares; one that is no method's stays as it is.
   async shadows(picture) {
     if (picture.whole) return this.shading(picture);
-    const mask = await this.mask(picture);
-    const colours = [wordOf(0, 0, 0), wordOf(255, 255, 255), wordOf(128, 128, 128)];
+    const shares = await this.shares(picture);
+    const greys = Array.from({length: 256}, (_, grey) => wordOf(grey, grey, grey));
     return painted(this.width, this.height, (words) => {
-      for (let i = 0; i < words.length; ++i) words[i] = colours[mask[i]];
+      for (let i = 0; i < words.length; ++i) {
+        words[i] = greys[isNaN(shares[i]) ? 128 : Math.round(255 * shares[i])];
+      }
     });
   }
 
-  /// Where two pictures answer differently, and which way: a canvas, and the share of the pixels.
+  /// Where two pictures answer differently, and which way: a canvas, and the mean over the pixels.
   /// Null where they draw different meshes, unless one of them is the truth: a method is held
   /// against the truth at its own mesh's points.
   async difference(a, b) {
     if (a.whole || b.whole) return null;
-    const own = a.mesh === b.mesh;
-    if (!own && !a.isTruth && !b.isTruth) return null;
-    const first = !own && a.isTruth ? await this.truthOf(b) : await this.mask(a);
-    const second = !own && b.isTruth ? await this.truthOf(a) : await this.mask(b);
-    const colour = (name) => wordOf(...getComputedStyle(document.documentElement)
-        .getPropertyValue(name).match(/\d+/g).map(Number));
-    const colours = [
-      colour('--both-shadowed'), colour('--false-light'),
-      colour('--false-shadow'), colour('--both-lit')
-    ];
+    if (a.mesh !== b.mesh && !a.isTruth && !b.isTruth) return null;
+    const first = a.isTruth && !b.isTruth ? await this.truthOf(b) : await this.shares(a);
+    const second = b.isTruth && !a.isTruth ? await this.truthOf(a) : await this.shares(b);
+    const {falseShadow, falseLight, lit, dark} = differenceColours();
+    const colour = (off, share) => wordOf(...(off > 0 ? falseLight : falseShadow).map((error, k) => {
+      const grey = dark[k] + share * (lit[k] - dark[k]);
+      return Math.round(grey + Math.abs(off) * (error - grey));
+    }));
+    const known = new Map();  // by both shares: most pixels have one of four
     let samples = 0, darker = 0, lighter = 0;
     const canvas = painted(this.width, this.height, (words) => {
       for (let i = 0; i < words.length; ++i) {
-        if (first[i] === none || second[i] === none) {
+        if (isNaN(first[i]) || isNaN(second[i])) {
           words[i] = 0;
           continue;
         }
+        const off = first[i] - second[i];
         ++samples;
-        darker += first[i] < second[i];
-        lighter += first[i] > second[i];
-        words[i] = colours[first[i] + 2 * second[i]];
+        darker += Math.max(0, -off);
+        lighter += Math.max(0, off);
+        const key = 512 * Math.round(511 * first[i]) + Math.round(511 * second[i]);
+        if (!known.has(key)) known.set(key, colour(off, second[i]));
+        words[i] = known.get(key);
       }
     });
     return {canvas, darker: darker / samples, lighter: lighter / samples};

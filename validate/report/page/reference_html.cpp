@@ -19,12 +19,12 @@ Html changePicture(const std::string& path, std::string_view title,
 }
 
 Html changePictures(const study::ReferencePictures& row, const std::filesystem::path& folder) {
-  return html("<h3>{}, {}, {}</h3>\n<div class=\"changes\">\n{}{}{}</div>\n{}", row.method,
-              row.view, row.light,
-              changePicture(row.before, "as committed, against its truth", folder),
-              changePicture(row.after, "now, against the truth", folder),
-              changePicture(row.change, "what changed: orange has become dark, blue lit", folder),
-              htmlNote(row.note));
+  return html(
+      "<h3>{}, {}, {}</h3>\n<div class=\"changes\">\n{}{}{}</div>\n{}", row.method, row.view,
+      row.light, changePicture(row.before, "as committed, against its truth", folder),
+      changePicture(row.after, "now, against the truth", folder),
+      changePicture(row.change, "what changed: orange has become darker, blue lighter", folder),
+      htmlNote(row.note));
 }
 
 /// "3 of 4 thresholds met", or nothing without any.

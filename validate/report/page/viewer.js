@@ -105,6 +105,7 @@ class Viewer {
     this.root.querySelector('.wipe').hidden = state.mode !== 'wipe';
     this.root.querySelector('.auto').hidden = state.mode !== 'blink';
     this.root.querySelector('.legend').hidden = state.mode !== 'difference';
+    this.root.querySelector('.legend .soft').hidden = !this.scene.isSoft;
     this.stage.classList.toggle('zoomed', state.zoom > 1);
     this.stage.style.cursor = state.zoom > 1 ? 'grab' : state.mode === 'wipe' ? 'col-resize' : 'default';
   }
@@ -181,6 +182,8 @@ class Viewer {
       blink: () => `${pair}${this.shown.toUpperCase()} is shown.`,
       difference: () => !difference
           ? pair + 'No difference: they draw different meshes, or are no shadow masks, so that their pixels show different points.'
+          : this.scene.isSoft
+          ? `${pair}Of the light, A sees ${percent(difference.darker)} less than B where it is darker, and ${percent(difference.lighter)} more where it is lighter: means over all pixels.`
           : `${pair}A is dark where B is lit at ${percent(difference.darker)} of the pixels, and lit where B is dark at ${percent(difference.lighter)}.`
     };
     const status = says[mode]();

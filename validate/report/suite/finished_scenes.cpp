@@ -64,6 +64,9 @@ study::StudyRecord readRecord(const JsonReader& summary, const std::string& suit
     }
     record.results.push_back({row.text("method"), row.text("light"), row.text("view"),
                               std::string(study::wholeRegion), readCounts(row)});
+    if (row.has("mae")) {  // under a light with a disc
+      record.results.back().shares.push_back({"mae", row.numberOrNull("mae"), {}});
+    }
   }
   for (const JsonReader& row : summary.list("bins")) record.bins.push_back(readBin(row));
   return record;

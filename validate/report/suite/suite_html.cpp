@@ -37,23 +37,30 @@ Html bestOf(const study::SuiteStatistics& statistics) {
   const Html interval =
       best.interval ? html(" (95&#8239;% interval {})", intervalText(best.interval)) : Html();
   return html(
-      "<b>{}</b> has the fewest wrong samples: <b>{}&#8239;%</b> on average{}, {}&#8239;% on the "
-      "worst twentieth of the scenes. {}",
-      best.label, percentText(best.spread.mean), interval, percentText(best.spread.worstTwentieth),
+      "<b>{}</b> has {}: <b>{}&#8239;%</b> on average{}, {}&#8239;% on the worst twentieth of the "
+      "scenes. {}",
+      best.label, statistics.isSoft ? "the smallest error" : "the fewest wrong samples",
+      percentText(best.spread.mean), interval, percentText(best.spread.worstTwentieth),
       alike.empty() ? html("It is distinguishable from every other ranked method.")
                     : html("It is {}.", indistinguishableText(alike)));
+}
+
+/// What a figure of the page is.
+std::string figureText(const study::SuiteStatistics& statistics) {
+  if (!statistics.isSoft)
+    return "the share of wrong samples, mean over the scene’s lights and views";
+  return "the mean of |ΔV| (mae), by how much of the light’s disc a sample sees too little, false "
+         "shadow, or too much, false light, mean over the scene’s lights and views";
 }
 
 Html header(const study::SuiteStatistics& statistics) {
   return html(
       "<h1>{}: {} over {}</h1>\n<p class=\"source\">On every scene the methods’ shadows were "
-      "compared, sample by sample, with ray tracing of the displaced surface; a figure is the "
-      "share "
-      "of wrong samples, mean over the scene’s lights and views. The scenes were drawn from one "
-      "population and the scene is the unit: intervals and verdicts hold for further scenes drawn "
-      "likewise.</p>\n<p class=\"lead\">{}</p>\n",
+      "compared, sample by sample, with ray tracing of the displaced surface; a figure is {}. "
+      "The scenes were drawn from one population and the scene is the unit: intervals and verdicts "
+      "hold for further scenes drawn likewise.</p>\n<p class=\"lead\">{}</p>\n",
       statistics.suite, plural(statistics.methods.size(), "method"),
-      plural(statistics.table.scenes.size(), "scene"), bestOf(statistics));
+      plural(statistics.table.scenes.size(), "scene"), figureText(statistics), bestOf(statistics));
 }
 
 /// The plot of that name; nothing where there is none.
@@ -73,13 +80,13 @@ Html rankedSection(const study::SuiteStatistics& statistics) {
   return htmlSection(
       "ranking", "Methods, best first",
       noted(
-          html("Percent of the samples. <b>Worst 5&#8239;%</b> is the mean over the worst "
+          html("Percent of {}. <b>Worst 5&#8239;%</b> is the mean over the worst "
                "twentieth of the scenes. <b>Ranks</b> are those of 95&#8239;% of the resamples of "
                "the scenes, <b>same rank</b> the share of them in which the rank is the one in "
                "the table. ≈ marks a method that is not distinguishable from the first: Holm’s "
                "correction over all {} of methods allows no verdict, or the difference is within "
                "the truth’s uncertainty.",
-               plural(statistics.comparisons, "pair")),
+               suiteFigure(statistics).of, plural(statistics.comparisons, "pair")),
           htmlTable(suiteRankedTable(statistics))));
 }
 
@@ -124,8 +131,8 @@ Html hardSection(const study::SuiteStatistics& statistics) {
   if (statistics.methods.empty() || !statistics.methods.front().rank) return {};
   return htmlSection("scenes", "The hardest scenes",
                      noted(html("The {} with the largest median of the ranked methods’ errors, "
-                                "percent of the samples.",
-                                plural(table.rows.size(), "scene")),
+                                "percent of {}.",
+                                plural(table.rows.size(), "scene"), suiteFigure(statistics).of),
                            htmlTable(table)));
 }
 

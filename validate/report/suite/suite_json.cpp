@@ -1,6 +1,7 @@
 #include "report/suite/suite_json.h"
 
 #include "report/json/json_values.h"
+#include "report/suite/suite_tables.h"
 #include "report/text/interval_text.h"
 #include "report/text/names.h"
 
@@ -102,6 +103,7 @@ Json resultsJson(const compare::SceneTable& table) {
 std::string suiteJson(const study::SuiteStatistics& statistics, std::string_view command) {
   const Json json = {{"schema", suiteSchema},
                      {"suite", statistics.suite},
+                     {"statistic", suiteFigure(statistics).key},
                      {"command", command},
                      {"methods", jsonList(statistics.methods, methodJson)},
                      {"comparisons", statistics.comparisons},

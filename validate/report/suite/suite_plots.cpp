@@ -236,8 +236,9 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics) {
       "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
       "set logscale x\nset format x '%g'\n" +
       fmt::format("set xrange [{}:{}]\nset yrange [0:100]\n", exactText(left), exactText(right)) +
-      "set lmargin at screen 0.075\nset rmargin at screen 0.69\n"
-      "set xlabel 'error rate, percent of the samples'\n"
+      "set lmargin at screen 0.075\nset rmargin at screen 0.69\n" +
+      fmt::format("set xlabel '{}, percent of {}'\n",
+                  statistics.isSoft ? "mean |ΔV|" : "error rate", suiteFigure(statistics).of) +
       "set ylabel 'scenes with no more, percent' offset 1,0\n"
       "set key at screen 0.7, screen 0.97 left top Left reverse samplen 3 spacing 1.1 maxcols 1\n" +
       plot + "\n";

@@ -96,6 +96,11 @@ std::map<std::string, std::size_t> ranksOn(const compare::SceneTable& table, std
 
 }  // namespace
 
+SuiteFigure suiteFigure(const study::SuiteStatistics& statistics) {
+  if (statistics.isSoft) return {"mae", "Mean |ΔV|", "the light"};
+  return {"error_rate", "Error rate", "the samples"};
+}
+
 std::string probabilityText(double probability) {
   return probability < 0.0005 ? "<0.001" : fmt::format("{:.3f}", probability);
 }
@@ -123,16 +128,18 @@ std::vector<std::string> suiteAxes(const study::SuiteStatistics& statistics) {
 }
 
 Table suiteRankedTable(const study::SuiteStatistics& statistics) {
+  const SuiteFigure figure = suiteFigure(statistics);
   Table table{
       .kind = "suite",
       .label = statistics.suite,
       .title = fmt::format("{}: {} scenes", statistics.suite, statistics.table.scenes.size()),
       .caption =
-          "Error rate in percent of the samples of a scene, over the scenes; the intervals are of "
-          "95\u202f% and hold for new scenes of the suite. Worst 5\u202f%: mean over the worst "
-          "twentieth of the scenes. Ranks: of 95\u202f% of the resamples of the scenes. ≈ marks "
-          "methods that are not distinguishable from the first, by Holm's correction over all "
-          "pairs.",
+          fmt::format("{} in percent of {} of a scene, over the scenes; the intervals are of "
+                      "95\u202f% and hold for new scenes of the suite. Worst 5\u202f%: mean over "
+                      "the worst twentieth of the scenes. Ranks: of 95\u202f% of the resamples of "
+                      "the scenes. ≈ marks methods that are not distinguishable from the first, by "
+                      "Holm's correction over all pairs.",
+                      figure.name, figure.of),
       .columns = {column("", Q::rank), column("Method", Q::name), column("Mean", Q::percent),
                   column("95 %", Q::interval, "of the mean, over scenes"),
                   column("Median", Q::percent),
@@ -156,7 +163,8 @@ Table suiteLeaderTable(const study::SuiteStatistics& statistics) {
   Table table{.kind = "suite-pairs",
               .columns = {column("Method", Q::name),
                           column("More than the first", Q::signedPercent,
-                                 "mean difference of the errors, percent of the samples"),
+                                 fmt::format("mean difference of the errors, percent of {}",
+                                             suiteFigure(statistics).of)),
                           column("95 %", Q::interval, "of the difference, by itself"),
                           column("p, Holm", Q::text, "of no difference, corrected for all pairs"),
                           column("First wins", Q::percent,

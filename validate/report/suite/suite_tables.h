@@ -29,6 +29,14 @@ Table suiteScenesTable(const study::SuiteStatistics& statistics, std::size_t mos
 /// bins on the axis.
 Table suiteBinsTable(const study::SuiteStatistics& statistics, const std::string& axis);
 
+/// What the errors of the scenes are.
+struct SuiteFigure {
+  const char* key;   ///< of the metric: "error_rate"; "mae" where lights have discs
+  const char* name;  ///< "Error rate", or "Mean |ΔV|"
+  const char* of;    ///< percent of this: "the samples", or "the light"
+};
+SuiteFigure suiteFigure(const study::SuiteStatistics& statistics);
+
 /// For programs, a row a scene × method: scene, method, error_rate, false_shadow, false_light,
 /// uncertainty, rank. The last is by the errors on that scene alone; it is empty, like error_rate,
 /// where the method lacks a view or light of the scene.

@@ -134,6 +134,8 @@ StudyMeans studyMeans(const StudyRecord& record) {
   study.differences = allDifferences(record);
   study.suite = suiteNameOf(record);
   if (!study.suite.empty()) study.bins = sceneBins(record);
+  study.isSoft = std::any_of(record.results.begin(), record.results.end(),
+                             [](const ResultRecord& result) { return !result.shares.empty(); });
   return study;
 }
 

@@ -52,6 +52,7 @@ struct StudyMeans {
   /// the suite's bins. Empty for any other, and for a sweep.
   std::string suite = {};
   std::vector<SceneBin> bins = {};
+  bool isSoft = false;  ///< a light of a single study has a disc: there an error is a `mae`
 };
 
 StudyMeans studyMeans(const StudyRecord& record);

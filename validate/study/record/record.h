@@ -58,7 +58,8 @@ struct UncertaintyRecord {
 struct RefinementRecord {
   double stepTexels = 0;  ///< the `truth.step` of this level
   std::uint64_t microTriangles = 0;
-  /// The largest share of samples, over views and lights, that differ from the level before. None
+  /// The largest share of samples, over views and lights, that differ from the level before; of a
+  /// light with a disc the mean of |ΔV|. None
   /// for the first level, and where the level before has more than half as many triangles: the two
   /// are then too similar to compare.
   std::optional<double> flipRate = std::nullopt;

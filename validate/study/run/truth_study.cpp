@@ -10,7 +10,8 @@
 namespace gnomon::study {
 
 StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,
-                       const std::function<void(const TracedSurface&)>& whileTraced) {
+                       const std::function<void(const TracedSurface&)>& whileTraced,
+                       const std::function<void(const TracedSurface&)>& whileCoarse) {
   DriverFaults(scene.shaders, scene.cache).requireViews(scene.study);
   StudyRecord record = startRecord(scene.study, gl);
   scene.standardBase();
@@ -20,7 +21,7 @@ StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,
     record.undefinedSamples = traceTruths(scene, surface.onDemand());
     if (whileTraced) whileTraced(surface.onDemand().get());
   }  // the fine mesh goes before the coarse one comes
-  traceUncertainty(scene, record.truth);
+  traceUncertainty(scene, record.truth, whileCoarse);
   record.notices = noticesOf(scene, record.truth, {});
   record.timings = scene.clock.timings();
   return record;

@@ -16,9 +16,11 @@ namespace gnomon::study {
 /// uncertainty. The truths themselves are in the scene's standard base.
 /// @param gl           current on this thread
 /// @param whileTraced  called once the truths are there, while the surface is
+/// @param whileCoarse  called later, while the coarser one is that tells the uncertainty
 /// @throws as the run's stages
 StudyRecord traceStudy(RunScene& scene, const render::GlContext& gl,
-                       const std::function<void(const TracedSurface&)>& whileTraced = {});
+                       const std::function<void(const TracedSurface&)>& whileTraced = {},
+                       const std::function<void(const TracedSurface&)>& whileCoarse = {});
 
 /// The study's horizon and distance table as they are stored.
 horizon::StoredHorizons bakeStudyTables(const StudySpec& study, cache::Cache& cache,

@@ -42,7 +42,7 @@ std::map<std::string, fs::path> masksIn(const fs::path& folder) {
 std::vector<GivenMaskFile> givenMaskFiles(const StudySpec& study, const MethodSpec& method) {
   std::vector<GivenMaskFile> masks;
   if (!method.isGiven()) return masks;
-  const std::map<std::string, fs::path> files = masksIn(method.masks);
+  const std::map<std::string, fs::path> files = masksIn(method.maskFolder());
   const CaseNames names = caseNames(study);
   for (std::size_t v = 0; v < study.views.size(); ++v) {
     for (std::size_t l = 0; l < study.lights.size(); ++l) {
@@ -51,7 +51,7 @@ std::vector<GivenMaskFile> givenMaskFiles(const StudySpec& study, const MethodSp
       if (file == files.end()) {
         throw InputError(fmt::format(
             "{}: missing, the mask of method \"{}\" in view \"{}\" under light \"{}\" expected",
-            (method.masks / (name + ".png")).string(), method.label, study.views[v].name,
+            (method.maskFolder() / (name + ".png")).string(), method.label, study.views[v].name,
             study.lights[l].name));
       }
       masks.push_back({v, l, file->second});

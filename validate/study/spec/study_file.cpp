@@ -243,11 +243,6 @@ StudySpec readStudy(const StudyText& text, const StudyOptions& options, StudyPar
                                 study.relief.resample};
   for (const TomlReader& method : root.tables("method")) {
     study.methods.push_back(readMethodSection(method, defaults));
-    if (study.methods.back().isGiven() && root.find("sweep") != nullptr) {
-      method.fail("masks",
-                  "a [sweep] found, whose cases have samples of their own; a study for "
-                  "each case expected");
-    }
   }
   const auto name = [](const auto& entry) { return entry.name; };
   requireDistinct(study.views, name, file.string(), "view");

@@ -302,6 +302,9 @@ SuiteStatistics suiteStatistics(const std::string& suite, std::span<const StudyM
   const Scenes scenes = scenesOf(suite, studies);
   SuiteStatistics statistics{suite, tableOf(scenes), {}, {}, {}, {}};
   statistics.methods = methodsOf(statistics.table, scenes);
+  statistics.isSoft = std::any_of(studies.begin(), studies.end(), [&](const StudyMeans& study) {
+    return study.suite == suite && study.isSoft;
+  });
   std::vector<Comparison> comparisons = comparisonsOf(statistics.table, statistics.methods);
   const std::size_t resamples = compare::resamplesFor(comparisons.size());
   parallelFor(0, comparisons.size(),

@@ -76,6 +76,7 @@ struct SuiteStatistics {
   std::vector<SuiteBin> bins;        ///< by method, axis and lower end
   std::vector<SuiteScene> scenes;    ///< the largest median first
   std::size_t comparisons = 0;  ///< pairs that Holm's correction counts: those with an interval
+  bool isSoft = false;          ///< a scene has a light with a disc: errors are `mae`
 };
 
 /// The one suite that studies of a run were drawn for; empty where there are fewer than

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -107,23 +108,17 @@ std::vector<Value> rememberLights(RunScene& scene, const KeyOf& keyOf, const Mak
   return values;
 }
 
-/// How the discs of lights are traced.
-struct DiscTrace {
-  int directions;
-  double rayOffset;
-};
-
 /// Gives the truths of lights with discs their shares.
 /// @param lights  of these truths, by their places in the study
 void addShares(const RunScene& scene, const TracedSurface& surface,
                const surface::SampleGrid& samples, const std::vector<std::size_t>& lights,
-               const DiscTrace& how, std::span<truth::Truth> truths, const Progress& progress) {
+               const RayFineness& rays, std::span<truth::Truth> truths, const Progress& progress) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const LightSpec& light = scene.study.lights[lights[i]];
     if (!light.isSoft()) continue;
     truths[i].answerBy(truth::traceVisibility(
         surface.mesh, surface.scene, samples, truths[i].mask,
-        {light.direction(), light.radius, how.directions, how.rayOffset}, progress));
+        {light.direction(), light.radius, rays.directions, rays.rayOffset}, progress));
   }
 }
 
@@ -154,8 +149,7 @@ std::vector<truth::Truth> traceWithRegions(RunScene& scene, const TracedSurface&
     for (std::size_t i = 0; i < lights.size(); ++i) {
       truths[i].crossesSeam = std::move(crossings[i]);
     }
-    addShares(scene, surface, samples, which,
-              {scene.study.truth.directions, truth::standardRayOffset}, truths, progress);
+    addShares(scene, surface, samples, which, rayFineness(scene.study), truths, progress);
     return truths;
   });
 }
@@ -176,13 +170,11 @@ UncertaintyRecord measured(RunScene& scene, const truth::Truth& coarse, const Ba
   const compare::LightField field =
       scene.lightField(base, view, light, scene.fieldPoints(base, view).get());
   UncertaintyRecord found{
-      "", "", truth::flipRate(truth.mask, coarse.mask),
+      "", "", truth::uncertaintyOf(truth, coarse),
       differenceFromOne(castLengths(coarse.mask, truth, field).ratio),
       compare::compareBoundaries(coarse.mask, truth.mask, base.views[view].layout)};
   if (!truth.isSoft()) return found;
-  const truth::ShareChange change = truth::shareChange(truth.visibility, coarse.visibility);
-  found.flipRate = change.mean;
-  found.percentile99 = change.percentile99;
+  found.percentile99 = truth::shareChange(truth.visibility, coarse.visibility).percentile99;
   found.shares =
       sharesMetrics(coarse.visibility, truth.visibility, base.views[view].weights, field);
   return found;
@@ -199,14 +191,14 @@ std::vector<UncertaintyRecord> uncertaintiesOf(RunScene& scene, SurfaceOnDemand&
         .add("truth", scene.keys.truth(base.choice, view, light))
         .key();
   };
+  const RayFineness rays = coarserRays(scene.study);
   const auto measure = [&](const std::vector<std::size_t>& missing) {
     requireCoarser(half.get(), truth);
     return scene.clock.measure("uncertainty", [&](const Progress& progress) {
       std::vector<truth::Truth> coarse =
           trace(scene, half.get(), halfKey, base, view,
-                some(settingsOf(scene, truth::standardRayOffset / 2), missing), progress);
-      addShares(scene, half.get(), base.views[view].samples, missing,
-                {scene.study.truth.directions / 2, truth::standardRayOffset / 2}, coarse, progress);
+                some(settingsOf(scene, rays.rayOffset), missing), progress);
+      addShares(scene, half.get(), base.views[view].samples, missing, rays, coarse, progress);
       std::vector<UncertaintyRecord> flips;
       for (std::size_t i = 0; i < coarse.size(); ++i) {
         flips.push_back(measured(scene, coarse[i], base, view, missing[i]));
@@ -293,20 +285,34 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface) {
   return undefined;
 }
 
-ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double rayOffset,
+RayFineness rayFineness(const StudySpec& study) {
+  return {truth::standardRayOffset, study.truth.directions};
+}
+
+RayFineness coarserRays(const StudySpec& study) {
+  return {truth::standardRayOffset / 2, study.truth.directions / 2};
+}
+
+ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, const RayFineness& rays,
                              std::string_view stage) {
-  const std::vector<truth::TraceSettings> lights = settingsOf(scene, rayOffset);
+  const std::vector<truth::TraceSettings> lights = settingsOf(scene, rays.rayOffset);
+  std::vector<std::size_t> all(lights.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   ViewTruths truths;
   for (const ViewCase& view : scene.standardBase().views) {
     truths.push_back(scene.clock.measure(stage, [&](const Progress& progress) {
-      return truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
-                                 view.samples, lights, progress);
+      std::vector<truth::Truth> found =
+          truth::traceShadows(scene.surface, scene.study.relief, surface.mesh, surface.scene,
+                              view.samples, lights, progress);
+      addShares(scene, surface, view.samples, all, rays, found, progress);
+      return found;
     }));
   }
   return truths;
 }
 
-void traceUncertainty(RunScene& scene, TruthRecord& truth) {
+void traceUncertainty(RunScene& scene, TruthRecord& truth,
+                      const std::function<void(const TracedSurface&)>& whileTraced) {
   truth::MicroMeshSettings twice = scene.study.truth;
   twice.stepTexels = 2 * truth.askedStepTexels;
   const cache::ContentKey key = cache::KeyBuilder("half the resolution")
@@ -329,6 +335,7 @@ void traceUncertainty(RunScene& scene, TruthRecord& truth) {
       truth.flips.push_back(std::move(flips[l]));
     }
   }
+  if (whileTraced) whileTraced(half.get());
 }
 
 }  // namespace gnomon::study

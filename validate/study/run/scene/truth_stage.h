@@ -28,9 +28,18 @@ struct TracedSurface {
 /// Truths of the standard base's samples, [view][light].
 using ViewTruths = std::vector<std::vector<truth::Truth>>;
 
-/// Traces the standard base's samples under every light.
+/// How finely rays are traced: those of a run, or of the coarser truth that tells its uncertainty.
+struct RayFineness {
+  double rayOffset = truth::standardRayOffset;
+  int directions;  ///< toward the discs of lights
+};
+RayFineness rayFineness(const StudySpec& study);
+/// Half the offset and half the directions.
+RayFineness coarserRays(const StudySpec& study);
+
+/// Traces the standard base's samples under every light, with their shares of discs.
 /// @param stage  of the run's clock
-ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, double rayOffset,
+ViewTruths traceStandardBase(RunScene& scene, const TracedSurface& surface, const RayFineness& rays,
                              std::string_view stage);
 
 /// A displaced surface that is built when it is first asked for: a run whose truth is in the cache
@@ -75,7 +84,9 @@ std::uint64_t traceTruths(RunScene& scene, SurfaceOnDemand& surface);
 /// shares do, tell the truth's uncertainty.
 /// @param truth  its step is doubled for the coarser mesh; receives the flip rates and the
 ///   uncertainty
+/// @param whileTraced  called with the coarser surface before it goes
 /// @throws InputError where the coarser mesh has more than half the triangles: too similar to tell
-void traceUncertainty(RunScene& scene, TruthRecord& truth);
+void traceUncertainty(RunScene& scene, TruthRecord& truth,
+                      const std::function<void(const TracedSurface&)>& whileTraced = {});
 
 }  // namespace gnomon::study

@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 #include "study/run/scene/cached_fields.h"
-#include "truth/shadow_tracer.h"
+#include "truth/visibility_tracer.h"
 
 namespace gnomon::study {
 namespace {
@@ -16,12 +16,12 @@ namespace {
 constexpr double mostTriangles = 1e9;
 constexpr const char* stage = "refinement";
 
-/// The largest flip rate of any view and light between two levels' truths.
-double largestFlipRate(const ViewTruths& fine, const ViewTruths& coarse) {
+/// The largest uncertainty of any view and light that two levels' truths tell.
+double largestUncertainty(const ViewTruths& fine, const ViewTruths& coarse) {
   double largest = 0;
   for (std::size_t v = 0; v < fine.size(); ++v) {
     for (std::size_t l = 0; l < fine[v].size(); ++l) {
-      largest = std::max(largest, truth::flipRate(fine[v][l].mask, coarse[v][l].mask));
+      largest = std::max(largest, truth::uncertaintyOf(fine[v][l], coarse[v][l]));
     }
   }
   return largest;
@@ -54,11 +54,11 @@ class Refinement {
       const bool isFiner = !path_.empty() && triangles >= 2 * path_.back().microTriangles;
       path_.push_back({step, triangles, std::nullopt});
       if (isFiner) {
-        path_.back().flipRate = largestFlipRate(
-            traceStandardBase(scene_, *surface, truth::standardRayOffset, stage), coarse_);
+        path_.back().flipRate = largestUncertainty(
+            traceStandardBase(scene_, *surface, rayFineness(scene_.study), stage), coarse_);
         if (*path_.back().flipRate <= wanted_) return {std::move(surface), std::move(path_)};
       }
-      coarse_ = traceStandardBase(scene_, *surface, truth::standardRayOffset / 2, stage);
+      coarse_ = traceStandardBase(scene_, *surface, coarserRays(scene_.study), stage);
     }
   }
 

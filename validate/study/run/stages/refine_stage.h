@@ -14,8 +14,8 @@ namespace gnomon::study {
 /// It is at the study's step. Or, where `[truth] uncertainty` is asked for, at a step found by
 /// halving, from one texel on: each level is traced for every view of the standard base and every
 /// light, and compared with the level before, as for the uncertainty of a run. The first level at
-/// which the largest flip rate is at most what is asked for is the surface; the run's own
-/// uncertainty is then that rate. One mesh is held at a time.
+/// which the largest of these is at most what is asked for is the surface; the run's own
+/// uncertainty is then that figure. One mesh is held at a time.
 class TruthSurface {
  public:
   /// @param scene  outlives it

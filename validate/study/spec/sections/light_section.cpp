@@ -4,24 +4,17 @@
 
 #include "common/degrees.h"
 #include "study/spec/sections/light_name.h"
+#include "truth/disc_directions.h"
 
 namespace gnomon::study {
 
-namespace {
-
-Vec3 directionAt(double azimuth, double elevation) {
+Vec3 LightSpec::direction() const {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
           std::sin(elevation)};
 }
 
-}  // namespace
-
-Vec3 LightSpec::direction() const {
-  return directionAt(azimuth, elevation);
-}
-
 Vec3 LightSpec::lowestDirection() const {
-  return directionAt(azimuth, elevation - radius);
+  return truth::lowestOfDisc(direction(), radius);
 }
 
 std::vector<LightSpec> readLights(const TomlReader& section) {

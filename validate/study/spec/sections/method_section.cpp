@@ -117,7 +117,7 @@ MethodSpec changedMethod(const TomlReader& section, MethodSpec method,
 
 toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resample) {
   if (method.isGiven()) {
-    return toml::table{{"label", method.label}, {"masks", pathFrom(method.masks, folder)}};
+    return toml::table{{"label", method.label}, {"masks", pathFrom(method.maskFolder(), folder)}};
   }
   toml::table table = settingsOf(method);
   if (isBuiltIn(method)) {
@@ -143,7 +143,7 @@ bool isBuiltIn(const MethodSpec& method) {
 bool isSameMethod(const MethodSpec& a, const MethodSpec& b) {
   const auto keyOf = [](const MethodSpec& method) {
     cache::KeyBuilder key("method");
-    key.add("file", method.file.native()).add("masks", method.masks.native());
+    key.add("file", method.file.native()).add("masks", method.maskFolder().native());
     addSettings(key, method, Enters::everything);
     addSettings(key, method.bake, Enters::everything, 1);
     addSettings(key, method.base, Enters::everything);

@@ -27,8 +27,14 @@ struct MethodSpec {
   bool disc = false;
   /// The folder with the masks that another program drew; empty for a method that runs here.
   std::filesystem::path masks = {};
+  /// In a case of a sweep: the subfolder of `masks` with those of the case, named as the case is.
+  std::filesystem::path maskCase = {};
 
   [[nodiscard]] bool isGiven() const { return !masks.empty(); }
+  /// The folder that holds the files.
+  [[nodiscard]] std::filesystem::path maskFolder() const {
+    return maskCase.empty() ? masks : masks / maskCase;
+  }
 };
 
 inline StudyKeys keysOf(MethodSpec& method) {
@@ -41,7 +47,7 @@ inline StudyKeys keysOf(MethodSpec& method) {
                "`name` or `masks` is there"),
       studyKey("masks", OwnCode{"text"},
                "a folder of masks that another program drew for the exported samples, in place of "
-               "`name`; beside it only `label` is read",
+               "`name`, of a sweep with a subfolder for each case; beside it only `label` is read",
                {}, "`name` or `file` is there"),
       studyKey("label", &method.label, "the study's name for it", {},
                "`name`, or the stem of the file or folder", Enters::nothing),

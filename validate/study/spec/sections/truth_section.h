@@ -23,7 +23,8 @@ inline StudyKeys keysOf(TruthSpec& truth, int resample) {
       studyKey(
           "uncertainty", OptionalNumber{&truth.uncertainty},
           "in place of `step`: the largest share of samples that may change from one level to the "
-          "next. The step is halved from one texel on until it holds; the report has the levels. "
+          "next, under a soft light the largest mean change of their shares. The step is halved "
+          "from one texel on until it holds; the report has the levels. "
           "A run that cannot reach it within its memory or 10⁹ micro-triangles ends with how far "
           "it came",
           {0, 1, true}, "none"),

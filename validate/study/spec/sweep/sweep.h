@@ -57,7 +57,8 @@ struct StudyPlan {
   std::string title, source;
   std::optional<Sweep> sweep;
   /// One, without a sweep. A step of a sweep is the file with `key=value` of each key as its last
-  /// overrides; it is named `NAME/CASE` (caseNames), so that its folder lies in the sweep's.
+  /// overrides; it is named `NAME/CASE` (caseNames), so that its folder lies in the sweep's. Given
+  /// masks are those of their folder's subfolder CASE.
   std::vector<StudySpec> steps;
 };
 
