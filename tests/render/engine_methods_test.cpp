@@ -1,0 +1,294 @@
+// The methods that engines ship, each against its source's own case or a closed form.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "relief/patterns.h"
+#include "render/render_scene.h"
+#include "render/soft_light.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon::render {
+namespace {
+
+using test::difference;
+using test::lightToward;
+using test::meanDifference;
+using test::randomRelief;
+using test::RenderScene;
+using test::shareShadowed;
+
+using Parameters = std::map<std::string, double>;
+
+Method methodOf(const std::string& name) {
+  return readMethod(methodFile(shaderFolder(), name));
+}
+
+/// What the shadow test alone says.
+Mask testOf(const RenderScene& scene, const std::string& name, const RenderView& view,
+            const Vec3& light, const Parameters& parameters = {}) {
+  return scene.test(methodOf(name), view, light, TableFilter::exact, parameters);
+}
+
+/// A plane of 96 × 4 texels, a world unit each, whose heights are the same in every row. Its
+/// samples lie in the texels' middles along y, `perTexel` of them a texel along x.
+struct Profile {
+  static constexpr int columns = 96;
+  static constexpr int rows = 4;
+  static constexpr int perTexel = 8;
+
+  template <typename Height>
+  explicit Profile(const Height& height, const horizon::BakeSettings& bake = {4, 96})
+      : scene(surface::makePlane(columns, rows, columns / rows, 1), relief(height), bake,
+              horizon::TableBits::thirtyTwo) {}
+
+  template <typename Height>
+  static relief::Relief relief(const Height& height) {
+    std::vector<float> texels;
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) texels.push_back(static_cast<float>(height(i)));
+    }
+    return {relief::HeightField(columns, rows, texels, relief::Wrap::clamp),
+            relief::HeightSpace::world, Vec2(1)};
+  }
+
+  [[nodiscard]] std::vector<double> shares(const std::string& name, const Vec3& light,
+                                           double radius, const Parameters& parameters = {}) const {
+    const Visibility found =
+        scene.shares(methodOf(name), view, light, radius, SoftAnswer::own, parameters).test;
+    const auto* row = &found.shares[static_cast<std::size_t>(view.height / 2 * view.width)];
+    return {row, row + view.width};
+  }
+
+  /// Where the light ends toward high x of what is dark beyond `from`, texels.
+  [[nodiscard]] double endOfShadow(const std::string& name, const Vec3& light, double from,
+                                   const Parameters& parameters = {}) const {
+    const Mask mask = testOf(scene, name, view, light, parameters);
+    const auto row = static_cast<std::size_t>(view.height / 2 * view.width);
+    double end = from;
+    for (int i = static_cast<int>(from * perTexel); i < view.width; ++i) {
+      if (mask.samples[row + static_cast<std::size_t>(i)] == Shade::shadowed)
+        end = place(i) + 0.5 / perTexel;
+    }
+    return end;
+  }
+
+  /// x of a column of samples, texels.
+  static double place(int column) { return (column + 0.5) / perTexel; }
+
+  RenderScene scene;
+  RenderView view = atlasView(scene.surface, rows* perTexel);
+};
+
+/// High up to x = 31.5, 0 from x = 32.5 on.
+double cliff(int i) {
+  return i < 32 ? 10 : 0;
+}
+
+const Vec3 towardLowX = lightToward(180, 30);
+
+// ---- parallax-occlusion
+
+TEST(ParallaxOcclusion, OfACliffIsTheHighestOfItsTaps) {
+  const GlContext gl;
+  const Profile profile(cliff);
+  const std::array<double, 7> weights{12, 10, 8, 6, 4, 2, 1};
+  const double way = 10 * std::cos(radians(30));
+  // So soft that no tap hides all.
+  const std::vector<double> shares =
+      profile.shares("parallax-occlusion", towardLowX, radians(1), {{"softening", 0.1}});
+  int checked = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double x = Profile::place(static_cast<int>(i));
+    if (x < 32.5) continue;
+    double hidden = 0;
+    bool isOnTheWall = false;
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      const double t = 0.22 + 0.11 * static_cast<double>(k);
+      const double tap = x - t * way;
+      isOnTheWall = isOnTheWall || (tap > 31.5 && tap < 32.5);
+      if (tap <= 31.5) hidden = std::max(hidden, 0.1 * weights[k] * (1 - t));
+    }
+    if (isOnTheWall) continue;
+    ++checked;
+    EXPECT_NEAR(shares[i], std::clamp(1 - hidden, 0.0, 1.0), 1e-5) << x;
+  }
+  EXPECT_GT(checked, 200);
+}
+
+/// With many taps and a hard edge a cliff of height H has a shadow of 0.88 H cos θ, not H / tan θ.
+TEST(ParallaxOcclusion, EndsAShadowWhereItsLastTapDoes) {
+  const GlContext gl;
+  const Profile profile(cliff);
+  for (const double elevation : {15.0, 30.0, 50.0}) {
+    const double end = profile.endOfShadow("parallax-occlusion", lightToward(180, elevation), 32.5,
+                                           {{"taps", 500}, {"softening", 1e6}});
+    // The wall's foot is at 32.5; a tap over its flank still stands over the ray.
+    const double top = 31.5 + 0.88 * 10 * std::cos(radians(elevation));
+    EXPECT_GT(end, top - 0.2) << elevation;
+    EXPECT_LT(end, top + 0.3) << elevation;
+  }
+}
+
+// ---- normal-march
+
+/// A ramp of the slope s and the width w: the sum of -N·L gives it 1 / √(1 + s²) of its shadow's
+/// length, less a step of the march, since it begins with the point's own.
+TEST(NormalMarch, ShortensTheShadowOfARampByTheLengthOfItsNormal) {
+  const GlContext gl;
+  constexpr int foot = 60;
+  constexpr int width = 12;
+  for (const double slope : {0.5, 1.0, 2.0}) {
+    const Profile profile([&](int i) { return slope * std::clamp(foot - i, 0, width); });
+    for (const double elevation : {12.0, 20.0}) {
+      const double tangent = std::tan(radians(elevation));
+      const double reach = 80;
+      const double samples = 800;
+      const double length = width * (slope / tangent - 1) / std::sqrt(1 + slope * slope);
+      if (length > 30) continue;
+      const double end = profile.endOfShadow(
+          "normal-march", lightToward(180, elevation), foot + 0.5,
+          {{"samples", samples}, {"height_scale", 1}, {"reach", reach / Profile::columns}});
+      EXPECT_NEAR(end, foot + 0.5 + length - reach / samples, 0.2) << slope << " " << elevation;
+    }
+  }
+}
+
+/// V = 1 - hardness × height scale × the mean of (1 - place) where the sum is at its highest.
+TEST(NormalMarch, ItsShareIsTheMeanOverTheSamplesThatRise) {
+  const GlContext gl;
+  const auto height = [](int i) { return i < 50 ? 2.0 * (50 - i) : 0.0; };
+  const Profile profile(height);
+  const double elevation = radians(25);
+  const Parameters parameters{
+      {"samples", 10}, {"height_scale", 1.5}, {"reach", 0.2}, {"hardness", 0.4}};
+  const std::vector<double> shares =
+      profile.shares("normal-march", lightToward(180, 25), radians(1), parameters);
+  const auto rise = [&](double x) {
+    const int below = static_cast<int>(std::floor(x - 0.5));
+    const double slope = height(below) - height(below + 1);
+    return (slope * std::cos(elevation) - std::sin(elevation)) / std::hypot(1, slope);
+  };
+  double partly = 0;
+  for (int column = 30 * Profile::perTexel; column < 90 * Profile::perTexel; ++column) {
+    const double x = Profile::place(column);
+    double sum = std::min(rise(x), 0.0);
+    double highest = 0;
+    double hidden = 0;
+    for (int k = 0; k < 10; ++k) {
+      const double place = (k + 0.5) * 0.02;  // widths of the map, for a level light
+      sum += rise(x - place * 1.5 * std::cos(elevation) * Profile::columns);
+      if (sum > highest) hidden += 0.4 * 1.5 * (1 - place);
+      highest = std::max(highest, sum);
+    }
+    const double expected = std::max(1 - hidden / 10, 0.0);
+    EXPECT_NEAR(shares[static_cast<std::size_t>(column)], expected, 1e-5) << x;
+    partly += expected > 0 && expected < 1 ? 1 : 0;
+  }
+  EXPECT_GT(partly, 100);
+}
+
+// ---- marches over a curved surface
+
+relief::Relief columns() {
+  return {relief::makeColumns(64, 64, {32, 6, 2}, 4, relief::Wrap::repeat),
+          relief::HeightSpace::world, Vec2(1)};
+}
+
+TEST(CurvedRelief, OnAPlaneIsTheReliefMarch) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {4, 24},
+                          horizon::TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 16);
+  for (const Vec3& light : {lightToward(20, 30), lightToward(155, 12), lightToward(200, -5)}) {
+    const Mask march = testOf(scene, "relief-march", view, light);
+    EXPECT_GT(shareShadowed(march), 0.1);
+    EXPECT_LT(difference(testOf(scene, "curved-relief", view, light), march), 1e-3);
+  }
+}
+
+TEST(BentRayMarch, OnAPlaneIsTheMarchOnTheCircle) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {4, 24},
+                          horizon::TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 16);
+  for (const Vec3& light : {lightToward(20, 30), lightToward(155, 12)}) {
+    const Mask march = testOf(scene, "osculating-march", view, light);
+    EXPECT_GT(shareShadowed(march), 0.1);
+    EXPECT_LT(difference(testOf(scene, "bent-ray-march", view, light), march), 1e-3);
+  }
+}
+
+/// A sphere has no twist, and its parabola leaves the circle in the fourth order: a quadric is
+/// nearly the circle there. The frame that turns is as good.
+TEST(CurvedReliefAndBentRays, OnASphereAreNearlyTheMarchOnTheCircle) {
+  const GlContext gl;
+  const RenderScene scene(surface::makeSphere(60, 1, 1, 16, 16), columns(), {4, 48},
+                          horizon::TableBits::eight, 2);
+  const RenderView view = atlasView(scene.surface, 12);
+  for (const Vec3& light : {lightToward(20, 10), lightToward(180, 12)}) {
+    const Mask circle = testOf(scene, "osculating-march", view, light, {{"stride", 0.05}});
+    const double flat = difference(testOf(scene, "relief-march", view, light), circle);
+    const double quadric =
+        difference(testOf(scene, "curved-relief", view, light, {{"steps", 1000}}), circle);
+    const double bent =
+        difference(testOf(scene, "bent-ray-march", view, light, {{"stride", 0.05}}), circle);
+    EXPECT_GT(flat, 0.05);
+    EXPECT_LT(quadric, flat / 4);
+    EXPECT_LT(bent, flat / 4);
+  }
+}
+
+/// A plane whose map lies in rings about a centre: straight rays are bent paths over it.
+TEST(BentRayMarch, FollowsThePathOverTheMap) {
+  const GlContext gl;
+  surface::Cage cage = surface::makePlane(96, 48, 48, 24);
+  for (Vec3& position : cage.positions) {
+    const double angle = position.x / 60;
+    position = (60 + position.y) * Vec3(std::sin(angle), std::cos(angle), 0);
+  }
+  cage.grid.reset();
+  const relief::Relief relief{relief::makeCosine(96, 48, {24}, 6, relief::Wrap::repeat),
+                              relief::HeightSpace::world, Vec2(1)};
+  const RenderScene scene(cage, relief, {4, 96}, horizon::TableBits::eight, 2);
+  const RenderView view = atlasView(scene.surface, 6);
+  for (const Vec3& light : {lightToward(160, 20), lightToward(20, 14)}) {
+    const Mask path = testOf(scene, "geodesic-march", view, light);
+    const double straight = difference(testOf(scene, "osculating-march", view, light), path);
+    const double bent = difference(testOf(scene, "bent-ray-march", view, light), path);
+    EXPECT_GT(shareShadowed(path), 0.1);
+    EXPECT_LT(bent, straight / 3);
+    EXPECT_GT(straight, 0.01);
+  }
+}
+
+/// On a saddle whose axes lie across the texture's, x y alone, the quadric of the texture's axes is
+/// flat.
+TEST(CurvedRelief, DoesNotKnowTheTwistBetweenTheAxes) {
+  const GlContext gl;
+  std::array<Vec3, 16> points{};
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 place = 8.0 * (Vec2(i, j) / 1.5 - 1.0);
+      points[static_cast<std::size_t>(4 * j + i)] = Vec3(place, place.x * place.y / 60);
+    }
+  }
+  const relief::Relief relief{relief::makeColumns(16, 16, {8, 2, 1}, 2, relief::Wrap::clamp),
+                              relief::HeightSpace::world, Vec2(1)};
+  const RenderScene scene(surface::makeBezier(points, 8, 8), relief, {4, 8},
+                          horizon::TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 16);
+  const Vec3 light = lightToward(45, 20);
+  const Mask flat = testOf(scene, "relief-march", view, light);
+  EXPECT_LT(difference(testOf(scene, "curved-relief", view, light), flat), 0.01);
+  EXPECT_GT(difference(testOf(scene, "osculating-march", view, light), flat), 0.03);
+}
+
+}  // namespace
+}  // namespace gnomon::render
