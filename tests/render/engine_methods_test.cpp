@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "relief/patterns.h"
+#include "render/displaced_rays.h"
 #include "render/render_scene.h"
 #include "render/soft_light.h"
 #include "truth/truth_scenes.h"
@@ -288,6 +289,43 @@ TEST(CurvedRelief, DoesNotKnowTheTwistBetweenTheAxes) {
   const Mask flat = testOf(scene, "relief-march", view, light);
   EXPECT_LT(difference(testOf(scene, "curved-relief", view, light), flat), 0.01);
   EXPECT_GT(difference(testOf(scene, "osculating-march", view, light), flat), 0.03);
+}
+
+// ---- base-shadow-map
+
+TEST(BaseShadowMap, OnAPlaneIsTheReliefMarch) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(64, 64, 8, 8), randomRelief(64, 64, 4, 3), {4, 24},
+                          horizon::TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 16);
+  for (const Vec3& light : {lightToward(20, 30), lightToward(155, 12), lightToward(290, 3)}) {
+    EXPECT_EQ(difference(testOf(scene, "base-shadow-map", view, light),
+                         testOf(scene, "relief-march", view, light)),
+              0);
+    const auto shares = [&](const std::string& name) {
+      return scene.shares(methodOf(name), view, light, radians(3)).test;
+    };
+    EXPECT_EQ(meanDifference(shares("base-shadow-map"), shares("relief-march")), 0);
+  }
+}
+
+/// A torus without relief: what one side of it throws on the other is the depth map's alone.
+TEST(BaseShadowMap, SeesTheBodyItself) {
+  const GlContext gl;
+  const surface::Cage cage = surface::makeTorus(30, 10, 58, 58);
+  const RenderScene scene(cage, test::flatRelief(16, 16), {4, 8}, horizon::TableBits::eight);
+  const RenderView view = cameraView(test::cameraAt({90, 90, 20}, {0, 0, 0}, 45, 256), scene.mesh);
+  const surface::SampleGrid samples = scene.samples(view);
+  const Vec3 light = glm::normalize(Vec3(1, 0.07, 0.3));
+  const Mask rays = test::Rays(test::DisplacedScene(cage, test::flatRelief(16, 16), 1), 1)
+                        .mask(samples, light, 0.1);
+  const auto wrong = [&](const std::string& name) {
+    const test::Verdict verdict = test::judge(scene.answer(name, view, light), rays, samples);
+    EXPECT_GT(verdict.dark, 300U);
+    return static_cast<double>(verdict.wrong) / static_cast<double>(verdict.lit + verdict.dark);
+  };
+  EXPECT_LT(wrong("base-shadow-map"), 0.02);
+  EXPECT_GT(wrong("relief-march"), 0.05);
 }
 
 }  // namespace
