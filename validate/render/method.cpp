@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,79 +13,12 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "common/text/one_line.h"
-#include "common/text/toml_nesting.h"
+#include "render/declaration.h"
+#include "render/glsl_text.h"
 
 namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::string_view opening = "/* gnomon-method";
-
-/// Errors of one declaration, with the line in the GLSL file.
-class Declaration {
- public:
-  Declaration(std::string file, std::string_view text) : file_(std::move(file)) {
-    const std::size_t begin = text.find(opening);
-    const std::size_t end = text.find("*/");
-    if (begin != 0 || end == std::string_view::npos) {
-      throw InputError(fmt::format(
-          "{}:1: a comment `{} … */` with the method's declaration expected", file_, opening));
-    }
-    // The comment's opening takes the first line, so that TOML's line k is the file's line k.
-    const std::string declared =
-        std::string(opening.size(), ' ').append(text.substr(opening.size(), end - opening.size()));
-    requireShallowToml(file_, declared);
-    try {
-      table_ = toml::parse(declared);
-    } catch (const toml::parse_error& error) {
-      throw InputError(
-          fmt::format("{}:{}: {}", file_, error.source().begin.line, oneLine(error.description())));
-    }
-  }
-
-  [[nodiscard]] const toml::table& table() const { return table_; }
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", file_, node.source().begin.line, what));
-  }
-
-  void allowOnly(const toml::table& table, std::initializer_list<std::string_view> keys) const {
-    for (const auto& [key, node] : table) {
-      if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
-        fail(node, fmt::format("unknown key `{}`, expected {}", key.str(), fmt::join(keys, ", ")));
-      }
-    }
-  }
-
-  [[nodiscard]] std::string text(std::string_view key) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) {
-      throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", file_, key));
-    }
-    return textOf(*node, key);
-  }
-
-  [[nodiscard]] double number(const toml::table& table, std::string_view key) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) fail(table, fmt::format("`{}` is missing, a number expected", key));
-    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-    if (!value || !std::isfinite(*value)) {
-      fail(*node, fmt::format("`{}`: a finite number expected", key));
-    }
-    return *value;
-  }
-
-  [[nodiscard]] std::string textOf(const toml::node& node, std::string_view key) const {
-    const auto value = node.value_exact<std::string>();
-    if (!value) fail(node, fmt::format("`{}`: a string expected", key));
-    return *value;
-  }
-
- private:
-  std::string file_;
-  toml::table table_;
-};
 
 /// Sets the flag of every name that the list `key` holds.
 void readFlags(const Declaration& declaration, std::string_view key, const char* what,
@@ -164,17 +95,6 @@ bool readOwnNormal(const Declaration& declaration) {
   return true;
 }
 
-std::optional<int> readCount(const Declaration& declaration, std::string_view key) {
-  const toml::node_view<const toml::node> found = declaration.table()[key];
-  if (!found) return std::nullopt;
-  const auto value = found.value_exact<std::int64_t>();
-  if (!value || *value < 1 || *value > 1024) {
-    declaration.fail(*found.node(),
-                     fmt::format("`{}`: a whole number from 1 to 1024 expected", key));
-  }
-  return static_cast<int>(*value);
-}
-
 std::map<std::string, MethodParameter> readParameters(const Declaration& declaration) {
   std::map<std::string, MethodParameter> parameters;
   const toml::node* found = declaration.table().get("parameters");
@@ -189,9 +109,7 @@ std::map<std::string, MethodParameter> readParameters(const Declaration& declara
     parameter.defaultValue = declaration.number(*table, "default");
     parameter.minimum = declaration.number(*table, "minimum");
     parameter.maximum = declaration.number(*table, "maximum");
-    if (const toml::node* about = table->get("about")) {
-      parameter.about = declaration.textOf(*about, "about");
-    }
+    parameter.about = declaration.about(*table);
     if (!(parameter.minimum <= parameter.defaultValue &&
           parameter.defaultValue <= parameter.maximum)) {
       declaration.fail(node, "the default lies outside minimum … maximum");
@@ -220,74 +138,14 @@ void requireLightMesh(const Declaration& declaration, const Method& method) {
   }
 }
 
-bool isWordCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// The line of a word of the code, without comments.
-std::optional<std::size_t> lineOfWord(std::string_view glsl, std::string_view word) {
-  std::size_t line = 1;
-  for (std::size_t at = 0; at < glsl.size();) {
-    std::size_t end = at + 1;
-    if (glsl.substr(at, 2) == "//") {
-      end = std::min(glsl.find('\n', at), glsl.size());
-    } else if (glsl.substr(at, 2) == "/*") {
-      const std::size_t close = glsl.find("*/", at + 2);
-      end = close == std::string_view::npos ? glsl.size() : close + 2;
-    } else if (isWordCharacter(glsl[at])) {
-      while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
-      if (glsl.substr(at, end - at) == word) return line;
-    }
-    line +=
-        static_cast<std::size_t>(std::count(glsl.begin() + static_cast<std::ptrdiff_t>(at),
-                                            glsl.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
-    at = end;
-  }
-  return std::nullopt;
-}
-
-/// Where a comment or a line of the preprocessor that begins at a place ends; the place itself
-/// where none begins.
-std::size_t endOfNoCode(std::string_view glsl, std::size_t at) {
-  if (glsl.substr(at, 2) == "//" || glsl[at] == '#')
-    return std::min(glsl.find('\n', at), glsl.size());
-  if (glsl.substr(at, 2) != "/*") return at;
-  const std::size_t close = glsl.find("*/", at + 2);
-  return close == std::string_view::npos ? glsl.size() : close + 2;
-}
-
-/// Whether the code defines a function of a pixel by this name: outside all braces, followed by
-/// parentheses that name a Pixel. Local variables may have the same name.
-bool definesAnswer(std::string_view glsl, std::string_view name) {
-  int depth = 0;  // of braces
-  for (std::size_t at = 0; at < glsl.size();) {
-    std::size_t end = endOfNoCode(glsl, at);
-    if (end == at) {
-      ++end;
-      depth += glsl[at] == '{' ? 1 : (glsl[at] == '}' ? -1 : 0);
-    }
-    if (isWordCharacter(glsl[at])) {
-      while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
-      const std::size_t open = std::min(glsl.find_first_not_of(" \t\r\n", end), glsl.size());
-      const std::string_view inside = glsl.substr(open, glsl.find(')', open) - open);
-      if (depth == 0 && glsl.substr(at, end - at) == name && inside.starts_with('(') &&
-          lineOfWord(inside, "Pixel")) {
-        return true;
-      }
-    }
-    at = end;
-  }
-  return false;
-}
-
 /// Finds which of the answers the file defines. One that defines neither a share nor a horizon is
 /// taken at its word that it has a test: the compiler looks for it.
 void readAnswers(Method& method) {
   const std::string& glsl = method.source.text;
-  method.answersShares = definesAnswer(glsl, "visibility");
-  method.hasHorizon = definesAnswer(glsl, "horizonSlope");
+  method.answersShares = definesFunction(glsl, "visibility", "Pixel");
+  method.hasHorizon = definesFunction(glsl, "horizonSlope", "Pixel");
   method.hasTest =
-      definesAnswer(glsl, "isShadowed") || !(method.answersShares || method.hasHorizon);
+      definesFunction(glsl, "isShadowed", "Pixel") || !(method.answersShares || method.hasHorizon);
   if (method.hasTest && glsl.find("isShadowed") == std::string::npos) {
     throw InputError(
         fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "
@@ -345,19 +203,21 @@ Method readMethod(const fs::path& path) {
   const Declaration declaration(method.source.file, method.source.text);
   declaration.allowOnly(declaration.table(),
                         {"title", "citation", "tables", "passes", "mesh", "light_mesh", "normal",
-                         "subdivisions", "azimuths", "parameters"});
+                         "subdivisions", "azimuths", "parameters", "bakes"});
   method.title = declaration.text("title");
   method.citation = declaration.text("citation");
   method.tables = readTables(declaration);
+  method.bakes = readBakes(declaration);
   method.passes = readPasses(declaration);
   method.mesh = readMesh(declaration);
   method.lightMesh = readLightMesh(declaration);
   method.hasOwnNormal = readOwnNormal(declaration);
-  method.subdivisions = readCount(declaration, "subdivisions");
-  method.azimuths = readCount(declaration, "azimuths");
+  method.subdivisions = declaration.count(declaration.table(), "subdivisions", 1, 1024);
+  method.azimuths = declaration.count(declaration.table(), "azimuths", 1, 1024);
   method.parameters = readParameters(declaration);
   requirePasses(declaration, method);
   requireNormal(declaration, method);
+  requireBakeFunctions(declaration, method.bakes, method.source.text);
   readAnswers(method);
   if (const auto line = lineOfWord(method.source.text, "discard")) {
     throw InputError(fmt::format("{}:{}: `discard` found: method {} has to answer for every pixel",

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/bakes/method_bake.h"
 #include "render/shader_files.h"
 
 namespace gnomon::render {
@@ -61,6 +62,7 @@ enum class DrawnMesh {
 ///   normal        "own", where the method shades its picture by a normal of its own, not by N'
 ///   subdivisions  pieces of every face's side, where the authors state them
 ///   azimuths      of its tables, where the authors state them
+///   bakes.NAME    tables that its own functions bake, see MethodBake
 ///   parameters.NAME with `default`, `minimum`, `maximum`, `about`
 /// The file defines one or more of
 ///   bool isShadowed(Pixel pixel, LocalLight light)     of a light that is a point
@@ -74,6 +76,7 @@ struct Method {
   std::string title;
   std::string citation;
   MethodTables tables;
+  std::vector<MethodBake> bakes;  ///< in the order of the declaration
   MethodPasses passes;
   DrawnMesh mesh = DrawnMesh::base;
   /// What the pass from the light draws; nothing where that is the method's own mesh. Its pieces of

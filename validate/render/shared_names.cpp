@@ -16,7 +16,7 @@ namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> declarations = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> declarations = {
     {{"TABLE_HEIGHT", R"(tables = ["height"])"},
      {"TABLE_HORIZON", R"(tables = ["horizon"])"},
      {"TABLE_DISTANCE", R"(tables = ["distance"])"},
@@ -25,7 +25,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> declarati
      {"PASS_TEXTURE", R"(passes = ["texture"])"},
      {"PASS_LIGHT_DEPTH", R"(passes = ["light-depth"])"},
      {"PASS_SHADOW_VOLUMES", R"(passes = ["shadow-volumes"])"},
-     {"MESH_DISPLACED", R"(mesh = "displaced")"}}};
+     {"MESH_DISPLACED", R"(mesh = "displaced")"},
+     {"OWN_BAKES", "[bakes.NAME]"}}};
 
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;
@@ -64,6 +65,11 @@ void addNames(const fs::path& file, std::vector<SharedName>& names) {
   }
 }
 
+bool hasBake(const Method& method, const std::string& name) {
+  return std::any_of(method.bakes.begin(), method.bakes.end(),
+                     [&](const MethodBake& bake) { return bake.name == name; });
+}
+
 }  // namespace
 
 std::vector<SharedName> sharedNames(const fs::path& shaders) {
@@ -84,7 +90,8 @@ std::string declarationFor(const std::string& define) {
 }
 
 std::string missingDeclaration(const std::vector<SharedName>& names, const std::string& message,
-                               const ShaderPiece& source, const std::vector<std::string>& defines) {
+                               const Method& method, const std::vector<std::string>& defines) {
+  const ShaderPiece& source = method.source;
   if (!message.starts_with(source.file + ":")) return "";
   const std::string refused = message.substr(source.file.size() + 1);
   std::vector<std::string> words = wordsOf(refused);
@@ -95,6 +102,11 @@ std::string missingDeclaration(const std::vector<SharedName>& names, const std::
     for (std::string& word : wordsOf(line)) words.push_back(std::move(word));
   }
   for (const std::string& word : words) {
+    const bool isShared = std::any_of(names.begin(), names.end(),
+                                      [&](const auto& shared) { return shared.name == word; });
+    const std::string bake = isShared ? "" : bakeOfName(word);
+    if (!bake.empty() && !hasBake(method, bake))
+      return fmt::format("; {} needs [bakes.{}]", word, bake);
     std::vector<std::string> needed;
     bool isThere = false;
     for (const SharedName& shared : names) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/shader_files.h"
+#include "render/method.h"
 
 namespace gnomon::render {
 
@@ -28,9 +28,9 @@ std::string declarationFor(const std::string& define);
 /// is a syntax error whose message names no type, so that for a syntax error the words of the line
 /// are looked up too.
 /// @param message  of the GLSL compiler, `FILE:LINE: error: …`
-/// @param source   of the method
-/// @param defines  that the method was compiled with
+/// @param method   that was compiled
+/// @param defines  that it was compiled with
 std::string missingDeclaration(const std::vector<SharedName>& names, const std::string& message,
-                               const ShaderPiece& source, const std::vector<std::string>& defines);
+                               const Method& method, const std::vector<std::string>& defines);
 
 }  // namespace gnomon::render

@@ -24,9 +24,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array allKinds = {
-    PassKind::cameraSamples, PassKind::atlasSamples,  PassKind::tables, PassKind::filteredTables,
-    PassKind::angles,        PassKind::ellipses,      PassKind::facets, PassKind::texture,
-    PassKind::lightDepth,    PassKind::shadowVolumes, PassKind::shares, PassKind::pictures,
+    PassKind::cameraSamples,  PassKind::atlasSamples, PassKind::tables,
+    PassKind::filteredTables, PassKind::angles,       PassKind::ellipses,
+    PassKind::facets,         PassKind::texture,      PassKind::bakes,
+    PassKind::filteredBakes,  PassKind::lightDepth,   PassKind::shadowVolumes,
+    PassKind::shares,         PassKind::pictures,
 };
 
 TEST(PassCheck, FindsNothingWrongHere) {
@@ -113,7 +115,24 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"relief.glsl",
               "Cell(texels.wzxy,",
               "Cell(texels.wzyx,",
-              {tables, filteredTables, angles, ellipses, texture, shares}},
+              {tables, filteredTables, angles, ellipses, bakes, filteredBakes, texture, shares}},
+        Fault{"bakes.glsl",
+              "clamp(layer, 0, size.z - 1)), level);",
+              "clamp(layer + 1, 0, size.z - 1)), level);",
+              {bakes, filteredBakes}},
+        Fault{"bakes.glsl",
+              "vec3(at / mapSize, float(layer)), float(level)",
+              "vec3(at.yx / mapSize, float(layer)), float(level)",
+              {filteredBakes}},
+        Fault{"bakes.glsl", "return mix(low, high,", "return mix(high, low,", {bakes}},
+        Fault{"bake.frag",
+              "widened(float value) { return vec4(value,",
+              "widened(float value) { return vec4(1.0 - value,",
+              {bakes, filteredBakes}},
+        Fault{"plane.vert",
+              "gl_VertexID == 1 ? 3.0",
+              "gl_VertexID == 1 ? 1.0",
+              {bakes, filteredBakes}},
         Fault{"pixel.glsl",
               "dot(facet, pixel.normal) < 0.0 ? -facet : facet",
               "dot(facet, pixel.normal) < 0.0 ? facet : -facet",
@@ -121,7 +140,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"mask.frag",
               "(isHidden ? 1u : 0u) | (isHidden || isTurned ? 2u : 0u)",
               "(isHidden ? 1u : 0u) | (isTurned ? 2u : 0u)",
-              {tables, filteredTables, angles, ellipses, texture, lightDepth, shadowVolumes}},
+              {tables, filteredTables, angles, ellipses, bakes, filteredBakes, texture, lightDepth,
+               shadowVolumes}},
         Fault{"visibility.frag", "drawn = min(test, ", "drawn = max(test, ", {shares}},
         Fault{"disc.glsl", "within * chord", "chord", {shares}},
         Fault{"shade.frag",
@@ -135,7 +155,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"surface.vert",
               "vertexFace % atlasTiles.x, vertexFace / atlasTiles.x",
               "1 - vertexFace % atlasTiles.x, vertexFace / atlasTiles.x",
-              {atlasSamples, tables, filteredTables, angles, ellipses, texture, shares}}));
+              {atlasSamples, tables, filteredTables, angles, ellipses, bakes, filteredBakes,
+               texture, shares}}));
 
 TEST(GeometryShaders, IndexTheirInputsByConstants) {
   // What differs from triangle to triangle is read wrong by llvmpipe of Mesa 25.0: see

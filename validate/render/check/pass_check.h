@@ -17,6 +17,8 @@ enum class PassKind {
   filteredTables,
   angles,
   ellipses,
+  bakes,
+  filteredBakes,
   facets,
   texture,
   lightDepth,
@@ -40,6 +42,8 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool is
 ///   filteredTables  the same by the GPU's filter
 ///   angles          the same of horizon angles, with their lookup maps
 ///   ellipses        the same of ellipses
+///   bakes           the map and its negative, baked by a method, read with their coarser levels
+///   filteredBakes   the same by the GPU's filter
 ///   facets          the box: which of its sides are turned from the light
 ///   texture         a random value a texel, drawn in the texture's plane and read again
 ///   lightDepth      the box's shadow on the floor, from the depth that the light sees

@@ -20,6 +20,9 @@ std::string tableFault(const Shaders& shaders, TableFilter filter);
 std::string angleFault(const Shaders& shaders);
 std::string ellipseFault(const Shaders& shaders);
 
+// bake_check.cpp
+std::string bakeFault(const Shaders& shaders, TableFilter filter);
+
 // texture_check.cpp
 std::string textureFault(const Shaders& shaders);
 

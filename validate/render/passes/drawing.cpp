@@ -59,16 +59,21 @@ void setView(GLuint program, const RenderView& view) {
   setUniform(program, "texelWindow", glm::vec4(view.texelWindow));
 }
 
+void setRelief(GLuint program, const GpuHeights& heights, relief::HeightSpace space,
+               double texelsPerHeight) {
+  setUniform(program, "heightInTexels", space == relief::HeightSpace::texture ? 1 : 0);
+  setUniform(program, "texelsPerHeight", texelsPerHeight);
+  setUniform(program, "heightBounds", heights.bounds());
+  setUniform(program, "mapSize", glm::vec2(heights.size()));
+  const relief::Border border = heights.border();
+  setUniform(program, "reliefBorder", glm::ivec2(border.x ? 1 : 0, border.y ? 1 : 0));
+  bindTexture(program, TextureUnit::heights, heights.texture(), "heightMap");
+}
+
 void setDrawing(GLuint program, const Drawing& drawing) {
   setUniform(program, "lightDirection", drawing.light);
   setUniform(program, "lightRadius", drawing.lightRadius);
-  setUniform(program, "heightInTexels",
-             drawing.heightSpace == relief::HeightSpace::texture ? 1 : 0);
-  setUniform(program, "texelsPerHeight", drawing.texelsPerHeight);
-  setUniform(program, "heightBounds", drawing.heights.bounds());
-  const relief::Border border = drawing.heights.border();
-  setUniform(program, "reliefBorder", glm::ivec2(border.x ? 1 : 0, border.y ? 1 : 0));
-  bindTexture(program, TextureUnit::heights, drawing.heights.texture(), "heightMap");
+  setRelief(program, drawing.heights, drawing.heightSpace, drawing.texelsPerHeight);
 }
 
 void beginPass(const Target& target, GLuint program, Sides sides) {

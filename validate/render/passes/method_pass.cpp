@@ -10,7 +10,7 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
-#include "render/shared_names.h"
+#include "render/passes/method_program.h"
 #include "render/target.h"
 
 namespace gnomon::render {
@@ -48,85 +48,6 @@ Visibility visibilityOf(const Mask& mask) {
   return visibility;
 }
 
-std::string parameterUniforms(const Method& method) {
-  std::string text;
-  for (const auto& [name, parameter] : method.parameters) {
-    text += fmt::format("uniform float {};\n", name);
-  }
-  return text;
-}
-
-std::map<std::string, double> parameterValues(const Method& method,
-                                              const std::map<std::string, double>& values) {
-  for (const auto& [name, value] : values) {
-    if (method.parameters.count(name) == 0) {
-      throw InputError(fmt::format("method {}: it has no parameter `{}`", method.name, name));
-    }
-  }
-  std::map<std::string, double> all;
-  for (const auto& [name, parameter] : method.parameters) {
-    all[name] = parameterValue(method, name, values);
-  }
-  return all;
-}
-
-std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap,
-                                       TableFilter filter) {
-  std::vector<std::string> defines = surfaceDefines(wrap, method.mesh);
-  if (method.tables.height) defines.emplace_back("TABLE_HEIGHT");
-  if (method.tables.horizon) defines.emplace_back("TABLE_HORIZON");
-  if (method.tables.distance) defines.emplace_back("TABLE_DISTANCE");
-  if (method.tables.angles || method.tables.surfaceAngles) defines.emplace_back("TABLE_ANGLES");
-  if (method.tables.surfaceAngles) defines.emplace_back("UNIQUE_ANGLES");
-  if (method.tables.ellipse) defines.emplace_back("TABLE_ELLIPSE");
-  if (method.passes.texture) defines.emplace_back("PASS_TEXTURE");
-  if (method.passes.lightDepth) defines.emplace_back("PASS_LIGHT_DEPTH");
-  if (method.passes.shadowVolumes) defines.emplace_back("PASS_SHADOW_VOLUMES");
-  if (method.hasOwnNormal) defines.emplace_back("OWN_NORMAL");
-  if (method.hasTest) defines.emplace_back("OWN_TEST");
-  if (method.hasHorizon) defines.emplace_back("OWN_HORIZON");
-  if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
-  return defines;
-}
-
-/// The method's own file between what it may use and the stage that calls it. Every picture is
-/// shaded by the height map; a method that does not declare that table gets it behind its back.
-std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& method,
-                                      const char* stage) {
-  std::vector<ShaderPiece> pieces;
-  const auto add = [&](const char* name) {
-    pieces.push_back(readShader(shaders / "common" / name));
-  };
-  add("pixel.glsl");
-  add("disc.glsl");
-  add("wrap.glsl");
-  if (method.tables.height) add("relief.glsl");
-  for (const char* name :
-       {"tables.glsl", "osculating.glsl", "path.glsl", "angles.glsl", "passes.glsl"}) {
-    add(name);
-  }
-  pieces.push_back({method.source.file + " (parameters)", parameterUniforms(method)});
-  pieces.push_back(method.source);
-  if (!method.tables.height) add("relief.glsl");
-  add("shading.glsl");
-  add("answers.glsl");
-  add(stage);
-  return pieces;
-}
-
-/// @throws InputError naming the declaration that is missing, where the compiler misses a name that
-///   one would provide
-gl::Program makeMethodProgram(const fs::path& shaders, const Method& method, const char* stage,
-                              const std::vector<std::string>& defines) {
-  try {
-    return makeSurfaceProgram(shaders, methodPieces(shaders, method, stage), defines);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    throw InputError(message +
-                     missingDeclaration(sharedNames(shaders), message, method.source, defines));
-  }
-}
-
 /// The program that answers with shares; none where the method has only 0 and 1 to say.
 /// @throws InputError for a disc without a horizon
 std::optional<gl::Program> makeShareProgram(const fs::path& shaders, const Method& method,
@@ -140,7 +61,7 @@ std::optional<gl::Program> makeShareProgram(const fs::path& shaders, const Metho
   }
   if (!isDisc && !method.answersShares) return std::nullopt;
   defines.emplace_back(isDisc ? "ANSWER_DISC" : "ANSWER_SHARE");
-  return makeMethodProgram(shaders, method, "visibility.frag", defines);
+  return makeMethodProgram(shaders, method, surfaceStage(shaders, "visibility.frag"), defines);
 }
 
 /// A texture pass keeps its values in the bits of the angles that it reads; without any, in floats.
@@ -164,21 +85,20 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wr
                        SoftAnswer soft)
     : name_(method.name),
       tables_(method.tables),
+      bakes_(method.bakes),
       passes_(method.passes),
       hasLightMesh_(method.lightMesh.has_value()),
       values_(parameterValues(method, values)) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
-  answer_ = makeMethodProgram(shaders, method, "mask.frag", defines);
+  answer_ = makeMethodProgram(shaders, method, surfaceStage(shaders, "mask.frag"), defines);
   share_ = makeShareProgram(shaders, method, soft, defines);
-  if (passes_.texture) resolve_ = makeMethodProgram(shaders, method, "resolve.frag", defines);
+  if (passes_.texture)
+    resolve_ = makeMethodProgram(shaders, method, surfaceStage(shaders, "resolve.frag"), defines);
   if (passes_.lightDepth) lightDepth_.emplace(shaders);
   if (passes_.shadowVolumes) volumes_.emplace(shaders);
-  for (const auto& [name, value] : values_) {
-    for (const gl::Program* program :
-         {&answer_, share_ ? &*share_ : nullptr, resolve_ ? &*resolve_ : nullptr}) {
-      if (program == nullptr) continue;
-      setUniform(program->name(), name.c_str(), value);
-    }
+  for (const gl::Program* program :
+       {&answer_, share_ ? &*share_ : nullptr, resolve_ ? &*resolve_ : nullptr}) {
+    if (program != nullptr) setParameters(program->name(), values_);
   }
 }
 
@@ -298,42 +218,8 @@ class MethodPass::Frame {
   void setInputs(GLuint program, const RenderView& view) const {
     setView(program, view);
     setDrawing(program, drawing_);
-    setUniform(program, "searchRadius", tables_.searchRadius);
-    if (pass_.tables_.horizon) {
-      bindTable(program, tables_.horizon, TextureUnit::horizon, "horizonTable", "horizonRange");
-    }
-    if (pass_.tables_.distance) {
-      bindTable(program, tables_.distance, TextureUnit::distance, "distanceTable", "distanceRange");
-    }
-    if (pass_.tables_.ellipse) {
-      bindTable(program, tables_.ellipse, TextureUnit::ellipse, "ellipseTable", "ellipseRange");
-    }
-    if (pass_.tables_.angles || pass_.tables_.surfaceAngles) bindAngles(program);
-  }
-
-  template <typename Table>
-  void require(const Table* table, const char* what) const {
-    if (table == nullptr)
-      throw InternalError(fmt::format("method {} got no {}", pass_.name_, what));
-  }
-
-  void bindTable(GLuint program, const GpuTable* table, TextureUnit unit, const char* sampler,
-                 const char* range) const {
-    require(table, sampler);
-    bindTexture(program, unit, table->texture(), sampler);
-    setUniform(program, range, table->range());
-  }
-
-  void bindAngles(GLuint program) const {
-    require(tables_.angles, "angles");
-    const GpuAngles& angles = *tables_.angles;
-    bindTexture(program, TextureUnit::angles, angles.texture(), "angleMaps");
-    bindTexture(program, TextureUnit::basis, angles.basis(), "basisMaps");
-    bindTexture(program, TextureUnit::arccos, angles.arccos(), "arccosMap");
-    setUniform(program, "angleAzimuths", angles.azimuths());
-    setUniform(program, "angleLimit", angles.limit());
-    setUniform(program, "angleSteps", angles.steps());
-    setUniform(program, "angleOrigin", angles.origin());
+    bindTables(program, pass_.name_, pass_.tables_, tables_);
+    bindBakes(program, pass_.name_, pass_.bakes_, tables_);
   }
 
   /// What the earlier passes of the frame left.

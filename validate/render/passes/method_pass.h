@@ -13,24 +13,10 @@
 #include "render/method.h"
 #include "render/passes/drawing.h"
 #include "render/passes/light_depth_pass.h"
+#include "render/passes/method_tables.h"
 #include "render/passes/shadow_volume_pass.h"
 
 namespace gnomon::render {
-
-/// How tables are filtered.
-enum class TableFilter {
-  exact,     ///< by hand from single texels, in float: masks do not depend on the GPU's filter
-  hardware,  ///< by the GPU's own trilinear filter, as products do
-};
-
-/// The tables of a bake on the GPU, and how far it searched. A method reads only what it declares.
-struct GpuTables {
-  const GpuTable* horizon = nullptr;
-  const GpuTable* distance = nullptr;
-  const GpuAngles* angles = nullptr;  ///< of the flat relief or of the surface, as declared
-  const GpuTable* ellipse = nullptr;
-  double searchRadius = 128;  ///< of the bake, texels: marches end there too
-};
 
 /// A method's two answers for every sample of a view.
 struct MethodAnswers {
@@ -105,6 +91,7 @@ class MethodPass {
 
   std::string name_;
   MethodTables tables_;
+  std::vector<MethodBake> bakes_;
   MethodPasses passes_;
   bool hasLightMesh_;
   std::map<std::string, double> values_;  ///< every parameter's

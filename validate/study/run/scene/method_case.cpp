@@ -10,6 +10,7 @@
 #include "common/error.h"
 #include "render/passes/passes.h"
 #include "study/run/scene/cached_fields.h"
+#include "study/run/scene/method_bakes.h"
 #include "truth/surface_horizons.h"
 
 namespace gnomon::study {
@@ -27,6 +28,13 @@ render::GpuTables reliefTables(RunScene& scene, const render::Method& method,
   if (method.tables.angles) tables.angles = &scene.tables.angles(bake, scene.clock);
   if (method.tables.ellipse) tables.ellipse = &scene.tables.ellipses(bake, scene.clock);
   return tables;
+}
+
+/// Bakes the method's own tables, once all others are there.
+void bakeOwn(RunScene& scene, MethodCase& method) {
+  CompiledMethod& ready = *method.compiled;
+  ready.bakes = methodBakes(scene, *method.spec, method.method, ready.tables);
+  ready.tables.bakes = ready.bakes.get();
 }
 
 void compile(RunScene& scene, MethodCase& method) {
@@ -47,6 +55,7 @@ void compile(RunScene& scene, MethodCase& method) {
       [](const render::MethodPass&) { return bytes; });
   method.compiled.emplace(
       CompiledMethod{std::move(pass), reliefTables(scene, method.method, spec.bake)});
+  if (!method.method.tables.surfaceAngles) bakeOwn(scene, method);
 }
 
 bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
@@ -231,6 +240,7 @@ void shootTables(RunScene& scene, std::span<MethodCase> methods) {
   for (MethodCase* method : needing) {
     method->compiled->tables.angles = &scene.tables.surfaceAngles(
         method->spec->bake, method->base->choice, [&] { return shootAngles(scene, *method); });
+    bakeOwn(scene, *method);
   }
 }
 
@@ -273,6 +283,9 @@ std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   if (declared.distance) bytes += tables.distance->byteCount();
   if (declared.ellipse) bytes += tables.ellipse->byteCount();
   if (tables.angles != nullptr) bytes += tables.angles->byteCount();
+  for (const render::MethodBake& bake : method.method.bakes) {
+    bytes += render::bytesOver(bake, scene.heights.size());
+  }
   return bytes + ready.pass->passBytes(drawingOf(scene, method, 0), tables);
 }
 

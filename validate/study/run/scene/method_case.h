@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "common/mask.h"
 #include "render/method.h"
@@ -18,6 +19,7 @@ namespace gnomon::study {
 struct CompiledMethod {
   std::shared_ptr<const render::MethodPass> pass;
   render::GpuTables tables;
+  std::shared_ptr<const std::vector<render::GpuBake>> bakes = {};  ///< its own, if it has any
   bool hasDrawn = false;  ///< a mask: frames can be timed without a warm-up
 };
 

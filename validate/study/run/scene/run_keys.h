@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "cache/content_key.h"
 #include "render/gl_context.h"
@@ -74,6 +76,11 @@ class RunKeys {
   [[nodiscard]] cache::ContentKey ellipses(const BakeSpec& bake, double texelsPerHeight) const;
   /// Horizon angles shot on the study's micro-mesh, at the texels that a mesh shows.
   [[nodiscard]] cache::ContentKey surfaceAngles(const MeshChoice& mesh, const BakeSpec& bake) const;
+  /// The tables that a method bakes by its own functions.
+  /// @param parameters  those that the functions may use, with their values
+  [[nodiscard]] cache::ContentKey methodBakes(const MethodSpec& spec, const render::Method& method,
+                                              const std::map<std::string, double>& parameters,
+                                              double texelsPerHeight) const;
   /// A method with all that its answers depend on: shaders, parameters, filter, tables and mesh.
   [[nodiscard]] cache::ContentKey method(const MethodSpec& spec,
                                          const render::Method& method) const;
@@ -91,6 +98,7 @@ class RunKeys {
 
   const StudySpec& study_;
   cache::ContentKey shaders_;
+  cache::ContentKey driver_;
   cache::ContentKey place_;  ///< renderer, limit surface and relief
 };
 

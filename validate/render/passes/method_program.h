@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "relief/relief.h"
+#include "render/gl_handles.h"
+#include "render/method.h"
+#include "render/passes/method_tables.h"
+#include "render/shader_files.h"
+
+namespace gnomon::render {
+
+/// The defines that a method is compiled with.
+std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap, TableFilter filter);
+
+/// The values of all of a method's parameters: the chosen ones, and the authors'.
+/// @throws InputError as parameterValue, and for a value of an unknown parameter
+std::map<std::string, double> parameterValues(const Method& method,
+                                              const std::map<std::string, double>& chosen);
+
+/// What stands before and after a method's own code in a program.
+struct MethodStage {
+  ShaderPiece vertex;
+  std::vector<ShaderPiece> fragment;  ///< calls the method's functions
+};
+
+/// The stage that draws the surface.
+/// @param fragment  a file of `common/`
+MethodStage surfaceStage(const std::filesystem::path& shaders, const char* fragment);
+
+/// Compiles the method's own file between what it may use and the stage that calls it.
+/// @throws InputError for what does not compile, naming the declaration that is missing, where the
+///   compiler misses a name that one would provide
+gl::Program makeMethodProgram(const std::filesystem::path& shaders, const Method& method,
+                              const MethodStage& stage, const std::vector<std::string>& defines);
+
+/// Sets the parameters of a program of a method.
+/// @param values  of all of them
+void setParameters(GLuint program, const std::map<std::string, double>& values);
+
+}  // namespace gnomon::render
