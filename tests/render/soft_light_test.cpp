@@ -233,7 +233,8 @@ TEST(SoftLight, IsAShareOfEverySample) {
 }
 
 /// Methods whose share is soft by itself, whatever the light's size.
-const std::set<std::string> softByThemselves = {"normal-march", "parallax-occlusion"};
+const std::set<std::string> softByThemselves = {"ao-micro-shadow", "ao-shadow", "normal-march",
+                                                "parallax-occlusion"};
 
 /// A disc as small as a point: the shares are the mask's but on the shadows' edges.
 TEST(SoftLight, TendsToTheMask) {
