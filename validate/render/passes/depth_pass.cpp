@@ -1,15 +1,15 @@
-#include "render/passes/light_depth_pass.h"
+#include "render/passes/depth_pass.h"
 
 namespace gnomon::render {
 
-LightDepthPass::LightDepthPass(const std::filesystem::path& shaders)
+DepthPass::DepthPass(const std::filesystem::path& shaders)
     : program_(makeSurfaceProgram(shaders, {readShader(shaders / "common/nothing.frag")}, {})) {}
 
-void LightDepthPass::draw(const RenderView& light, const GpuMesh& mesh,
-                          const Target& target) const {
+void DepthPass::draw(const RenderView& view, const GpuMesh& mesh, const Target& target,
+                     Sides sides) const {
   target.clearDepth();
-  setView(program_.name(), light);
-  drawMesh(target, program_.name(), light, mesh, Sides::both);
+  setView(program_.name(), view);
+  drawMesh(target, program_.name(), view, mesh, sides);
 }
 
 }  // namespace gnomon::render

@@ -7,13 +7,14 @@
 
 namespace gnomon::render {
 
-/// The depth map of Williams 1978: a mesh as the light sees it.
-class LightDepthPass {
+/// The depth of a mesh alone: the depth map of Williams 1978, where the light sees it.
+class DepthPass {
  public:
-  explicit LightDepthPass(const std::filesystem::path& shaders);
+  explicit DepthPass(const std::filesystem::path& shaders);
 
-  /// Fills the target's depth. Both sides of the surface cast shadows, as they do for a ray.
-  void draw(const RenderView& light, const GpuMesh& mesh, const Target& target) const;
+  /// Fills the target's depth. For a light both sides of the surface count: they cast shadows, as
+  /// they do for a ray.
+  void draw(const RenderView& view, const GpuMesh& mesh, const Target& target, Sides sides) const;
 
  private:
   gl::Program program_;
