@@ -44,13 +44,14 @@ class MethodBakes : public TemporaryFolder {
   }
 };
 
-constexpr int mapSide = 24;
+constexpr int bakedSide = 24;
 
-test::RenderScene planeScene(const relief::Relief& relief) {
-  return {surface::makePlane(mapSide, mapSide, 4, 4), relief, {4, 8}, horizon::TableBits::eight};
+test::RenderScene bakedPlane(const relief::Relief& relief) {
+  return {
+      surface::makePlane(bakedSide, bakedSide, 4, 4), relief, {4, 8}, horizon::TableBits::eight};
 }
-test::RenderScene randomScene() {
-  return planeScene(test::randomRelief(mapSide, mapSide, 4, 7));
+test::RenderScene bakedRandom() {
+  return bakedPlane(test::randomRelief(bakedSide, bakedSide, 4, 7));
 }
 
 std::vector<float> floatsOf(const StoredBake& bake) {
@@ -61,7 +62,7 @@ std::vector<float> floatsOf(const StoredBake& bake) {
 
 TEST_F(MethodBakes, HoldWhatTheirFunctionSaysOfEveryTexelAndLayer) {
   const GlContext gl;
-  const test::RenderScene scene = randomScene();
+  const test::RenderScene scene = bakedRandom();
   const Method own =
       checking("[bakes.place]\nchannels = 3\nbits = 32\nlayers = 5\nsize = [48, 7]",
                "vec3 bakePlace(vec2 texel, int layer) { return vec3(texel, float(layer)); }",
@@ -72,18 +73,18 @@ TEST_F(MethodBakes, HoldWhatTheirFunctionSaysOfEveryTexelAndLayer) {
   const std::vector<float> values = floatsOf(bake);
   ASSERT_EQ(values.size(), 48U * 7 * 5 * 3);
   for (std::size_t i = 0; i < values.size() / 3; ++i) {
-    EXPECT_FLOAT_EQ(values[3 * i], (static_cast<float>(i % 48) + 0.5F) * mapSide / 48);
-    EXPECT_FLOAT_EQ(values[3 * i + 1], (static_cast<float>(i / 48 % 7) + 0.5F) * mapSide / 7);
+    EXPECT_FLOAT_EQ(values[3 * i], (static_cast<float>(i % 48) + 0.5F) * bakedSide / 48);
+    EXPECT_FLOAT_EQ(values[3 * i + 1], (static_cast<float>(i / 48 % 7) + 0.5F) * bakedSide / 7);
     EXPECT_EQ(values[3 * i + 2], static_cast<float>(i / (48 * 7)));
   }
   EXPECT_EQ(test::shareShadowed(scene.answer(own, atlasView(scene.surface, 8), {0, 0, 1})), 0);
-  EXPECT_EQ(bytesOver(own.bakes.front(), {mapSide, mapSide}), 48U * 7 * 5 * 3 * 4);
+  EXPECT_EQ(bytesOver(own.bakes.front(), {bakedSide, bakedSide}), 48U * 7 * 5 * 3 * 4);
   EXPECT_EQ(scene.bakes(own, {}).front().byteCount(), 48U * 7 * 5 * 3 * 4);
 }
 
 TEST_F(MethodBakes, OfTheMapAreReadAsTheMap) {
   const GlContext gl;
-  const test::RenderScene scene = randomScene();
+  const test::RenderScene scene = bakedRandom();
   // Heights up to 4, in codes of 16 bits: half a step and the rounding of floats.
   const Method own = checking("tables = [\"height\"]\n[bakes.copy]\nbits = 16\nrange = [0, 4]",
                               "float bakeCopy(vec2 texel) { return heightAt(texel); }",
@@ -101,11 +102,11 @@ TEST_F(MethodBakes, OfTheMapAreReadAsTheMap) {
 
 TEST_F(MethodBakes, GoOnAsTheMapDoes) {
   const GlContext gl;
-  relief::Relief clamped = test::randomRelief(mapSide, mapSide, 4, 7);
+  relief::Relief clamped = test::randomRelief(bakedSide, bakedSide, 4, 7);
   clamped.field = relief::HeightField(
-      mapSide, mapSide, {clamped.field.texels().begin(), clamped.field.texels().end()},
+      bakedSide, bakedSide, {clamped.field.texels().begin(), clamped.field.texels().end()},
       relief::Wrap::clamp);
-  const test::RenderScene scene = planeScene(clamped);
+  const test::RenderScene scene = bakedPlane(clamped);
   const Method own =
       checking("tables = [\"height\"]\n[bakes.copy]\nbits = 32",
                "float bakeCopy(vec2 texel) { return heightAt(texel); }",
@@ -117,7 +118,7 @@ TEST_F(MethodBakes, GoOnAsTheMapDoes) {
 
 TEST_F(MethodBakes, ReadBakesBeforeThemTablesAndParameters) {
   const GlContext gl;
-  const test::RenderScene scene = randomScene();
+  const test::RenderScene scene = bakedRandom();
   const Method own = checking(
       "tables = [\"horizon\"]\n[bakes.twice]\nbits = 32\n[bakes.half]\nbits = 32\nscale = 0.5\n"
       "[parameters.factor]\ndefault = 2\nminimum = 0\nmaximum = 9\n"
@@ -140,7 +141,7 @@ TEST_F(MethodBakes, ReadBakesBeforeThemTablesAndParameters) {
 
 TEST_F(MethodBakes, LevelsFollowTheirRule) {
   const GlContext gl;
-  const test::RenderScene scene = randomScene();
+  const test::RenderScene scene = bakedRandom();
   const Method own = checking(
       "tables = [\"height\"]\n[bakes.levels]\nchannels = 3\nbits = 32\nsize = [21, 13]\n"
       "mips = [\"minimum\", \"average\", \"maximum\"]",
@@ -183,19 +184,19 @@ TEST_F(MethodBakes, ACoarserTexelStandsForAllBelowIt) {
 
 TEST_F(MethodBakes, OfManyRowsAreWhatOneRowWouldBe) {
   const GlContext gl;
-  const test::RenderScene scene = randomScene();
+  const test::RenderScene scene = bakedRandom();
   const Method own = checking("[bakes.row]\nbits = 32\nsize = [3, 4097]",
                               "float bakeRow(vec2 texel) { return texel.y; }",
                               "  return rowTexel(ivec2(0)) < 0.0;");
   const std::vector<float> values = floatsOf(scene.storedBakes(own, {}).front());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_FLOAT_EQ(values[i], (static_cast<float>(i / 3) + 0.5F) * mapSide / 4097);
+    ASSERT_FLOAT_EQ(values[i], (static_cast<float>(i / 3) + 0.5F) * bakedSide / 4097);
   }
 }
 
 TEST_F(MethodBakes, KnowNoPixelNoLightAndNoLaterBake) {
   const GlContext gl;
-  const test::RenderScene scene = randomScene();
+  const test::RenderScene scene = bakedRandom();
   for (const std::string what : {"lightDirection.x", "lightRadius", "position.y", "laterAt(texel)",
                                  "earlyAt(texel)", "1.0 / (heightBounds.x - heightBounds.x)"}) {
     const Method own = checking("tables = [\"height\"]\n[bakes.early]\n[bakes.later]",
@@ -279,7 +280,7 @@ TEST_F(MethodBakes, TheCompilersMessagesNameFileLineAndDeclaration) {
               AllOf(HasSubstr("mine.glsl:8: "), testing::Not(HasSubstr("needs"))));
   EXPECT_THAT(
       refusal("[bakes.height]", "float bakeHeight(vec2 texel) { return 1.0; }", "  return true;"),
-      HasSubstr("mine.glsl: bake `height`: heightAt of relief.glsl has that name"));
+      HasSubstr("mine.glsl: the declaration's `height`: heightAt of relief.glsl has that name"));
 }
 
 }  // namespace

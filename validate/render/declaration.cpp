@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -86,9 +87,41 @@ std::optional<int> Declaration::count(const toml::table& table, std::string_view
   return static_cast<int>(*value);
 }
 
+bool Declaration::isLinear(const toml::table& table, std::string_view key) const {
+  const toml::node* found = table.get(key);
+  if (found == nullptr) return true;
+  const auto name = found->value_exact<std::string>().value_or("");
+  if (name != "linear" && name != "nearest") {
+    fail(*found, fmt::format("`{}`: linear or nearest expected", key));
+  }
+  return name == "linear";
+}
+
 std::string Declaration::about(const toml::table& table) const {
   const toml::node* node = table.get("about");
   return node == nullptr ? "" : textOf(*node, "about");
+}
+
+bool isOwnName(std::string_view name) {
+  const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  return !name.empty() && name.size() <= 40 &&
+         std::islower(static_cast<unsigned char>(name.front())) != 0 &&
+         std::all_of(name.begin(), name.end(), isLetter);
+}
+
+void requireOwnName(const Declaration& declaration, const toml::node& node, std::string_view what,
+                    std::string_view name) {
+  if (isOwnName(name)) return;
+  declaration.fail(node, fmt::format("{} `{}`: a name of at most 40 letters and digits that begins "
+                                     "with a small letter expected",
+                                     what, name));
+}
+
+std::string capitalised(std::string name) {
+  if (!name.empty()) {
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  }
+  return name;
 }
 
 }  // namespace gnomon::render

@@ -29,6 +29,8 @@ class Declaration {
   /// A whole number within a range; nothing where the key is not there.
   [[nodiscard]] std::optional<int> count(const toml::table& table, std::string_view key, int least,
                                          int most) const;
+  /// Whether a filter is "linear", as without the key, or "nearest".
+  [[nodiscard]] bool isLinear(const toml::table& table, std::string_view key) const;
   /// `about` of a table; empty where it has none.
   [[nodiscard]] std::string about(const toml::table& table) const;
 
@@ -36,5 +38,16 @@ class Declaration {
   std::string file_;
   toml::table table_;
 };
+
+/// Whether a name can be that of a table, a texture or a pass of a method's own: others are made
+/// from it. At most 40 letters and digits, the first a small letter.
+bool isOwnName(std::string_view name);
+
+/// @throws InputError for a name that is none
+void requireOwnName(const Declaration& declaration, const toml::node& node, std::string_view what,
+                    std::string_view name);
+
+/// The name with a capital first letter.
+std::string capitalised(std::string name);
 
 }  // namespace gnomon::render

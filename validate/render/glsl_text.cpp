@@ -1,5 +1,7 @@
 #include "render/glsl_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -63,6 +65,22 @@ bool definesFunction(std::string_view glsl, std::string_view name, std::string_v
     at = end;
   }
   return false;
+}
+
+bool definesFunction(const std::vector<ShaderPiece>& code, std::string_view name,
+                     std::string_view argument) {
+  return std::any_of(code.begin(), code.end(), [&](const ShaderPiece& piece) {
+    return definesFunction(piece.text, name, argument);
+  });
+}
+
+std::optional<std::string> placeOfWord(const std::vector<ShaderPiece>& code,
+                                       std::string_view word) {
+  for (const ShaderPiece& piece : code) {
+    const auto line = lineOfWord(piece.text, word);
+    if (line) return fmt::format("{}:{}", piece.file, piece.firstLine + *line - 1);
+  }
+  return std::nullopt;
 }
 
 }  // namespace gnomon::render

@@ -19,6 +19,11 @@ struct SharedName {
 /// All names that methods may use, by file and in the order of each file.
 std::vector<SharedName> sharedNames(const std::filesystem::path& shaders);
 
+/// The bake, texture or pass of a method's own that a name of its code would belong to: "occlusion"
+/// for `occlusionAt`, `occlusionTexel`, `occlusionBake`, `occlusionTexture`, `occlusionPass` and
+/// `occlusionOrigin`; empty for other names.
+std::string ownNameOf(const std::string& word);
+
 /// What a method's first comment must hold for a define: `tables = ["height"]` for `TABLE_HEIGHT`.
 /// Empty for a define that no declaration sets.
 std::string declarationFor(const std::string& define);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "study/run/scene/run_keys.h"
 
 namespace gnomon::app {
 namespace {
@@ -90,7 +91,7 @@ void DrawnScene::compile(const std::string& label, const MethodData& method, boo
 cache::ContentKey DrawnScene::bakesKey(const MethodData& method) const {
   cache::KeyBuilder key("viewed bakes");
   key.add("relief", data_->keys.relief).add("texelsPerHeight", data_->texelsPerHeight);
-  key.add("source", method.method.source.text).add("shaders", data_->shaders);
+  key.add("files", study::methodFilesKey(method.method)).add("shaders", data_->shaders);
   key.add("filter", method.spec.filter);
   for (const auto& [name, value] : method.spec.parameters) {
     key.add("parameter", name).add("value", value);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "common/error.h"
@@ -20,14 +19,14 @@ namespace {
 
 MethodStage bakeStage(const std::filesystem::path& shaders, const Method& method) {
   return {readShader(shaders / "common/plane.vert"),
-          {readShader(shaders / "common/bake.frag"),
-           {method.source.file + " (calls of the bakes)", bakeMain(method.bakes)}}};
+          {readShader(shaders / "common/values.frag"),
+           {method.source.file + " (calls of the bakes)", bakeMain(method.bakes), 1}}};
 }
 
 /// A texture of floats that rows of a bake are drawn into.
 class Strip {
  public:
-  Strip(int width, int rows) : width_(width), rows_(rows) {
+  Strip(int width, int rows) : width_(width) {
     colour_ = gl::makeTexture(GL_TEXTURE_2D, GL_RGBA32F, {width, rows}, GL_NEAREST);
     framebuffer_ = gl::makeFramebuffer();
     glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, colour_.name(), 0);
@@ -35,25 +34,13 @@ class Strip {
         GL_FRAMEBUFFER_COMPLETE) {
       throw InternalError(fmt::format("no framebuffer of {} × {} texels", width, rows));
     }
-    GLuint layout = 0;
-    glCreateVertexArrays(1, &layout);
-    layout_ = gl::VertexArray(layout);
   }
-
-  [[nodiscard]] int rows() const { return rows_; }
 
   /// Draws some rows, and reads them back: four values a texel.
   [[nodiscard]] std::vector<float> draw(GLuint program, int rows) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, width_, rows);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(0, 0, width_, rows);
-    glUseProgram(program);
-    glBindVertexArray(layout_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_SCISSOR_TEST);
+    drawPlane(program);
     std::vector<float> values(4 * static_cast<std::size_t>(width_) *
                               static_cast<std::size_t>(rows));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -64,10 +51,8 @@ class Strip {
 
  private:
   int width_;
-  int rows_;
   gl::Texture colour_;
   gl::Framebuffer framebuffer_;
-  gl::VertexArray layout_;
 };
 
 /// How many rows are drawn at once: about as many as take a twentieth of a second.
@@ -88,14 +73,6 @@ class RowCount {
   int most_;
   int rows_;
 };
-
-/// One value that is no number, for what a bake may not read.
-gl::Texture makeNothing() {
-  const glm::vec4 nothing(std::numeric_limits<float>::quiet_NaN());
-  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D_ARRAY, GL_RGBA32F, {1, 1}, GL_NEAREST);
-  gl::fill(texture, {1, 1}, GL_RGBA, GL_FLOAT, &nothing);
-  return texture;
-}
 
 /// Keeps the channels of the values of a texel that a bake has.
 void appendTexels(const std::vector<float>& drawn, int channels, std::vector<float>& layer) {
@@ -173,11 +150,16 @@ void requireBakeSizes(const Method& method, glm::ivec2 map) {
 
 BakePass::BakePass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
                    TableFilter filter, const std::map<std::string, double>& values)
-    : name_(method.name), tables_(method.tables), bakes_(method.bakes) {
+    : name_(method.name),
+      tables_(method.tables),
+      bakes_(method.bakes),
+      passes_(method.passes.own),
+      textures_(method.textures),
+      pictures_(gpuTextures(method)) {
   const std::map<std::string, double> all = parameterValues(method, values);
   program_ = makeMethodProgram(shaders, method, bakeStage(shaders, method),
                                methodDefines(method, wrap, filter));
-  setParameters(program_.name(), all);
+  setParameters(program_.name(), method, all);
   for (const auto& [name, value] : all) {
     if (glGetUniformLocation(program_.name(), name.c_str()) >= 0) used_.emplace(name, value);
   }
@@ -187,7 +169,8 @@ std::vector<StoredBake> BakePass::bake(const BakeScene& scene, const GpuTables& 
                                        const Progress& progress) const {
   const glm::ivec2 map = scene.heights.size();
   const GLuint program = program_.name();
-  const gl::Texture nothing = makeNothing();
+  const gl::Texture nothing = makeNoNumber(GL_TEXTURE_2D_ARRAY);
+  const gl::Texture noTarget = makeNoNumber(GL_TEXTURE_2D);
   const double all = texelsOf(bakes_, map);
   double done = 0;
   std::vector<StoredBake> found;
@@ -211,9 +194,13 @@ std::vector<StoredBake> BakePass::bake(const BakeScene& scene, const GpuTables& 
         setUniform(program, "lightRadius", static_cast<double>(NAN));
         bindTables(program, name_, tables_, tables);
         for (std::size_t k = 0; k < bakes_.size(); ++k) {
-          bindTexture(program, ownUnit(k), k < number ? earlier[k].texture() : nothing.name(),
+          bindTexture(program, bakeUnit(k), k < number ? earlier[k].texture() : nothing.name(),
                       bakes_[k].sampler().c_str());
         }
+        for (std::size_t k = 0; k < passes_.size(); ++k) {
+          bindTexture(program, passUnit(k), noTarget.name(), passes_[k].sampler().c_str());
+        }
+        bindOwnTextures(program, textures_, pictures_);
         setUniform(program, "bakeNumber", static_cast<int>(number));
         setUniform(program, "bakeLayer", layer);
         setUniform(program, "bakeStep",

@@ -46,6 +46,9 @@ class BakePass {
   std::string name_;
   MethodTables tables_;
   std::vector<MethodBake> bakes_;
+  std::vector<OwnPass> passes_;
+  std::vector<MethodTexture> textures_;
+  std::vector<GpuTexture> pictures_;
   std::map<std::string, double> used_;
   gl::Program program_;
 };

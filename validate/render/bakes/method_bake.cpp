@@ -19,21 +19,6 @@ namespace {
 using horizon::TableBits;
 
 constexpr int mostBakes = 8;
-constexpr std::array<std::string_view, 3> accessEndings = {"At", "Texel", "Bake"};
-
-bool isBakeName(std::string_view name) {
-  const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
-  return !name.empty() && name.size() <= 40 &&
-         std::islower(static_cast<unsigned char>(name.front())) != 0 &&
-         std::all_of(name.begin(), name.end(), isLetter);
-}
-
-std::string capitalised(std::string name) {
-  if (!name.empty()) {
-    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-  }
-  return name;
-}
 
 TableBits readBits(const Declaration& declaration, const toml::table& table) {
   const toml::node* found = table.get("bits");
@@ -130,23 +115,9 @@ double readScale(const Declaration& declaration, const toml::table& table) {
   return scale;
 }
 
-bool readFilter(const Declaration& declaration, const toml::table& table) {
-  const toml::node* found = table.get("filter");
-  if (found == nullptr) return true;
-  const auto name = found->value_exact<std::string>().value_or("");
-  if (name != "linear" && name != "nearest") {
-    declaration.fail(*found, "`filter`: linear or nearest expected");
-  }
-  return name == "linear";
-}
-
 MethodBake readBake(const Declaration& declaration, const std::string& name,
                     const toml::node& node) {
-  if (!isBakeName(name)) {
-    declaration.fail(node, fmt::format("bake `{}`: a name of at most 40 letters and digits that "
-                                       "begins with a small letter expected",
-                                       name));
-  }
+  requireOwnName(declaration, node, "bake", name);
   const toml::table* table = node.as_table();
   if (table == nullptr) declaration.fail(node, fmt::format("bake `{}`: a table expected", name));
   declaration.allowOnly(
@@ -160,7 +131,7 @@ MethodBake readBake(const Declaration& declaration, const std::string& name,
   bake.size = readSize(declaration, *table);
   bake.layers = declaration.count(*table, "layers", 1, 2048).value_or(1);
   bake.mips = readMips(declaration, *table, static_cast<std::size_t>(bake.channels));
-  bake.isFiltered = readFilter(declaration, *table);
+  bake.isFiltered = declaration.isLinear(*table, "filter");
   bake.about = declaration.about(*table);
   return bake;
 }
@@ -235,23 +206,14 @@ std::vector<MethodBake> readBakes(const Declaration& declaration) {
 }
 
 void requireBakeFunctions(const Declaration& declaration, const std::vector<MethodBake>& bakes,
-                          std::string_view glsl) {
+                          const std::vector<ShaderPiece>& code) {
   for (const MethodBake& bake : bakes) {
-    if (definesFunction(glsl, bake.function(), bake.layers > 1 ? "int" : "vec2")) continue;
+    if (definesFunction(code, bake.function(), bake.layers > 1 ? "int" : "vec2")) continue;
     declaration.fail(
         *declaration.table()["bakes"][bake.name].node(),
         fmt::format("bake `{}` needs the function `{} {}(vec2 texel{})`", bake.name, typeOf(bake),
                     bake.function(), bake.layers > 1 ? ", int layer" : ""));
   }
-}
-
-std::string bakeOfName(const std::string& name) {
-  for (const std::string_view ending : accessEndings) {
-    if (!name.ends_with(ending)) continue;
-    const std::string bake = name.substr(0, name.size() - ending.size());
-    if (isBakeName(bake)) return bake;
-  }
-  return "";
 }
 
 std::string bakeAccess(const std::vector<MethodBake>& bakes) {
@@ -281,7 +243,7 @@ std::string bakeAccess(const std::vector<MethodBake>& bakes) {
 std::string bakeMain(const std::vector<MethodBake>& bakes) {
   std::string text = "void main() {\n  vec2 texel = bakeStep * (gl_FragCoord.xy + bakeCorner);\n";
   for (std::size_t i = 0; i < bakes.size(); ++i) {
-    text += fmt::format("  if (bakeNumber == {}) baked = widened({}(texel{}));\n", i,
+    text += fmt::format("  if (bakeNumber == {}) stored = widened({}(texel{}));\n", i,
                         bakes[i].function(), bakes[i].layers > 1 ? ", bakeLayer" : "");
   }
   return text + "}\n";

@@ -3,10 +3,10 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "horizon/stored_table.h"
+#include "render/shader_files.h"
 
 namespace gnomon::render {
 
@@ -49,14 +49,9 @@ struct MethodBake {
 std::vector<MethodBake> readBakes(const Declaration& declaration);
 
 /// Every bake has its function in the code, and every function its bake.
-/// @param glsl  the method's code
 /// @throws InputError naming file and line where one is missing
 void requireBakeFunctions(const Declaration& declaration, const std::vector<MethodBake>& bakes,
-                          std::string_view glsl);
-
-/// The bake that a name of a method's code would belong to: "occlusion" for `occlusionAt`,
-/// `occlusionTexel` and `occlusionBake`; empty for other names.
-std::string bakeOfName(const std::string& name);
+                          const std::vector<ShaderPiece>& code);
 
 /// The GLSL that gives a method its bakes: uniforms, `nameAt` and `nameTexel` of each.
 std::string bakeAccess(const std::vector<MethodBake>& bakes);

@@ -42,6 +42,10 @@ constexpr std::array entries = {
     PassEntry{PassKind::texture, "a pass in the texture's plane", check::textureFault},
     PassEntry{PassKind::lightDepth, "the depth that the light sees", check::lightDepthFault},
     PassEntry{PassKind::shadowVolumes, "shadow volumes", check::volumeFault},
+    PassEntry{PassKind::ownPasses, "passes of a method's own", check::ownPassFault},
+    PassEntry{PassKind::ownLightPasses, "a method's own passes from the light",
+              check::ownLightFault},
+    PassEntry{PassKind::cameraPasses, "passes in the camera's picture", check::cameraPassFault},
     PassEntry{PassKind::shares, "shares of light", check::sharesFault},
     PassEntry{PassKind::pictures, "the pictures of masks", check::pictureFault},
 };
@@ -79,6 +83,11 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool is
   if (method.passes.texture) kinds.push_back(PassKind::texture);
   if (method.passes.lightDepth) kinds.push_back(PassKind::lightDepth);
   if (method.passes.shadowVolumes) kinds.push_back(PassKind::shadowVolumes);
+  const bool fromLight = method.passes.hasOwn(PassRaster::light);
+  if (fromLight) kinds.push_back(PassKind::ownLightPasses);
+  if (!method.passes.own.empty()) kinds.push_back(PassKind::ownPasses);
+  const bool inCamera = method.passes.cameraDepth || method.passes.hasOwn(PassRaster::camera);
+  if (inCamera) kinds.push_back(PassKind::cameraPasses);
   if (isSoft && (method.answersShares || method.hasHorizon)) kinds.push_back(PassKind::shares);
   return kinds;
 }

@@ -23,6 +23,9 @@ enum class PassKind {
   texture,
   lightDepth,
   shadowVolumes,
+  ownPasses,
+  ownLightPasses,
+  cameraPasses,
   shares,
   pictures,
 };
@@ -48,6 +51,9 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool is
 ///   texture         a random value a texel, drawn in the texture's plane and read again
 ///   lightDepth      the box's shadow on the floor, from the depth that the light sees
 ///   shadowVolumes   the same, and a camera inside the shadow, from counts
+///   ownPasses       as texture, in two channels of a method's own pass, through a filter
+///   ownLightPasses  as lightDepth, from a method's own pass from the light, through a filter
+///   cameraPasses    the camera's depth, and a method's own pass in its picture: where a pixel is
 ///   shares          a known share of a disc a sample; and what the bumped normals leave of it
 ///   pictures        a chequered mask: dark where it is shadowed, brighter elsewhere
 /// Pixels beside an edge of anything are left out.

@@ -57,6 +57,7 @@ void setView(GLuint program, const RenderView& view) {
   setUniform(program, "clipFromWorld", view.clipFromWorld);
   setUniform(program, "atlasTiles", view.atlasTiles);
   setUniform(program, "texelWindow", glm::vec4(view.texelWindow));
+  setUniform(program, "eyePosition", Vec3(view.eye));
 }
 
 void setRelief(GLuint program, const GpuHeights& heights, relief::HeightSpace space,
@@ -94,6 +95,17 @@ void drawMesh(const Target& target, GLuint program, const RenderView& view, cons
               Sides sides) {
   beginPass(target, program, view.texelWindow.z == 0 ? sides : Sides::both);
   mesh.draw();
+}
+
+void drawPlane(GLuint program) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glUseProgram(program);
+  GLuint layout = 0;
+  glCreateVertexArrays(1, &layout);
+  const gl::VertexArray none(layout);
+  glBindVertexArray(none.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace gnomon::render

@@ -40,6 +40,7 @@ enum class TextureUnit : GLuint {
   ellipse,
   lightDepth,
   shadowCount,
+  cameraDepth,
   own,  ///< the first of those that a method declares
 };
 
@@ -83,5 +84,9 @@ void beginPass(const Target& target, GLuint program, Sides sides);
 /// @param target  of the view's size
 void drawMesh(const Target& target, GLuint program, const RenderView& view, const GpuMesh& mesh,
               Sides sides = Sides::front);
+
+/// Draws over all of the viewport of the framebuffer that is bound, without mesh and depth
+/// (plane.vert).
+void drawPlane(GLuint program);
 
 }  // namespace gnomon::render

@@ -8,6 +8,7 @@
 #include "relief/relief.h"
 #include "render/gl_handles.h"
 #include "render/method.h"
+#include "render/passes/drawing.h"
 #include "render/passes/method_tables.h"
 #include "render/shader_files.h"
 
@@ -21,6 +22,26 @@ std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap, 
 std::map<std::string, double> parameterValues(const Method& method,
                                               const std::map<std::string, double>& chosen);
 
+// The texture units of what a method declares, each by its place among its kind.
+inline TextureUnit bakeUnit(std::size_t place) {
+  return ownUnit(place);
+}
+inline TextureUnit textureUnit(std::size_t place) {
+  return ownUnit(8 + place);
+}
+inline TextureUnit passUnit(std::size_t place) {
+  return ownUnit(16 + place);
+}
+
+/// A texture of one texel that is no number: for what a function may not read.
+/// @param target  GL_TEXTURE_2D or GL_TEXTURE_2D_ARRAY
+gl::Texture makeNoNumber(GLenum target);
+
+/// A method's own pictures on the GPU.
+std::vector<GpuTexture> gpuTextures(const Method& method);
+void bindOwnTextures(GLuint program, const std::vector<MethodTexture>& declared,
+                     const std::vector<GpuTexture>& textures);
+
 /// What stands before and after a method's own code in a program.
 struct MethodStage {
   ShaderPiece vertex;
@@ -31,6 +52,11 @@ struct MethodStage {
 /// @param fragment  a file of `common/`
 MethodStage surfaceStage(const std::filesystem::path& shaders, const char* fragment);
 
+/// The stage of a pass of the method's own.
+/// @param pass  of `passes`, those of the method
+MethodStage ownPassStage(const std::filesystem::path& shaders, const Method& method,
+                         const OwnPass& pass, const std::vector<OwnPass>& passes);
+
 /// Compiles the method's own file between what it may use and the stage that calls it.
 /// @throws InputError for what does not compile, naming the declaration that is missing, where the
 ///   compiler misses a name that one would provide
@@ -39,6 +65,7 @@ gl::Program makeMethodProgram(const std::filesystem::path& shaders, const Method
 
 /// Sets the parameters of a program of a method.
 /// @param values  of all of them
-void setParameters(GLuint program, const std::map<std::string, double>& values);
+void setParameters(GLuint program, const Method& method,
+                   const std::map<std::string, double>& values);
 
 }  // namespace gnomon::render

@@ -4,6 +4,7 @@
 
 #include "common/error.h"
 #include "render/passes/drawing.h"
+#include "render/passes/method_program.h"
 
 namespace gnomon::render {
 namespace {
@@ -57,7 +58,7 @@ void bindBakes(GLuint program, const std::string& method, const std::vector<Meth
   if (declared.empty()) return;
   const std::vector<GpuBake>& bakes = tableOf(tables.bakes, method, "bakes");
   for (std::size_t i = 0; i < declared.size(); ++i) {
-    bindTexture(program, ownUnit(i), bakes.at(i).texture(), declared[i].sampler().c_str());
+    bindTexture(program, bakeUnit(i), bakes.at(i).texture(), declared[i].sampler().c_str());
   }
 }
 

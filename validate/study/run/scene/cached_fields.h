@@ -59,7 +59,8 @@ void fields(Stream& stream, T& grid) {
 template <>
 inline constexpr bool isPacked<render::RenderView> = sizeof(render::RenderView) ==
                                                      sizeof(glm::mat4) + 4 * sizeof(int) +
-                                                         sizeof(render::RenderView::texelWindow);
+                                                         sizeof(render::RenderView::texelWindow) +
+                                                         sizeof(glm::vec3);
 
 template <typename Stream, SameAs<compare::SampleLayout> T>
 void fields(Stream& stream, T& layout) {

@@ -41,7 +41,7 @@ void compile(RunScene& scene, MethodCase& method) {
   const MethodSpec& spec = *method.spec;
   const DrawnBase& base = scene.clock.measure(
       "samples", [&](const Progress&) -> const DrawnBase& { return *method.base->drawn.get(); });
-  if (method.method.passes.texture || method.method.tables.surfaceAngles) {
+  if (method.method.passes.needTexturePlane() || method.method.tables.surfaceAngles) {
     render::requireTextureView(base.texture);
   }
   constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
@@ -215,14 +215,17 @@ std::uint64_t polygonsOf(RunScene& scene, const MethodCase& method) {
          (lightMesh ? scene.mesh(*lightMesh).gpu.triangleCount() : 0);
 }
 
+std::string cameraReason(const render::Method& method) {
+  return method.passes.shadowVolumes ? "counts shadow volumes at a camera's pixels"
+                                     : "answers at a camera's pixels alone";
+}
+
 void requireView(const MethodCase& method, const StudySpec& study) {
   const bool isSeen = std::any_of(study.views.begin(), study.views.end(),
                                   [&](const ViewSpec& view) { return answersIn(method, view); });
   if (isSeen) return;
-  throw InputError(
-      fmt::format("method \"{}\" counts shadow volumes at a camera's pixels: a [[view]] of type "
-                  "camera expected",
-                  method.spec->label));
+  throw InputError(fmt::format("method \"{}\" {}: a [[view]] of type camera expected",
+                               method.spec->label, cameraReason(method.method)));
 }
 
 void shootTables(RunScene& scene, std::span<MethodCase> methods) {
@@ -245,7 +248,7 @@ void shootTables(RunScene& scene, std::span<MethodCase> methods) {
 }
 
 bool answersIn(const MethodCase& method, const ViewSpec& view) {
-  return !method.method.passes.shadowVolumes || cameraOf(view) != nullptr;
+  return !method.method.needsCamera() || cameraOf(view) != nullptr;
 }
 
 CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
@@ -286,7 +289,13 @@ std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   for (const render::MethodBake& bake : method.method.bakes) {
     bytes += render::bytesOver(bake, scene.heights.size());
   }
-  return bytes + ready.pass->passBytes(drawingOf(scene, method, 0), tables);
+  const auto& views = scene.study.views;
+  const auto camera = std::find_if(views.begin(), views.end(), cameraOf);
+  const auto place = static_cast<std::size_t>(camera - views.begin());
+  const render::RenderView* view =
+      camera == views.end() ? nullptr : &method.base->views[place].view;
+  return bytes + ready.pass->textureBytes() +
+         ready.pass->passBytes(view, drawingOf(scene, method, 0), tables);
 }
 
 }  // namespace gnomon::study

@@ -77,6 +77,16 @@ cache::ContentKey shadersKey(const fs::path& shaders) {
   return key.key();
 }
 
+cache::ContentKey methodFilesKey(const render::Method& method) {
+  cache::KeyBuilder key("files of a method");
+  key.add("source", method.source.text);
+  for (const render::ShaderPiece& include : method.includes) key.add("include", include.text);
+  for (const render::MethodTexture& texture : method.textures) {
+    key.add("texture", texture.name).add("bytes", cache::keyOfBytes(readFile(texture.file)));
+  }
+  return key.key();
+}
+
 cache::ContentKey surfaceKey(const StudySpec& study) {
   cache::KeyBuilder key("surface section");
   addSettings(key, study.surfaceSection, Enters::everything);
@@ -214,7 +224,7 @@ cache::ContentKey RunKeys::methodBakes(const MethodSpec& spec, const render::Met
                                        double texelsPerHeight) const {
   cache::KeyBuilder key("bakes of a method");
   key.add("driver", driver_).add("shaders", shaders_);
-  key.add("source", method.source.text).add("filter", spec.filter);
+  key.add("files", methodFilesKey(method)).add("filter", spec.filter);
   for (const auto& [name, value] : parameters) key.add("parameter", name).add("value", value);
   key.add("heights", fieldKey(study_.relief.field)).add("space", study_.relief.space);
   key.add("texelsPerHeight", texelsPerHeight);
@@ -227,7 +237,7 @@ cache::ContentKey RunKeys::methodBakes(const MethodSpec& spec, const render::Met
 
 cache::ContentKey RunKeys::method(const MethodSpec& spec, const render::Method& method) const {
   cache::KeyBuilder key("method");
-  key.add("source", method.source.text).add("shaders", shaders_);
+  key.add("files", methodFilesKey(method)).add("shaders", shaders_);
   addSettings(key, spec, Enters::answers);
   key.add("mesh", mesh(meshOf(spec, method)));
   if (const auto light = lightMeshOf(spec, method)) key.add("light mesh", mesh(*light));
@@ -244,7 +254,7 @@ cache::ContentKey RunKeys::method(const MethodSpec& spec, const render::Method& 
 cache::ContentKey RunKeys::program(const MethodSpec& spec, const render::Method& method) const {
   cache::KeyBuilder key("program of a method");
   key.add("file", method.source.file).add("name", method.name);
-  key.add("source", method.source.text).add("shaders", shaders_);
+  key.add("files", methodFilesKey(method)).add("shaders", shaders_);
   key.add("wrap", study_.relief.field.wrap()).add("filter", spec.filter);
   if (spec.disc) key.add("disc", spec.disc);
   for (const auto& [name, value] : spec.parameters) {

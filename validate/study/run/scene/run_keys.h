@@ -28,6 +28,9 @@ cache::ContentKey processorKey();
 /// @param shaders  the folder that holds `common/`
 cache::ContentKey shadersKey(const std::filesystem::path& shaders);
 
+/// The files that a method brings: its own, what it includes, and its textures.
+cache::ContentKey methodFilesKey(const render::Method& method);
+
 /// The surface of a study: its keys, and the control mesh that they give.
 cache::ContentKey surfaceKey(const StudySpec& study);
 

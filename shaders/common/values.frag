@@ -1,6 +1,7 @@
-// A bake: what a function of the method makes of one texel. `main` is written for the method's bakes.
+// A bake or a pass of the method's own: what a function of the method makes of one texel. `main` is
+// written for the declaration.
 
-layout(location = 0) out vec4 baked;
+layout(location = 0) out vec4 stored;
 
 uniform int bakeNumber;   // of the function, in the order of the declaration
 uniform int bakeLayer;
