@@ -1,27 +1,101 @@
 // What the passes before this one left, for methods that declare them.
 
+#if defined(PASS_TEXTURE) || defined(OWN_PASSES)
+
+// A texel of a level of a pass's target; beyond its sides the outermost.
+vec4 passTexel(sampler2D target, ivec2 at, int level) {
+  return texelFetch(target, clamp(at, ivec2(0), textureSize(target, level) - 1), level);
+}
+
+// Bilinear in a level, at a place in texels of the target.
+vec4 passAt(sampler2D target, vec2 at, int level) {
+#ifdef FILTER_HARDWARE
+  return textureLod(target, at / vec2(textureSize(target, 0)), float(level));
+#else
+  vec2 place = at / vec2(textureSize(target, 0)) * vec2(textureSize(target, level)) - 0.5;
+  vec2 corner = floor(place);
+  vec2 fraction = place - corner;
+  ivec2 i = ivec2(corner);
+  vec4 low = mix(passTexel(target, i, level), passTexel(target, i + ivec2(1, 0), level), fraction.x);
+  vec4 high = mix(passTexel(target, i + ivec2(0, 1), level), passTexel(target, i + ivec2(1, 1), level),
+                  fraction.x);
+  return mix(low, high, fraction.y);
+#endif
+}
+
+// Linear between levels, too.
+vec4 passAt(sampler2D target, vec2 at, float level) {
+#ifdef FILTER_HARDWARE
+  return textureLod(target, at / vec2(textureSize(target, 0)), level);
+#else
+  float last = float(textureQueryLevels(target) - 1);
+  float within = clamp(level, 0.0, last);
+  int finer = int(within);
+  return mix(passAt(target, at, finer), passAt(target, at, min(finer + 1, int(last))),
+             within - float(finer));
+#endif
+}
+
+// Bilinear between the texels that the surface has, which a channel marks, at a place in texels of the
+// texture; `origin` is the target's corner there. 0 where the surface has none of them.
+vec4 markedAt(sampler2D target, ivec2 origin, vec2 at, int mark) {
+  vec2 corner = floor(at - 0.5);
+  vec2 fraction = at - 0.5 - corner;
+  vec4 sum = vec4(0.0);
+  float weights = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 step = ivec2(k & 1, k >> 1);
+    vec4 entry = passTexel(target, ivec2(corner) - origin + step, 0);
+    vec2 along = mix(1.0 - fraction, fraction, vec2(step));
+    float weight = entry[mark] > 0.0 ? along.x * along.y : 0.0;
+    sum += weight * entry;
+    weights += weight;
+  }
+  return weights > 0.0 ? sum / weights : vec4(0.0);
+}
+
+#endif
+
 #ifdef PASS_TEXTURE
 
 uniform sampler2D resolvedMap;   // the method's value, and 1 where the surface has the texel
 uniform ivec2 resolvedOrigin;    // texel coordinates of its corner
 
 // The texture pass's value, bilinear between the texels that the surface has.
-float resolvedAt(vec2 texel) {
-  vec2 corner = floor(texel - 0.5);
-  vec2 fraction = texel - 0.5 - corner;
-  ivec2 last = textureSize(resolvedMap, 0) - 1;
-  float sum = 0.0;
-  float weights = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    ivec2 step = ivec2(k & 1, k >> 1);
-    vec2 entry = texelFetch(resolvedMap,
-                            clamp(ivec2(corner) - resolvedOrigin + step, ivec2(0), last), 0).rg;
-    vec2 along = mix(1.0 - fraction, fraction, vec2(step));
-    float weight = entry.g > 0.0 ? along.x * along.y : 0.0;
-    sum += weight * entry.r;
-    weights += weight;
-  }
-  return weights > 0.0 ? sum / weights : 0.0;
+float resolvedAt(vec2 texel) { return markedAt(resolvedMap, resolvedOrigin, texel, 1).r; }
+
+#endif
+
+#ifdef NEEDS_CAMERA
+
+uniform vec3 eyePosition;  // world
+
+// From a pixel's point to the eye: unit vector, world.
+vec3 viewDirection(Pixel pixel) { return normalize(eyePosition - pixel.position); }
+
+#endif
+
+#ifdef PASS_CAMERA_DEPTH
+
+uniform sampler2D cameraDepthMap;   // 0 at the near plane, 1 at the far plane and where nothing is
+uniform mat4 cameraMapFromWorld;    // to pixels and depth, before the division by w
+uniform mat4 worldFromCameraMap;    // back
+
+// A world point in the camera's picture: pixels and depth. What lies behind the eye has no place: -1e9.
+vec3 cameraPlace(vec3 world) {
+  vec4 place = cameraMapFromWorld * vec4(world, 1.0);
+  return place.w > 0.0 ? place.xyz / place.w : vec3(-1e9);
+}
+
+// The depth that the camera sees at a pixel.
+float cameraDepthOf(ivec2 pixel) {
+  return texelFetch(cameraDepthMap, clamp(pixel, ivec2(0), textureSize(cameraDepthMap, 0) - 1), 0).r;
+}
+
+// The world point of a place in the picture.
+vec3 cameraPoint(vec3 place) {
+  vec4 world = worldFromCameraMap * vec4(place, 1.0);
+  return world.xyz / world.w;
 }
 
 #endif

@@ -2,6 +2,7 @@
 
 // The axes of the map at whose ends the surface ends too.
 uniform bvec2 reliefBorder;
+uniform vec2 mapSize;  // the map's width and height, texels
 
 // A texel of a table: past a border the outermost one.
 ivec2 wrapTexel(ivec2 at, ivec2 size) {

@@ -19,10 +19,10 @@ using test::lightToward;
 using test::RenderScene;
 using test::shareShadowed;
 
-constexpr int mapSide = 48;
+constexpr int bumpSide = 48;
 
 relief::Relief bumps() {
-  return {relief::makeColumns(mapSide, mapSide, {24, 7, 3}, 5, relief::Wrap::clamp),
+  return {relief::makeColumns(bumpSide, bumpSide, {24, 7, 3}, 5, relief::Wrap::clamp),
           relief::HeightSpace::world, Vec2(1)};
 }
 
@@ -30,7 +30,7 @@ RenderView cameraOver(const surface::BaseMesh& mesh) {
   return cameraView(Camera{{0, -70, 60}, {0, 0, 0}, {0, 0, 1}, 0.75, 96, 72}, mesh);
 }
 
-/// Of the bilinear relief, from its mapSide.
+/// Of the bilinear relief, from its bumpSide.
 Vec2 gradientOf(const relief::HeightField& field, Vec2 at) {
   const Vec2 corner = glm::floor(at - 0.5);
   const Vec2 f = at - 0.5 - corner;
@@ -45,7 +45,7 @@ Vec2 gradientOf(const relief::HeightField& field, Vec2 at) {
 /// test says so or N' · L ≤ 0, and nowhere else.
 TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
   const GlContext gl;
-  const RenderScene scene(surface::makePlane(mapSide, mapSide, 6, 6), bumps(), {16, 32},
+  const RenderScene scene(surface::makePlane(bumpSide, bumpSide, 6, 6), bumps(), {16, 32},
                           horizon::TableBits::sixteen);
   const RenderView view = atlasView(scene.surface, 31);
   const surface::SampleGrid samples = scene.samples(view);
@@ -58,7 +58,7 @@ TEST(DrawnAnswer, IsTheShadowTestOrABumpedNormalTurnedAway) {
     for (std::size_t i = 0; i < samples.samples.size(); ++i) {
       const surface::SurfaceSample& sample = samples.samples[i];
       const Vec3 place = scene.surface.evaluate(sample).position;
-      const Vec2 slope = gradientOf(scene.relief.field, Vec2(place) + mapSide / 2.0);
+      const Vec2 slope = gradientOf(scene.relief.field, Vec2(place) + bumpSide / 2.0);
       const double cosine = glm::dot(Vec3(-slope, 1), light);
       if (std::abs(cosine) < 1e-4) continue;
       const bool isHidden = found.test.samples[i] == Shade::shadowed;
@@ -82,7 +82,7 @@ Method halfTurnedAway() {
 
 TEST(DrawnAnswer, IsByTheMethodsOwnNormalWhereItHasOne) {
   const GlContext gl;
-  const RenderScene scene(surface::makePlane(mapSide, mapSide, 6, 6), bumps(), {4, 8},
+  const RenderScene scene(surface::makePlane(bumpSide, bumpSide, 6, 6), bumps(), {4, 8},
                           horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 31);
   const surface::SampleGrid samples = scene.samples(view);
@@ -150,7 +150,7 @@ TEST(DrawnAnswer, IsWhatThePictureShowsForEveryMethod) {
 /// The truth lights points that their bumped normal turns from the light: they too are seen as lit.
 TEST(DrawnAnswer, APictureShowsEveryMask) {
   const GlContext gl;
-  const RenderScene scene(surface::makePlane(mapSide, mapSide, 6, 6), bumps(), {4, 8},
+  const RenderScene scene(surface::makePlane(bumpSide, bumpSide, 6, 6), bumps(), {4, 8},
                           horizon::TableBits::eight);
   const RenderView view = atlasView(scene.surface, 16);
   Mask mask{view.width, view.height, {}};

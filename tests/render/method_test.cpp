@@ -286,7 +286,7 @@ TEST(MethodPass, TexturePassNeedsNoTables) {
   EXPECT_EQ(test::shareShadowed(scene.answer(method, view, {0, 0, 1})), 0);
   // 16² texels of a value and of a mark that the texel is there, each a float.
   const MethodPass pass(shaderFolder(), method, relief::Wrap::clamp, TableFilter::exact, {});
-  EXPECT_EQ(pass.passBytes(scene.drawing({0, 0, 1}), {}), 16U * 16 * 2 * 4);
+  EXPECT_EQ(pass.passBytes(nullptr, scene.drawing({0, 0, 1}), {}), 16U * 16 * 2 * 4);
 }
 
 TEST(MethodPass, NamesFileAndLineThatDoNotCompile) {

@@ -15,6 +15,7 @@
 #include "horizon/stored_table.h"
 #include "horizon/texel_scale.h"
 #include "relief/relief.h"
+#include "render/bakes/bake_pass.h"
 #include "render/gl_context.h"
 #include "render/passes/method_pass.h"
 #include "render/passes/passes.h"
@@ -118,6 +119,23 @@ class RenderScene {
     return found;
   }
 
+  /// What a method's own bakes are made from.
+  [[nodiscard]] render::BakeScene bakeScene() const {
+    return {gpuHeights_, relief.field.wrap(), relief.space, frame};
+  }
+  [[nodiscard]] std::vector<render::StoredBake> storedBakes(
+      const render::Method& method, const render::GpuTables& gpu,
+      const std::map<std::string, double>& parameters = {}) const {
+    return render::BakePass(render::shaderFolder(), method, relief.field.wrap(),
+                            render::TableFilter::exact, parameters)
+        .bake(bakeScene(), gpu);
+  }
+  [[nodiscard]] std::vector<render::GpuBake> bakes(
+      const render::Method& method, const render::GpuTables& gpu,
+      const std::map<std::string, double>& parameters = {}) const {
+    return render::gpuBakes(method, storedBakes(method, gpu, parameters), bakeScene());
+  }
+
   /// Calls `use(drawing, tables)` with all that a method declares.
   template <typename Use>
   void withInputs(const render::Method& method, const std::map<std::string, double>& parameters,
@@ -135,6 +153,11 @@ class RenderScene {
     }
     if (angles) gpu.angles = &*angles;
     if (ellipses) gpu.ellipse = &*ellipses;
+    std::vector<render::GpuBake> own;
+    if (!method.bakes.empty()) {
+      own = bakes(method, gpu, parameters);
+      gpu.bakes = &own;
+    }
     std::optional<render::GpuMesh> lightMesh;
     if (method.lightMesh) {
       const int pieces = render::lightPieces(method, parameters);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -289,17 +290,36 @@ TEST(SoftLight, IsAShareOfEverySample) {
   }
 }
 
+/// Methods whose share is soft by itself, whatever the light's size.
+const std::set<std::string> softByThemselves = {"ao-micro-shadow", "ao-shadow", "normal-march",
+                                                "parallax-occlusion"};
+
 /// A disc as small as a point: the shares are the mask's but on the shadows' edges.
 TEST(SoftLight, TendsToTheMask) {
   const GlContext gl;
   const Bumps bumps;
   for (const std::string& name : softMethods()) {
     const Method method = methodOf(name);
+    if (softByThemselves.contains(name)) continue;
     const VisibilityAnswers hard = bumps.scene.shares(method, bumps.view, bumps.light, 0);
     const VisibilityAnswers found =
         bumps.scene.shares(method, bumps.view, bumps.light, radians(0.001), softAnswerOf(method));
     EXPECT_LT(meanDifference(found.test, hard.test), 0.003) << name;
     EXPECT_LT(meanDifference(found.drawn, hard.drawn), 0.003) << name;
+  }
+}
+
+TEST(SoftLight, DoesNotChangeSharesThatAreSoftByThemselves) {
+  const GlContext gl;
+  const Bumps bumps;
+  for (const std::string& name : softByThemselves) {
+    const Method method = methodOf(name);
+    const VisibilityAnswers small =
+        bumps.scene.shares(method, bumps.view, bumps.light, radians(0.001));
+    const VisibilityAnswers large = bumps.scene.shares(method, bumps.view, bumps.light, radians(5));
+    const auto isPart = [](float share) { return share > 0.01F && share < 0.99F; };
+    EXPECT_TRUE(std::any_of(small.test.shares.begin(), small.test.shares.end(), isPart)) << name;
+    EXPECT_EQ(meanDifference(small.test, large.test), 0) << name;
   }
 }
 

@@ -187,8 +187,8 @@ ExitStatus list(const CLI::App& app, const std::string& what) {
     const render::Method method = render::readMethod(render::methodFile(shaders, name));
     printLine(fmt::format("  {:<22} {} ({})", name, method.title, method.citation));
     for (const auto& [key, parameter] : method.parameters) {
-      printLine(fmt::format("    {} = {} ({} to {}): {}", key, parameter.defaultValue,
-                            parameter.minimum, parameter.maximum, parameter.about));
+      printLine(fmt::format("    {} = {} ({}): {}", key, parameter.textOf(parameter.defaultValue),
+                            parameter.rangeText(), parameter.about));
     }
   }
   printLine(fmt::format("\nShapes ([surface] shape): {}", fmt::join(study::shapeNames, ", ")));

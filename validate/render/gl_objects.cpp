@@ -46,9 +46,9 @@ Texture makeTexture(GLenum target, GLenum format, TextureSize size, GLint filter
   GLuint name = 0;
   glCreateTextures(target, 1, &name);
   if (target == GL_TEXTURE_2D) {
-    glTextureStorage2D(name, 1, format, size.width, size.height);
+    glTextureStorage2D(name, size.levels, format, size.width, size.height);
   } else {
-    glTextureStorage3D(name, 1, format, size.width, size.height, size.layers);
+    glTextureStorage3D(name, size.levels, format, size.width, size.height, size.layers);
   }
   glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
   glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
@@ -57,14 +57,14 @@ Texture makeTexture(GLenum target, GLenum format, TextureSize size, GLint filter
   return Texture(name);
 }
 
-void fill(const Texture& texture, TextureSize size, GLenum format, GLenum type,
-          const void* texels) {
+void fill(const Texture& texture, TextureSize size, GLenum format, GLenum type, const void* texels,
+          int level) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (targetOf(texture) == GL_TEXTURE_2D) {
-    glTextureSubImage2D(texture.name(), 0, 0, 0, size.width, size.height, format, type, texels);
+    glTextureSubImage2D(texture.name(), level, 0, 0, size.width, size.height, format, type, texels);
   } else {
-    glTextureSubImage3D(texture.name(), 0, 0, 0, 0, size.width, size.height, size.layers, format,
-                        type, texels);
+    glTextureSubImage3D(texture.name(), level, 0, 0, 0, size.width, size.height, size.layers,
+                        format, type, texels);
   }
 }
 

@@ -29,19 +29,22 @@ struct Attribute {
 VertexArray makeVertexArray(const Buffer& vertices, std::size_t stride,
                             std::span<const Attribute> attributes);
 
-/// The size of a texture's one level; `layers` counts for three-dimensional targets and arrays.
+/// The size of a texture's first level; `layers` counts for three-dimensional targets and arrays.
 struct TextureSize {
   int width, height, layers = 1;
+  int levels = 1;  ///< of mips, each half as wide and high as the one before, rounded down
 };
 
-/// An empty texture of one level, clamped to its edge.
+/// An empty texture, clamped to its edge.
 /// @param target  GL_TEXTURE_2D, GL_TEXTURE_3D or GL_TEXTURE_2D_ARRAY
 /// @param format  sized internal format
 /// @param filter  GL_NEAREST or GL_LINEAR, both ways
 Texture makeTexture(GLenum target, GLenum format, TextureSize size, GLint filter);
 
-/// Fills a texture's level. Rows lie without gaps.
+/// Fills a level of a texture. Rows lie without gaps.
+/// @param size          of that level
 /// @param format, type  of a texel as it lies in memory
-void fill(const Texture& texture, TextureSize size, GLenum format, GLenum type, const void* texels);
+void fill(const Texture& texture, TextureSize size, GLenum format, GLenum type, const void* texels,
+          int level = 0);
 
 }  // namespace gnomon::render::gl

@@ -15,6 +15,7 @@
 #include "common/system/memory.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
+#include "render/pixel_format.h"
 
 namespace gnomon::render {
 namespace {
@@ -49,28 +50,6 @@ GpuVertex gpuVertex(const surface::BaseVertex& v) {
           glm::vec2(frame.texel),
           face,
           glm::vec2(st)};
-}
-
-/// How textures keep the values of tables.
-struct PixelFormat {
-  GLenum red, rgba;  ///< sized internal formats of one and of four channels
-  GLenum type;       ///< of a value in main memory
-  double steps;      ///< 2^bits - 1; 0 for floats
-};
-
-PixelFormat pixelFormat(horizon::TableBits bits) {
-  if (bits == horizon::TableBits::eight) return {GL_R8, GL_RGBA8, GL_UNSIGNED_BYTE, 255};
-  if (bits == horizon::TableBits::sixteen) return {GL_R16, GL_RGBA16, GL_UNSIGNED_SHORT, 65535};
-  return {GL_R32F, GL_RGBA32F, GL_FLOAT, 0};
-}
-
-/// Past a border the outermost entries hold.
-void setWrap(GLuint texture, relief::Wrap wrap, relief::Border border = {}) {
-  const auto mode = [wrap](bool clamped) {
-    return wrap == relief::Wrap::repeat && !clamped ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-  };
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, mode(border.x));
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, mode(border.y));
 }
 
 }  // namespace
@@ -123,6 +102,7 @@ void GpuVolumes::draw() const {
 
 GpuHeights::GpuHeights(const relief::HeightField& field)
     : byteCount_(field.texels().size() * sizeof(float)),
+      size_(field.width(), field.height()),
       bounds_(field.minimum(), field.maximum()),
       border_(field.border()) {
   const int largest = gl::limit(GL_MAX_TEXTURE_SIZE);
@@ -149,7 +129,7 @@ GpuTable::GpuTable(const horizon::StoredTable& table, const horizon::TableShape&
   if (table.bits == horizon::TableBits::thirtyTwo) range_ = {0, 1};
   const PixelFormat format = pixelFormat(table.bits);
   const gl::TextureSize size{width, height, layers};
-  texture_ = gl::makeTexture(GL_TEXTURE_3D, format.red, size, GL_LINEAR);
+  texture_ = gl::makeTexture(GL_TEXTURE_3D, format.sized[0], size, GL_LINEAR);
   gl::fill(texture_, size, GL_RED, format.type, table.bytes.data());
   setWrap(texture_.name(), wrap, border);
   glTextureParameteri(texture_.name(), GL_TEXTURE_WRAP_R, GL_REPEAT);
@@ -188,7 +168,7 @@ gl::Texture rgbaMaps(const std::vector<float>& shares, int width, int height, in
   byteCount = bytes.size();
   const PixelFormat format = pixelFormat(bits);
   const gl::TextureSize size{width, height, maps};
-  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D_ARRAY, format.rgba, size, GL_NEAREST);
+  gl::Texture texture = gl::makeTexture(GL_TEXTURE_2D_ARRAY, format.sized[3], size, GL_NEAREST);
   gl::fill(texture, size, GL_RGBA, format.type, bytes.data());
   return texture;
 }

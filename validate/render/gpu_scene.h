@@ -56,6 +56,8 @@ class GpuHeights {
   explicit GpuHeights(const relief::HeightField& field);
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   [[nodiscard]] std::uint64_t byteCount() const { return byteCount_; }
+  /// Width and height, texels.
+  [[nodiscard]] glm::ivec2 size() const { return size_; }
   /// The lowest and the highest texel, height units.
   [[nodiscard]] glm::vec2 bounds() const { return bounds_; }
   [[nodiscard]] relief::Border border() const { return border_; }
@@ -63,6 +65,7 @@ class GpuHeights {
  private:
   gl::Texture texture_;
   std::uint64_t byteCount_;
+  glm::ivec2 size_;
   glm::vec2 bounds_;
   relief::Border border_;
 };

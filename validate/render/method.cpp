@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,79 +13,13 @@
 
 #include "common/error.h"
 #include "common/system/memory.h"
-#include "common/text/one_line.h"
-#include "common/text/toml_nesting.h"
+#include "render/declaration.h"
+#include "render/glsl_text.h"
+#include "render/includes.h"
 
 namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::string_view opening = "/* gnomon-method";
-
-/// Errors of one declaration, with the line in the GLSL file.
-class Declaration {
- public:
-  Declaration(std::string file, std::string_view text) : file_(std::move(file)) {
-    const std::size_t begin = text.find(opening);
-    const std::size_t end = text.find("*/");
-    if (begin != 0 || end == std::string_view::npos) {
-      throw InputError(fmt::format(
-          "{}:1: a comment `{} … */` with the method's declaration expected", file_, opening));
-    }
-    // The comment's opening takes the first line, so that TOML's line k is the file's line k.
-    const std::string declared =
-        std::string(opening.size(), ' ').append(text.substr(opening.size(), end - opening.size()));
-    requireShallowToml(file_, declared);
-    try {
-      table_ = toml::parse(declared);
-    } catch (const toml::parse_error& error) {
-      throw InputError(
-          fmt::format("{}:{}: {}", file_, error.source().begin.line, oneLine(error.description())));
-    }
-  }
-
-  [[nodiscard]] const toml::table& table() const { return table_; }
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}", file_, node.source().begin.line, what));
-  }
-
-  void allowOnly(const toml::table& table, std::initializer_list<std::string_view> keys) const {
-    for (const auto& [key, node] : table) {
-      if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
-        fail(node, fmt::format("unknown key `{}`, expected {}", key.str(), fmt::join(keys, ", ")));
-      }
-    }
-  }
-
-  [[nodiscard]] std::string text(std::string_view key) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) {
-      throw InputError(fmt::format("{}:1: `{}` is missing, a string expected", file_, key));
-    }
-    return textOf(*node, key);
-  }
-
-  [[nodiscard]] double number(const toml::table& table, std::string_view key) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) fail(table, fmt::format("`{}` is missing, a number expected", key));
-    const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-    if (!value || !std::isfinite(*value)) {
-      fail(*node, fmt::format("`{}`: a finite number expected", key));
-    }
-    return *value;
-  }
-
-  [[nodiscard]] std::string textOf(const toml::node& node, std::string_view key) const {
-    const auto value = node.value_exact<std::string>();
-    if (!value) fail(node, fmt::format("`{}`: a string expected", key));
-    return *value;
-  }
-
- private:
-  std::string file_;
-  toml::table table_;
-};
 
 /// Sets the flag of every name that the list `key` holds.
 void readFlags(const Declaration& declaration, std::string_view key, const char* what,
@@ -131,7 +63,9 @@ MethodPasses readPasses(const Declaration& declaration) {
   readFlags(declaration, "passes", "pass",
             {{"texture", &passes.texture},
              {"light-depth", &passes.lightDepth},
-             {"shadow-volumes", &passes.shadowVolumes}});
+             {"shadow-volumes", &passes.shadowVolumes},
+             {"camera-depth", &passes.cameraDepth}});
+  passes.own = readOwnPasses(declaration);
   return passes;
 }
 
@@ -155,6 +89,16 @@ std::optional<DrawnMesh> readLightMesh(const Declaration& declaration) {
   return DrawnMesh::displaced;
 }
 
+bool readNeeds(const Declaration& declaration) {
+  const toml::node_view<const toml::node> found = declaration.table()["needs"];
+  if (!found) return false;
+  const auto name = found.value<std::string>().value_or("");
+  if (name != "camera") {
+    declaration.fail(*found.node(), fmt::format("needs `{}`, expected camera", name));
+  }
+  return true;
+}
+
 bool readOwnNormal(const Declaration& declaration) {
   const toml::node_view<const toml::node> found = declaration.table()["normal"];
   if (!found) return false;
@@ -164,15 +108,45 @@ bool readOwnNormal(const Declaration& declaration) {
   return true;
 }
 
-std::optional<int> readCount(const Declaration& declaration, std::string_view key) {
-  const toml::node_view<const toml::node> found = declaration.table()[key];
-  if (!found) return std::nullopt;
-  const auto value = found.value_exact<std::int64_t>();
-  if (!value || *value < 1 || *value > 1024) {
-    declaration.fail(*found.node(),
-                     fmt::format("`{}`: a whole number from 1 to 1024 expected", key));
+ParameterKind readKind(const Declaration& declaration, const toml::table& table) {
+  const bool isFlag = table.contains("default") && table.get("default")->is_boolean();
+  const toml::node* found = table.get("type");
+  if (found == nullptr) return isFlag ? ParameterKind::flag : ParameterKind::real;
+  const std::string name = declaration.textOf(*found, "type");
+  if (name == "bool" && isFlag) return ParameterKind::flag;
+  if (name == "float" && !isFlag) return ParameterKind::real;
+  if (name == "int" && !isFlag) return ParameterKind::whole;
+  declaration.fail(*found, fmt::format("`type`: \"{}\" found, \"float\" or \"int\" of a number, "
+                                       "\"bool\" of true and false expected",
+                                       name));
+}
+
+MethodParameter readParameter(const Declaration& declaration, const toml::table& table) {
+  MethodParameter parameter;
+  parameter.kind = readKind(declaration, table);
+  parameter.about = declaration.about(table);
+  if (parameter.kind == ParameterKind::flag) {
+    declaration.allowOnly(table, {"default", "type", "about"});
+    parameter.defaultValue = table.get("default")->value_or(false) ? 1 : 0;
+    parameter.maximum = 1;
+    return parameter;
   }
-  return static_cast<int>(*value);
+  declaration.allowOnly(table, {"default", "minimum", "maximum", "type", "about"});
+  parameter.defaultValue = declaration.number(table, "default");
+  parameter.minimum = declaration.number(table, "minimum");
+  parameter.maximum = declaration.number(table, "maximum");
+  constexpr double largest = 1 << 30;  // of an int of GLSL
+  for (const double value : {parameter.defaultValue, parameter.minimum, parameter.maximum}) {
+    const bool isWhole = value == std::floor(value) && std::abs(value) <= largest;
+    if (parameter.kind == ParameterKind::whole && !isWhole) {
+      declaration.fail(table, "type = \"int\": whole numbers up to 2³⁰ expected");
+    }
+  }
+  if (!(parameter.minimum <= parameter.defaultValue &&
+        parameter.defaultValue <= parameter.maximum)) {
+    declaration.fail(table, "the default lies outside minimum … maximum");
+  }
+  return parameter;
 }
 
 std::map<std::string, MethodParameter> readParameters(const Declaration& declaration) {
@@ -184,19 +158,7 @@ std::map<std::string, MethodParameter> readParameters(const Declaration& declara
   for (const auto& [name, node] : *tables) {
     const toml::table* table = node.as_table();
     if (table == nullptr) declaration.fail(node, "a table with default, minimum, maximum expected");
-    declaration.allowOnly(*table, {"default", "minimum", "maximum", "about"});
-    MethodParameter parameter;
-    parameter.defaultValue = declaration.number(*table, "default");
-    parameter.minimum = declaration.number(*table, "minimum");
-    parameter.maximum = declaration.number(*table, "maximum");
-    if (const toml::node* about = table->get("about")) {
-      parameter.about = declaration.textOf(*about, "about");
-    }
-    if (!(parameter.minimum <= parameter.defaultValue &&
-          parameter.defaultValue <= parameter.maximum)) {
-      declaration.fail(node, "the default lies outside minimum … maximum");
-    }
-    parameters.emplace(name.str(), parameter);
+    parameters.emplace(name.str(), readParameter(declaration, *table));
   }
   return parameters;
 }
@@ -205,7 +167,7 @@ std::map<std::string, MethodParameter> readParameters(const Declaration& declara
 void requireLightMesh(const Declaration& declaration, const Method& method) {
   if (!method.lightMesh) return;
   const toml::node& node = *declaration.table().get("light_mesh");
-  if (!method.passes.lightDepth) {
+  if (!method.passes.lightDepth && !method.passes.hasOwn(PassRaster::light)) {
     declaration.fail(node, "`light_mesh` needs passes = [\"light-depth\"]");
   }
   if (method.mesh == DrawnMesh::displaced) {
@@ -220,75 +182,18 @@ void requireLightMesh(const Declaration& declaration, const Method& method) {
   }
 }
 
-bool isWordCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// The line of a word of the code, without comments.
-std::optional<std::size_t> lineOfWord(std::string_view glsl, std::string_view word) {
-  std::size_t line = 1;
-  for (std::size_t at = 0; at < glsl.size();) {
-    std::size_t end = at + 1;
-    if (glsl.substr(at, 2) == "//") {
-      end = std::min(glsl.find('\n', at), glsl.size());
-    } else if (glsl.substr(at, 2) == "/*") {
-      const std::size_t close = glsl.find("*/", at + 2);
-      end = close == std::string_view::npos ? glsl.size() : close + 2;
-    } else if (isWordCharacter(glsl[at])) {
-      while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
-      if (glsl.substr(at, end - at) == word) return line;
-    }
-    line +=
-        static_cast<std::size_t>(std::count(glsl.begin() + static_cast<std::ptrdiff_t>(at),
-                                            glsl.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
-    at = end;
-  }
-  return std::nullopt;
-}
-
-/// Where a comment or a line of the preprocessor that begins at a place ends; the place itself
-/// where none begins.
-std::size_t endOfNoCode(std::string_view glsl, std::size_t at) {
-  if (glsl.substr(at, 2) == "//" || glsl[at] == '#')
-    return std::min(glsl.find('\n', at), glsl.size());
-  if (glsl.substr(at, 2) != "/*") return at;
-  const std::size_t close = glsl.find("*/", at + 2);
-  return close == std::string_view::npos ? glsl.size() : close + 2;
-}
-
-/// Whether the code defines a function of a pixel by this name: outside all braces, followed by
-/// parentheses that name a Pixel. Local variables may have the same name.
-bool definesAnswer(std::string_view glsl, std::string_view name) {
-  int depth = 0;  // of braces
-  for (std::size_t at = 0; at < glsl.size();) {
-    std::size_t end = endOfNoCode(glsl, at);
-    if (end == at) {
-      ++end;
-      depth += glsl[at] == '{' ? 1 : (glsl[at] == '}' ? -1 : 0);
-    }
-    if (isWordCharacter(glsl[at])) {
-      while (end < glsl.size() && isWordCharacter(glsl[end])) ++end;
-      const std::size_t open = std::min(glsl.find_first_not_of(" \t\r\n", end), glsl.size());
-      const std::string_view inside = glsl.substr(open, glsl.find(')', open) - open);
-      if (depth == 0 && glsl.substr(at, end - at) == name && inside.starts_with('(') &&
-          lineOfWord(inside, "Pixel")) {
-        return true;
-      }
-    }
-    at = end;
-  }
-  return false;
-}
-
 /// Finds which of the answers the file defines. One that defines neither a share nor a horizon is
 /// taken at its word that it has a test: the compiler looks for it.
 void readAnswers(Method& method) {
-  const std::string& glsl = method.source.text;
-  method.answersShares = definesAnswer(glsl, "visibility");
-  method.hasHorizon = definesAnswer(glsl, "horizonSlope");
+  const std::vector<ShaderPiece>& glsl = method.code;
+  method.answersShares = definesFunction(glsl, "visibility", "Pixel");
+  method.hasHorizon = definesFunction(glsl, "horizonSlope", "Pixel");
   method.hasTest =
-      definesAnswer(glsl, "isShadowed") || !(method.answersShares || method.hasHorizon);
-  if (method.hasTest && glsl.find("isShadowed") == std::string::npos) {
+      definesFunction(glsl, "isShadowed", "Pixel") || !(method.answersShares || method.hasHorizon);
+  const bool isNamed = std::any_of(glsl.begin(), glsl.end(), [](const ShaderPiece& piece) {
+    return piece.text.find("isShadowed") != std::string::npos;
+  });
+  if (method.hasTest && !isNamed) {
     throw InputError(
         fmt::format("{}:1: no function `bool isShadowed(Pixel pixel, LocalLight light)`, every "
                     "method defines it, or `float visibility` or `float horizonSlope` of the same",
@@ -299,71 +204,130 @@ void readAnswers(Method& method) {
 /// The function and its declaration come together: either alone shades nothing.
 void requireNormal(const Declaration& declaration, const Method& method) {
   const std::string function = "`vec3 shadingNormal(Pixel pixel)`";
-  const auto line = lineOfWord(method.source.text, "shadingNormal");
-  if (!method.hasOwnNormal && line) {
-    throw InputError(fmt::format("{}:{}: {} needs the declaration normal = \"own\"",
-                                 method.source.file, *line, function));
+  const auto place = placeOfWord(method.code, "shadingNormal");
+  if (!method.hasOwnNormal && place) {
+    throw InputError(
+        fmt::format("{}: {} needs the declaration normal = \"own\"", *place, function));
   }
   if (!method.hasOwnNormal) return;
   const toml::node& node = *declaration.table().get("normal");
-  if (!line) declaration.fail(node, "`normal` needs the function " + function);
+  if (!place) declaration.fail(node, "`normal` needs the function " + function);
   if (method.mesh == DrawnMesh::displaced) declaration.fail(node, "`normal` needs mesh = \"base\"");
 }
 
 void requirePasses(const Declaration& declaration, const Method& method) {
   requireLightMesh(declaration, method);
-  if (method.passes.lightDepth && method.parameters.count("depth_side") == 0) {
-    declaration.fail(declaration.table(), "pass `light-depth` needs the parameter depth_side");
+  const bool seesLight = method.passes.lightDepth || method.passes.hasOwn(PassRaster::light);
+  if (seesLight && method.parameters.count("depth_side") == 0) {
+    declaration.fail(declaration.table(),
+                     method.passes.lightDepth
+                         ? "pass `light-depth` needs the parameter depth_side"
+                         : "a pass from the light needs the parameter depth_side");
   }
   if (method.passes.shadowVolumes && method.mesh != DrawnMesh::displaced) {
     declaration.fail(declaration.table(), "pass `shadow-volumes` needs mesh = \"displaced\"");
   }
-  if (method.passes.texture && method.source.text.find("resolveTexel") == std::string::npos) {
+  if (method.passes.texture && !placeOfWord(method.code, "resolveTexel")) {
     declaration.fail(declaration.table(),
                      "pass `texture` needs the function `float resolveTexel(Pixel pixel)`");
   }
 }
 
-/// No shader that a person wrote is as long; drivers crash on some that are.
+/// Bakes, textures and passes give names to functions: no two may share one.
+void requireNamesApart(const Declaration& declaration, const Method& method) {
+  std::vector<std::string> names;
+  for (const MethodBake& bake : method.bakes) names.push_back(bake.name);
+  for (const MethodTexture& texture : method.textures) names.push_back(texture.name);
+  for (const OwnPass& pass : method.passes.own) names.push_back(pass.name);
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice == names.end()) return;
+  declaration.fail(declaration.table(), fmt::format("two of its bakes, textures and passes are "
+                                                    "`{}`, one expected",
+                                                    *twice));
+}
+
 void requireShort(const fs::path& path) {
-  constexpr std::uintmax_t mostBytes = 1 << 18;
   std::error_code failure;
   const std::uintmax_t bytes = fs::file_size(path, failure);
-  if (failure || bytes <= mostBytes) return;
+  if (failure || bytes <= mostShaderBytes) return;
   throw InputError(fmt::format("{}: {} found, a shader of at most {} expected", path.string(),
                                formatBytes(static_cast<double>(bytes)),
-                               formatBytes(static_cast<double>(mostBytes))));
+                               formatBytes(static_cast<double>(mostShaderBytes))));
 }
 
 }  // namespace
+
+bool MethodPasses::hasOwn(PassRaster raster) const {
+  return std::any_of(own.begin(), own.end(),
+                     [raster](const OwnPass& pass) { return pass.raster == raster; });
+}
+
+int MethodPasses::count() const {
+  const bool drawsDepth = lightDepth && !hasOwn(PassRaster::light);
+  return 1 + (texture ? 1 : 0) + (drawsDepth ? 1 : 0) + (shadowVolumes ? 2 : 0) +
+         (cameraDepth ? 1 : 0) + static_cast<int>(own.size());
+}
+
+std::vector<fs::path> Method::otherFiles() const {
+  std::vector<fs::path> files;
+  for (const ShaderPiece& include : includes) files.emplace_back(include.file);
+  for (const MethodTexture& texture : textures) files.push_back(texture.file);
+  return files;
+}
 
 Method readMethod(const fs::path& path) {
   requireShort(path);
   Method method;
   method.source = readShader(path);
   method.name = path.stem().string();
+  IncludedCode included = expandIncludes(path, method.source);
+  method.code = std::move(included.pieces);
+  method.includes = std::move(included.includes);
   const Declaration declaration(method.source.file, method.source.text);
-  declaration.allowOnly(declaration.table(),
-                        {"title", "citation", "tables", "passes", "mesh", "light_mesh", "normal",
-                         "subdivisions", "azimuths", "parameters"});
+  declaration.allowOnly(declaration.table(), {"title", "citation", "tables", "passes", "mesh",
+                                              "light_mesh", "normal", "subdivisions", "azimuths",
+                                              "parameters", "bakes", "textures", "pass", "needs"});
   method.title = declaration.text("title");
   method.citation = declaration.text("citation");
   method.tables = readTables(declaration);
+  method.bakes = readBakes(declaration);
+  method.textures = readTextures(declaration, path.parent_path());
   method.passes = readPasses(declaration);
   method.mesh = readMesh(declaration);
   method.lightMesh = readLightMesh(declaration);
   method.hasOwnNormal = readOwnNormal(declaration);
-  method.subdivisions = readCount(declaration, "subdivisions");
-  method.azimuths = readCount(declaration, "azimuths");
+  method.needsEye = readNeeds(declaration);
+  method.subdivisions = declaration.count(declaration.table(), "subdivisions", 1, 1024);
+  method.azimuths = declaration.count(declaration.table(), "azimuths", 1, 1024);
   method.parameters = readParameters(declaration);
   requirePasses(declaration, method);
   requireNormal(declaration, method);
+  requireBakeFunctions(declaration, method.bakes, method.code);
+  requirePassFunctions(declaration, method.passes.own, method.code);
+  requireNamesApart(declaration, method);
   readAnswers(method);
-  if (const auto line = lineOfWord(method.source.text, "discard")) {
-    throw InputError(fmt::format("{}:{}: `discard` found: method {} has to answer for every pixel",
-                                 method.source.file, *line, method.name));
+  if (const auto place = placeOfWord(method.code, "discard")) {
+    throw InputError(fmt::format("{}: `discard` found: method {} has to answer for every pixel",
+                                 *place, method.name));
   }
   return method;
+}
+
+bool MethodParameter::allows(double value) const {
+  const bool isRight = kind == ParameterKind::real || value == std::floor(value);
+  return isRight && value >= minimum && value <= maximum;
+}
+
+std::string MethodParameter::rangeText() const {
+  if (kind == ParameterKind::flag) return "true or false";
+  return fmt::format("{}{} to {}", kind == ParameterKind::whole ? "a whole number from " : "",
+                     minimum, maximum);
+}
+
+std::string MethodParameter::textOf(double value) const {
+  if (kind == ParameterKind::flag) return value != 0 ? "true" : "false";
+  return fmt::format("{}", value);
 }
 
 double parameterValue(const Method& method, const std::string& name,
@@ -371,9 +335,9 @@ double parameterValue(const Method& method, const std::string& name,
   const MethodParameter& parameter = method.parameters.at(name);
   const auto value = chosen.find(name);
   if (value == chosen.end()) return parameter.defaultValue;
-  if (!(value->second >= parameter.minimum && value->second <= parameter.maximum)) {
-    throw InputError(fmt::format("method {}: parameter {} = {}, {} to {} expected", method.name,
-                                 name, value->second, parameter.minimum, parameter.maximum));
+  if (!parameter.allows(value->second)) {
+    throw InputError(fmt::format("method {}: parameter {} = {}, {} expected", method.name, name,
+                                 value->second, parameter.rangeText()));
   }
   return value->second;
 }

@@ -6,16 +6,33 @@
 #include <string>
 #include <vector>
 
+#include "render/bakes/method_bake.h"
+#include "render/passes/own_pass.h"
 #include "render/shader_files.h"
+#include "render/textures/method_texture.h"
 
 namespace gnomon::render {
+
+/// What a parameter is in the method's GLSL.
+enum class ParameterKind {
+  real,   ///< `float`
+  whole,  ///< `int`
+  flag,   ///< `bool`: 0 or 1 here
+};
 
 /// A number that a method's quality depends on: a uniform of the same name in its GLSL.
 struct MethodParameter {
   double defaultValue = 0;  ///< the authors' value
   double minimum = 0;
   double maximum = 0;
-  std::string about;
+  std::string about = {};
+  ParameterKind kind = ParameterKind::real;
+
+  [[nodiscard]] bool allows(double value) const;
+  /// What it allows, in words: "0 to 9".
+  [[nodiscard]] std::string rangeText() const;
+  /// A value as a file has it: "true", "3", "0.5".
+  [[nodiscard]] std::string textOf(double value) const;
 };
 
 /// Which tables a method reads.
@@ -38,11 +55,20 @@ struct MethodPasses {
   bool lightDepth = false;
   /// Depth, then shadow volumes counted in the stencil. Only a camera has pixels to count at.
   bool shadowVolumes = false;
+  bool cameraDepth = false;  ///< the depth that a camera sees
+  /// The method's own, in the order of its declaration. One from the light leaves the depth, too.
+  std::vector<OwnPass> own = {};
 
-  /// How often the mesh is drawn in a frame, the pass that answers included.
-  [[nodiscard]] int count() const {
-    return 1 + (texture ? 1 : 0) + (lightDepth ? 1 : 0) + (shadowVolumes ? 2 : 0);
+  /// Whether any of the method's own is drawn over a raster.
+  [[nodiscard]] bool hasOwn(PassRaster raster) const;
+  /// Whether any is drawn in the texture's own plane.
+  [[nodiscard]] bool needTexturePlane() const { return texture || hasOwn(PassRaster::texture); }
+  /// Whether they can answer in the pictures of a camera alone.
+  [[nodiscard]] bool needCamera() const {
+    return shadowVolumes || cameraDepth || hasOwn(PassRaster::camera);
   }
+  /// How many there are in a frame, the one that answers included.
+  [[nodiscard]] int count() const;
 };
 
 /// Which mesh a method draws.
@@ -55,13 +81,18 @@ enum class DrawnMesh {
 /// `gnomon-method` and holds TOML:
 ///   title, citation
 ///   tables        list of "height", "horizon", "distance", "angles", "surface-angles", "ellipse"
-///   passes        list of "texture", "light-depth", "shadow-volumes": drawn before the answer
+///   passes        list of "texture", "light-depth", "shadow-volumes", "camera-depth": drawn before
+///                 the answer
+///   pass          tables [[pass]], passes of its own, see OwnPass
+///   textures.NAME pictures that it brings, see MethodTexture
+///   needs         "camera", where it answers in the pictures of cameras alone
 ///   mesh          "base" (default) or "displaced"
 ///   light_mesh    "displaced", where the pass "light-depth" draws that mesh and not the method's
 ///   normal        "own", where the method shades its picture by a normal of its own, not by N'
 ///   subdivisions  pieces of every face's side, where the authors state them
 ///   azimuths      of its tables, where the authors state them
-///   parameters.NAME with `default`, `minimum`, `maximum`, `about`
+///   bakes.NAME    tables that its own functions bake, see MethodBake
+///   parameters.NAME with `default`, `minimum`, `maximum`, `type`, `about`
 /// The file defines one or more of
 ///   bool isShadowed(Pixel pixel, LocalLight light)     of a light that is a point
 ///   float visibility(Pixel pixel, LocalLight light)    V, the share of the light's disc, 0 to 1
@@ -74,6 +105,7 @@ struct Method {
   std::string title;
   std::string citation;
   MethodTables tables;
+  std::vector<MethodBake> bakes;  ///< in the order of the declaration
   MethodPasses passes;
   DrawnMesh mesh = DrawnMesh::base;
   /// What the pass from the light draws; nothing where that is the method's own mesh. Its pieces of
@@ -88,7 +120,16 @@ struct Method {
   std::optional<int> subdivisions;  ///< the authors', over a study's own
   std::optional<int> azimuths;      ///< the authors', over a study's own
   std::map<std::string, MethodParameter> parameters;
-  ShaderPiece source;
+  bool needsEye = false;              ///< declares that it needs a camera
+  ShaderPiece source;                 ///< its file
+  std::vector<ShaderPiece> code;      ///< the file with what it includes in its place
+  std::vector<ShaderPiece> includes;  ///< the files that it includes, each once
+  std::vector<MethodTexture> textures;
+
+  /// Whether it can answer in the pictures of a camera alone.
+  [[nodiscard]] bool needsCamera() const { return needsEye || passes.needCamera(); }
+  /// The files that it is made of beside its own.
+  [[nodiscard]] std::vector<std::filesystem::path> otherFiles() const;
 };
 
 /// @throws InputError naming file and line for a declaration that is missing, malformed, or holds a

@@ -18,7 +18,7 @@ std::string joinPieces(const std::vector<ShaderPiece>& pieces,
   for (const std::string& name : defines) text += fmt::format("#define {}\n", name);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     // Lines tell the piece, too: Mesa forgets the source number of some messages.
-    text += fmt::format("#line {}\n{}\n", 1 + i * linesPerPiece, pieces[i].text);
+    text += fmt::format("#line {}\n{}\n", pieces[i].firstLine + i * linesPerPiece, pieces[i].text);
   }
   return text;
 }

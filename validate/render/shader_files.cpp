@@ -55,7 +55,7 @@ std::vector<fs::path> shadersIn(const fs::path& folder) {
 }
 
 ShaderPiece readShader(const fs::path& path) {
-  return {path.string(), readFile(path)};
+  return {path.string(), readFile(path), 1};
 }
 
 }  // namespace gnomon::render

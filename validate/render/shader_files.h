@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ std::vector<std::filesystem::path> shadersIn(const std::filesystem::path& folder
 struct ShaderPiece {
   std::string file;
   std::string text;
+  std::size_t firstLine = 1;  ///< of the text, in the file
 };
 
 /// Reads a shader file as one piece.

@@ -12,11 +12,14 @@
 #include <string_view>
 #include <utility>
 
+#include "render/declaration.h"
+#include "render/glsl_text.h"
+
 namespace gnomon::render {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> declarations = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> declarations = {
     {{"TABLE_HEIGHT", R"(tables = ["height"])"},
      {"TABLE_HORIZON", R"(tables = ["horizon"])"},
      {"TABLE_DISTANCE", R"(tables = ["distance"])"},
@@ -25,7 +28,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> declarati
      {"PASS_TEXTURE", R"(passes = ["texture"])"},
      {"PASS_LIGHT_DEPTH", R"(passes = ["light-depth"])"},
      {"PASS_SHADOW_VOLUMES", R"(passes = ["shadow-volumes"])"},
-     {"MESH_DISPLACED", R"(mesh = "displaced")"}}};
+     {"MESH_DISPLACED", R"(mesh = "displaced")"},
+     {"OWN_BAKES", "[bakes.NAME]"},
+     {"OWN_TEXTURES", "[textures.NAME]"},
+     {"OWN_PASSES", "[[pass]]"},
+     {"NEEDS_CAMERA", R"(needs = "camera")"},
+     {"PASS_CAMERA_DEPTH", R"(passes = ["camera-depth"])"}}};
 
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;
@@ -64,6 +72,44 @@ void addNames(const fs::path& file, std::vector<SharedName>& names) {
   }
 }
 
+/// The declaration that a name of a method's code would belong to, which no file of ours defines.
+std::string ownDeclaration(const Method& method, const std::string& word) {
+  const std::string name = ownNameOf(word);
+  if (name.empty()) return "";
+  const auto isNamed = [&](const auto& declared) { return declared.name == name; };
+  const bool isDeclared = std::any_of(method.bakes.begin(), method.bakes.end(), isNamed) ||
+                          std::any_of(method.textures.begin(), method.textures.end(), isNamed) ||
+                          std::any_of(method.passes.own.begin(), method.passes.own.end(), isNamed);
+  if (isDeclared) return "";
+  OwnPass pass;
+  pass.name = name;
+  if (word.ends_with("Pass") || placeOfWord(method.code, pass.function())) {
+    return fmt::format("[[pass]] name = \"{}\"", name);
+  }
+  return fmt::format("[{}.{}]", word.ends_with("Texture") ? "textures" : "bakes", name);
+}
+
+/// What a line of one of the method's files says.
+std::string lineOf(const Method& method, const std::string& file, long row) {
+  std::vector<const ShaderPiece*> files = {&method.source};
+  for (const ShaderPiece& include : method.includes) files.push_back(&include);
+  std::string line;
+  for (const ShaderPiece* piece : files) {
+    if (piece->file != file) continue;
+    std::istringstream text(piece->text);
+    for (; row > 0; --row) std::getline(text, line);
+  }
+  return line;
+}
+
+/// The file of the method that a message begins with; empty for others.
+std::string fileOf(const Method& method, const std::string& message) {
+  const auto piece = std::find_if(method.code.begin(), method.code.end(), [&](const auto& part) {
+    return message.starts_with(part.file + ":");
+  });
+  return piece == method.code.end() ? "" : piece->file;
+}
+
 }  // namespace
 
 std::vector<SharedName> sharedNames(const fs::path& shaders) {
@@ -77,6 +123,15 @@ std::vector<SharedName> sharedNames(const fs::path& shaders) {
   return names;
 }
 
+std::string ownNameOf(const std::string& word) {
+  for (const std::string_view ending : {"At", "Texel", "Bake", "Texture", "Pass", "Origin"}) {
+    if (!word.ends_with(ending)) continue;
+    const std::string name = word.substr(0, word.size() - ending.size());
+    if (isOwnName(name)) return name;
+  }
+  return "";
+}
+
 std::string declarationFor(const std::string& define) {
   const auto* found = std::find_if(declarations.begin(), declarations.end(),
                                    [&](const auto& entry) { return entry.first == define; });
@@ -84,17 +139,20 @@ std::string declarationFor(const std::string& define) {
 }
 
 std::string missingDeclaration(const std::vector<SharedName>& names, const std::string& message,
-                               const ShaderPiece& source, const std::vector<std::string>& defines) {
-  if (!message.starts_with(source.file + ":")) return "";
-  const std::string refused = message.substr(source.file.size() + 1);
+                               const Method& method, const std::vector<std::string>& defines) {
+  const std::string file = fileOf(method, message);
+  if (file.empty()) return "";
+  const std::string refused = message.substr(file.size() + 1);
   std::vector<std::string> words = wordsOf(refused);
   if (refused.find("syntax error") != std::string::npos) {
-    std::istringstream text(source.text);
-    std::string line;
-    for (long row = std::atol(refused.c_str()); row > 0; --row) std::getline(text, line);
+    const std::string line = lineOf(method, file, std::atol(refused.c_str()));
     for (std::string& word : wordsOf(line)) words.push_back(std::move(word));
   }
   for (const std::string& word : words) {
+    const bool isShared = std::any_of(names.begin(), names.end(),
+                                      [&](const auto& shared) { return shared.name == word; });
+    const std::string own = isShared ? "" : ownDeclaration(method, word);
+    if (!own.empty()) return fmt::format("; {} needs {}", word, own);
     std::vector<std::string> needed;
     bool isThere = false;
     for (const SharedName& shared : names) {

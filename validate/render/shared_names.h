@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/shader_files.h"
+#include "render/method.h"
 
 namespace gnomon::render {
 
@@ -19,6 +19,11 @@ struct SharedName {
 /// All names that methods may use, by file and in the order of each file.
 std::vector<SharedName> sharedNames(const std::filesystem::path& shaders);
 
+/// The bake, texture or pass of a method's own that a name of its code would belong to: "occlusion"
+/// for `occlusionAt`, `occlusionTexel`, `occlusionBake`, `occlusionTexture`, `occlusionPass` and
+/// `occlusionOrigin`; empty for other names.
+std::string ownNameOf(const std::string& word);
+
 /// What a method's first comment must hold for a define: `tables = ["height"]` for `TABLE_HEIGHT`.
 /// Empty for a define that no declaration sets.
 std::string declarationFor(const std::string& define);
@@ -28,9 +33,9 @@ std::string declarationFor(const std::string& define);
 /// is a syntax error whose message names no type, so that for a syntax error the words of the line
 /// are looked up too.
 /// @param message  of the GLSL compiler, `FILE:LINE: error: …`
-/// @param source   of the method
-/// @param defines  that the method was compiled with
+/// @param method   that was compiled
+/// @param defines  that it was compiled with
 std::string missingDeclaration(const std::vector<SharedName>& names, const std::string& message,
-                               const ShaderPiece& source, const std::vector<std::string>& defines);
+                               const Method& method, const std::vector<std::string>& defines);
 
 }  // namespace gnomon::render

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "common/error.h"
 #include "render/gl_objects.h"
 
@@ -16,15 +18,27 @@ void requireSize(int width, int height) {
   }
 }
 
+int levelsOf(int width, int height) {
+  int levels = 1;
+  for (int side = std::max(width, height); side > 1; side /= 2) ++levels;
+  return levels;
+}
+
 }  // namespace
 
-Target::Target(int width, int height, const std::vector<GLenum>& formats, Stencil stencil)
-    : width_(width), height_(height), stencil_(stencil) {
+Target::Target(int width, int height, const std::vector<GLenum>& formats, Stencil stencil,
+               Reading reading)
+    : width_(width), height_(height), stencil_(stencil), reading_(reading) {
   requireSize(width, height);
   framebuffer_ = gl::makeFramebuffer();
   std::vector<GLenum> attachments;
   for (const GLenum format : formats) {
-    colours_.push_back(gl::makeTexture(GL_TEXTURE_2D, format, {width, height}, GL_NEAREST));
+    const int levels = reading == Reading::mips ? levelsOf(width, height) : 1;
+    colours_.push_back(gl::makeTexture(GL_TEXTURE_2D, format, {width, height, 1, levels},
+                                       reading == Reading::texels ? GL_NEAREST : GL_LINEAR));
+    if (reading == Reading::mips) {
+      glTextureParameteri(colours_.back().name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    }
     attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
     glNamedFramebufferTexture(framebuffer_.name(), attachments.back(), colours_.back().name(), 0);
   }
@@ -47,6 +61,11 @@ Target::Target(int width, int height, const std::vector<GLenum>& formats, Stenci
 
 void Target::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+}
+
+void Target::makeMips() const {
+  if (reading_ != Reading::mips) return;
+  for (const gl::Texture& colour : colours_) glGenerateTextureMipmap(colour.name());
 }
 
 void Target::clearDepth() const {

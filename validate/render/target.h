@@ -12,11 +12,14 @@ namespace gnomon::render {
 class Target {
  public:
   enum class Stencil { none, eightBits };
+  /// How shaders read the colours: texel by texel, or between texels and levels by the GPU's
+  /// filter.
+  enum class Reading { texels, filtered, mips };
 
   /// @param formats  sized internal formats of the colour attachments, in order; may be empty
   /// @throws InputError if a side is larger than GL's largest texture
-  Target(int width, int height, const std::vector<GLenum>& formats,
-         Stencil stencil = Stencil::none);
+  Target(int width, int height, const std::vector<GLenum>& formats, Stencil stencil = Stencil::none,
+         Reading reading = Reading::texels);
 
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
@@ -24,6 +27,8 @@ class Target {
   void bind() const;
   /// Sets all depths to the farthest, and the stencil, if any, to 0.
   void clearDepth() const;
+  /// Fills the coarser levels of colours that have any.
+  void makeMips() const;
   [[nodiscard]] GLuint colourTexture(std::size_t attachment) const {
     return colours_[attachment].name();
   }
@@ -56,6 +61,7 @@ class Target {
   int width_;
   int height_;
   Stencil stencil_;
+  Reading reading_;
   gl::Framebuffer framebuffer_;
   gl::Texture depth_;
   std::vector<gl::Texture> colours_;

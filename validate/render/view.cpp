@@ -39,7 +39,8 @@ CameraMatrices cameraMatrices(const Camera& camera, const surface::BaseMesh& mes
 RenderView cameraView(const Camera& camera, const surface::BaseMesh& mesh) {
   const CameraMatrices matrices = cameraMatrices(camera, mesh);
   const glm::dmat4 clip = matrices.projection * matrices.view;
-  return {camera.width, camera.height, glm::mat4(clip), {0, 0}, {0, 0, 0, 0}};
+  return {camera.width, camera.height, glm::mat4(clip),
+          {0, 0},       {0, 0, 0, 0},  glm::vec3(camera.eye)};
 }
 
 RenderView atlasView(const surface::LimitSurface& surface, int samplesPerSide) {
@@ -52,8 +53,11 @@ RenderView atlasView(const surface::LimitSurface& surface, int samplesPerSide) {
     columns = static_cast<int>(std::ceil(std::sqrt(surface.faceCount())));
     rows = (surface.faceCount() + columns - 1) / columns;
   }
-  return {
-      columns * samplesPerSide, rows * samplesPerSide, glm::mat4(1), {columns, rows}, {0, 0, 0, 0}};
+  RenderView view;
+  view.width = columns * samplesPerSide;
+  view.height = rows * samplesPerSide;
+  view.atlasTiles = {columns, rows};
+  return view;
 }
 
 RenderView textureView(const surface::BaseMesh& mesh) {

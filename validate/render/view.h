@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <limits>
 
 #include "common/camera.h"
 #include "render/gpu_scene.h"
@@ -19,6 +20,8 @@ struct RenderView {
   /// Of a texture's own plane: the texel coordinates of its lower left corner, and its size in
   /// texels; zero for other views.
   glm::ivec4 texelWindow{0, 0, 0, 0};
+  /// Of a camera, world; no number for other views.
+  glm::vec3 eye{std::numeric_limits<float>::quiet_NaN()};
 };
 
 /// The camera as OpenGL has it: clip = projection · view · (x, y, z, 1), all three right-handed but

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/error.h"
+#include "study/run/scene/run_keys.h"
 
 namespace gnomon::app {
 namespace {
@@ -43,6 +44,7 @@ void DrawnScene::install(std::shared_ptr<const SceneData> scene) {
     for (const auto& [label, method] : data_->methods) {
       upload(*method);
       compile(label, *method, again);
+      bakeOwn(label, *method);
     }
   } catch (...) {
     std::swap(data_, scene);
@@ -87,6 +89,44 @@ void DrawnScene::compile(const std::string& label, const MethodData& method, boo
   }
 }
 
+cache::ContentKey DrawnScene::bakesKey(const MethodData& method) const {
+  cache::KeyBuilder key("viewed bakes");
+  key.add("relief", data_->keys.relief).add("texelsPerHeight", data_->texelsPerHeight);
+  key.add("files", study::methodFilesKey(method.method)).add("shaders", data_->shaders);
+  key.add("filter", method.spec.filter);
+  for (const auto& [name, value] : method.spec.parameters) {
+    key.add("parameter", name).add("value", value);
+  }
+  key.add("bake", study::settingsKey(method.spec.bake, study::Enters::everything));
+  if (method.method.tables.surfaceAngles) key.add("angles", anglesKey(method));
+  return key.key();
+}
+
+void DrawnScene::bakeOwn(const std::string& label, const MethodData& method) {
+  if (method.method.bakes.empty()) {
+    ownBakes_.erase(label);
+    return;
+  }
+  const cache::ContentKey key = bakesKey(method);
+  const auto found = ownBakes_.find(label);
+  const bool isThere = found != ownBakes_.end() && found->second.key == key;
+  if (isThere || lacksAngles(label) || errors_.contains(label)) return;
+  ownBakes_.erase(label);
+  try {
+    const render::GpuHeights& heights = heights_.at(data_->heights);
+    const render::BakeScene from{heights, data_->heights->wrap(), data_->study->relief.space,
+                                 data_->texelsPerHeight};
+    render::requireBakeSizes(method.method, heights.size());
+    const render::BakePass pass(shaders_, method.method, from.wrap, method.spec.filter,
+                                method.spec.parameters);
+    ownBakes_.emplace(
+        label, OwnBakes{key, render::gpuBakes(method.method,
+                                              pass.bake(from, tablesOf(label, method)), from)});
+  } catch (const Error& error) {
+    errors_[label] = error.what();
+  }
+}
+
 bool DrawnScene::isDrawnRight(const std::string& label, const MethodData& method) {
   const std::string fault = faults_->faultOf(method.spec, data_->soft);
   if (fault.empty()) return true;
@@ -117,6 +157,7 @@ void DrawnScene::dropUnused() {
     });
   });
   std::erase_if(errors_, [&](const auto& error) { return !data_->methods.contains(error.first); });
+  std::erase_if(ownBakes_, [&](const auto& own) { return !data_->methods.contains(own.first); });
 }
 
 cache::ContentKey DrawnScene::anglesKey(const MethodData& method) const {
@@ -137,6 +178,7 @@ bool DrawnScene::installAngles(const std::string& label, const cache::ContentKey
   ownAngles_.erase(label);
   ownAngles_.emplace(label,
                      OwnAngles{key, render::GpuAngles(table, method->second->spec.bake.bits)});
+  bakeOwn(label, *method->second);
   return true;
 }
 
@@ -171,12 +213,7 @@ render::Drawing DrawnScene::drawing(const MethodData& method, const study::Light
   return drawn;
 }
 
-std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) const {
-  if (!data_) return std::nullopt;
-  const auto found = data_->methods.find(label);
-  const auto pass = passes_.find(label);
-  if (found == data_->methods.end() || pass == passes_.end()) return std::nullopt;
-  const MethodData& method = *found->second;
+render::GpuTables DrawnScene::tablesOf(const std::string& label, const MethodData& method) const {
   render::GpuTables tables;
   tables.searchRadius = method.spec.bake.settings.radiusTexels;
   if (method.tables) {
@@ -185,10 +222,25 @@ std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) co
   }
   if (method.ellipses) tables.ellipse = &ellipses_.at(method.ellipses);
   if (method.angles) tables.angles = &angles_.at({method.angles, method.spec.bake.bits});
-  if (method.method.tables.surfaceAngles) {
-    const auto own = ownAngles_.find(label);
-    if (own == ownAngles_.end()) return std::nullopt;
+  const auto own = ownAngles_.find(label);
+  if (method.method.tables.surfaceAngles && own != ownAngles_.end()) {
     tables.angles = &own->second.angles;
+  }
+  return tables;
+}
+
+std::optional<DrawnScene::Ready> DrawnScene::method(const std::string& label) const {
+  if (!data_) return std::nullopt;
+  const auto found = data_->methods.find(label);
+  const auto pass = passes_.find(label);
+  if (found == data_->methods.end() || pass == passes_.end()) return std::nullopt;
+  const MethodData& method = *found->second;
+  render::GpuTables tables = tablesOf(label, method);
+  if (method.method.tables.surfaceAngles && tables.angles == nullptr) return std::nullopt;
+  if (!method.method.bakes.empty()) {
+    const auto own = ownBakes_.find(label);
+    if (own == ownBakes_.end()) return std::nullopt;
+    tables.bakes = &own->second.bakes;
   }
   return Ready{&method, &pass->second.pass, tables};
 }

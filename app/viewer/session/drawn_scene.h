@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "render/bakes/bake_pass.h"
 #include "render/passes/drawing.h"
 #include "render/passes/method_pass.h"
 #include "study/run/driver_faults.h"
@@ -75,7 +76,19 @@ class DrawnScene {
     cache::ContentKey key;  ///< of the surface and the bake that they were shot for
     render::GpuAngles angles;
   };
+  /// The tables that a method bakes by its own functions.
+  struct OwnBakes {
+    cache::ContentKey key;  ///< of what they were baked from
+    std::vector<render::GpuBake> bakes;
+  };
   void compile(const std::string& label, const MethodData& method, bool again);
+  /// Bakes a method's own tables again where what they are made from has changed. One whose bake
+  /// fails is not drawn.
+  void bakeOwn(const std::string& label, const MethodData& method);
+  [[nodiscard]] cache::ContentKey bakesKey(const MethodData& method) const;
+  /// The method's tables, as far as they are there, but for its own.
+  [[nodiscard]] render::GpuTables tablesOf(const std::string& label,
+                                           const MethodData& method) const;
   /// Whether the driver draws a method right; otherwise it is no longer drawn.
   bool isDrawnRight(const std::string& label, const MethodData& method);
   void upload(const MethodData& method);
@@ -94,6 +107,7 @@ class DrawnScene {
            render::GpuAngles>
       angles_;
   std::map<std::string, OwnAngles> ownAngles_;
+  std::map<std::string, OwnBakes> ownBakes_;
   std::map<std::string, Compiled> passes_;
   std::map<std::string, std::string> errors_;
 };

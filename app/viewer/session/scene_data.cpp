@@ -7,7 +7,6 @@
 #include <span>
 
 #include "common/error.h"
-#include "common/files/atomic_file.h"
 #include "horizon/horizon_ellipses.h"
 #include "horizon/texel_scale.h"
 #include "study/run/scene/run_keys.h"
@@ -91,9 +90,10 @@ std::shared_ptr<const horizon::AngleTable> SceneMaker::angles(const SceneData& s
   });
 }
 
-void SceneMaker::requireTried(const study::MethodSpec& spec, relief::Wrap wrap) {
+void SceneMaker::requireTried(const study::MethodSpec& spec, const render::Method& method,
+                              relief::Wrap wrap) {
   const cache::ContentKey key = cache::KeyBuilder("viewed trial")
-                                    .add("method", readFile(spec.file))
+                                    .add("method", study::methodFilesKey(method))
                                     .add("filter", spec.filter)
                                     .add("wrap", wrap)
                                     .key();
@@ -113,7 +113,7 @@ std::shared_ptr<const MethodData> SceneMaker::method(const SceneData& scene,
                                                      const StageProgress& progress) {
   MethodData data{spec, render::readMethod(spec.file), {}, {}, {}, {}, {}};
   progress("Trying methods")(0);
-  requireTried(spec, scene.heights->wrap());
+  requireTried(spec, data.method, scene.heights->wrap());
   data.mesh = study::meshOf(spec, data.method);
   data.lightMesh = study::lightMeshOf(spec, data.method);
   const render::MethodTables& declared = data.method.tables;

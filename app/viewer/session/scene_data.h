@@ -132,7 +132,7 @@ class SceneMaker {
   static void addMesh(SceneData& scene, study::MeshChoice choice, const SceneData* previous);
   std::shared_ptr<const MethodData> method(const SceneData& scene, const study::MethodSpec& spec,
                                            const StageProgress& progress);
-  void requireTried(const study::MethodSpec& spec, relief::Wrap wrap);
+  void requireTried(const study::MethodSpec& spec, const render::Method& method, relief::Wrap wrap);
   void forgetUnused(const SceneData& scene);
 
   std::filesystem::path file_;

@@ -101,7 +101,12 @@ void ViewSession::takeScenes() {
     }
     baker_.dispose(std::move(old));
     std::vector<std::filesystem::path> files;
-    for (const auto& [label, method] : scene()->methods) files.push_back(method->spec.file);
+    for (const auto& [label, method] : scene()->methods) {
+      files.push_back(method->spec.file);
+      for (std::filesystem::path& file : method->method.otherFiles()) {
+        files.push_back(std::move(file));
+      }
+    }
     watch_.watch(files);
     ++serial_;
     if (!sameTruth) {

@@ -216,11 +216,19 @@ void ControlPanel::parameters(ViewSession& session) {
       const double standard = own.contains(name) ? own.at(name) : parameter.defaultValue;
       auto& changed = session.state().changes.methods[label].parameters;
       double value = changed.contains(name) ? changed.at(name) : standard;
+      if (parameter.kind == render::ParameterKind::flag) {
+        bool isOn = value != 0;
+        if (ImGui::Checkbox(name.c_str(), &isOn)) changed[name] = isOn ? 1 : 0;
+        note(fmt::format("{}.{}", label, name));
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.about.c_str());
+        continue;
+      }
       const double range = parameter.maximum - parameter.minimum;
-      const bool whole = range >= 16 && std::floor(standard) == standard;
+      const bool isInt = parameter.kind == render::ParameterKind::whole;
+      const bool whole = isInt || (range >= 16 && std::floor(standard) == standard);
       if (slider(name.c_str(), fmt::format("{}.{}", label, name), value, parameter.minimum,
                  parameter.maximum, whole ? "%.0f" : formatFor(range).c_str())) {
-        changed[name] = value;
+        changed[name] = isInt ? std::round(value) : value;
       }
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", parameter.about.c_str());
     }

@@ -185,14 +185,6 @@ TEST(TomlReader, TablesAreTables) {
               HasSubstr("at least one [[light]]"));
 }
 
-TEST(TomlReader, AllNumbersHandsOutEveryKey) {
-  const Document document("steps = 3\nbias = 0.25\n");
-  EXPECT_EQ(document.reader.allNumbers(),
-            (std::vector<std::pair<std::string, double>>{{"bias", 0.25}, {"steps", 3}}));
-  EXPECT_NO_THROW(document.reader.finish());
-  EXPECT_THROW((void)Document("steps = \"3\"\n").reader.allNumbers(), InputError);
-}
-
 // ---- what nobody asked for
 
 TEST(TomlReader, RefusesAKeyThatNobodyReadAndNamesThoseThereAre) {

@@ -21,6 +21,11 @@ std::string filteredTableFault(const std::filesystem::path& shaders) {
   return check::tableFault(shaders, filter);
 }
 
+template <TableFilter filter>
+std::string filteredBakeFault(const std::filesystem::path& shaders) {
+  return check::bakeFault(shaders, filter);
+}
+
 constexpr std::array entries = {
     PassEntry{PassKind::cameraSamples, "the samples of a camera", check::cameraFault},
     PassEntry{PassKind::atlasSamples, "the samples of an atlas", check::atlasFault},
@@ -29,10 +34,18 @@ constexpr std::array entries = {
               filteredTableFault<TableFilter::hardware>},
     PassEntry{PassKind::angles, "answers from horizon angles", check::angleFault},
     PassEntry{PassKind::ellipses, "answers from ellipses", check::ellipseFault},
+    PassEntry{PassKind::bakes, "answers from a method's own bakes",
+              filteredBakeFault<TableFilter::exact>},
+    PassEntry{PassKind::filteredBakes, "answers from a method's own bakes by the GPU's filter",
+              filteredBakeFault<TableFilter::hardware>},
     PassEntry{PassKind::facets, "facets of displaced geometry", check::facetFault},
     PassEntry{PassKind::texture, "a pass in the texture's plane", check::textureFault},
     PassEntry{PassKind::lightDepth, "the depth that the light sees", check::lightDepthFault},
     PassEntry{PassKind::shadowVolumes, "shadow volumes", check::volumeFault},
+    PassEntry{PassKind::ownPasses, "passes of a method's own", check::ownPassFault},
+    PassEntry{PassKind::ownLightPasses, "a method's own passes from the light",
+              check::ownLightFault},
+    PassEntry{PassKind::cameraPasses, "passes in the camera's picture", check::cameraPassFault},
     PassEntry{PassKind::shares, "shares of light", check::sharesFault},
     PassEntry{PassKind::pictures, "the pictures of masks", check::pictureFault},
 };
@@ -64,9 +77,17 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool is
   }
   if (tables.angles || tables.surfaceAngles) kinds.push_back(PassKind::angles);
   if (tables.ellipse) kinds.push_back(PassKind::ellipses);
+  if (!method.bakes.empty()) {
+    kinds.push_back(filter == TableFilter::hardware ? PassKind::filteredBakes : PassKind::bakes);
+  }
   if (method.passes.texture) kinds.push_back(PassKind::texture);
   if (method.passes.lightDepth) kinds.push_back(PassKind::lightDepth);
   if (method.passes.shadowVolumes) kinds.push_back(PassKind::shadowVolumes);
+  const bool fromLight = method.passes.hasOwn(PassRaster::light);
+  if (fromLight) kinds.push_back(PassKind::ownLightPasses);
+  if (!method.passes.own.empty()) kinds.push_back(PassKind::ownPasses);
+  const bool inCamera = method.passes.cameraDepth || method.passes.hasOwn(PassRaster::camera);
+  if (inCamera) kinds.push_back(PassKind::cameraPasses);
   if (isSoft && (method.answersShares || method.hasHorizon)) kinds.push_back(PassKind::shares);
   return kinds;
 }

@@ -17,10 +17,15 @@ enum class PassKind {
   filteredTables,
   angles,
   ellipses,
+  bakes,
+  filteredBakes,
   facets,
   texture,
   lightDepth,
   shadowVolumes,
+  ownPasses,
+  ownLightPasses,
+  cameraPasses,
   shares,
   pictures,
 };
@@ -40,10 +45,15 @@ std::vector<PassKind> passesOf(const Method& method, TableFilter filter, bool is
 ///   filteredTables  the same by the GPU's filter
 ///   angles          the same of horizon angles, with their lookup maps
 ///   ellipses        the same of ellipses
+///   bakes           the map and its negative, baked by a method, read with their coarser levels
+///   filteredBakes   the same by the GPU's filter
 ///   facets          the box: which of its sides are turned from the light
 ///   texture         a random value a texel, drawn in the texture's plane and read again
 ///   lightDepth      the box's shadow on the floor, from the depth that the light sees
 ///   shadowVolumes   the same, and a camera inside the shadow, from counts
+///   ownPasses       as texture, in two channels of a method's own pass, through a filter
+///   ownLightPasses  as lightDepth, from a method's own pass from the light, through a filter
+///   cameraPasses    the camera's depth, and a method's own pass in its picture: where a pixel is
 ///   shares          a known share of a disc a sample; and what the bumped normals leave of it
 ///   pictures        a chequered mask: dark where it is shadowed, brighter elsewhere
 /// Pixels beside an edge of anything are left out.

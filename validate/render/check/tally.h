@@ -36,6 +36,7 @@ inline Method methodOf(DrawnMesh mesh, const std::string& glsl) {
   method.name = "check";
   method.mesh = mesh;
   method.source = {"the check of a pass", glsl};
+  method.code = {method.source};
   return method;
 }
 

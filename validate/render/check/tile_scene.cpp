@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <random>
 
 #include "horizon/horizon_ellipses.h"
+#include "render/bakes/bake_pass.h"
 #include "render/check/tally.h"
 #include "surface/face_grids.h"
 
@@ -36,8 +39,17 @@ class TileScene {
         ellipse_(table(tiles.ellipse, horizon::EllipseTable::numbers, bits)),
         angles_(angleTable(tiles.angles), bits) {}
 
-  [[nodiscard]] MethodAnswers answers(const MethodPass& pass) const {
-    return pass.render(tileView(), drawing(), tables());
+  /// @param bakes  of the method, if it has any
+  [[nodiscard]] MethodAnswers answers(const MethodPass& pass, const BakePass* bakes,
+                                      const Method& method) const {
+    GpuTables given = tables();
+    std::vector<GpuBake> own;
+    if (bakes != nullptr) {
+      const BakeScene from{heights_, relief::Wrap::repeat, relief::HeightSpace::world, 1};
+      own = gpuBakes(method, bakes->bake(from, given), from);
+      given.bakes = &own;
+    }
+    return pass.render(tileView(), drawing(), given);
   }
 
   [[nodiscard]] VisibilityAnswers shares(const MethodPass& pass, double radius) const {
@@ -143,11 +155,16 @@ std::string tileFault(const std::filesystem::path& shaders, const Method& method
                       TableFilter filter,
                       const std::function<bool(const TileValues&, int x, int y)>& isDark) {
   const MethodPass pass(shaders, method, relief::Wrap::repeat, filter, {});
+  std::optional<BakePass> bakes;
+  if (!method.bakes.empty()) {
+    bakes.emplace(shaders, method, relief::Wrap::repeat, filter, std::map<std::string, double>());
+  }
   const TileValues tiles;
   Tally tally;
   for (const horizon::TableBits bits :
        {horizon::TableBits::eight, horizon::TableBits::sixteen, horizon::TableBits::thirtyTwo}) {
-    compareTiles(tally, TileScene(tiles, bits).answers(pass), tiles, isDark);
+    compareTiles(tally, TileScene(tiles, bits).answers(pass, bakes ? &*bakes : nullptr, method),
+                 tiles, isDark);
   }
   return tally.fault();
 }

@@ -57,18 +57,24 @@ void setView(GLuint program, const RenderView& view) {
   setUniform(program, "clipFromWorld", view.clipFromWorld);
   setUniform(program, "atlasTiles", view.atlasTiles);
   setUniform(program, "texelWindow", glm::vec4(view.texelWindow));
+  setUniform(program, "eyePosition", Vec3(view.eye));
+}
+
+void setRelief(GLuint program, const GpuHeights& heights, relief::HeightSpace space,
+               double texelsPerHeight) {
+  setUniform(program, "heightInTexels", space == relief::HeightSpace::texture ? 1 : 0);
+  setUniform(program, "texelsPerHeight", texelsPerHeight);
+  setUniform(program, "heightBounds", heights.bounds());
+  setUniform(program, "mapSize", glm::vec2(heights.size()));
+  const relief::Border border = heights.border();
+  setUniform(program, "reliefBorder", glm::ivec2(border.x ? 1 : 0, border.y ? 1 : 0));
+  bindTexture(program, TextureUnit::heights, heights.texture(), "heightMap");
 }
 
 void setDrawing(GLuint program, const Drawing& drawing) {
   setUniform(program, "lightDirection", drawing.light);
   setUniform(program, "lightRadius", drawing.lightRadius);
-  setUniform(program, "heightInTexels",
-             drawing.heightSpace == relief::HeightSpace::texture ? 1 : 0);
-  setUniform(program, "texelsPerHeight", drawing.texelsPerHeight);
-  setUniform(program, "heightBounds", drawing.heights.bounds());
-  const relief::Border border = drawing.heights.border();
-  setUniform(program, "reliefBorder", glm::ivec2(border.x ? 1 : 0, border.y ? 1 : 0));
-  bindTexture(program, TextureUnit::heights, drawing.heights.texture(), "heightMap");
+  setRelief(program, drawing.heights, drawing.heightSpace, drawing.texelsPerHeight);
 }
 
 void beginPass(const Target& target, GLuint program, Sides sides) {
@@ -89,6 +95,17 @@ void drawMesh(const Target& target, GLuint program, const RenderView& view, cons
               Sides sides) {
   beginPass(target, program, view.texelWindow.z == 0 ? sides : Sides::both);
   mesh.draw();
+}
+
+void drawPlane(GLuint program) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glUseProgram(program);
+  GLuint layout = 0;
+  glCreateVertexArrays(1, &layout);
+  const gl::VertexArray none(layout);
+  glBindVertexArray(none.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace gnomon::render

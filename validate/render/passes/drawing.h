@@ -40,7 +40,14 @@ enum class TextureUnit : GLuint {
   ellipse,
   lightDepth,
   shadowCount,
+  cameraDepth,
+  own,  ///< the first of those that a method declares
 };
+
+/// The texture unit of one of them, by its place among a method's own textures.
+inline TextureUnit ownUnit(std::size_t place) {
+  return static_cast<TextureUnit>(static_cast<GLuint>(TextureUnit::own) + place);
+}
 
 /// A program whose vertex stage is the one that all passes of a view share (surface.vert).
 gl::Program makeSurfaceProgram(const std::filesystem::path& shaders,
@@ -60,7 +67,10 @@ void setUniform(GLuint program, const char* name, const Vec3& value);
 void setUniform(GLuint program, const char* name, const glm::vec4& value);
 void setUniform(GLuint program, const char* name, const glm::mat4& value);
 void setView(GLuint program, const RenderView& view);
-/// Light, height space and the height map with its border.
+/// The height map with its border, and in which units and frames it stands.
+void setRelief(GLuint program, const GpuHeights& heights, relief::HeightSpace space,
+               double texelsPerHeight);
+/// Light and relief.
 void setDrawing(GLuint program, const Drawing& drawing);
 
 /// Which sides of its triangles a pass draws.
@@ -74,5 +84,9 @@ void beginPass(const Target& target, GLuint program, Sides sides);
 /// @param target  of the view's size
 void drawMesh(const Target& target, GLuint program, const RenderView& view, const GpuMesh& mesh,
               Sides sides = Sides::front);
+
+/// Draws over all of the viewport of the framebuffer that is bound, without mesh and depth
+/// (plane.vert).
+void drawPlane(GLuint program);
 
 }  // namespace gnomon::render

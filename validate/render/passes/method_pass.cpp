@@ -10,7 +10,9 @@
 #include "common/error.h"
 #include "common/system/memory.h"
 #include "render/gl_context.h"
-#include "render/shared_names.h"
+#include "render/glsl_text.h"
+#include "render/passes/method_program.h"
+#include "render/pixel_format.h"
 #include "render/target.h"
 
 namespace gnomon::render {
@@ -48,85 +50,6 @@ Visibility visibilityOf(const Mask& mask) {
   return visibility;
 }
 
-std::string parameterUniforms(const Method& method) {
-  std::string text;
-  for (const auto& [name, parameter] : method.parameters) {
-    text += fmt::format("uniform float {};\n", name);
-  }
-  return text;
-}
-
-std::map<std::string, double> parameterValues(const Method& method,
-                                              const std::map<std::string, double>& values) {
-  for (const auto& [name, value] : values) {
-    if (method.parameters.count(name) == 0) {
-      throw InputError(fmt::format("method {}: it has no parameter `{}`", method.name, name));
-    }
-  }
-  std::map<std::string, double> all;
-  for (const auto& [name, parameter] : method.parameters) {
-    all[name] = parameterValue(method, name, values);
-  }
-  return all;
-}
-
-std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap,
-                                       TableFilter filter) {
-  std::vector<std::string> defines = surfaceDefines(wrap, method.mesh);
-  if (method.tables.height) defines.emplace_back("TABLE_HEIGHT");
-  if (method.tables.horizon) defines.emplace_back("TABLE_HORIZON");
-  if (method.tables.distance) defines.emplace_back("TABLE_DISTANCE");
-  if (method.tables.angles || method.tables.surfaceAngles) defines.emplace_back("TABLE_ANGLES");
-  if (method.tables.surfaceAngles) defines.emplace_back("UNIQUE_ANGLES");
-  if (method.tables.ellipse) defines.emplace_back("TABLE_ELLIPSE");
-  if (method.passes.texture) defines.emplace_back("PASS_TEXTURE");
-  if (method.passes.lightDepth) defines.emplace_back("PASS_LIGHT_DEPTH");
-  if (method.passes.shadowVolumes) defines.emplace_back("PASS_SHADOW_VOLUMES");
-  if (method.hasOwnNormal) defines.emplace_back("OWN_NORMAL");
-  if (method.hasTest) defines.emplace_back("OWN_TEST");
-  if (method.hasHorizon) defines.emplace_back("OWN_HORIZON");
-  if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
-  return defines;
-}
-
-/// The method's own file between what it may use and the stage that calls it. Every picture is
-/// shaded by the height map; a method that does not declare that table gets it behind its back.
-std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& method,
-                                      const char* stage) {
-  std::vector<ShaderPiece> pieces;
-  const auto add = [&](const char* name) {
-    pieces.push_back(readShader(shaders / "common" / name));
-  };
-  add("pixel.glsl");
-  add("disc.glsl");
-  add("wrap.glsl");
-  if (method.tables.height) add("relief.glsl");
-  for (const char* name :
-       {"tables.glsl", "osculating.glsl", "path.glsl", "angles.glsl", "passes.glsl"}) {
-    add(name);
-  }
-  pieces.push_back({method.source.file + " (parameters)", parameterUniforms(method)});
-  pieces.push_back(method.source);
-  if (!method.tables.height) add("relief.glsl");
-  add("shading.glsl");
-  add("answers.glsl");
-  add(stage);
-  return pieces;
-}
-
-/// @throws InputError naming the declaration that is missing, where the compiler misses a name that
-///   one would provide
-gl::Program makeMethodProgram(const fs::path& shaders, const Method& method, const char* stage,
-                              const std::vector<std::string>& defines) {
-  try {
-    return makeSurfaceProgram(shaders, methodPieces(shaders, method, stage), defines);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    throw InputError(message +
-                     missingDeclaration(sharedNames(shaders), message, method.source, defines));
-  }
-}
-
 /// The program that answers with shares; none where the method has only 0 and 1 to say.
 /// @throws InputError for a disc without a horizon
 std::optional<gl::Program> makeShareProgram(const fs::path& shaders, const Method& method,
@@ -140,21 +63,49 @@ std::optional<gl::Program> makeShareProgram(const fs::path& shaders, const Metho
   }
   if (!isDisc && !method.answersShares) return std::nullopt;
   defines.emplace_back(isDisc ? "ANSWER_DISC" : "ANSWER_SHARE");
-  return makeMethodProgram(shaders, method, "visibility.frag", defines);
+  return makeMethodProgram(shaders, method, surfaceStage(shaders, "visibility.frag"), defines);
 }
 
-/// A texture pass keeps its values in the bits of the angles that it reads; without any, in floats.
-horizon::TableBits resolvedBits(const GpuTables& tables) {
+/// The passes of a method's own, and first the one that `passes = ["texture"]` asks for.
+std::vector<OwnPass> ownPasses(const Method& method) {
+  std::vector<OwnPass> passes = method.passes.own;
+  if (!method.passes.texture) return passes;
+  for (OwnPass& pass : passes) {
+    if (pass.source) ++*pass.source;
+  }
+  passes.insert(passes.begin(), resolvePass());
+  return passes;
+}
+
+/// A pass that resolves texels keeps its values in the bits of the angles that it reads; without
+/// any, in floats.
+horizon::TableBits bitsOf(const OwnPass& pass, const GpuTables& tables) {
+  if (pass.bits) return *pass.bits;
   return tables.angles != nullptr ? tables.angles->bits() : horizon::TableBits::thirtyTwo;
 }
 
-GLenum resolvedFormat(horizon::TableBits bits) {
-  if (bits == horizon::TableBits::eight) return GL_RG8;
-  return bits == horizon::TableBits::sixteen ? GL_RG16 : GL_RG32F;
+double targetBytes(const OwnPass& pass, const GpuTables& tables, glm::dvec2 size) {
+  const double levels = pass.mips ? 4.0 / 3 : 1;
+  return size.x * size.y * levels * pass.storedChannels() *
+         static_cast<double>(bitsOf(pass, tables)) / 8;
 }
 
-int bytesPerResolved(horizon::TableBits bits) {
-  return 2 * static_cast<int>(bits) / 8;
+Target makeTarget(const OwnPass& pass, const GpuTables& tables, glm::ivec2 size) {
+  const auto channel = static_cast<std::size_t>(pass.storedChannels() - 1);
+  const Target::Reading reading = pass.mips         ? Target::Reading::mips
+                                  : pass.isMarked() ? Target::Reading::texels
+                                                    : Target::Reading::filtered;
+  return {size.x,
+          size.y,
+          {pixelFormat(bitsOf(pass, tables)).sized.at(channel)},
+          Target::Stencil::none,
+          reading};
+}
+
+/// The matrix from a view's clip space to its pixels and depth 0 to 1.
+glm::dmat4 mapFromClip(glm::dvec2 size) {
+  return glm::scale(glm::dmat4(1), glm::dvec3(size / 2.0, 0.5)) *
+         glm::translate(glm::dmat4(1), glm::dvec3(1, 1, 1));
 }
 
 }  // namespace
@@ -164,38 +115,58 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wr
                        SoftAnswer soft)
     : name_(method.name),
       tables_(method.tables),
+      bakes_(method.bakes),
+      textures_(method.textures),
+      pictures_(gpuTextures(method)),
       passes_(method.passes),
+      own_(ownPasses(method)),
+      readsLightDepth_(method.passes.lightDepth || placeOfWord(method.code, "lightDepthOf") ||
+                       placeOfWord(method.code, "lightDepthMap")),
       hasLightMesh_(method.lightMesh.has_value()),
       values_(parameterValues(method, values)) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
-  answer_ = makeMethodProgram(shaders, method, "mask.frag", defines);
+  answer_ = makeMethodProgram(shaders, method, surfaceStage(shaders, "mask.frag"), defines);
   share_ = makeShareProgram(shaders, method, soft, defines);
-  if (passes_.texture) resolve_ = makeMethodProgram(shaders, method, "resolve.frag", defines);
-  if (passes_.lightDepth) lightDepth_.emplace(shaders);
-  if (passes_.shadowVolumes) volumes_.emplace(shaders);
-  for (const auto& [name, value] : values_) {
-    for (const gl::Program* program :
-         {&answer_, share_ ? &*share_ : nullptr, resolve_ ? &*resolve_ : nullptr}) {
-      if (program == nullptr) continue;
-      setUniform(program->name(), name.c_str(), value);
-    }
+  for (const OwnPass& pass : own_) {
+    const MethodStage stage = ownPassStage(shaders, method, pass, own_);
+    ownPrograms_.push_back(makeMethodProgram(shaders, method, stage, defines));
+    setParameters(ownPrograms_.back().name(), method, values_);
   }
+  if (!own_.empty()) nothing_ = makeNoNumber(GL_TEXTURE_2D);
+  if (seesLight() || passes_.cameraDepth) depth_.emplace(shaders);
+  if (passes_.shadowVolumes) volumes_.emplace(shaders);
+  setParameters(answer_.name(), method, values_);
+  if (share_) setParameters(share_->name(), method, values_);
 }
 
 int MethodPass::depthSide() const {
   return static_cast<int>(values_.at("depth_side"));
 }
 
-std::uint64_t MethodPass::passBytes(const Drawing& drawing, const GpuTables& tables) const {
+std::uint64_t MethodPass::textureBytes() const {
   std::uint64_t bytes = 0;
-  if (passes_.texture) {
-    bytes += static_cast<std::uint64_t>(drawing.texture->width) *
-             static_cast<std::uint64_t>(drawing.texture->height) *
-             static_cast<std::uint64_t>(bytesPerResolved(resolvedBits(tables)));
+  for (const GpuTexture& picture : pictures_) bytes += picture.byteCount();
+  return bytes;
+}
+
+std::uint64_t MethodPass::passBytes(const RenderView* view, const Drawing& drawing,
+                                    const GpuTables& tables) const {
+  std::uint64_t bytes = 0;
+  const auto sizeOf = [&](PassRaster root) -> glm::dvec2 {
+    if (root == PassRaster::texture) return {drawing.texture->width, drawing.texture->height};
+    if (root == PassRaster::light) return glm::dvec2(depthSide());
+    return view == nullptr ? glm::dvec2(0) : glm::dvec2(view->width, view->height);
+  };
+  for (const OwnPass& pass : own_) {
+    bytes += static_cast<std::uint64_t>(targetBytes(pass, tables, sizeOf(pass.root)));
   }
-  if (passes_.lightDepth) {
+  if (readsLightDepth_) {
     const auto side = static_cast<std::uint64_t>(depthSide());
     bytes += side * side * sizeof(GLfloat);
+  }
+  if (passes_.cameraDepth && view != nullptr) {
+    const glm::dvec2 size = sizeOf(PassRaster::camera);
+    bytes += static_cast<std::uint64_t>(size.x * size.y) * sizeof(GLfloat);
   }
   return bytes;
 }
@@ -212,19 +183,25 @@ class MethodPass::Frame {
         isShare_(pass.share_ && drawing.lightRadius > 0),
         answers_(view.width, view.height,
                  isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI}) {
-    if (pass.resolve_) {
-      if (drawing.texture == nullptr) {
-        throw InternalError(fmt::format("method {} got no texture plane", pass.name_));
-      }
-      resolved_.emplace(drawing.texture->width, drawing.texture->height,
-                        std::vector<GLenum>{resolvedFormat(resolvedBits(tables))});
-    }
-    if (pass.lightDepth_) {
+    if (pass.seesLight()) {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
                     fmt::format("method {}: depth_side = {}", pass.name_, side));
       light_ = lightView(seenFromLight().bounds(), drawing.light, pass.depthSide());
+    }
+    for (const OwnPass& own : pass.own_) {
+      const RenderView& on = viewOf(own.root);
+      requireMemory(targetBytes(own, tables, {on.width, on.height}),
+                    fmt::format("method {}: pass `{}` of {} × {} texels", pass.name_, own.name,
+                                on.width, on.height));
+      targets_.push_back(makeTarget(own, tables, {on.width, on.height}));
+    }
+    if (pass.passes_.lightDepth && !pass.passes_.hasOwn(PassRaster::light)) {
       depth_.emplace(light_.width, light_.height, std::vector<GLenum>{});
+    }
+    if (pass.passes_.cameraDepth) {
+      requireCamera();
+      cameraDepth_.emplace(view.width, view.height, std::vector<GLenum>{});
     }
     if (pass.volumes_) {
       counts_.emplace(view.width, view.height, std::vector<GLenum>{}, Target::Stencil::eightBits);
@@ -232,20 +209,26 @@ class MethodPass::Frame {
   }
 
   /// Whether a pass fills something that depends on the light and on no view.
-  [[nodiscard]] bool hasLightPasses() const { return resolved_ || depth_; }
+  [[nodiscard]] bool hasLightPasses() const {
+    return depth_ || std::any_of(pass_.own_.begin(), pass_.own_.end(), isOfTheLight);
+  }
 
   void drawLightPasses() const {
-    if (resolved_) drawResolved();
-    if (depth_) pass_.lightDepth_->draw(light_, seenFromLight(), *depth_);
+    if (depth_) pass_.depth_->draw(light_, seenFromLight(), *depth_, Sides::both);
+    drawOwn(true);
   }
 
   /// The view's passes, after the light's.
   void drawView() const {
     if (counts_) pass_.volumes_->draw(view_, drawing_, *counts_);
+    if (cameraDepth_) {
+      pass_.depth_->draw(view_, drawing_.mesh, *cameraDepth_, Sides::front);
+    }
+    drawOwn(false);
     clearAnswers();
     const GLuint program = isShare_ ? pass_.share_->name() : pass_.answer_.name();
     setInputs(program, view_);
-    bindPasses(program);
+    bindPasses(program, pass_.own_.size());
     drawMesh(answers_, program, view_, drawing_.mesh);
   }
 
@@ -287,74 +270,99 @@ class MethodPass::Frame {
     return *drawing_.lightMesh;
   }
 
-  void drawResolved() const {
-    const std::array<GLfloat, 4> nothing = {0, 0, 0, 0};
-    glClearNamedFramebufferfv(resolved_->framebuffer(), GL_COLOR, 0, nothing.data());
-    resolved_->clearDepth();
-    setInputs(pass_.resolve_->name(), *drawing_.texture);
-    drawMesh(*resolved_, pass_.resolve_->name(), *drawing_.texture, drawing_.mesh);
+  static bool isOfTheLight(const OwnPass& pass) { return pass.root != PassRaster::camera; }
+
+  void requireCamera() const {
+    if (view_.atlasTiles.x == 0) return;
+    throw InternalError(fmt::format("method {} needs a camera's view", pass_.name_));
+  }
+
+  /// What a pass of the method's own is drawn over.
+  [[nodiscard]] const RenderView& viewOf(PassRaster root) const {
+    if (root == PassRaster::light) return light_;
+    if (root == PassRaster::texture) {
+      if (drawing_.texture == nullptr) {
+        throw InternalError(fmt::format("method {} got no texture plane", pass_.name_));
+      }
+      return *drawing_.texture;
+    }
+    requireCamera();
+    return view_;
+  }
+
+  void drawOwn(bool ofTheLight) const {
+    for (std::size_t i = 0; i < pass_.own_.size(); ++i) {
+      if (isOfTheLight(pass_.own_[i]) == ofTheLight) drawOwn(i);
+    }
+  }
+
+  void drawOwn(std::size_t place) const {
+    const OwnPass& own = pass_.own_[place];
+    const Target& target = targets_[place];
+    const GLuint program = pass_.ownPrograms_[place].name();
+    const RenderView& view = viewOf(own.root);
+    setInputs(program, view);
+    bindPasses(program, place);
+    if (own.raster == PassRaster::filter) {
+      target.bind();
+      glViewport(0, 0, target.width(), target.height());
+      drawPlane(program);
+    } else {
+      glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, 0, own.clear.data());
+      target.clearDepth();
+      const bool isLight = own.raster == PassRaster::light;
+      drawMesh(target, program, view, isLight ? seenFromLight() : drawing_.mesh,
+               isLight ? Sides::both : Sides::front);
+    }
+    target.makeMips();
   }
 
   void setInputs(GLuint program, const RenderView& view) const {
     setView(program, view);
     setDrawing(program, drawing_);
-    setUniform(program, "searchRadius", tables_.searchRadius);
-    if (pass_.tables_.horizon) {
-      bindTable(program, tables_.horizon, TextureUnit::horizon, "horizonTable", "horizonRange");
-    }
-    if (pass_.tables_.distance) {
-      bindTable(program, tables_.distance, TextureUnit::distance, "distanceTable", "distanceRange");
-    }
-    if (pass_.tables_.ellipse) {
-      bindTable(program, tables_.ellipse, TextureUnit::ellipse, "ellipseTable", "ellipseRange");
-    }
-    if (pass_.tables_.angles || pass_.tables_.surfaceAngles) bindAngles(program);
-  }
-
-  template <typename Table>
-  void require(const Table* table, const char* what) const {
-    if (table == nullptr)
-      throw InternalError(fmt::format("method {} got no {}", pass_.name_, what));
-  }
-
-  void bindTable(GLuint program, const GpuTable* table, TextureUnit unit, const char* sampler,
-                 const char* range) const {
-    require(table, sampler);
-    bindTexture(program, unit, table->texture(), sampler);
-    setUniform(program, range, table->range());
-  }
-
-  void bindAngles(GLuint program) const {
-    require(tables_.angles, "angles");
-    const GpuAngles& angles = *tables_.angles;
-    bindTexture(program, TextureUnit::angles, angles.texture(), "angleMaps");
-    bindTexture(program, TextureUnit::basis, angles.basis(), "basisMaps");
-    bindTexture(program, TextureUnit::arccos, angles.arccos(), "arccosMap");
-    setUniform(program, "angleAzimuths", angles.azimuths());
-    setUniform(program, "angleLimit", angles.limit());
-    setUniform(program, "angleSteps", angles.steps());
-    setUniform(program, "angleOrigin", angles.origin());
+    bindTables(program, pass_.name_, pass_.tables_, tables_);
+    bindBakes(program, pass_.name_, pass_.bakes_, tables_);
+    bindOwnTextures(program, pass_.textures_, pass_.pictures_);
   }
 
   /// What the earlier passes of the frame left.
-  void bindPasses(GLuint program) const {
-    if (resolved_) {
-      bindTexture(program, TextureUnit::resolved, resolved_->colourTexture(0), "resolvedMap");
-      setUniform(program, "resolvedOrigin", glm::ivec2(drawing_.texture->texelWindow));
+  /// @param known  passes of the method's own that have been drawn
+  void bindPasses(GLuint program, std::size_t known) const {
+    for (std::size_t i = 0; i < pass_.own_.size(); ++i) {
+      const OwnPass& own = pass_.own_[i];
+      bindTexture(program, passUnit(i),
+                  i < known ? targets_[i].colourTexture(0) : pass_.nothing_.name(),
+                  own.sampler().c_str());
+      setUniform(program, own.origin().c_str(), glm::ivec2(viewOf(own.root).texelWindow));
     }
-    if (depth_) {
-      bindTexture(program, TextureUnit::lightDepth, depth_->depthTexture(), "lightDepthMap");
-      // From clip space to texels of the map and depth 0 to 1.
+    if (pass_.seesLight()) {
+      bindTexture(program, TextureUnit::lightDepth, lightDepth(known), "lightDepthMap");
       const auto side = static_cast<float>(light_.width);
-      const glm::mat4 mapFromClip = glm::scale(glm::mat4(1), {side / 2, side / 2, 0.5F}) *
-                                    glm::translate(glm::mat4(1), glm::vec3(1, 1, 1));
-      setUniform(program, "lightMapFromWorld", mapFromClip * light_.clipFromWorld);
+      const glm::mat4 fromClip(mapFromClip({light_.width, light_.width}));
+      setUniform(program, "lightMapFromWorld", fromClip * light_.clipFromWorld);
       const auto diameter = static_cast<float>(2.0002 * seenFromLight().bounds().radius);
       setUniform(program, "lightMapLengths", glm::vec2(diameter / side, diameter));
+    }
+    if (cameraDepth_) {
+      const glm::dmat4 map =
+          mapFromClip({view_.width, view_.height}) * glm::dmat4(view_.clipFromWorld);
+      bindTexture(program, TextureUnit::cameraDepth, cameraDepth_->depthTexture(),
+                  "cameraDepthMap");
+      setUniform(program, "cameraMapFromWorld", glm::mat4(map));
+      setUniform(program, "worldFromCameraMap", glm::mat4(glm::inverse(map)));
     }
     if (counts_) {
       bindTexture(program, TextureUnit::shadowCount, counts_->depthTexture(), "shadowCounts");
     }
+  }
+
+  /// The depth that the light sees; no number while it has not been drawn.
+  [[nodiscard]] GLuint lightDepth(std::size_t known) const {
+    if (depth_) return depth_->depthTexture();
+    for (std::size_t i = 0; i < known; ++i) {
+      if (pass_.own_[i].raster == PassRaster::light) return targets_[i].depthTexture();
+    }
+    return pass_.nothing_.name();
   }
 
   const MethodPass& pass_;
@@ -362,8 +370,9 @@ class MethodPass::Frame {
   const Drawing& drawing_;
   const GpuTables& tables_;
   RenderView light_;
-  std::optional<Target> resolved_;
+  std::vector<Target> targets_;  ///< of the method's own passes
   std::optional<Target> depth_;
+  std::optional<Target> cameraDepth_;
   std::optional<Target> counts_;
   bool isShare_;
   Target answers_;

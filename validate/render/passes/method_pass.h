@@ -11,26 +11,12 @@
 #include "common/visibility.h"
 #include "render/frame_timer.h"
 #include "render/method.h"
+#include "render/passes/depth_pass.h"
 #include "render/passes/drawing.h"
-#include "render/passes/light_depth_pass.h"
+#include "render/passes/method_tables.h"
 #include "render/passes/shadow_volume_pass.h"
 
 namespace gnomon::render {
-
-/// How tables are filtered.
-enum class TableFilter {
-  exact,     ///< by hand from single texels, in float: masks do not depend on the GPU's filter
-  hardware,  ///< by the GPU's own trilinear filter, as products do
-};
-
-/// The tables of a bake on the GPU, and how far it searched. A method reads only what it declares.
-struct GpuTables {
-  const GpuTable* horizon = nullptr;
-  const GpuTable* distance = nullptr;
-  const GpuAngles* angles = nullptr;  ///< of the flat relief or of the surface, as declared
-  const GpuTable* ellipse = nullptr;
-  double searchRadius = 128;  ///< of the bake, texels: marches end there too
-};
 
 /// A method's two answers for every sample of a view.
 struct MethodAnswers {
@@ -94,24 +80,37 @@ class MethodPass {
                                       const GpuTables& tables, int frames, FirstFrame first,
                                       FrameClock clock) const;
 
+  /// Bytes of the pictures that the method brings.
+  [[nodiscard]] std::uint64_t textureBytes() const;
   /// Bytes of the textures that its passes fill and read again in every frame.
-  [[nodiscard]] std::uint64_t passBytes(const Drawing& drawing, const GpuTables& tables) const;
+  /// @param view  of a camera, for what is as large as its picture; null for none
+  [[nodiscard]] std::uint64_t passBytes(const RenderView* view, const Drawing& drawing,
+                                        const GpuTables& tables) const;
 
  private:
   class Frame;
 
+  [[nodiscard]] bool seesLight() const {
+    return passes_.lightDepth || passes_.hasOwn(PassRaster::light);
+  }
   /// A side of the depth map, texels.
   [[nodiscard]] int depthSide() const;
 
   std::string name_;
   MethodTables tables_;
+  std::vector<MethodBake> bakes_;
+  std::vector<MethodTexture> textures_;
+  std::vector<GpuTexture> pictures_;
   MethodPasses passes_;
+  std::vector<OwnPass> own_;  ///< with the one that resolves texels first
+  bool readsLightDepth_;
   bool hasLightMesh_;
   std::map<std::string, double> values_;  ///< every parameter's
   gl::Program answer_;
-  std::optional<gl::Program> share_;  ///< of a method that answers with a share
-  std::optional<gl::Program> resolve_;
-  std::optional<LightDepthPass> lightDepth_;
+  std::optional<gl::Program> share_;      ///< of a method that answers with a share
+  std::vector<gl::Program> ownPrograms_;  ///< one a pass of `own_`
+  gl::Texture nothing_;                   ///< read in the place of a target that is not there yet
+  std::optional<DepthPass> depth_;
   std::optional<ShadowVolumePass> volumes_;
 };
 

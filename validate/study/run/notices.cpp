@@ -1,6 +1,7 @@
 #include "study/run/notices.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,19 @@ std::optional<std::string> softNotice(const StudySpec& study) {
       areAll ? "The lights are discs" : "Some of the lights are discs", study.truth.directions);
 }
 
+std::optional<std::string> cameraNotice(const StudySpec& study, const std::string& label,
+                                        const render::Method& method) {
+  // Of shadow volumes the table of views says enough.
+  if (!method.needsCamera() || method.passes.shadowVolumes) return std::nullopt;
+  std::vector<std::string> atlases;
+  for (const ViewSpec& view : study.views) {
+    if (cameraOf(view) == nullptr) atlases.push_back(fmt::format("\"{}\"", view.name));
+  }
+  if (atlases.empty()) return std::nullopt;
+  return fmt::format("{} {}: it is left out of {}.", label, cameraReason(method),
+                     fmt::join(atlases, ", "));
+}
+
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods) {
   std::vector<std::string> notices;
@@ -111,6 +125,7 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   std::optional<double> longestEdge;
   for (const MethodCase& method : methods) {
     if (method.isGiven()) add(givenNotice(method.spec->label));
+    add(cameraNotice(scene.study, method.spec->label, method.method));
     const MeshChoice& mesh = method.base->choice;
     if (mesh.kind != render::DrawnMesh::displaced) continue;
     if (!longestEdge) {

@@ -40,6 +40,10 @@ std::string givenNotice(const std::string& method);
 /// A notice of what is measured under lights with discs, where the study has any.
 std::optional<std::string> softNotice(const StudySpec& study);
 
+/// A notice of the views in which a method cannot answer that needs a camera.
+std::optional<std::string> cameraNotice(const StudySpec& study, const std::string& label,
+                                        const render::Method& method);
+
 /// All notices of a run, once its truth is traced.
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods);

@@ -6,6 +6,7 @@
 #include "common/files/atomic_file.h"
 #include "common/files/input_file.h"
 #include "common/text/sha256.h"
+#include "render/method.h"
 #include "render/shader_files.h"
 #include "study/spec/mask_files.h"
 #include "study/spec/sections/study_paths.h"
@@ -41,6 +42,14 @@ class Inputs {
     for (const fs::path& file : render::shadersIn(shaders_ / "common")) add(Kind::shader, file);
   }
 
+  /// A method's file, and those that it brings.
+  void addMethod(const fs::path& file) {
+    add(Kind::shader, file);
+    const render::Method method = render::readMethod(file);
+    for (const render::ShaderPiece& include : method.includes) add(Kind::shader, include.file);
+    for (const render::MethodTexture& texture : method.textures) add(Kind::image, texture.file);
+  }
+
   std::vector<InputRecord> list;
 
  private:
@@ -62,14 +71,14 @@ std::vector<InputRecord> studyInputs(const StudySpec& study, const fs::path& fol
   }
   inputs.addCommonShaders();
   for (const MethodSpec& method : study.methods) {
-    if (!method.isGiven()) inputs.add(Kind::shader, method.file);
+    if (!method.isGiven()) inputs.addMethod(method.file);
     for (const GivenMaskFile& mask : givenMaskFiles(study, method)) {
       inputs.add(Kind::mask, mask.path);
     }
   }
   for (const LadderSpec& ladder : study.ladders) {
     for (const auto* states : {&ladder.forward, &ladder.backward}) {
-      for (const MethodSpec& state : *states) inputs.add(Kind::shader, state.file);
+      for (const MethodSpec& state : *states) inputs.addMethod(state.file);
     }
   }
   return std::move(inputs.list);

@@ -207,6 +207,45 @@ TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
               ::testing::MatchesRegex("max-forsyth V [01]\\.000, truth V [01]\\.[0-9]+: .*"));
 }
 
+TEST_F(ViewSessionTest, AMethodsOwnBakesFollowItsFilesAndTheRelief) {
+  // Shadowed where the map is higher than a part of its highest texel, by a bake of it.
+  const std::string head =
+      "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\ntables = [\"height\"]\n[bakes.high]\n*/\n"
+      "#include \"part.glsl\"\n"
+      "float bakeHigh(vec2 texel) { return heightAt(texel) > limit() ? 1.0 : 0.0; }\n"
+      "bool isShadowed(Pixel pixel, LocalLight light) { return highAt(pixel.texel) > 0.5; }\n";
+  std::ofstream(file("mine.glsl")) << head;
+  std::ofstream(file("part.glsl")) << "float limit() { return 2.0; }\n";
+  std::ofstream(study(), std::ios::app) << "[[method]]\nfile = \"mine.glsl\"\n";
+  ViewSession session(request({"mine"}), [] {});
+  ASSERT_TRUE(completes(session));
+  const auto shadowed = [&] {
+    const auto mask = session.maskOf(0);
+    return mask ? std::count(mask->samples.begin(), mask->samples.end(), Shade::shadowed) : 0;
+  };
+  const auto first = shadowed();
+  EXPECT_GT(first, 0);
+  session.state().changes.height = 1;  // nothing is higher than 2
+  ASSERT_TRUE(completes(session));
+  const auto flat = shadowed();
+  EXPECT_LT(flat, first);
+  session.state().changes.height.reset();
+  ASSERT_TRUE(completes(session));
+  EXPECT_EQ(shadowed(), first);
+  std::ofstream(file("part.glsl")) << "float limit() { return -1.0; }\n";
+  EXPECT_TRUE(comesTrue([&] {
+    session.update();
+    return shadowed() > first;
+  }));
+  std::ofstream(file("part.glsl")) << "float limit() { return 0.0 / 0.0; }\n"
+                                      "float bakeHigh2() { return missing; }\n";
+  EXPECT_TRUE(comesTrue([&] {
+    session.update();
+    return !session.errors().empty();
+  }));
+  EXPECT_THAT(session.errors().front(), testing::HasSubstr("part.glsl:2: "));
+}
+
 TEST_F(ViewSessionTest, WhatTheDriverDrawsWrongIsNotShown) {
   namespace fs = std::filesystem;
   std::ofstream(study(), std::ios::app) << "[[method]]\nname = \"shadow-volume\"\n";

@@ -9,6 +9,7 @@
 #include "horizon/angle_table.h"
 #include "horizon/horizon_bake.h"
 #include "horizon/horizon_ellipses.h"
+#include "render/bakes/gpu_bake.h"
 #include "render/passes/method_pass.h"
 #include "render/view.h"
 #include "study/record/record_fields.h"
@@ -58,7 +59,8 @@ void fields(Stream& stream, T& grid) {
 template <>
 inline constexpr bool isPacked<render::RenderView> = sizeof(render::RenderView) ==
                                                      sizeof(glm::mat4) + 4 * sizeof(int) +
-                                                         sizeof(render::RenderView::texelWindow);
+                                                         sizeof(render::RenderView::texelWindow) +
+                                                         sizeof(glm::vec3);
 
 template <typename Stream, SameAs<compare::SampleLayout> T>
 void fields(Stream& stream, T& layout) {
@@ -86,6 +88,12 @@ template <typename Stream, SameAs<horizon::AngleTable> T>
 void fields(Stream& stream, T& table) {
   stream(table.width, table.height, table.layers, table.limit, table.angles, table.wrap,
          table.originX, table.originY);
+}
+
+template <typename Stream, SameAs<render::StoredBake> T>
+void fields(Stream& stream, T& bake) {
+  stream(bake.width, bake.height, bake.layers, bake.channels, bake.levels, bake.values.bits,
+         bake.values.low, bake.values.high, bake.values.bytes);
 }
 
 template <typename Stream, SameAs<compare::BlockErrors> T>

@@ -10,6 +10,7 @@
 #include "common/error.h"
 #include "render/passes/passes.h"
 #include "study/run/scene/cached_fields.h"
+#include "study/run/scene/method_bakes.h"
 #include "truth/surface_horizons.h"
 
 namespace gnomon::study {
@@ -29,11 +30,18 @@ render::GpuTables reliefTables(RunScene& scene, const render::Method& method,
   return tables;
 }
 
+/// Bakes the method's own tables, once all others are there.
+void bakeOwn(RunScene& scene, MethodCase& method) {
+  CompiledMethod& ready = *method.compiled;
+  ready.bakes = methodBakes(scene, *method.spec, method.method, ready.tables);
+  ready.tables.bakes = ready.bakes.get();
+}
+
 void compile(RunScene& scene, MethodCase& method) {
   const MethodSpec& spec = *method.spec;
   const DrawnBase& base = scene.clock.measure(
       "samples", [&](const Progress&) -> const DrawnBase& { return *method.base->drawn.get(); });
-  if (method.method.passes.texture || method.method.tables.surfaceAngles) {
+  if (method.method.passes.needTexturePlane() || method.method.tables.surfaceAngles) {
     render::requireTextureView(base.texture);
   }
   constexpr std::uint64_t bytes = 1 << 20;  // about, in the driver
@@ -47,6 +55,7 @@ void compile(RunScene& scene, MethodCase& method) {
       [](const render::MethodPass&) { return bytes; });
   method.compiled.emplace(
       CompiledMethod{std::move(pass), reliefTables(scene, method.method, spec.bake)});
+  if (!method.method.tables.surfaceAngles) bakeOwn(scene, method);
 }
 
 bool hasAllMasks(const RunScene& scene, const MethodCase& method) {
@@ -206,14 +215,17 @@ std::uint64_t polygonsOf(RunScene& scene, const MethodCase& method) {
          (lightMesh ? scene.mesh(*lightMesh).gpu.triangleCount() : 0);
 }
 
+std::string cameraReason(const render::Method& method) {
+  return method.passes.shadowVolumes ? "counts shadow volumes at a camera's pixels"
+                                     : "answers at a camera's pixels alone";
+}
+
 void requireView(const MethodCase& method, const StudySpec& study) {
   const bool isSeen = std::any_of(study.views.begin(), study.views.end(),
                                   [&](const ViewSpec& view) { return answersIn(method, view); });
   if (isSeen) return;
-  throw InputError(
-      fmt::format("method \"{}\" counts shadow volumes at a camera's pixels: a [[view]] of type "
-                  "camera expected",
-                  method.spec->label));
+  throw InputError(fmt::format("method \"{}\" {}: a [[view]] of type camera expected",
+                               method.spec->label, cameraReason(method.method)));
 }
 
 void shootTables(RunScene& scene, std::span<MethodCase> methods) {
@@ -231,11 +243,12 @@ void shootTables(RunScene& scene, std::span<MethodCase> methods) {
   for (MethodCase* method : needing) {
     method->compiled->tables.angles = &scene.tables.surfaceAngles(
         method->spec->bake, method->base->choice, [&] { return shootAngles(scene, *method); });
+    bakeOwn(scene, *method);
   }
 }
 
 bool answersIn(const MethodCase& method, const ViewSpec& view) {
-  return !method.method.passes.shadowVolumes || cameraOf(view) != nullptr;
+  return !method.method.needsCamera() || cameraOf(view) != nullptr;
 }
 
 CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std::size_t light) {
@@ -273,7 +286,16 @@ std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   if (declared.distance) bytes += tables.distance->byteCount();
   if (declared.ellipse) bytes += tables.ellipse->byteCount();
   if (tables.angles != nullptr) bytes += tables.angles->byteCount();
-  return bytes + ready.pass->passBytes(drawingOf(scene, method, 0), tables);
+  for (const render::MethodBake& bake : method.method.bakes) {
+    bytes += render::bytesOver(bake, scene.heights.size());
+  }
+  const auto& views = scene.study.views;
+  const auto camera = std::find_if(views.begin(), views.end(), cameraOf);
+  const auto place = static_cast<std::size_t>(camera - views.begin());
+  const render::RenderView* view =
+      camera == views.end() ? nullptr : &method.base->views[place].view;
+  return bytes + ready.pass->textureBytes() +
+         ready.pass->passBytes(view, drawingOf(scene, method, 0), tables);
 }
 
 }  // namespace gnomon::study

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "common/mask.h"
 #include "render/method.h"
@@ -18,6 +20,7 @@ namespace gnomon::study {
 struct CompiledMethod {
   std::shared_ptr<const render::MethodPass> pass;
   render::GpuTables tables;
+  std::shared_ptr<const std::vector<render::GpuBake>> bakes = {};  ///< its own, if it has any
   bool hasDrawn = false;  ///< a mask: frames can be timed without a warm-up
 };
 
@@ -71,7 +74,11 @@ void requireView(const MethodCase& method, const StudySpec& study);
 /// in memory.
 void shootTables(RunScene& scene, std::span<MethodCase> methods);
 
-/// Whether the method can answer in a view: one that counts shadow volumes does in a camera's.
+/// Why a method answers in the pictures of cameras alone: "counts shadow volumes at a camera's
+/// pixels".
+std::string cameraReason(const render::Method& method);
+
+/// Whether the method can answer in a view: one that needs a camera does in a camera's.
 bool answersIn(const MethodCase& method, const ViewSpec& view);
 
 /// A method's answers in one view under one light, without the samples for which no frame exists:
@@ -83,7 +90,8 @@ CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std
 cache::ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
                             std::size_t light);
 
-/// Bytes of the tables that the method declares, and of the textures that its passes fill.
+/// Bytes of the tables that the method declares, of its textures, and of those that its passes fill
+/// in the first camera's picture.
 std::uint64_t tableBytes(RunScene& scene, MethodCase& method);
 
 }  // namespace gnomon::study

@@ -58,12 +58,32 @@ cache::ContentKey cageKey(const surface::Cage& cage) {
   return key.key();
 }
 
+/// The settings of a bake that what a method declares depends on.
+Enters tablesReadBy(const render::MethodTables& tables) {
+  using enum Enters;
+  const bool reads =
+      tables.horizon || tables.distance || tables.angles || tables.surfaceAngles || tables.ellipse;
+  return reads           ? horizons | codes | flatAngles | shotAngles | search
+         : tables.height ? search
+                         : nothing;
+}
+
 }  // namespace
 
 cache::ContentKey shadersKey(const fs::path& shaders) {
   cache::KeyBuilder key("shaders");
   for (const fs::path& file : render::shadersIn(shaders / "common")) {
     key.add("file", file.filename().string()).add("text", readFile(file));
+  }
+  return key.key();
+}
+
+cache::ContentKey methodFilesKey(const render::Method& method) {
+  cache::KeyBuilder key("files of a method");
+  key.add("source", method.source.text);
+  for (const render::ShaderPiece& include : method.includes) key.add("include", include.text);
+  for (const render::MethodTexture& texture : method.textures) {
+    key.add("texture", texture.name).add("bytes", cache::keyOfBytes(readFile(texture.file)));
   }
   return key.key();
 }
@@ -112,9 +132,11 @@ cache::ContentKey bakeKey(const relief::HeightField& field, const BakeSpec& bake
 
 RunKeys::RunKeys(const StudySpec& study, const render::GlContext& gl, const fs::path& shaders)
     : study_(study), shaders_(shadersKey(shaders)) {
+  cache::KeyBuilder drawnBy("driver");
   cache::KeyBuilder key("place");
   const render::GlDriver driver = gl.driver();
-  key.add("renderer", driver.renderer).add("gl", driver.version);
+  driver_ = drawnBy.add("renderer", driver.renderer).add("gl", driver.version).key();
+  key.add("driver", driver_);
   addSettings(key, StudyHeader(study), Enters::scene);
   place_ = key.add("surface", surfaceKey(study)).add("relief", reliefKey(study)).key();
 }
@@ -201,24 +223,33 @@ cache::ContentKey RunKeys::surfaceAngles(const MeshChoice& choice, const BakeSpe
   return key.add("bake", settingsKey(bake, Enters::shotAngles)).key();
 }
 
+cache::ContentKey RunKeys::methodBakes(const MethodSpec& spec, const render::Method& method,
+                                       const std::map<std::string, double>& parameters,
+                                       double texelsPerHeight) const {
+  cache::KeyBuilder key("bakes of a method");
+  key.add("driver", driver_).add("shaders", shaders_);
+  key.add("files", methodFilesKey(method)).add("filter", spec.filter);
+  for (const auto& [name, value] : parameters) key.add("parameter", name).add("value", value);
+  key.add("heights", fieldKey(study_.relief.field)).add("space", study_.relief.space);
+  key.add("texelsPerHeight", texelsPerHeight);
+  key.add("bake", settingsKey(spec.bake, tablesReadBy(method.tables)));
+  if (method.tables.surfaceAngles) {
+    key.add("angles", surfaceAngles(meshOf(spec, method), spec.bake));
+  }
+  return key.key();
+}
+
 cache::ContentKey RunKeys::method(const MethodSpec& spec, const render::Method& method) const {
-  const render::MethodTables& tables = method.tables;
   cache::KeyBuilder key("method");
-  key.add("source", method.source.text).add("shaders", shaders_);
+  key.add("files", methodFilesKey(method)).add("shaders", shaders_);
   addSettings(key, spec, Enters::answers);
   key.add("mesh", mesh(meshOf(spec, method)));
   if (const auto light = lightMeshOf(spec, method)) key.add("light mesh", mesh(*light));
   for (const auto& [name, value] : spec.parameters) {
     key.add("parameter", name).add("value", value);
   }
-  using enum Enters;
-  const bool reads =
-      tables.horizon || tables.distance || tables.angles || tables.surfaceAngles || tables.ellipse;
-  const Enters read = reads           ? horizons | codes | flatAngles | shotAngles | search
-                      : tables.height ? search
-                                      : nothing;
-  key.add("bake", settingsKey(spec.bake, answers | read));
-  if (tables.surfaceAngles) {
+  key.add("bake", settingsKey(spec.bake, Enters::answers | tablesReadBy(method.tables)));
+  if (method.tables.surfaceAngles) {
     key.add("angles", surfaceAngles(meshOf(spec, method), spec.bake));
   }
   return key.key();
@@ -227,7 +258,7 @@ cache::ContentKey RunKeys::method(const MethodSpec& spec, const render::Method& 
 cache::ContentKey RunKeys::program(const MethodSpec& spec, const render::Method& method) const {
   cache::KeyBuilder key("program of a method");
   key.add("file", method.source.file).add("name", method.name);
-  key.add("source", method.source.text).add("shaders", shaders_);
+  key.add("files", methodFilesKey(method)).add("shaders", shaders_);
   key.add("wrap", study_.relief.field.wrap()).add("filter", spec.filter);
   if (spec.disc) key.add("disc", spec.disc);
   for (const auto& [name, value] : spec.parameters) {

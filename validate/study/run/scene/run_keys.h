@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "cache/content_key.h"
 #include "render/gl_context.h"
@@ -25,6 +27,9 @@ cache::ContentKey processorKey();
 /// Every file that methods and passes are made of beside a method's own.
 /// @param shaders  the folder that holds `common/`
 cache::ContentKey shadersKey(const std::filesystem::path& shaders);
+
+/// The files that a method brings: its own, what it includes, and its textures.
+cache::ContentKey methodFilesKey(const render::Method& method);
 
 /// The surface of a study: its keys, and the control mesh that they give.
 cache::ContentKey surfaceKey(const StudySpec& study);
@@ -74,6 +79,11 @@ class RunKeys {
   [[nodiscard]] cache::ContentKey ellipses(const BakeSpec& bake, double texelsPerHeight) const;
   /// Horizon angles shot on the study's micro-mesh, at the texels that a mesh shows.
   [[nodiscard]] cache::ContentKey surfaceAngles(const MeshChoice& mesh, const BakeSpec& bake) const;
+  /// The tables that a method bakes by its own functions.
+  /// @param parameters  those that the functions may use, with their values
+  [[nodiscard]] cache::ContentKey methodBakes(const MethodSpec& spec, const render::Method& method,
+                                              const std::map<std::string, double>& parameters,
+                                              double texelsPerHeight) const;
   /// A method with all that its answers depend on: shaders, parameters, filter, tables and mesh.
   [[nodiscard]] cache::ContentKey method(const MethodSpec& spec,
                                          const render::Method& method) const;
@@ -91,6 +101,7 @@ class RunKeys {
 
   const StudySpec& study_;
   cache::ContentKey shaders_;
+  cache::ContentKey driver_;
   cache::ContentKey place_;  ///< renderer, limit surface and relief
 };
 

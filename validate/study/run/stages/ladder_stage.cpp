@@ -29,11 +29,10 @@ void LadderStage::addState(const MethodSpec& spec, SurfaceOnDemand& surface,
                            const std::string& method) {
   if (stateOf(spec) < states_.size()) return;
   states_.push_back(prepareMethod(scene_, spec, surface));
-  if (states_.back().method.passes.shadowVolumes) {
-    throw InputError(
-        fmt::format("ladder \"{}\": {} counts shadow volumes at a camera's pixels, a method that "
-                    "answers in an atlas expected",
-                    method, states_.back().method.name));
+  if (states_.back().method.needsCamera()) {
+    throw InputError(fmt::format("ladder \"{}\": {} {}, a method that answers in an atlas expected",
+                                 method, states_.back().method.name,
+                                 cameraReason(states_.back().method)));
   }
 }
 

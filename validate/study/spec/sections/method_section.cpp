@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <cstdint>
+
 #include "common/error.h"
 #include "render/method.h"
 #include "study/spec/sections/study_paths.h"
@@ -19,7 +21,7 @@ fs::path readMethodFile(const TomlReader& section, const MethodDefaults& default
 
 /// A parameter's value, which the method must have and allow.
 double checkedValue(const TomlReader& section, const render::Method& method,
-                    const std::string& name, double value) {
+                    const std::string& name) {
   const auto found = method.parameters.find(name);
   if (found == method.parameters.end()) {
     std::vector<std::string> names;
@@ -29,17 +31,20 @@ double checkedValue(const TomlReader& section, const render::Method& method,
                              names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
   const render::MethodParameter& parameter = found->second;
-  if (!(value >= parameter.minimum && value <= parameter.maximum)) {
-    section.fail(name, fmt::format("{} found, {} to {} expected", value, parameter.minimum,
-                                   parameter.maximum));
+  const bool isFlag = section.find(name)->is_boolean();
+  if (isFlag && parameter.kind == render::ParameterKind::flag) return section.flag(name) ? 1 : 0;
+  const double value = section.number(name, anyNumber);
+  if (!parameter.allows(value)) {
+    section.fail(name, fmt::format("{} found, {} expected", value, parameter.rangeText()));
   }
   return value;
 }
 
 void readParameters(const TomlReader& section, const render::Method& declared, MethodSpec& method) {
   const TomlReader parameters = section.table("parameters");
-  for (const auto& [name, value] : parameters.allNumbers()) {
-    method.parameters[name] = checkedValue(parameters, declared, name, value);
+  for (const auto& [key, node] : parameters.written()) {
+    const std::string name(key.str());
+    method.parameters[name] = checkedValue(parameters, declared, name);
   }
 }
 
@@ -129,9 +134,21 @@ toml::table tableOf(const MethodSpec& method, const fs::path& folder, int resamp
   table.insert("base", settingsOf(method.base));
   toml::table parameters;
   for (const auto& [name, parameter] : render::readMethod(method.file).parameters) {
-    parameters.insert(name, parameter.defaultValue);
+    const auto chosen = method.parameters.find(name);
+    const double value =
+        chosen == method.parameters.end() ? parameter.defaultValue : chosen->second;
+    switch (parameter.kind) {
+      case render::ParameterKind::real:
+        parameters.insert(name, value);
+        break;
+      case render::ParameterKind::whole:
+        parameters.insert(name, static_cast<std::int64_t>(value));
+        break;
+      case render::ParameterKind::flag:
+        parameters.insert(name, value != 0);
+        break;
+    }
   }
-  for (const auto& [name, value] : method.parameters) parameters.insert_or_assign(name, value);
   table.insert("parameters", std::move(parameters));
   return table;
 }

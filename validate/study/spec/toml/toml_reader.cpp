@@ -237,14 +237,6 @@ std::vector<Vec3> TomlReader::points(std::string_view key) const {
   return points;
 }
 
-std::vector<std::pair<std::string, double>> TomlReader::allNumbers() const {
-  std::vector<std::pair<std::string, double>> values;
-  for (const auto& [key, node] : *table_) {
-    values.emplace_back(std::string(key.str()), number(key.str(), anyNumber));
-  }
-  return values;
-}
-
 namespace {
 
 std::vector<std::string> splitPath(std::string_view path) {

@@ -66,8 +66,6 @@ class TomlReader {
                                          std::size_t length) const;
   /// A list of points of three numbers.
   [[nodiscard]] std::vector<Vec3> points(std::string_view key) const;
-  /// All keys of this table with a number each.
-  [[nodiscard]] std::vector<std::pair<std::string, double>> allNumbers() const;
 
   /// @throws InputError naming the first key that is none of these, and the nearest that is
   void allow(const KeyNames& keys) const;

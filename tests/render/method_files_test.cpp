@@ -1,0 +1,200 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "common/error.h"
+#include "image/images.h"
+#include "render/includes.h"
+#include "render/render_scene.h"
+#include "support/temporary_folder.h"
+
+// What a method brings beside its own file: files that it includes, and pictures. And parameters
+// that are whole numbers and flags.
+
+namespace gnomon::render {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class MethodFiles : public TemporaryFolder {
+ protected:
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(file(name).parent_path());
+    std::ofstream(file(name)) << text;
+  }
+  [[nodiscard]] Method method(const std::string& declaration, const std::string& code) const {
+    write("mine.glsl",
+          "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\n" + declaration + "\n*/\n" + code);
+    return readMethod(file("mine.glsl"));
+  }
+  [[nodiscard]] std::string errorOf(const std::function<void()>& work) const {
+    try {
+      work();
+    } catch (const InputError& error) {
+      return withoutFolder(error.what());
+    }
+    return "no error";
+  }
+  [[nodiscard]] std::string errorOf(const std::string& declaration, const std::string& code) const {
+    return errorOf([&] { (void)method(declaration, code); });
+  }
+};
+
+const std::string asksWrong =
+    "bool isShadowed(Pixel pixel, LocalLight light) { return wrong(pixel); }\n";
+
+test::RenderScene flatPlane() {
+  return {surface::makePlane(16, 16, 4, 4),
+          test::flatRelief(16, 16),
+          {4, 4},
+          horizon::TableBits::eight};
+}
+
+double shareWrong(const test::RenderScene& scene, const Method& method,
+                  const std::map<std::string, double>& parameters = {}) {
+  return test::shareShadowed(
+      scene.test(method, atlasView(scene.surface, 8), {0, 0, 1}, TableFilter::exact, parameters));
+}
+
+TEST_F(MethodFiles, AreIncludedOnceInTheirPlace) {
+  const GlContext gl;
+  write("parts/one.glsl", "#include \"two.glsl\"\nfloat one() { return two() - 1.0; }\n");
+  write("parts/two.glsl", "float two() { return 2.0; }\n");
+  const Method own = method("",
+                            "#include \"parts/one.glsl\"\n  # include  \"parts/two.glsl\"\n"
+                            "/* #include \"three.glsl\"\n#include \"three.glsl\" */\n"
+                            "// #include \"three.glsl\"\n"
+                            "bool wrong(Pixel pixel) { return one() != 1.0; }\n" +
+                                asksWrong);
+  ASSERT_EQ(own.includes.size(), 2U);
+  EXPECT_THAT(own.otherFiles(), ElementsAre(file("parts/one.glsl"), file("parts/two.glsl")));
+  EXPECT_EQ(shareWrong(flatPlane(), own), 0);
+}
+
+TEST_F(MethodFiles, ErrorsInThemNameTheirOwnLines) {
+  const GlContext gl;
+  write("one.glsl", "\nfloat one() { return missing; }\n");
+  const auto refusal = [&](const std::string& code) {
+    return errorOf([&, text = code] {
+      const MethodPass pass(shaderFolder(), method("", text + asksWrong), relief::Wrap::repeat,
+                            TableFilter::exact, {});
+    });
+  };
+  EXPECT_THAT(refusal("#include \"one.glsl\"\nbool wrong(Pixel pixel) { return true; }\n"),
+              HasSubstr("one.glsl:2: "));
+  write("one.glsl", "float one() { return heightAt(vec2(1.0)); }\n");
+  EXPECT_THAT(refusal("#include \"one.glsl\"\nbool wrong(Pixel pixel) { return true; }\n"),
+              testing::AllOf(HasSubstr("one.glsl:1: "),
+                             testing::EndsWith("; heightAt needs tables = [\"height\"]")));
+  write("one.glsl", "float one() { return 1.0; }\n");
+  EXPECT_THAT(refusal("#include \"one.glsl\"\n\nbool wrong(Pixel pixel) { return missing; }\n"),
+              HasSubstr("mine.glsl:8: "));
+  write("one.glsl", "\n\nvoid one() { discard; }\n");
+  EXPECT_THAT(errorOf("", "#include \"one.glsl\"\n" + asksWrong),
+              HasSubstr("one.glsl:3: `discard` found"));
+}
+
+TEST_F(MethodFiles, ThatCannotBeIncludedAreNamedWithFileAndLine) {
+  write("self.glsl", "\n#include \"other.glsl\"\n");
+  write("other.glsl", "#include \"self.glsl\"\n");
+  write("below/up.glsl", "#include \"../self.glsl\"\n");
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"#include <one.glsl>", "mine.glsl:6: #include \"FILE\" expected, in a line of its own"},
+      {"\n#include \"none.glsl\"", "mine.glsl:7: #include \"none.glsl\": no file "},
+      {"#include \"../mine.glsl\"",
+       "mine.glsl:6: #include \"../mine.glsl\": a file in the folder of the method expected"},
+      {"#include \"/etc/passwd\"", ": a file in the folder of the method expected"},
+      {"#include \"self.glsl\"", "other.glsl:1: #include \"self.glsl\": this file includes itself"},
+      {"#include \"mine.glsl\"", "mine.glsl:6: #include \"mine.glsl\": this file includes itself"},
+      {"#include \"below\"", ": no file "},
+      {"#include \"below/up.glsl\"", "this file includes itself"},
+  };
+  for (const auto& [code, expected] : faults) {
+    EXPECT_THAT(errorOf("", code + "\n" + asksWrong), HasSubstr(expected)) << code;
+  }
+  write("long.glsl", std::string(300'000, ' '));
+  EXPECT_THAT(errorOf("", "#include \"long.glsl\"\n" + asksWrong),
+              HasSubstr("at most 32 files of 262 kB in all expected"));
+}
+
+TEST_F(MethodFiles, PicturesAreReadByTheirTexels) {
+  const GlContext gl;
+  image::Image picture{4, 2, {}};
+  for (int i = 0; i < 8; ++i) {
+    picture.rgb.insert(picture.rgb.end(), {static_cast<std::uint8_t>(10 * i), 255, 0});
+  }
+  image::writePng(file("noise.png"), picture);
+  const std::string code =
+      "bool wrong(Pixel pixel) {\n"
+      "  vec4 lowest = noiseTexel(ivec2(1 + 8, -2));\n"  // row 1 of the file, from the top
+      "  vec4 between = noiseAt(vec2(2.0, 1.5));\n"      // row 0, between columns 1 and 2
+      "  vec4 own = texelFetch(noiseTexture, ivec2(3, 1), 0);\n"
+      "  return abs(lowest.r - 50.0 / 255.0) > 1e-5 || lowest.g != 1.0 ||\n"
+      "         abs(between.r - 15.0 / 255.0) > 1e-5 || abs(own.r - 30.0 / 255.0) > 1e-5;\n}\n";
+  const Method own = method("[textures.noise]\nfile = \"noise.png\"", code + asksWrong);
+  EXPECT_EQ(shareWrong(flatPlane(), own), 0);
+  const MethodPass pass(shaderFolder(), own, relief::Wrap::repeat, TableFilter::exact, {});
+  EXPECT_EQ(pass.textureBytes(), 4U * 2 * 3);
+
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"[textures.noise]\nfile = \"none.png\"", ":5: `file`: no file "},
+      {"[textures.noise]\nfile = \"../noise.png\"",
+       ":5: `file`: ../noise.png: a file in the folder"},
+      {"[textures.noise]", ":4: `file` is missing"},
+      {"[textures.noise]\nfile = \"noise.png\"\nwrap = 3", ":6: unknown key `wrap`"},
+      {"[textures.Noise]\nfile = \"noise.png\"", ":4: texture `Noise`: a name of at most"},
+  };
+  for (const auto& [declaration, expected] : faults) {
+    EXPECT_THAT(errorOf(declaration, code + asksWrong), HasSubstr("mine.glsl" + expected));
+  }
+  write("noise.png", "no picture");
+  EXPECT_THAT(errorOf([&] {
+                const MethodPass damaged(shaderFolder(), own, relief::Wrap::repeat,
+                                         TableFilter::exact, {});
+              }),
+              HasSubstr("noise.png"));
+}
+
+TEST_F(MethodFiles, ParametersAreNumbersWholeNumbersAndFlags) {
+  const GlContext gl;
+  const Method own = method(
+      "[parameters.count]\ndefault = 3\nminimum = 1\nmaximum = 9\ntype = \"int\"\n"
+      "[parameters.isOn]\ndefault = true\n"
+      "[parameters.size]\ndefault = 3\nminimum = 1\nmaximum = 9\n",
+      "bool wrong(Pixel pixel) {\n"
+      "  int sum = 0;\n"
+      "  for (int k = 0; k < count; ++k) sum += k % 2;\n"
+      "  return sum != (isOn ? 1 : 2) || size / 2.0 != 1.5;\n}\n" +
+          asksWrong);
+  EXPECT_EQ(own.parameters.at("count").kind, ParameterKind::whole);
+  EXPECT_EQ(own.parameters.at("isOn").kind, ParameterKind::flag);
+  EXPECT_EQ(own.parameters.at("size").kind, ParameterKind::real);
+  const test::RenderScene scene = flatPlane();
+  EXPECT_EQ(shareWrong(scene, own), 0);
+  EXPECT_EQ(shareWrong(scene, own, {{"count", 5}, {"isOn", 0}}), 0);
+  EXPECT_EQ(shareWrong(scene, own, {{"count", 5}}), 1);
+  EXPECT_THAT(errorOf([&] {
+                (void)parameterValue(own, "count", {{"count", 2.5}});
+              }),
+              HasSubstr("parameter count = 2.5, a whole number from 1 to 9 expected"));
+  EXPECT_THAT(errorOf([&] {
+                (void)parameterValue(own, "isOn", {{"isOn", 2}});
+              }),
+              HasSubstr("parameter isOn = 2, true or false expected"));
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"default = 3.5\nminimum = 1\nmaximum = 9\ntype = \"int\"",
+       "whole numbers up to 2³⁰ expected"},
+      {"default = 3\nminimum = 1\nmaximum = 9\ntype = \"bool\"", ":8: `type`: \"bool\" found"},
+      {"default = true\nminimum = 1", ":6: unknown key `minimum`"},
+  };
+  for (const auto& [lines, expected] : faults) {
+    EXPECT_THAT(
+        errorOf("[parameters.k]\n" + lines, "bool wrong(Pixel pixel) { return true; }" + asksWrong),
+        HasSubstr(expected))
+        << lines;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::render

@@ -1,0 +1,252 @@
+#include "render/bakes/method_bake.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+#include "render/declaration.h"
+#include "render/glsl_text.h"
+
+namespace gnomon::render {
+namespace {
+
+using horizon::TableBits;
+
+constexpr int mostBakes = 8;
+
+TableBits readBits(const Declaration& declaration, const toml::table& table) {
+  const toml::node* found = table.get("bits");
+  if (found == nullptr) return TableBits::eight;
+  for (const TableBits bits : {TableBits::eight, TableBits::sixteen, TableBits::thirtyTwo}) {
+    if (found->value_exact<std::int64_t>() == static_cast<int>(bits)) return bits;
+  }
+  declaration.fail(*found, "`bits`: 8, 16 or 32 expected");
+}
+
+/// A list of numbers from low to high.
+glm::vec2 readRange(const Declaration& declaration, const toml::node& node) {
+  const toml::array* pair = node.as_array();
+  if (pair == nullptr || pair->size() != 2) {
+    declaration.fail(node, "`range`: [low, high] expected, or one such pair a channel");
+  }
+  const double low = declaration.numberOf(*pair->get(0), "range");
+  const double high = declaration.numberOf(*pair->get(1), "range");
+  if (!(low < high)) declaration.fail(node, "`range`: a low end below the high end expected");
+  return {low, high};
+}
+
+std::vector<glm::vec2> readRanges(const Declaration& declaration, const toml::table& table,
+                                  const MethodBake& bake) {
+  const auto channels = static_cast<std::size_t>(bake.channels);
+  const toml::node* found = table.get("range");
+  if (bake.bits == TableBits::thirtyTwo) {
+    if (found != nullptr) declaration.fail(*found, "`range` needs bits = 8 or 16");
+    return {};
+  }
+  if (found == nullptr) return std::vector<glm::vec2>(channels, {0, 1});
+  const toml::array* list = found->as_array();
+  const bool isList = list != nullptr && !list->empty() && list->get(0)->is_array();
+  if (!isList) return std::vector<glm::vec2>(channels, readRange(declaration, *found));
+  std::vector<glm::vec2> ranges;
+  for (const toml::node& node : *list) ranges.push_back(readRange(declaration, node));
+  if (ranges.size() != channels) {
+    declaration.fail(*found, fmt::format("`range`: {} pairs found, one for each of {} channels "
+                                         "expected",
+                                         ranges.size(), channels));
+  }
+  return ranges;
+}
+
+MipRule readRule(const Declaration& declaration, const toml::node& node) {
+  const auto name = node.value_exact<std::string>().value_or("");
+  if (name == "average") return MipRule::average;
+  if (name == "minimum") return MipRule::minimum;
+  if (name == "maximum") return MipRule::maximum;
+  declaration.fail(node, "`mips`: average, minimum or maximum expected, or one of them a channel");
+}
+
+std::vector<MipRule> readMips(const Declaration& declaration, const toml::table& table,
+                              std::size_t channels) {
+  const toml::node* found = table.get("mips");
+  if (found == nullptr) return {};
+  const toml::array* list = found->as_array();
+  if (list == nullptr) return std::vector<MipRule>(channels, readRule(declaration, *found));
+  std::vector<MipRule> rules;
+  for (const toml::node& node : *list) rules.push_back(readRule(declaration, node));
+  if (rules.size() != channels) {
+    declaration.fail(*found, fmt::format("`mips`: {} found, one for each of {} channels expected",
+                                         rules.size(), channels));
+  }
+  return rules;
+}
+
+std::optional<glm::ivec2> readSize(const Declaration& declaration, const toml::table& table) {
+  const toml::node* found = table.get("size");
+  if (found == nullptr) return std::nullopt;
+  const toml::array* pair = found->as_array();
+  const auto side = [&](std::size_t axis) {
+    constexpr int most = 65536;
+    const auto value = pair->get(axis)->value_exact<std::int64_t>();
+    if (!value || *value < 1 || *value > most) {
+      declaration.fail(*found, fmt::format("`size`: whole numbers from 1 to {} expected", most));
+    }
+    return static_cast<int>(*value);
+  };
+  if (pair == nullptr || pair->size() != 2) {
+    declaration.fail(*found, "`size`: [width, height] expected");
+  }
+  return glm::ivec2(side(0), side(1));
+}
+
+double readScale(const Declaration& declaration, const toml::table& table) {
+  const toml::node* found = table.get("scale");
+  if (found == nullptr) return 1;
+  if (table.contains("size")) declaration.fail(*found, "`scale` and `size`, one expected");
+  const double scale = declaration.numberOf(*found, "scale");
+  if (!(scale > 0 && scale <= 64)) {
+    declaration.fail(*found, "`scale`: a number above 0 and up to 64 expected");
+  }
+  return scale;
+}
+
+MethodBake readBake(const Declaration& declaration, const std::string& name,
+                    const toml::node& node) {
+  requireOwnName(declaration, node, "bake", name);
+  const toml::table* table = node.as_table();
+  if (table == nullptr) declaration.fail(node, fmt::format("bake `{}`: a table expected", name));
+  declaration.allowOnly(
+      *table, {"channels", "bits", "range", "scale", "size", "layers", "mips", "filter", "about"});
+  MethodBake bake;
+  bake.name = name;
+  bake.channels = declaration.count(*table, "channels", 1, 4).value_or(1);
+  bake.bits = readBits(declaration, *table);
+  bake.ranges = readRanges(declaration, *table, bake);
+  bake.scale = readScale(declaration, *table);
+  bake.size = readSize(declaration, *table);
+  bake.layers = declaration.count(*table, "layers", 1, 2048).value_or(1);
+  bake.mips = readMips(declaration, *table, static_cast<std::size_t>(bake.channels));
+  bake.isFiltered = declaration.isLinear(*table, "filter");
+  bake.about = declaration.about(*table);
+  return bake;
+}
+
+/// The type of a bake's values.
+std::string typeOf(const MethodBake& bake) {
+  return bake.channels == 1 ? "float" : fmt::format("vec{}", bake.channels);
+}
+
+std::string_view swizzle(const MethodBake& bake) {
+  return std::string_view("rgba").substr(0, static_cast<std::size_t>(bake.channels));
+}
+
+/// A number of the declaration, to the last bit of a float.
+std::string literal(float value) {
+  return fmt::format("{:.9e}", value);
+}
+
+/// The values of a channel's lowest code, or of the codes' whole range, as a constant.
+std::string constants(const MethodBake& bake, const std::function<float(glm::vec2)>& of) {
+  std::string list;
+  for (const glm::vec2& range : bake.ranges) {
+    list += (list.empty() ? "" : ", ") + literal(of(range));
+  }
+  return fmt::format("{}({})", typeOf(bake), list);
+}
+
+/// What the functions `nameAt` and `nameTexel` return of a stored value.
+std::string decoded(const MethodBake& bake, const std::string& stored) {
+  const std::string value = fmt::format("{}.{}", stored, swizzle(bake));
+  if (bake.ranges.empty()) return value;
+  const auto low = constants(bake, [](glm::vec2 range) { return range.x; });
+  const auto span = constants(bake, [](glm::vec2 range) { return range.y - range.x; });
+  return fmt::format("{} + {} * {}", low, span, value);
+}
+
+}  // namespace
+
+std::string MethodBake::function() const {
+  return "bake" + capitalised(name);
+}
+
+glm::ivec2 MethodBake::sizeOver(glm::ivec2 map) const {
+  return size.value_or(glm::max(glm::ivec2(glm::round(scale * glm::dvec2(map))), glm::ivec2(1)));
+}
+
+int MethodBake::levelsOf(glm::ivec2 of) const {
+  int levels = 1;
+  for (int side = std::max(of.x, of.y); !mips.empty() && side > 1; side /= 2) ++levels;
+  return levels;
+}
+
+std::vector<MethodBake> readBakes(const Declaration& declaration) {
+  const toml::node* found = declaration.table().get("bakes");
+  if (found == nullptr) return {};
+  const toml::table* tables = found->as_table();
+  if (tables == nullptr) declaration.fail(*found, "`bakes`: a table expected");
+  if (tables->size() > mostBakes) {
+    declaration.fail(*found,
+                     fmt::format("{} bakes found, at most {} expected", tables->size(), mostBakes));
+  }
+  std::vector<std::pair<toml::source_index, MethodBake>> lines;
+  for (const auto& [name, node] : *tables) {
+    lines.emplace_back(node.source().begin.line,
+                       readBake(declaration, std::string(name.str()), node));
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<MethodBake> bakes;
+  for (auto& [line, bake] : lines) bakes.push_back(std::move(bake));
+  return bakes;
+}
+
+void requireBakeFunctions(const Declaration& declaration, const std::vector<MethodBake>& bakes,
+                          const std::vector<ShaderPiece>& code) {
+  for (const MethodBake& bake : bakes) {
+    if (definesFunction(code, bake.function(), bake.layers > 1 ? "int" : "vec2")) continue;
+    declaration.fail(
+        *declaration.table()["bakes"][bake.name].node(),
+        fmt::format("bake `{}` needs the function `{} {}(vec2 texel{})`", bake.name, typeOf(bake),
+                    bake.function(), bake.layers > 1 ? ", int layer" : ""));
+  }
+}
+
+std::string bakeAccess(const std::vector<MethodBake>& bakes) {
+  std::string text;
+  for (const MethodBake& bake : bakes) {
+    const std::string sampler = bake.sampler();
+    const std::string layer = bake.layers > 1 ? ", int layer" : "";
+    const std::string chosen = bake.layers > 1 ? "layer" : "0";
+    const auto define = [&](const char* ending, const std::string& place, const std::string& level,
+                            const std::string& stored) {
+      text += fmt::format("{} {}{}({}{}{}) {{ return {}; }}\n", typeOf(bake), bake.name, ending,
+                          place, layer, level, decoded(bake, stored));
+    };
+    text += fmt::format("uniform sampler2DArray {};\n", sampler);
+    define("Texel", "ivec2 at", "", fmt::format("bakedTexel({}, at, {}, 0)", sampler, chosen));
+    const char* filtered = bake.isFiltered ? "bakedAt" : "bakedNear";
+    define("At", "vec2 at", "", fmt::format("{}({}, at, {}, 0)", filtered, sampler, chosen));
+    if (bake.mips.empty()) continue;
+    define("Texel", "ivec2 at", ", int level",
+           fmt::format("bakedTexel({}, at, {}, level)", sampler, chosen));
+    define("At", "vec2 at", ", float level",
+           fmt::format("{}({}, at, {}, level)", filtered, sampler, chosen));
+  }
+  return text;
+}
+
+std::string bakeMain(const std::vector<MethodBake>& bakes) {
+  std::string text = "void main() {\n  vec2 texel = bakeStep * (gl_FragCoord.xy + bakeCorner);\n";
+  for (std::size_t i = 0; i < bakes.size(); ++i) {
+    text += fmt::format("  if (bakeNumber == {}) stored = widened({}(texel{}));\n", i,
+                        bakes[i].function(), bakes[i].layers > 1 ? ", bakeLayer" : "");
+  }
+  return text + "}\n";
+}
+
+}  // namespace gnomon::render

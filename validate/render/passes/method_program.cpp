@@ -1,0 +1,177 @@
+#include "render/passes/method_program.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "common/error.h"
+#include "render/gl_objects.h"
+#include "render/passes/drawing.h"
+#include "render/program.h"
+#include "render/shared_names.h"
+
+namespace gnomon::render {
+namespace fs = std::filesystem;
+namespace {
+
+std::string parameterUniforms(const Method& method) {
+  std::string text;
+  for (const auto& [name, parameter] : method.parameters) {
+    const char* type = parameter.kind == ParameterKind::real    ? "float"
+                       : parameter.kind == ParameterKind::whole ? "int"
+                                                                : "bool";
+    text += fmt::format("uniform {} {};\n", type, name);
+  }
+  return text;
+}
+
+/// What the declaration adds to the code: parameters, and access to bakes, textures and passes.
+std::string declaredText(const Method& method) {
+  return parameterUniforms(method) + bakeAccess(method.bakes) + textureAccess(method.textures) +
+         passAccess(method.passes.own);
+}
+
+bool hasOwnNames(const Method& method) {
+  return !method.bakes.empty() || !method.textures.empty() || !method.passes.own.empty();
+}
+
+/// What a method declares must not have the name of what every method may use.
+void requireOwnNames(const std::vector<SharedName>& shared, const Method& method) {
+  const auto require = [&](const std::string& own) {
+    for (const SharedName& name : shared) {
+      if (ownNameOf(name.name) != own) continue;
+      throw InputError(
+          fmt::format("{}: the declaration's `{}`: {} of {} has that name, another one "
+                      "expected",
+                      method.source.file, own, name.name, name.file));
+    }
+  };
+  for (const MethodBake& bake : method.bakes) require(bake.name);
+  for (const MethodTexture& texture : method.textures) require(texture.name);
+  for (const OwnPass& pass : method.passes.own) require(pass.name);
+}
+
+/// Every picture is shaded by the height map; a method that does not declare that table gets it
+/// behind its back.
+std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& method,
+                                      const MethodStage& stage) {
+  std::vector<ShaderPiece> pieces;
+  const auto add = [&](const char* name) {
+    pieces.push_back(readShader(shaders / "common" / name));
+  };
+  add("pixel.glsl");
+  add("disc.glsl");
+  add("wrap.glsl");
+  if (method.tables.height) add("relief.glsl");
+  for (const char* name : {"tables.glsl", "osculating.glsl", "path.glsl", "angles.glsl",
+                           "passes.glsl", "bakes.glsl", "textures.glsl"}) {
+    add(name);
+  }
+  pieces.push_back({method.source.file + " (declaration)", declaredText(method), 1});
+  pieces.insert(pieces.end(), method.code.begin(), method.code.end());
+  if (!method.tables.height) add("relief.glsl");
+  add("shading.glsl");
+  add("answers.glsl");
+  pieces.insert(pieces.end(), stage.fragment.begin(), stage.fragment.end());
+  return pieces;
+}
+
+}  // namespace
+
+std::vector<std::string> methodDefines(const Method& method, relief::Wrap wrap,
+                                       TableFilter filter) {
+  std::vector<std::string> defines = surfaceDefines(wrap, method.mesh);
+  if (method.tables.height) defines.emplace_back("TABLE_HEIGHT");
+  if (method.tables.horizon) defines.emplace_back("TABLE_HORIZON");
+  if (method.tables.distance) defines.emplace_back("TABLE_DISTANCE");
+  if (method.tables.angles || method.tables.surfaceAngles) defines.emplace_back("TABLE_ANGLES");
+  if (method.tables.surfaceAngles) defines.emplace_back("UNIQUE_ANGLES");
+  if (method.tables.ellipse) defines.emplace_back("TABLE_ELLIPSE");
+  if (method.passes.texture) defines.emplace_back("PASS_TEXTURE");
+  if (method.passes.lightDepth || method.passes.hasOwn(PassRaster::light)) {
+    defines.emplace_back("PASS_LIGHT_DEPTH");
+  }
+  if (method.passes.cameraDepth) defines.emplace_back("PASS_CAMERA_DEPTH");
+  if (method.needsCamera()) defines.emplace_back("NEEDS_CAMERA");
+  if (!method.passes.own.empty()) defines.emplace_back("OWN_PASSES");
+  if (!method.textures.empty()) defines.emplace_back("OWN_TEXTURES");
+  if (method.passes.shadowVolumes) defines.emplace_back("PASS_SHADOW_VOLUMES");
+  if (!method.bakes.empty()) defines.emplace_back("OWN_BAKES");
+  if (method.hasOwnNormal) defines.emplace_back("OWN_NORMAL");
+  if (method.hasTest) defines.emplace_back("OWN_TEST");
+  if (method.hasHorizon) defines.emplace_back("OWN_HORIZON");
+  if (filter == TableFilter::hardware) defines.emplace_back("FILTER_HARDWARE");
+  return defines;
+}
+
+std::map<std::string, double> parameterValues(const Method& method,
+                                              const std::map<std::string, double>& chosen) {
+  for (const auto& [name, value] : chosen) {
+    if (method.parameters.count(name) == 0) {
+      throw InputError(fmt::format("method {}: it has no parameter `{}`", method.name, name));
+    }
+  }
+  std::map<std::string, double> all;
+  for (const auto& [name, parameter] : method.parameters) {
+    all[name] = parameterValue(method, name, chosen);
+  }
+  return all;
+}
+
+gl::Texture makeNoNumber(GLenum target) {
+  const glm::vec4 nothing(std::numeric_limits<float>::quiet_NaN());
+  gl::Texture texture = gl::makeTexture(target, GL_RGBA32F, {1, 1}, GL_NEAREST);
+  gl::fill(texture, {1, 1}, GL_RGBA, GL_FLOAT, &nothing);
+  return texture;
+}
+
+std::vector<GpuTexture> gpuTextures(const Method& method) {
+  std::vector<GpuTexture> textures;
+  for (const MethodTexture& texture : method.textures) textures.emplace_back(texture);
+  return textures;
+}
+
+void bindOwnTextures(GLuint program, const std::vector<MethodTexture>& declared,
+                     const std::vector<GpuTexture>& textures) {
+  for (std::size_t i = 0; i < declared.size(); ++i) {
+    bindTexture(program, textureUnit(i), textures.at(i).texture(), declared[i].sampler().c_str());
+  }
+}
+
+MethodStage ownPassStage(const fs::path& shaders, const Method& method, const OwnPass& pass,
+                         const std::vector<OwnPass>& passes) {
+  const bool isFilter = pass.raster == PassRaster::filter;
+  const fs::path vertex = shaders / (isFilter ? "common/plane.vert" : "common/surface.vert");
+  const std::string file = fmt::format("{} (call of {})", method.source.file, pass.function());
+  return {readShader(vertex),
+          {readShader(shaders / "common/values.frag"), {file, passMain(pass, passes), 1}}};
+}
+
+MethodStage surfaceStage(const fs::path& shaders, const char* fragment) {
+  return {readShader(shaders / "common/surface.vert"), {readShader(shaders / "common" / fragment)}};
+}
+
+gl::Program makeMethodProgram(const fs::path& shaders, const Method& method,
+                              const MethodStage& stage, const std::vector<std::string>& defines) {
+  if (hasOwnNames(method)) requireOwnNames(sharedNames(shaders), method);
+  try {
+    return makeProgram({{stage.vertex}, {}, methodPieces(shaders, method, stage)}, defines);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    throw InputError(message + missingDeclaration(sharedNames(shaders), message, method, defines));
+  }
+}
+
+void setParameters(GLuint program, const Method& method,
+                   const std::map<std::string, double>& values) {
+  for (const auto& [name, value] : values) {
+    if (method.parameters.at(name).kind == ParameterKind::real) {
+      setUniform(program, name.c_str(), value);
+    } else {
+      setUniform(program, name.c_str(), static_cast<int>(value));
+    }
+  }
+}
+
+}  // namespace gnomon::render

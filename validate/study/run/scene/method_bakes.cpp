@@ -1,0 +1,57 @@
+#include "study/run/scene/method_bakes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+#include "render/bakes/bake_pass.h"
+#include "study/run/scene/cached_fields.h"
+
+namespace gnomon::study {
+namespace {
+
+std::uint64_t bytesOfAll(const std::vector<render::GpuBake>& bakes) {
+  return std::accumulate(
+      bakes.begin(), bakes.end(), std::uint64_t{0},
+      [](std::uint64_t sum, const auto& bake) { return sum + bake.byteCount(); });
+}
+
+/// Whether bakes are small enough to be kept on disk.
+bool areKept(const render::Method& method, glm::ivec2 map) {
+  constexpr double mostBytes = 5e8;
+  double bytes = 0;
+  for (const render::MethodBake& bake : method.bakes) {
+    bytes += static_cast<double>(render::bytesOver(bake, map));
+  }
+  return bytes <= mostBytes;
+}
+
+}  // namespace
+
+std::shared_ptr<const std::vector<render::GpuBake>> methodBakes(RunScene& scene,
+                                                                const MethodSpec& spec,
+                                                                const render::Method& method,
+                                                                const render::GpuTables& tables) {
+  if (method.bakes.empty()) return nullptr;
+  render::requireBakeSizes(method, scene.heights.size());
+  const relief::Relief& relief = scene.study.relief;
+  const render::BakeScene from{scene.heights, relief.field.wrap(), relief.space,
+                               scene.texelsPerHeight};
+  return scene.clock.measure("bake", [&](const Progress& progress) {
+    const render::BakePass pass(scene.shaders, method, from.wrap, spec.filter, spec.parameters);
+    const cache::ContentKey key =
+        scene.keys.methodBakes(spec, method, pass.parameters(), scene.texelsPerHeight);
+    const auto bake = [&] { return pass.bake(from, tables, progress); };
+    return scene.store.get<std::vector<render::GpuBake>>(
+        key,
+        [&] {
+          const auto stored =
+              areKept(method, scene.heights.size()) ? scene.cache.remember(key, bake) : bake();
+          return std::make_shared<const std::vector<render::GpuBake>>(
+              render::gpuBakes(method, stored, from));
+        },
+        bytesOfAll);
+  });
+}
+
+}  // namespace gnomon::study
