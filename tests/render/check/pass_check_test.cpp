@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
               "vertexFace % atlasTiles.x, vertexFace / atlasTiles.x",
               "1 - vertexFace % atlasTiles.x, vertexFace / atlasTiles.x",
               {atlasSamples, tables, filteredTables, angles, ellipses, bakes, filteredBakes,
-               texture, shares}}));
+               texture, ownPasses, shares}}));
 
 TEST(GeometryShaders, IndexTheirInputsByConstants) {
   // What differs from triangle to triangle is read wrong by llvmpipe of Mesa 25.0: see

@@ -105,6 +105,7 @@ TEST_F(OwnMethod, WholeNumbersAndFlagsStayThatInAStudy) {
   for (const auto& [override, expected] :
        {std::pair("method.0.parameters.reach=2.5",
                   "2.5 found, a whole number from 1 to 64 expected"),
+        {"method.0.parameters.reach=true", "true found, a whole number from 1 to 64 expected"},
         {"method.0.parameters.isOn=3", "3 found, true or false expected"}}) {
     try {
       (void)settings({override});

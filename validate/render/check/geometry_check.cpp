@@ -86,7 +86,7 @@ std::string ownLightFault(const Shaders& shaders) {
                "  vec2 corner = seenTexel(ivec2(0));\n"
                "  bool isOdd = abs(depth - lightDepthOf(texel)) > 1e-6 || covered < 0.01 ||\n"
                "               covered > 0.99 || corner.x != 1.0 || corner.y != 0.0;\n"
-               "  return ((place.z - depth) * lightMapLengths.y > 0.3) != isOdd;\n"
+               "  return ((place.z - lightDepthOf(texel)) * lightMapLengths.y > 0.3) != isOdd;\n"
                "}\n");
   OwnPass seen;
   seen.name = "seen";
@@ -110,13 +110,13 @@ std::string cameraPassFault(const Shaders& shaders) {
   Method method =
       methodOf(DrawnMesh::displaced,
                "vec3 passSeen(Pixel pixel) { return pixel.position; }\n"
-               "vec3 passCopied(ivec2 texel) { return seenTexel(texel); }\n"
+               "vec4 passCopied(ivec2 texel) { return vec4(seenTexel(texel), 1.0); }\n"
                "bool isShadowed(Pixel pixel, LocalLight light) {\n"
                "  ivec2 at = ivec2(gl_FragCoord.xy);\n"
                "  vec3 byDepth = cameraPoint(vec3(gl_FragCoord.xy, cameraDepthOf(at)));\n"
                "  vec3 nearer = pixel.position + 0.1 * viewDirection(pixel);\n"
                "  return distance(byDepth, pixel.position) > 0.02 ||\n"
-               "         distance(copiedTexel(at), pixel.position) > 1e-3 ||\n"
+               "         distance(copiedTexel(at).xyz, pixel.position) > 1e-3 ||\n"
                "         distance(cameraPlace(nearer).xy, gl_FragCoord.xy) > 0.05 ||\n"
                "         cameraPlace(nearer).z > cameraDepthOf(at);\n"
                "}\n");
@@ -129,6 +129,7 @@ std::string cameraPassFault(const Shaders& shaders) {
   copied.name = "copied";
   copied.raster = PassRaster::filter;
   copied.source = 0;
+  copied.channels = 4;
   method.passes.own = {seen, copied};
   const BoxScene box;
   Tally tally;

@@ -22,6 +22,8 @@ fs::path readMethodFile(const TomlReader& section, const MethodDefaults& default
 /// A parameter's value, which the method must have and allow.
 double checkedValue(const TomlReader& section, const render::Method& method,
                     const std::string& name) {
+  const bool isFlag = section.find(name)->is_boolean();
+  const double value = isFlag ? (section.flag(name) ? 1 : 0) : section.number(name, anyNumber);
   const auto found = method.parameters.find(name);
   if (found == method.parameters.end()) {
     std::vector<std::string> names;
@@ -31,11 +33,10 @@ double checkedValue(const TomlReader& section, const render::Method& method,
                              names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
   const render::MethodParameter& parameter = found->second;
-  const bool isFlag = section.find(name)->is_boolean();
-  if (isFlag && parameter.kind == render::ParameterKind::flag) return section.flag(name) ? 1 : 0;
-  const double value = section.number(name, anyNumber);
-  if (!parameter.allows(value)) {
-    section.fail(name, fmt::format("{} found, {} expected", value, parameter.rangeText()));
+  const bool fits = !isFlag || parameter.kind == render::ParameterKind::flag;
+  if (!fits || !parameter.allows(value)) {
+    const std::string given = isFlag ? (value != 0 ? "true" : "false") : fmt::format("{}", value);
+    section.fail(name, fmt::format("{} found, {} expected", given, parameter.rangeText()));
   }
   return value;
 }
