@@ -36,6 +36,20 @@ Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, st
 /// A sample's shares are 0 to 1; this is where there is no sample.
 constexpr float noShare = -1;
 
+/// The define of the soft answers; none where the method has only 0 and 1 to say.
+/// @throws InputError for a disc without a horizon
+std::optional<std::string> softDefine(const Method& method, SoftAnswer soft) {
+  const bool isDisc = soft == SoftAnswer::disc;
+  if (isDisc && !method.hasHorizon) {
+    throw InputError(fmt::format(
+        "method {}: no function `float horizonSlope(Pixel pixel, LocalLight light)` in {}, which "
+        "the light's disc could be held against",
+        method.name, method.source.file));
+  }
+  if (!isDisc && !method.answersShares) return std::nullopt;
+  return isDisc ? "ANSWER_DISC" : "ANSWER_SHARE";
+}
+
 Visibility visibilityOf(const RenderView& view, std::vector<float> shares) {
   std::replace(shares.begin(), shares.end(), noShare, noSample);
   return {view.width, view.height, std::move(shares)};
@@ -48,22 +62,6 @@ Visibility visibilityOf(const Mask& mask) {
     visibility.shares[i] = mask.samples[i] == Shade::lit ? 1.0F : 0.0F;
   }
   return visibility;
-}
-
-/// The program that answers with shares; none where the method has only 0 and 1 to say.
-/// @throws InputError for a disc without a horizon
-std::optional<gl::Program> makeShareProgram(const fs::path& shaders, const Method& method,
-                                            SoftAnswer soft, std::vector<std::string> defines) {
-  const bool isDisc = soft == SoftAnswer::disc;
-  if (isDisc && !method.hasHorizon) {
-    throw InputError(fmt::format(
-        "method {}: no function `float horizonSlope(Pixel pixel, LocalLight light)` in {}, which "
-        "the light's disc could be held against",
-        method.name, method.source.file));
-  }
-  if (!isDisc && !method.answersShares) return std::nullopt;
-  defines.emplace_back(isDisc ? "ANSWER_DISC" : "ANSWER_SHARE");
-  return makeMethodProgram(shaders, method, surfaceStage(shaders, "visibility.frag"), defines);
 }
 
 /// The passes of a method's own, and first the one that `passes = ["texture"]` asks for.
@@ -112,7 +110,7 @@ glm::dmat4 mapFromClip(glm::dvec2 size) {
 
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
                        TableFilter filter, const std::map<std::string, double>& values,
-                       SoftAnswer soft)
+                       SoftAnswer soft, PassPurpose purpose)
     : name_(method.name),
       tables_(method.tables),
       bakes_(method.bakes),
@@ -123,10 +121,19 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wr
       readsLightDepth_(method.passes.lightDepth || placeOfWord(method.code, "lightDepthOf") ||
                        placeOfWord(method.code, "lightDepthMap")),
       hasLightMesh_(method.lightMesh.has_value()),
-      values_(parameterValues(method, values)) {
+      values_(parameterValues(method, values)),
+      purpose_(purpose) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
-  answer_ = makeMethodProgram(shaders, method, surfaceStage(shaders, "mask.frag"), defines);
-  share_ = makeShareProgram(shaders, method, soft, defines);
+  std::vector<std::string> softDefines = defines;
+  const std::optional<std::string> added = softDefine(method, soft);
+  if (added) softDefines.push_back(*added);
+  if (purpose == PassPurpose::counts) {
+    answer_ = makeMethodProgram(shaders, method, countingStage(shaders), softDefines);
+  } else {
+    answer_ = makeMethodProgram(shaders, method, surfaceStage(shaders, "mask.frag"), defines);
+    const MethodStage stage = surfaceStage(shaders, "visibility.frag");
+    if (added) share_ = makeMethodProgram(shaders, method, stage, softDefines);
+  }
   for (const OwnPass& pass : own_) {
     const MethodStage stage = ownPassStage(shaders, method, pass, own_);
     ownPrograms_.push_back(makeMethodProgram(shaders, method, stage, defines));
@@ -182,7 +189,9 @@ class MethodPass::Frame {
         tables_(tables),
         isShare_(pass.share_ && drawing.lightRadius > 0),
         answers_(view.width, view.height,
-                 isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI}) {
+                 isShare_          ? std::vector<GLenum>{GL_R32F, GL_R32F}
+                 : pass.isCounting() ? std::vector<GLenum>{GL_R32F}
+                                     : std::vector<GLenum>{GL_R8UI}) {
     if (pass.seesLight()) {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
@@ -242,6 +251,11 @@ class MethodPass::Frame {
     return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed)};
   }
 
+  /// One a pixel, below 0 where there is no sample.
+  [[nodiscard]] std::vector<float> fetches() const {
+    return answers_.read<float>(0, GL_RED, GL_FLOAT, 1);
+  }
+
   [[nodiscard]] VisibilityAnswers shares() const {
     return {visibilityOf(view_, answers_.read<float>(0, GL_RED, GL_FLOAT, 1)),
             visibilityOf(view_, answers_.read<float>(1, GL_RED, GL_FLOAT, 1))};
@@ -250,9 +264,9 @@ class MethodPass::Frame {
  private:
   void clearAnswers() const {
     answers_.clearDepth();
-    if (isShare_) {
+    if (isShare_ || pass_.isCounting()) {
       const std::array<GLfloat, 4> none = {noShare, 0, 0, 0};
-      for (const GLint channel : {0, 1}) {
+      for (GLint channel = 0; channel < (isShare_ ? 2 : 1); ++channel) {
         glClearNamedFramebufferfv(answers_.framebuffer(), GL_COLOR, channel, none.data());
       }
     } else {
@@ -401,6 +415,22 @@ VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Dra
   VisibilityAnswers answers = frame.shares();
   throwOnGlError("rendering a method's shares of light");
   return answers;
+}
+
+double MethodPass::fetchesPerSample(const RenderView& view, const Drawing& drawing,
+                                    const GpuTables& tables) const {
+  if (!isCounting()) throw InternalError(fmt::format("method {} counts no fetches", name_));
+  const Frame frame(*this, view, drawing, tables);
+  frame.draw();
+  double sum = 0;
+  std::size_t samples = 0;
+  for (const float fetches : frame.fetches()) {
+    if (fetches < 0) continue;
+    sum += static_cast<double>(fetches);
+    ++samples;
+  }
+  throwOnGlError("counting a method's texture fetches");
+  return sum / static_cast<double>(samples);
 }
 
 FrameTimes MethodPass::frameTimes(const RenderView& view, const Drawing& drawing,

@@ -53,6 +53,12 @@ struct FrameTimes {
   double still = 0;
 };
 
+/// What a method's pass is made for.
+enum class PassPurpose {
+  answers,
+  counts,  ///< the texture instructions that its answers take
+};
+
 /// A method ready to render: its shaders and the passes that it declares.
 class MethodPass {
  public:
@@ -62,7 +68,7 @@ class MethodPass {
   ///   `SoftAnswer::disc` of a method without a horizon
   MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values,
-             SoftAnswer soft = SoftAnswer::own);
+             SoftAnswer soft = SoftAnswer::own, PassPurpose purpose = PassPurpose::answers);
 
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
@@ -80,6 +86,14 @@ class MethodPass {
                                       const GpuTables& tables, int frames, FirstFrame first,
                                       FrameClock clock) const;
 
+  /// How many texture instructions the answer of a sample takes, the mean over the view's samples:
+  /// calls of texelFetch, texture, textureLod and textureGather, each one, with those of the normal
+  /// that the picture is shaded with. Other passes than the last are not counted. NaN for a view
+  /// without a sample.
+  /// @throws InternalError unless its purpose is `counts`
+  [[nodiscard]] double fetchesPerSample(const RenderView& view, const Drawing& drawing,
+                                        const GpuTables& tables) const;
+
   /// Bytes of the pictures that the method brings.
   [[nodiscard]] std::uint64_t textureBytes() const;
   /// Bytes of the textures that its passes fill and read again in every frame.
@@ -90,6 +104,7 @@ class MethodPass {
  private:
   class Frame;
 
+  [[nodiscard]] bool isCounting() const { return purpose_ == PassPurpose::counts; }
   [[nodiscard]] bool seesLight() const {
     return passes_.lightDepth || passes_.hasOwn(PassRaster::light);
   }
@@ -106,6 +121,7 @@ class MethodPass {
   bool readsLightDepth_;
   bool hasLightMesh_;
   std::map<std::string, double> values_;  ///< every parameter's
+  PassPurpose purpose_;
   gl::Program answer_;
   std::optional<gl::Program> share_;      ///< of a method that answers with a share
   std::vector<gl::Program> ownPrograms_;  ///< one a pass of `own_`

@@ -56,7 +56,7 @@ void requireOwnNames(const std::vector<SharedName>& shared, const Method& method
 /// behind its back.
 std::vector<ShaderPiece> methodPieces(const fs::path& shaders, const Method& method,
                                       const MethodStage& stage) {
-  std::vector<ShaderPiece> pieces;
+  std::vector<ShaderPiece> pieces = stage.before;
   const auto add = [&](const char* name) {
     pieces.push_back(readShader(shaders / "common" / name));
   };
@@ -145,11 +145,20 @@ MethodStage ownPassStage(const fs::path& shaders, const Method& method, const Ow
   const fs::path vertex = shaders / (isFilter ? "common/plane.vert" : "common/surface.vert");
   const std::string file = fmt::format("{} (call of {})", method.source.file, pass.function());
   return {readShader(vertex),
-          {readShader(shaders / "common/values.frag"), {file, passMain(pass, passes), 1}}};
+          {readShader(shaders / "common/values.frag"), {file, passMain(pass, passes), 1}},
+          {}};
 }
 
 MethodStage surfaceStage(const fs::path& shaders, const char* fragment) {
-  return {readShader(shaders / "common/surface.vert"), {readShader(shaders / "common" / fragment)}};
+  return {readShader(shaders / "common/surface.vert"),
+          {readShader(shaders / "common" / fragment)},
+          {}};
+}
+
+MethodStage countingStage(const fs::path& shaders) {
+  MethodStage stage = surfaceStage(shaders, "fetch_count.frag");
+  stage.before = {readShader(shaders / "common/fetch_macros.frag")};
+  return stage;
 }
 
 gl::Program makeMethodProgram(const fs::path& shaders, const Method& method,

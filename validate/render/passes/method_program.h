@@ -45,12 +45,16 @@ void bindOwnTextures(GLuint program, const std::vector<MethodTexture>& declared,
 /// What stands before and after a method's own code in a program.
 struct MethodStage {
   ShaderPiece vertex;
-  std::vector<ShaderPiece> fragment;  ///< calls the method's functions
+  std::vector<ShaderPiece> fragment;     ///< calls the method's functions
+  std::vector<ShaderPiece> before = {};  ///< stands before all that the method uses
 };
 
 /// The stage that draws the surface.
 /// @param fragment  a file of `common/`
 MethodStage surfaceStage(const std::filesystem::path& shaders, const char* fragment);
+
+/// The stage that draws how many texture instructions a pixel's answer takes.
+MethodStage countingStage(const std::filesystem::path& shaders);
 
 /// The stage of a pass of the method's own.
 /// @param pass  of `passes`, those of the method

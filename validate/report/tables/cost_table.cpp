@@ -65,6 +65,7 @@ Table costTable(const study::StudyRecord& record) {
                           {"Tables", "table_bytes", Q::bytes},
                           {"Height map", "height_bytes", Q::bytes, byAll & ~onTerminal},
                           {"Passes", "passes", Q::exact},
+                          {"Fetches", "fetches", Q::decimals},
                           {"Frame", "frame_ms", Q::decimals, byAll, "ms"},
                           {"Light still", "still_ms", Q::decimals, byAll, "ms"},
                           {fmt::format("To {}", costReference), "frame_ratio", Q::times}}};
@@ -72,7 +73,7 @@ Table costTable(const study::StudyRecord& record) {
     const auto ratio = frameRatio(record, cost);
     table.rows.push_back(
         {{textCell(cost.method), countCell(cost.polygons), countCell(cost.tableBytes),
-          countCell(cost.heightBytes), valueCell(cost.passes), timeCell(cost.frameMs),
+          countCell(cost.heightBytes), valueCell(cost.passes), valueCell(cost.fetches, cost.fetches ? "" : "not counted"), timeCell(cost.frameMs),
           timeCell(cost.stillMs),
           valueCell(ratio, ratio ? "" : fmt::format("{} was not timed", costReference))}});
   }

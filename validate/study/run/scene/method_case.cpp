@@ -37,6 +37,18 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
   ready.tables.bakes = ready.bakes.get();
 }
 
+render::MethodPass makePass(const RunScene& scene, const MethodCase& method,
+                            render::PassPurpose purpose) {
+  const MethodSpec& spec = *method.spec;
+  return {scene.shaders,
+          method.method,
+          scene.study.relief.field.wrap(),
+          spec.filter,
+          spec.parameters,
+          spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own,
+          purpose};
+}
+
 void compile(RunScene& scene, MethodCase& method) {
   const MethodSpec& spec = *method.spec;
   const DrawnBase& base = scene.clock.measure(
@@ -49,8 +61,7 @@ void compile(RunScene& scene, MethodCase& method) {
       scene.keys.program(spec, method.method),
       [&] {
         return std::make_shared<const render::MethodPass>(
-            scene.shaders, method.method, scene.study.relief.field.wrap(), spec.filter,
-            spec.parameters, spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own);
+            makePass(scene, method, render::PassPurpose::answers));
       },
       [](const render::MethodPass&) { return bytes; });
   method.compiled.emplace(
@@ -200,6 +211,10 @@ const CompiledMethod& compiled(RunScene& scene, MethodCase& method) {
   if (!method.compiled) compile(scene, method);
   shootTables(scene, {&method, 1});
   return *method.compiled;
+}
+
+render::MethodPass countingPass(const RunScene& scene, const MethodCase& method) {
+  return makePass(scene, method, render::PassPurpose::counts);
 }
 
 render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light) {

@@ -60,6 +60,9 @@ MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDeman
 /// @throws InputError as prepareMethod
 const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 
+/// The method's pass with its texture instructions counted instead of its answers drawn.
+render::MethodPass countingPass(const RunScene& scene, const MethodCase& method);
+
 /// What the method's passes draw under one of the study's lights.
 render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light);
 

@@ -1,0 +1,19 @@
+// How many texture instructions the answer of every pixel takes: mask.frag's, or visibility.frag's.
+
+layout(location = 0) out float fetches;
+
+void main() {
+  Pixel pixel = makePixel();
+  LocalLight light = makeLocalLight(pixel, lightDirection);
+  bool isTurned = isTurnedAway(pixel);
+#if defined ANSWER_SHARE || defined ANSWER_DISC
+  if (lightRadius > 0.0) {
+    float share = answeredShare(pixel, light);
+  } else {
+    bool isHidden = isShadowed(pixel, light);
+  }
+#else
+  bool isHidden = isShadowed(pixel, light);
+#endif
+  fetches = float(fetchesCounted);
+}
