@@ -32,11 +32,6 @@ std::function<void(const TruthRequest&, const TruthTracer::Worker::Job&)> truthW
   };
 }
 
-bool sameCamera(const Camera& a, const Camera& b) {
-  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.width == b.width &&
-         a.height == b.height && a.verticalFov == b.verticalFov;
-}
-
 }  // namespace
 
 ViewSession::ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake)

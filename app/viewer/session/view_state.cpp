@@ -50,6 +50,11 @@ PaneContent parseContent(const std::string& text, const std::vector<std::string>
                   text, fmt::join(labels, ", ")));
 }
 
+bool sameCamera(const Camera& a, const Camera& b) {
+  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.width == b.width &&
+         a.height == b.height && a.verticalFov == b.verticalFov;
+}
+
 std::vector<std::string> shownMethods(const ViewState& state) {
   std::vector<std::string> labels;
   for (int i = 0; i < state.paneCount; ++i) {

@@ -75,6 +75,8 @@ struct ViewState {
   bool help = false;
 };
 
+bool sameCamera(const Camera& a, const Camera& b);
+
 /// The methods that its panes need, each once.
 std::vector<std::string> shownMethods(const ViewState& state);
 

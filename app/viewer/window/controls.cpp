@@ -56,6 +56,30 @@ void ControlPanel::note(const std::string& name) {
                    static_cast<int>(high.y)};
 }
 
+bool ControlPanel::openList(const char* label, const std::string& name, const std::string& shown) {
+  const bool isOpen = ImGui::BeginCombo(label, shown.c_str(), ImGuiComboFlags_HeightLarge);
+  note(name);
+  if (isOpen && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    ImGui::CloseCurrentPopup();
+  }
+  return isOpen;
+}
+
+std::optional<std::size_t> ControlPanel::list(const char* label, const std::string& name,
+                                              const std::vector<std::string>& entries,
+                                              std::optional<std::size_t> chosen) {
+  std::optional<std::size_t> pressed;
+  if (!openList(label, name, chosen ? entries.at(*chosen) : "other")) return pressed;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(entries[i].c_str(), i == chosen)) pressed = i;
+    note(fmt::format("{}.{}", name, i));
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+  return pressed;
+}
+
 bool ControlPanel::slider(const char* label, const std::string& name, double& value, double low,
                           double high, const char* format) {
   const bool changed = ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format,
@@ -86,17 +110,9 @@ void ControlPanel::paneChoice(ViewSession& session, std::size_t pane) {
     ImGui::PopID();
     return pressed;
   };
-  const auto open = [&](const char* id, const std::string& list, const std::string& shown) {
-    const bool isOpen = ImGui::BeginCombo(id, shown.c_str(), ImGuiComboFlags_HeightLarge);
-    note(list);
-    if (isOpen && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
-      ImGui::CloseCurrentPopup();
-    }
-    return isOpen;
-  };
   const std::string name = fmt::format("pane.{}", pane);
   ImGui::SetNextItemWidth(154);
-  if (open("##shown", name + ".shown", sourceText(content.shown))) {
+  if (openList("##shown", name + ".shown", sourceText(content.shown))) {
     std::vector<PaneSource> sources = masks;
     sources.push_back(displacedSurface);
     for (const PaneSource& source : sources) {
@@ -113,8 +129,8 @@ void ControlPanel::paneChoice(ViewSession& session, std::size_t pane) {
     ImGui::TextUnformatted("\u2212");
     ImGui::SameLine(0, 4);
     ImGui::SetNextItemWidth(-1);
-    if (open("##against", name + ".against",
-             content.against ? sourceText(*content.against) : "nothing")) {
+    if (openList("##against", name + ".against",
+                 content.against ? sourceText(*content.against) : "nothing")) {
       if (ImGui::Selectable("nothing", !content.against)) content.against.reset();
       note(name + ".against.nothing");
       for (const PaneSource& source : masks) {
@@ -146,13 +162,45 @@ void ControlPanel::panes(ViewSession& session) {
   for (int i = 0; i < state.paneCount; ++i) paneChoice(session, static_cast<std::size_t>(i));
 }
 
-void ControlPanel::light(ViewState& state) {
+/// The study's cameras, where it has several; each in the panes' size.
+void ControlPanel::view(ViewSession& session) {
+  Camera& camera = session.state().camera;
+  std::vector<std::string> names;
+  std::vector<Camera> cameras;
+  std::optional<std::size_t> chosen;
+  for (const study::ViewSpec& view : session.opened().views) {
+    const Camera* own = study::cameraOf(view);
+    if (own == nullptr) continue;
+    cameras.push_back(*own);
+    cameras.back().width = camera.width;
+    cameras.back().height = camera.height;
+    if (sameCamera(cameras.back(), camera)) chosen = names.size();
+    names.push_back(view.name);
+  }
+  if (names.size() < 2) return;
+  if (const auto pressed = list("view", "view", names, chosen)) camera = cameras.at(*pressed);
+}
+
+void ControlPanel::light(ViewSession& session) {
+  LightAngles& light = session.state().light;
+  const std::vector<study::LightSpec>& lights = session.opened().lights;
   heading("Light, degrees");
-  slider("azimuth", "light.azimuth", state.light.azimuth, 0, 360, "%.1f");
-  slider("elevation", "light.elevation", state.light.elevation, -10, 90, "%.1f");
-  slider("radius", "light.radius", state.light.radius, 0, study::largestLightRadius, "%.3f");
+  if (lights.size() > 1) {
+    std::vector<std::string> names;
+    std::optional<std::size_t> chosen;
+    for (const study::LightSpec& one : lights) {
+      if (lightAngles(one) == light) chosen = names.size();
+      names.push_back(one.name);
+    }
+    if (const auto pressed = list("light", "light", names, chosen)) {
+      light = lightAngles(lights.at(*pressed));
+    }
+  }
+  slider("azimuth", "light.azimuth", light.azimuth, 0, 360, "%.1f");
+  slider("elevation", "light.elevation", light.elevation, -10, 90, "%.1f");
+  slider("radius", "light.radius", light.radius, 0, study::largestLightRadius, "%.3f");
   ImGui::SameLine();
-  if (ImGui::SmallButton("sun")) state.light.radius = study::sunRadius;
+  if (ImGui::SmallButton("sun")) light.radius = study::sunRadius;
   note("light.sun");
 }
 
@@ -286,7 +334,8 @@ SaveActions ControlPanel::draw(ViewSession& session, const PaneRectangle& place,
   ImGui::PushItemWidth(-100);
   ImGui::TextWrapped("%s", session.opened().title.c_str());
   panes(session);
-  light(session.state());
+  view(session);
+  light(session);
   surface(session);
   tables(session);
   overlays(session.state());

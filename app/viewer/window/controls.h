@@ -33,7 +33,8 @@ class ControlPanel {
  private:
   void panes(ViewSession& session);
   void paneChoice(ViewSession& session, std::size_t pane);
-  void light(ViewState& state);
+  void view(ViewSession& session);
+  void light(ViewSession& session);
   void surface(ViewSession& session);
   void tables(ViewSession& session);
   void parameters(ViewSession& session);
@@ -41,6 +42,13 @@ class ControlPanel {
   SaveActions saving(const std::string& said);
   void status(const ViewSession& session, const FrameLog& frames);
 
+  /// Opens a drop-down, which Escape closes. To be ended by ImGui::EndCombo where it is open.
+  bool openList(const char* label, const std::string& name, const std::string& shown);
+  /// A drop-down of names, of which one may be chosen now.
+  /// @return the place of the one that was pressed
+  std::optional<std::size_t> list(const char* label, const std::string& name,
+                                  const std::vector<std::string>& entries,
+                                  std::optional<std::size_t> chosen);
   bool slider(const char* label, const std::string& name, double& value, double low, double high,
               const char* format);
   bool slider(const char* label, const std::string& name, int& value, int low, int high);

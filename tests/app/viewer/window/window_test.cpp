@@ -298,6 +298,42 @@ TEST_F(ViewerWindow, ADropDownClosesOnEscape) {
   EXPECT_EQ(viewer.status().at("panes")[0].at("shows"), "max-forsyth");
 }
 
+TEST_F(ViewerWindow, TheStudysLightsAndViewsAreChosenFromLists) {
+  write("ball.toml", ballStudy() + R"(
+[[view]]
+type = "camera"
+name = "aside"
+width = 200
+height = 200
+eye = [90, 0, 90]
+[[light]]
+azimuth = 200
+elevation = 50
+radius = 2
+)");
+  DrivenViewer viewer = open({});
+  ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
+  const json before = viewer.status();
+  for (const auto& [list, entry] : {std::pair("light", "light.1"), {"view", "view.1"}}) {
+    const auto isOpen = [name = entry](const json& now) {
+      return now.at("controls").contains(name);
+    };
+    viewer.clickControl(list);
+    ASSERT_TRUE(viewer.waitFor(isOpen)) << entry;
+    // A list is where it stays from its second frame on.
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    viewer.clickControl(entry);
+    ASSERT_TRUE(viewer.waitFor([&](const json& now) { return !isOpen(now); })) << entry;
+  }
+  EXPECT_TRUE(viewer.waitFor([](const json& now) {
+    const json& light = now.at("light");
+    const json& eye = now.at("camera").at("eye");
+    return light.at("azimuth") == 200 && light.at("elevation") == 50 && light.at("radius") == 2 &&
+           eye[0] == 90 && eye[1] == 0 && eye[2] == 90;
+  })) << viewer.status().dump(2);
+  EXPECT_EQ(viewer.status().at("camera").at("width"), before.at("camera").at("width"));
+}
+
 TEST_F(ViewerWindow, OverlaysAndTheListOfKeysComeAndGo) {
   DrivenViewer viewer = open({});
   ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
