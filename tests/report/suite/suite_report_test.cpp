@@ -77,7 +77,7 @@ TEST(SuiteHtml, OfSoftLightsSpeaksOfShares) {
   EXPECT_THAT(html, Not(HasSubstr("wrong samples")));
   EXPECT_THAT(html, Not(HasSubstr("ercent of the samples")));
   EXPECT_THAT(markdownTable(suiteRankedTable(found)),
-              HasSubstr("Mean |ΔV| in percent of the light of a scene"));
+              HasSubstr("Mean \\|ΔV\\| in percent of the light of a scene"));
   EXPECT_EQ(nlohmann::json::parse(suiteJson(found, ""))["statistic"], "mae");
   EXPECT_EQ(nlohmann::json::parse(suiteJson(statistics(), ""))["statistic"], "error_rate");
   // Else it is the page of hard lights.
