@@ -82,9 +82,11 @@ TEST_F(OwnPasses, FromTheLightHoldItsRasterAndTheirLevelsItsMean) {
   const test::RenderScene scene = passPlane(16);
   const Method own = method(
       "[[pass]]\nname = \"moments\"\nkind = \"light\"\nchannels = 2\nmips = true\n"
-      "[[pass]]\nname = \"wide\"\nkind = \"filter\"\nof = \"moments\"\nchannels = 2\n" +
+      "[[pass]]\nname = \"wide\"\nkind = \"filter\"\nof = \"moments\"\nchannels = 2\n"
+      "[[pass]]\nname = \"ramp\"\nkind = \"filter\"\nof = \"wide\"\n" +
           sideOfLight,
       "vec2 passMoments(Pixel pixel, float depth) { return vec2(depth, 1.0); }\n"
+      "float passRamp(ivec2 texel) { return float(texel.x + 100 * texel.y); }\n"
       "vec2 passWide(ivec2 texel) {\n"
       "  return 0.5 * (momentsTexel(texel - ivec2(8, 0)) + momentsTexel(texel + ivec2(8, "
       "0)));\n}\n",
@@ -95,15 +97,17 @@ TEST_F(OwnPasses, FromTheLightHoldItsRasterAndTheirLevelsItsMean) {
       "  bool isInside = all(lessThan(abs(pixel.position.xy), vec2(3.0)));\n"
       "  bool isNear = !isInside || distance(near, vec2(0.5, 1.0)) < 1e-3;\n"
       "  bool isWide = !isInside || distance(wideAt(place.xy), vec2(0.5, 1.0)) < 1e-3;\n"
-      "  return !isNear || !isWide || distance(whole, vec2(0.25, 0.5)) > 0.02 ||\n"
+      "  float ramp = dot(place.xy - 0.5, vec2(1.0, 100.0));\n"
+      "  return !isNear || !isWide || abs(rampAt(place.xy) - ramp) > 1e-2 || distance(whole, "
+      "vec2(0.25, 0.5)) > 0.02 ||\n"
       "         distance(momentsAt(place.xy, 1.5), mixed) > 1e-5 ||\n"
       "         abs(lightDepthOf(ivec2(32)) - 0.5) > 1e-3 || depth_side != 64;");
-  EXPECT_EQ(own.passes.count(), 3);
+  EXPECT_EQ(own.passes.count(), 4);
   EXPECT_EQ(test::shareShadowed(scene.test(own, atlasView(scene.surface, 8), {0, 0, 1})), 0);
   const MethodPass pass(shaderFolder(), own, relief::Wrap::clamp, TableFilter::exact, {});
   const double levels = 4.0 / 3;
   EXPECT_EQ(pass.passBytes(nullptr, scene.drawing({0, 0, 1}), {}),
-            static_cast<std::uint64_t>(64 * 64 * levels * 8) + 64 * 64 * (8 + 4));
+            static_cast<std::uint64_t>(64 * 64 * levels * 8) + 64 * 64 * (8 + 4 + 4));
 }
 
 TEST_F(OwnPasses, ACamerasDepthAndPassesTellItsPixels) {

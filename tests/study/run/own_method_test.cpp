@@ -78,6 +78,25 @@ TEST_F(OwnMethod, IsBakedAgainWhereItsInputsChange) {
   EXPECT_THAT(stages(run()), Contains("bake"));
 }
 
+TEST_F(OwnMethod, ThatNeedsACameraIsLeftOutOfAnAtlasWhichANoticeSaysOnce) {
+  edit("sixteenth.glsl", "tables = ", "needs = \"camera\"\ntables = ");
+  std::ofstream(file("own.toml"), std::ios::app)
+      << "\n[[method]]\nname = \"unshadowed\"\n\n[[view]]\ntype = \"atlas\"\nname = \"all\"\n"
+         "samples = 4\n\n[[light]]\nelevation = 50\n";
+  const StudyRecord record = run();
+  EXPECT_EQ(std::count(record.notices.begin(), record.notices.end(),
+                       "sixteenth answers at a camera's pixels alone: it is left out of \"all\"."),
+            1);
+  const auto rows = [&](const std::string& method, const std::string& view) {
+    return std::count_if(record.results.begin(), record.results.end(), [&](const auto& result) {
+      return result.method == method && result.view == view;
+    });
+  };
+  EXPECT_GT(rows("sixteenth", "camera"), 0);
+  EXPECT_EQ(rows("sixteenth", "all"), 0);
+  EXPECT_GT(rows("unshadowed", "all"), 0);
+}
+
 TEST_F(OwnMethod, ItsFilesAreInputs) {
   const StudySpec study = readStudy(file("own.toml"));
   std::vector<std::string> files;
