@@ -244,7 +244,7 @@ TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
   EXPECT_TRUE(
       holds(html, "<b>best</b> has the fewest wrong samples of 3 methods: <b>1.00&#8239;%</b>"));
   EXPECT_TRUE(holds(html, "1 of 2 thresholds met"));
-  EXPECT_TRUE(holds(html, "not distinguishable from close"));
+  EXPECT_TRUE(holds(html, "not distinguishable from “close”"));
   EXPECT_TRUE(holds(html, "<b>1.00 <small>±&#8239;0.30</small></b>"));
   EXPECT_LT(html.find("the fewest wrong samples"), html.find("What was claimed"));
 }

@@ -41,7 +41,7 @@ Html bestOf(const study::SuiteStatistics& statistics) {
       "worst twentieth of the scenes. {}",
       best.label, percentText(best.spread.mean), interval, percentText(best.spread.worstTwentieth),
       alike.empty() ? html("It is distinguishable from every other ranked method.")
-                    : html("It is {}.", indistinguishableText(alike)));
+                    : html("It is {}.", indistinguishableText({alike, {}})));
 }
 
 Html header(const study::SuiteStatistics& statistics) {

@@ -53,9 +53,7 @@ Cell caseCell(const study::StudyRecord& record, const study::ResultRecord& drawn
   return column.quantity == Quantity::ratio ? lengthCell(*of, metric) : metricCell(metric);
 }
 
-bool isAlike(const study::StudyRecord& record, const study::Case& which, const std::string& first,
-             const std::string& second) {
-  const auto difference = study::differenceOf(record, which.view, which.light, first, second);
+bool isAlike(const std::optional<study::DifferenceRecord>& difference) {
   return difference && difference->verdict == study::DifferenceVerdict::notDistinguishable;
 }
 
@@ -84,12 +82,14 @@ CaseResults resultsOf(const study::StudyRecord& record, const std::vector<std::s
 
 Cell methodCell(const study::StudyRecord& record, const std::vector<std::string>& methods,
                 const study::Case& which, const std::string& method) {
-  std::vector<std::string> alike;
+  LikeMethods like;
   for (const std::string& other : methods) {
-    if (isAlike(record, which, method, other)) alike.push_back(other);
+    const auto difference = study::differenceOf(record, which.view, which.light, method, other);
+    if (!isAlike(difference)) continue;
+    (difference->interval ? like.close : like.withoutInterval).push_back(other);
   }
   Cell cell = textCell(method);
-  cell.note = indistinguishableText(alike);
+  cell.note = indistinguishableText(like);
   return cell;
 }
 
@@ -162,7 +162,10 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
       for (const CaseMetric& metric : caseMetrics) {
         row.cells.push_back(caseCell(record, *result, metric));
       }
-      if (isAlike(record, which, result->method, results.best->method)) row.mark = " ≈";
+      if (isAlike(study::differenceOf(record, which.view, which.light, result->method,
+                                      results.best->method))) {
+        row.mark = " ≈";
+      }
       table.rows.push_back(std::move(row));
     }
   }
