@@ -172,6 +172,29 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
   return table;
 }
 
+Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::string>& methods,
+                      std::span<const study::Case> cases) {
+  Table table{.kind = "regions", .columns = {{"View and light", "case", Quantity::name}}};
+  double worst = 0;
+  for (const std::string& method : methods) {
+    table.columns.push_back({method, method, Quantity::percent});
+    for (const study::Case& which : cases) {
+      worst = std::max(
+          worst,
+          study::rateOf(record, method, which, study::Answer::drawn, "error_rate").value_or(0));
+    }
+  }
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    Row row{{textCell(cases[i].view + " · " + cases[i].light)}};
+    row.cells.front().link = fmt::format("#case-{}", i + 1);
+    for (const std::string& method : methods) {
+      row.cells.push_back(regionCell(study::findResult(record, method, cases[i]), worst));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 Table regionTable(const study::StudyRecord& record, const study::Case& which) {
   Table table{.kind = "regions", .columns = {{"Method", "method", Quantity::name}}};
   const std::vector<std::string> regions = study::regionsOf(record, which);
