@@ -10,6 +10,7 @@
 #include "report/page/opening_html.h"
 #include "report/page/page.h"
 #include "report/page/reference_html.h"
+#include "report/page/worst_html.h"
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/confidence_table.h"
@@ -271,6 +272,7 @@ Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& f
   Html main = htmlClaims(claims) + rankingSection(record, ranked) + thresholdSection(record) +
               referenceSection(record, folder) + (hasPictures ? viewerMarkup() : Html());
   main += caseSections(record, ranked, folder);
+  main += worstSection(record, ranked, folder);
   main += confidenceSection(record) + plotSection(plots) + budgetSection(record, plots) +
           costSection(record, plots) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record);
