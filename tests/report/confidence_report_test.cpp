@@ -60,8 +60,8 @@ TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
 
 TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   EXPECT_EQ(verdictText(recordOfThree(), "camera"),
-            "best is better than rough, \"old\" by 9.00 % of the samples (7.20 to 11.50). No "
-            "interval could be measured of the difference between best and “close”.");
+            "best is better than rough, \"old\" by 9.00 % of the samples (95 % interval 7.20 to "
+            "11.50). No interval could be measured of the difference between best and “close”.");
   EXPECT_EQ(intervalText(compare::Interval{-0.001, 0.02}), "−0.10 to 2.00");
   EXPECT_EQ(intervalText(compare::Interval{-0.012, 0.5}), "−1.20 to 50.00");
   EXPECT_EQ(intervalText(compare::Interval{-1e-7, 0}), "0.00 to 0.00");

@@ -149,10 +149,8 @@ Html costSection(const study::StudyRecord& record, std::span<const DrawnPlot> pl
   const std::string rates = publishedRates(record);
   return htmlSection(
       "cost", "What each method costs",
-      htmlNote(
-          "Memory of the tables and the height map that a frame reads; drawing passes a frame; "
-          "the median time of one frame, the same while the light stands still, without the "
-          "passes that depend on the light alone, and the frame's ratio to that of max-forsyth.") +
+      htmlNote("One frame of the first camera view, drawn on this machine. Times compare methods "
+               "here; another graphics card has others.") +
           htmlTable(costTable(record)) + htmlNote(keptFrames(record)) +
           (rates.empty() ? Html() : html("<p>{}</p>\n", rates)) + plotsOf(plots, "cost"));
 }
@@ -166,13 +164,13 @@ Html truthSection(const study::StudyRecord& record) {
   const bool measured = !truth.flips.empty() || truth.uncertainty > 0;
   const Html facts =
       htmlFact("Micro-triangles", groupedText(truth.microTriangles)) +
-      htmlFact("Longest step", stepText(truth.stepTexels) + " texels") +
+      htmlFact("Longest side of a triangle", stepText(truth.stepTexels) + " texels") +
       htmlFact("Largest uncertainty",
                measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
       htmlFact("Search radius", radiusText(record.radius)) +
-      htmlFact("Ray tracing structure", bytesText(truth.bvhBytes.value_or(0))) +
-      htmlFact("Mesh", bytesText(truth.meshBytes)) +
-      htmlFact("Left out", fmt::format("{} samples where no frame exists",
+      htmlFact("Memory for tracing rays", bytesText(truth.bvhBytes.value_or(0))) +
+      htmlFact("Memory of the mesh", bytesText(truth.meshBytes)) +
+      htmlFact("Left out", fmt::format("{} samples, where the texture has no directions",
                                        groupedText(record.undefinedSamples)));
   Html content = html("<dl>\n{}</dl>\n", facts);
   if (!truth.flips.empty()) content += htmlTable(flipTable(truth.flips));

@@ -53,8 +53,8 @@ std::vector<study::DifferenceRecord> differencesToBest(
 std::string betterText(const study::DifferenceRecord& difference) {
   // It says what becomes of the best.
   const std::string radius = radiusNote(study::swapped(difference));
-  return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.second,
-                     difference.first, percentText(difference.difference),
+  return fmt::format("{} is better than {} by {} % of the samples (95 % interval {}){}.",
+                     difference.second, difference.first, percentText(difference.difference),
                      intervalText(difference.interval), radius.empty() ? "" : ", which " + radius);
 }
 

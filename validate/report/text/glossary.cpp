@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "report/text/interval_text.h"
+
 namespace gnomon::report {
 namespace {
 
@@ -30,9 +32,7 @@ constexpr auto terms = std::to_array<Term>({
      "The error of the method's shadow test alone. The picture is also shaded, which darkens what "
      "faces away from the light and so hides some mistakes of the test."},
     {"drawn", "The answer that a method's picture shows: its shadow test together with shading."},
-    {"95 %",
-     "An interval for the figure before it. Had the bumps been drawn at random again and again, "
-     "95 of 100 such intervals would contain the mean over all draws."},
+    {"95 %", intervalMeaning},
     {"not distinguishable",
      "Marked ≈: the two errors may differ by chance alone. The interval of their difference "
      "contains 0, no interval could be measured, or the difference is no larger than the truth's "
@@ -100,7 +100,7 @@ constexpr auto terms = std::to_array<Term>({
     {"Cause", "An approximation of the method that is corrected in this step."},
     {"Forward", "The error that is gone when causes are corrected from the first to the last."},
     {"Backward", "The same, corrected from the last to the first."},
-    {"Samples that flip",
+    {"Samples that change",
      "The uncertainty of the truth: the share of samples that change at half "
      "its resolution."},
     {"Micro-triangles", "The triangles of the truth's mesh."},
