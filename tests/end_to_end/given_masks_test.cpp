@@ -101,7 +101,7 @@ TEST_F(GivenMasks, AreJudgedAndRecordedButNotTimed) {
   EXPECT_EQ(all.at("thresholds").at(0).at("passed"), true);
   EXPECT_EQ(all.at("thresholds").at(1).at("passed"), false) << "the control fails";
   for (const nlohmann::json& cost : all.at("cost")) EXPECT_NE(cost.at("method"), "other");
-  EXPECT_THAT(all.at("notices").dump(), HasSubstr("other: another program drew its masks"));
+  EXPECT_THAT(all.at("notices").dump(), HasSubstr("other: another program drew the masks"));
   const auto& inputs = all.at("study").at("inputs");
   EXPECT_TRUE(std::any_of(inputs.begin(), inputs.end(), [](const nlohmann::json& input) {
     return input.at("kind") == "mask" &&

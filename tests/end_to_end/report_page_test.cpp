@@ -266,6 +266,80 @@ TEST_F(ReportPage, ZoomsAndPansBothPictures) {
   EXPECT_EQ(zoom(), "1.5×");
 }
 
+/// Of the word that the opening explains first, with the touch of a phone, the mouse and keys.
+TEST_F(ReportPage, OpensAndClosesTheMeaningOfAWord) {
+  Browser browser(folder());
+  browser.open(page(), 375);
+  settle(browser);
+  const auto open = [&] {
+    return browser.evaluate(
+        "[...document.querySelectorAll('.terms :popover-open dt')]"
+        ".map((e) => e.textContent)");
+  };
+  const auto meaning = [&](const std::string& expression) {
+    return browser.evaluate(
+        "(() => { const box = document.getElementById(document.querySelector("
+        "'.term').getAttribute('popovertarget')).getBoundingClientRect();"
+        "return " +
+        expression + "; })()");
+  };
+  EXPECT_EQ(open(), nlohmann::json::array());
+  EXPECT_GT(meaning("box.height"), 20) << "at rest it stands in the list at the page's end";
+  EXPECT_GT(meaning("box.top"), 2000);
+  browser.evaluate("document.querySelector('.term').focus()");
+  browser.call("Input.dispatchKeyEvent", {{"type", "keyDown"},
+                                          {"key", "Enter"},
+                                          {"code", "Enter"},
+                                          {"windowsVirtualKeyCode", 13},
+                                          {"text", "\r"}});
+  EXPECT_EQ(open(), nlohmann::json::array({"truth"}));
+  EXPECT_TRUE(meaning("box.left >= 0 && box.right <= 375 && box.top >= 0 && box.bottom <= 1000"));
+  browser.call("Input.dispatchKeyEvent",
+               {{"type", "keyDown"}, {"key", "Escape"}, {"windowsVirtualKeyCode", 27}});
+  EXPECT_EQ(open(), nlohmann::json::array());
+  const nlohmann::json place = browser.evaluate(
+      "(() => { const box = document.querySelector('.term').getBoundingClientRect();"
+      "return [(box.left + box.right) / 2, (box.top + box.bottom) / 2]; })()");
+  browser.pressMouse(place.at(0), place.at(1));
+  browser.releaseMouse(place.at(0), place.at(1));
+  EXPECT_EQ(open(), nlohmann::json::array({"truth"}));
+  EXPECT_EQ(browser.complaints(), nothing);
+}
+
+/// Of text against what lies behind it, as WCAG 2 counts: 4.5 is its limit for small text.
+TEST_F(ReportPage, WordsStandOutInLightAndDark) {
+  Browser browser(folder());
+  for (const char* scheme : {"light", "dark"}) {
+    browser.call("Emulation.setEmulatedMedia",
+                 {{"features", {{{"name", "prefers-color-scheme"}, {"value", scheme}}}}});
+    browser.open(page());
+    settle(browser);
+    const nlohmann::json weak = browser.evaluate(R"((() => {
+      const rgba = (text) => { const n = text.match(/[\d.]+/g).map(Number);
+                               return n.length > 3 ? n : [...n, 1]; };
+      const over = (a, b) => [0, 1, 2].map((i) => a[3] * a[i] + (1 - a[3]) * b[i]);
+      const back = (e) => { const own = rgba(getComputedStyle(e).backgroundColor);
+                            return own[3] === 1 || !e.parentElement ? own.slice(0, 3)
+                                                : over(own, back(e.parentElement)); };
+      const light = (c) => { const l = c.map((v) => { v /= 255;
+          return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
+        return 0.2126 * l[0] + 0.7152 * l[1] + 0.0722 * l[2]; };
+      const found = new Set();
+      for (const e of document.querySelectorAll('header *, section *, nav *')) {
+        if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim())) continue;
+        if (!e.checkVisibility() || e.closest('.tip, .unseen, option, :disabled')) continue;
+        const behind = back(e);
+        const [a, b] = [light(over(rgba(getComputedStyle(e).color), behind)), light(behind)];
+        if ((Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) < 4.5) {
+          found.add(e.tagName + '.' + e.className);
+        }
+      }
+      return [...found];
+    })())");
+    EXPECT_EQ(weak, nlohmann::json::array()) << scheme;
+  }
+}
+
 TEST_F(ReportPage, FitsAPhoneAndPaper) {
   Browser browser(folder());
   openAndFocus(browser, page(), 375);

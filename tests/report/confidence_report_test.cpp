@@ -60,8 +60,8 @@ TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
 
 TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
   EXPECT_EQ(verdictText(recordOfThree(), "camera"),
-            "best is better than rough, \"old\" by 9.00 % of the samples (7.20 to 11.50). best is "
-            "not distinguishable from close.");
+            "best is better than rough, \"old\" by 9.00 % of the samples (95 % interval 7.20 to "
+            "11.50). No interval could be measured of the difference between best and “close”.");
   EXPECT_EQ(intervalText(compare::Interval{-0.001, 0.02}), "−0.10 to 2.00");
   EXPECT_EQ(intervalText(compare::Interval{-0.012, 0.5}), "−1.20 to 50.00");
   EXPECT_EQ(intervalText(compare::Interval{-1e-7, 0}), "0.00 to 0.00");
@@ -75,7 +75,14 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
                                           study::DifferenceVerdict::notDistinguishable));
   }
   EXPECT_THAT(verdictText(many, "camera"),
-              HasSubstr("best is not distinguishable from a; b; c and 1 more."));
+              HasSubstr("best is not distinguishable from “a”, “b” and “c”. No interval"));
+  for (const char* name : {"d, e", "f"}) {
+    many.confidence.push_back({name, "camera", "all", 0.011, {}, "", 25, 40});
+    many.differences.push_back(difference("best", name, -0.001, compare::Interval{-0.002, 0.001},
+                                          study::DifferenceVerdict::notDistinguishable));
+  }
+  EXPECT_THAT(verdictText(many, "camera"),
+              HasSubstr("best is not distinguishable from “a”, “b”, “c” and 2 more."));
   EXPECT_THAT(
       confidenceNote(recordOfThree(), "camera"),
       HasSubstr(

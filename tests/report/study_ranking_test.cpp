@@ -185,8 +185,7 @@ TEST(StudyRanking, SaysWhichStudiesHaveNoInterval) {
                                                   study::studyMeans(sweep)};
   const std::string reason = "no interval of the difference on bumps (at 2: too few blocks)";
   EXPECT_EQ(study::rankOverStudies(studies)[1].closeToBest, reason);
-  EXPECT_THAT(rankingHtml(studies, "").text(),
-              HasSubstr("not distinguishable from best: " + reason));
+  EXPECT_THAT(rankingHtml(studies, "").text(), HasSubstr("not compared with best: " + reason));
   EXPECT_THAT(terminalReport(studies, false), HasSubstr("no interval of the difference on"));
 }
 

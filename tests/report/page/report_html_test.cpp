@@ -131,8 +131,10 @@ TEST_F(ReportHtml, EmbedsEveryDifferenceByteForByteAndAnyOtherPictureOnce) {
               isDifference ? 1 : 0)
         << picture.path;
   }
+  // The opening shows three of them once more: flat, best and truth.
   EXPECT_THAT(embedded(html, "webp"),
-              ElementsAre("picture 1", "picture 2", "picture 4", "picture 3"));
+              ElementsAre("picture 1", "picture 2", "picture 4", "picture 1", "picture 2",
+                          "picture 4", "picture 3"));
 }
 
 TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
@@ -165,14 +167,14 @@ TEST_F(ReportHtml, EmbedsTheLayersOfEveryMeshAndTheTruthsMask) {
 
 TEST_F(ReportHtml, ShowsShadowLengthsWithTheirSpread) {
   const std::string html = reportText(sampleRecord(1), folder_);
-  EXPECT_TRUE(holds(html, "<th class=\"n\">Length</th>"));
+  EXPECT_TRUE(holds(html, ">Length</button></th>"));
   EXPECT_TRUE(holds(html, "title=\"quartiles 0.50 and 2.00 over 400 runs\">1.80</td>"));
   EXPECT_TRUE(holds(html, "title=\"fewer than 30 cast shadows with both ends in view\">–</td>"));
 }
 
 TEST_F(ReportHtml, OneLetteredFigureAMethod) {
   const std::string html = reportText(recordWithPanel(), folder_);
-  EXPECT_EQ(count(html, "<figure"), 3U);
+  EXPECT_EQ(count(html, "<figure data-method"), 3U);
   EXPECT_TRUE(holds(html, "<b>(a)</b> Caption &lt;rough, &quot;old&quot;&gt;"));
   EXPECT_TRUE(holds(html, "<b>(c)</b> Caption &lt;truth&gt;"));
   EXPECT_FALSE(holds(html, "<b>(d)</b>"));
@@ -241,12 +243,14 @@ TEST_F(ReportHtml, HeadlineNamesTheBestAndTheDoubt) {
   study::StudyRecord record = sampleRecord();
   test::addDifferences(record, 1e-6);
   const std::string html = reportText(record, folder_);
-  EXPECT_TRUE(
-      holds(html, "<b>best</b> has the fewest wrong samples of 3 methods: <b>1.00&#8239;%</b>"));
+  EXPECT_TRUE(holds(html, "Of 3 methods, <b>best</b> is closest to the "));
+  EXPECT_TRUE(holds(html, " at <b>1.00&#8239;%</b> of the "));
+  EXPECT_TRUE(holds(html, "on average over 1 view and 2 lights"));
   EXPECT_TRUE(holds(html, "1 of 2 thresholds met"));
-  EXPECT_TRUE(holds(html, "not distinguishable from close"));
+  EXPECT_TRUE(holds(html, "not distinguishable from “close”"));
   EXPECT_TRUE(holds(html, "<b>1.00 <small>±&#8239;0.30</small></b>"));
-  EXPECT_LT(html.find("the fewest wrong samples"), html.find("What was claimed"));
+  EXPECT_LT(html.find("is closest to the"), html.find("What was claimed"));
+  EXPECT_LT(html.find("What was claimed"), html.find("Methods, best first"));
 }
 
 TEST_F(ReportHtml, UndefinedCellsCarryTheirReason) {
@@ -281,6 +285,64 @@ TEST_F(ReportHtml, HasBothSchemesAndPrint) {
   EXPECT_TRUE(holds(html, "prefers-color-scheme: dark"));
   EXPECT_TRUE(holds(html, "@media print"));
   EXPECT_TRUE(holds(html, "name=\"viewport\""));
+}
+
+/// What stands between the ends of each such element.
+std::vector<std::string> contents(const std::string& html, const std::string& opening,
+                                  const std::string& closing) {
+  std::vector<std::string> found;
+  for (std::size_t at = html.find(opening); at != std::string::npos; at = html.find(opening, at)) {
+    at = html.find('>', at) + 1;
+    found.push_back(html.substr(at, html.find(closing, at) - at));
+  }
+  return found;
+}
+
+TEST_F(ReportHtml, EveryWordOfAHeadingIsPlainOrLeadsToItsMeaning) {
+  study::StudyRecord record = recordWithPanel();
+  test::addDifferences(record, 1e-6);
+  record.confidence = {{"best", "camera", "all", 0.01, {}, "", 9, 4},
+                       {"close", "camera", "all", 0.012, {}, "", 9, 4}};
+  record.truth.wantedUncertainty = 0.01;
+  record.truth.refinement = {{0.5, 1000, {}}};
+  record.reproduction.inputs = {{study::InputRecord::Kind::study, "a.toml", "00"}};
+  const std::string html = reportText(record, folder_);
+  const std::vector<std::string> plain = {"",      "Method", "View",    "Light", "Metric", "Value",
+                                          "Limit", "Stage",  "Seconds", "Kind",  "File"};
+  std::size_t terms = 0;
+  std::vector<std::string> headings = contents(html, "<th>", "</th>");
+  for (std::string& heading : contents(html, "<th ", "</th>")) headings.push_back(heading);
+  for (const std::string& heading : headings) {
+    if (heading.starts_with("<button type=\"button\" class=\"term\"")) {
+      ++terms;
+    } else {
+      EXPECT_NE(std::find(plain.begin(), plain.end(), heading), plain.end()) << heading;
+    }
+  }
+  EXPECT_GT(terms, 20U);
+  // Each leads to one entry, and no entry is without a word that leads to it.
+  const std::string target = "popovertarget=\"";
+  for (const std::string& entry : contents(html, "<dl class=\"terms\"", "</dl>")) {
+    EXPECT_GT(count(entry, "<dt>"), 15U);
+  }
+  for (std::size_t at = html.find(target); at != std::string::npos; at = html.find(target, at)) {
+    at += target.size();
+    const std::string id = html.substr(at, html.find('"', at) - at);
+    EXPECT_EQ(count(html, "<div popover id=\"" + id + "\">"), 1U) << id;
+  }
+  EXPECT_EQ(count(html, "<dl class=\"terms\""), 1U);
+}
+
+TEST_F(ReportHtml, ManyLightsAreATableAndFoldedAway) {
+  study::StudyRecord record = sampleRecord(5);
+  const std::string html = reportText(record, folder_);
+  EXPECT_EQ(count(html, "<details class=\"case\">"), 5U);
+  EXPECT_EQ(count(html, "<a href=\"#case-5\">camera · elevation 75°</a>"), 1U);
+  EXPECT_EQ(count(html, "<div id=\"case-5\">"), 1U);
+  const std::string heat = html.substr(html.find("<section id=\"heat\">"));
+  EXPECT_LT(heat.find("n heat\" style=\"--heat:1.000\""), heat.find("</section>"));
+  EXPECT_TRUE(holds(heat.substr(0, heat.find("</section>")), ">10.00</td>"));
+  EXPECT_FALSE(holds(reportText(sampleRecord(3), folder_), "<details class=\"case\">"));
 }
 
 TEST_F(ReportHtml, SmallRecordsDoNotStopIt) {

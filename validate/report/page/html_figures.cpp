@@ -230,6 +230,11 @@ Html panelFigures(const study::StudyRecord& record, const study::PanelRecord& pa
                       : differenceLegend());
 }
 
+Html pictureRate(const study::StudyRecord& record, const study::PanelRecord& panel,
+                 const std::string& method) {
+  return rateHtml(rateOf(record, {panel.view, panel.light}, method));
+}
+
 Html differenceProperties() {
   return html(":root{{--false-shadow:{};--false-light:{};--both-lit:{};--both-shadowed:{}}}\n",
               cssColour(image::DifferenceColours::falseShadow),

@@ -24,4 +24,8 @@ Html pngAddress(const std::filesystem::path& path);
 /// difference pictures hold.
 Html differenceProperties();
 
+/// A method's error in a panel's view and light, as captions show it; of "truth" its uncertainty.
+Html pictureRate(const study::StudyRecord& record, const study::PanelRecord& panel,
+                 const std::string& method);
+
 }  // namespace gnomon::report

@@ -4,6 +4,7 @@
 #include "report/page/page.h"
 #include "report/text/names.h"
 #include "report/text/radius_text.h"
+#include "report/text/terms_html.h"
 
 namespace gnomon::report {
 namespace {
@@ -26,9 +27,9 @@ Html htmlPage(std::string_view title, const Html& header, const Html& main, cons
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
       "style-src 'unsafe-inline'{}\">\n"
       "<title>{} – Gnomon</title>\n<style>\n{}{}</style>\n</head>\n<body>\n<header>\n"
-      "<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n{}</header>\n<main>\n{}"
+      "<p class=\"kicker\">Gnomon · how right are the shadows?</p>\n{}</header>\n<main>\n{}{}"
       "</main>\n{}</body>\n</html>\n",
-      runs, title, differenceProperties(), pageStyle(), header, main,
+      runs, title, differenceProperties(), pageStyle(), header, main, htmlGlossary(header + main),
       script.empty() ? Html() : html("<script>{}</script>\n", script));
 }
 
@@ -46,8 +47,9 @@ Html htmlNote(std::string_view text) {
 }
 
 Html htmlPlot(const DrawnPlot& plot) {
-  return html("<figure class=\"plot\"><img alt=\"{}\" src=\"{}\"></figure>\n", plot.sheet.about,
-              pictureAddress("image/svg+xml", plot.svg));
+  return html(
+      "<figure class=\"plot\"><div class=\"scroll\"><img alt=\"{}\" src=\"{}\"></div></figure>\n",
+      plot.sheet.about, pictureAddress("image/svg+xml", plot.svg));
 }
 
 Html htmlFact(std::string_view term, std::string_view text) {

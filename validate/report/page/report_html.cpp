@@ -7,8 +7,10 @@
 #include "common/system/memory.h"
 #include "report/page/html_figures.h"
 #include "report/page/html_page.h"
+#include "report/page/opening_html.h"
 #include "report/page/page.h"
 #include "report/page/reference_html.h"
+#include "report/page/worst_html.h"
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/confidence_table.h"
@@ -22,56 +24,11 @@
 #include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "report/text/refinement_text.h"
+#include "report/text/terms_html.h"
 #include "study/judge/distinguish.h"
 
 namespace gnomon::report {
 namespace {
-
-/// The method with the fewest wrong samples, and the truth's uncertainty.
-Html bestOfStudy(const std::vector<study::RankedMethod>& ranked) {
-  if (ranked.empty() || ranked.front().allCases == 0) return html("No result has an error rate.");
-  const auto inAllCases = static_cast<std::size_t>(std::count_if(
-      ranked.begin(), ranked.end(), [](const auto& method) { return method.rank.has_value(); }));
-  if (inAllCases == 0) {
-    return html("No method answers in every case, so none is ranked.");
-  }
-  const study::RankedMethod& best = ranked.front();
-  const Html text = html(
-      "Compared with ray tracing the displaced surface in {} (a view under a light), <b>{}</b> has "
-      "the fewest wrong samples of {}: <b>{}&#8239;%</b>.",
-      plural(best.cases, "case"), best.label, plural(inAllCases, "method"),
-      percentText(best.errorRate.value));
-  if (!best.uncertainty) {
-    return html("{} The truth’s own uncertainty was not measured.", text);
-  }
-  const bool isNone =
-      !study::isDistinguishable({*best.errorRate.value, best.interval, *best.uncertainty});
-  return html("{} The truth itself is uncertain by {}&#8239;%{}.", text,
-              percentText(best.uncertainty),
-              isNone ? ": so small an error is not distinguishable from none" : "");
-}
-
-/// What the best method of each view is better than, and by how much.
-Html comparedMethods(const study::StudyRecord& record) {
-  const std::vector<std::string> views = confidenceViews(record);
-  Html paragraphs;
-  for (const std::string& view : views) {
-    const std::string verdict = verdictText(record, view);
-    if (verdict.empty()) continue;
-    paragraphs +=
-        html("<p class=\"lead\">{}{}</p>\n", views.size() > 1 ? "In " + view + ": " : "", verdict);
-  }
-  return paragraphs;
-}
-
-Html studyHeader(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked) {
-  return html(
-      "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"verdict\">{}</p>\n"
-      "<p class=\"lead\">{}</p>\n{}{}",
-      record.heading(), record.source,
-      statusHtml(record.status(), record.judgements, record.problems.size()), bestOfStudy(ranked),
-      comparedMethods(record), htmlNotices(record.notices));
-}
 
 Html rankingSection(const study::StudyRecord& record,
                     const std::vector<study::RankedMethod>& ranked) {
@@ -79,15 +36,15 @@ Html rankingSection(const study::StudyRecord& record,
   return htmlSection(
       "ranking", "Methods, best first",
       html(
-          "<p class=\"note\">Percent of the samples, mean over all lights and views. A method that "
-          "does not answer in all of them has no rank; ≈ marks one that is not distinguishable "
-          "from the best. <b>±</b> is the truth’s own uncertainty: the share of its samples that "
-          "change at half its resolution. <b>95 %</b> is the interval of the mean error. {} "
-          "<b>Test</b>: the error of the shadow test without the shading. The bar shows the "
-          "error’s two parts, <i class=\"chip shadow\"></i> false shadow and "
-          "<i class=\"chip light\"></i> false light, round its end the truth’s uncertainty "
-          "<i class=\"chip truth\"></i> and the interval <i class=\"chip whisker\"></i>.</p>\n{}",
-          intervalMeaning, htmlTable(rankedTable(record, ranked))));
+          "<p class=\"note\">Percent of the samples, mean over all lights and views. The bar shows "
+          "the two parts of the error, <i class=\"chip shadow\"></i> {} and "
+          "<i class=\"chip light\"></i> {}; round its end the {} "
+          "<i class=\"chip truth\"></i> and the 95 % interval <i class=\"chip whisker\"></i>. "
+          "≈ means {} from the best. A method that does not answer in every {} has no "
+          "rank.</p>\n{}",
+          htmlTerm("false shadow"), htmlTerm("false light"), htmlTerm("uncertainty of the truth"),
+          htmlTerm("not distinguishable"), htmlTerm("case"),
+          htmlTable(rankedTable(record, ranked))));
 }
 
 Html thresholdSection(const study::StudyRecord& record) {
@@ -110,31 +67,71 @@ Html caseTables(const study::StudyRecord& record, const study::Case& which) {
   if (!metrics.rows.empty()) {
     content +=
         html("<h3>All samples</h3>\n{}{}",
-             htmlNote("Rates in percent. Test: the error of the shadow test alone. Length: "
-                      "the median ratio of the lengths of cast shadows to the truth’s, along "
-                      "the light. ≈ marks methods that are not distinguishable from the best."),
+             htmlNote("In percent of the samples. ≈ marks methods that are not distinguishable "
+                      "from the best."),
              htmlTable(metrics));
   }
   const Table regions = regionTable(record, which);
   if (!regions.rows.empty()) {
     content += html("<h3>Error by region</h3>\n{}{}",
-                    htmlNote("Percent of the region’s own samples; the stronger the tint, the "
-                             "larger the error."),
+                    html("<p class=\"note\">Percent of the samples of each {}; the stronger the "
+                         "tint, the larger the error.</p>\n",
+                         htmlTerm("region")),
                     htmlTable(regions));
   }
   return content;
 }
 
+/// Links to the cases: with many lights a reader needs them.
+Html navigation(const std::vector<study::Case>& cases) {
+  if (cases.size() < 2) return {};
+  Html links;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    links += html("<a href=\"#case-{}\">{} · {}</a>\n", i + 1, cases[i].view, cases[i].light);
+  }
+  return html("<nav aria-label=\"Cases\">\n{}</nav>\n", links);
+}
+
+/// From more cases on, their pictures and tables are folded away.
+constexpr std::size_t mostOpenCases = 3;
+
 Html caseSection(const study::StudyRecord& record, const study::Case& which, std::size_t number,
-                 const std::filesystem::path& folder) {
+                 const std::filesystem::path& folder, bool isOpen) {
   Html content;
   for (const study::PanelRecord& panel : record.panels) {
     if (study::Case{panel.view, panel.light} != which) continue;
     content += panelFigures(record, panel, folder);
   }
   content += caseTables(record, which);
-  return htmlSection(fmt::format("case-{}", number),
-                     html("{} <span class=\"light\">{}</span>", which.view, which.light), content);
+  const std::string id = fmt::format("case-{}", number);
+  if (!isOpen) {
+    // A link to what is inside opens it.
+    return html(
+        "<details class=\"case\"><summary>{} · {}</summary>\n<div id=\"{}\">\n{}</div>\n"
+        "</details>\n",
+        which.view, which.light, id, content);
+  }
+  return htmlSection(id, html("{} <span class=\"light\">{}</span>", which.view, which.light),
+                     content);
+}
+
+/// What every method gets wrong in every case, then the cases: folded away where they are many.
+Html caseSections(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
+                  const std::filesystem::path& folder) {
+  const std::vector<study::Case> cases = casesWithPictures(record);
+  const bool areOpen = cases.size() <= mostOpenCases;
+  Html content;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    content += caseSection(record, cases[i], i + 1, folder, areOpen);
+  }
+  if (areOpen) return navigation(cases) + content;
+  std::vector<std::string> labels;
+  for (const study::RankedMethod& method : ranked) labels.push_back(method.label);
+  return htmlSection("heat", "Error by light",
+                     html("<p class=\"note\">Percent of the samples; the stronger the tint, the "
+                          "larger the error. Each light leads to its pictures and tables.</p>\n{}",
+                          htmlTable(caseErrorsTable(record, labels, cases)))) +
+         htmlSection("cases", "Pictures and tables, light by light", content);
 }
 
 /// The plots of a section of the page, each under its title.
@@ -152,10 +149,8 @@ Html costSection(const study::StudyRecord& record, std::span<const DrawnPlot> pl
   const std::string rates = publishedRates(record);
   return htmlSection(
       "cost", "What each method costs",
-      htmlNote(
-          "Memory of the tables and the height map that a frame reads; drawing passes a frame; "
-          "the median time of one frame, the same while the light stands still, without the "
-          "passes that depend on the light alone, and the frame's ratio to that of max-forsyth.") +
+      htmlNote("One frame of the first camera view, drawn on this machine. Times compare methods "
+               "here; another graphics card has others.") +
           htmlTable(costTable(record)) + htmlNote(keptFrames(record)) +
           (rates.empty() ? Html() : html("<p>{}</p>\n", rates)) + plotsOf(plots, "cost"));
 }
@@ -169,13 +164,13 @@ Html truthSection(const study::StudyRecord& record) {
   const bool measured = !truth.flips.empty() || truth.uncertainty > 0;
   const Html facts =
       htmlFact("Micro-triangles", groupedText(truth.microTriangles)) +
-      htmlFact("Longest step", stepText(truth.stepTexels) + " texels") +
+      htmlFact("Longest side of a triangle", stepText(truth.stepTexels) + " texels") +
       htmlFact("Largest uncertainty",
                measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
       htmlFact("Search radius", radiusText(record.radius)) +
-      htmlFact("Ray tracing structure", bytesText(truth.bvhBytes.value_or(0))) +
-      htmlFact("Mesh", bytesText(truth.meshBytes)) +
-      htmlFact("Left out", fmt::format("{} samples where no frame exists",
+      htmlFact("Memory for tracing rays", bytesText(truth.bvhBytes.value_or(0))) +
+      htmlFact("Memory of the mesh", bytesText(truth.meshBytes)) +
+      htmlFact("Left out", fmt::format("{} samples, where the texture has no directions",
                                        groupedText(record.undefinedSamples)));
   Html content = html("<dl>\n{}</dl>\n", facts);
   if (!truth.flips.empty()) content += htmlTable(flipTable(truth.flips));
@@ -233,16 +228,6 @@ Html plotSection(std::span<const DrawnPlot> plots) {
                           content));
 }
 
-/// Links to the cases: with many lights a reader needs them.
-Html navigation(const std::vector<study::Case>& cases) {
-  if (cases.size() < 2) return {};
-  Html links;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    links += html("<a href=\"#case-{}\">{} · {}</a>\n", i + 1, cases[i].view, cases[i].light);
-  }
-  return html("<nav aria-label=\"Cases\">\n{}</nav>\n", links);
-}
-
 }  // namespace
 
 Html confidenceSection(const study::StudyRecord& record) {
@@ -279,20 +264,17 @@ Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> 
 Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots) {
   const std::vector<study::RankedMethod> ranked = study::rankMethods(record);
-  const std::vector<study::Case> cases = casesWithPictures(record);
   const bool hasPictures = !record.panels.empty();
   Html claims;
   for (const study::ClaimRecord& claim : record.claims) claims += htmlClaim(claim);
-  Html main = rankingSection(record, ranked) + htmlClaims(claims) + thresholdSection(record) +
-              referenceSection(record, folder) + (hasPictures ? viewerMarkup() : Html()) +
-              navigation(cases);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    main += caseSection(record, cases[i], i + 1, folder);
-  }
+  Html main = htmlClaims(claims) + rankingSection(record, ranked) + thresholdSection(record) +
+              referenceSection(record, folder) + (hasPictures ? viewerMarkup() : Html());
+  main += caseSections(record, ranked, folder);
+  main += worstSection(record, ranked, folder);
   main += confidenceSection(record) + plotSection(plots) + budgetSection(record, plots) +
           costSection(record, plots) + truthSection(record) + citations(record.methods) +
           timingSection(record.timings) + reproduceSection(record);
-  return htmlPage(record.heading(), studyHeader(record, ranked), main,
+  return htmlPage(record.heading(), openingHtml(record, ranked), main,
                   hasPictures ? viewerScript() : Html());
 }
 

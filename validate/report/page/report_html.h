@@ -10,9 +10,10 @@
 namespace gnomon::report {
 
 /// A run as one page that needs nothing beside it: style and pictures are inside, and its own
-/// content policy forbids it to load anything. In the order of a reader's questions: is it right
-/// (verdict, ranking, claims, thresholds), where is it wrong (pictures and regions a case), what
-/// does it cost, how far can the truth be trusted, how is it run again.
+/// content policy forbids it to load anything. In the order of a reader's questions: which
+/// method is right (opening, claims, ranking, thresholds), where are they wrong (pictures and
+/// regions a case, worst places), what do they cost, how far can the truth be trusted, how is it
+/// run again, what do the words mean.
 /// @param folder  the run's folder: where the paths of the pictures start
 /// @param plots   embedded, in this order
 /// @throws InputError if a difference or the truth's mask cannot be read, InternalError if it is no

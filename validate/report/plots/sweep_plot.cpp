@@ -27,7 +27,7 @@ struct Panel {
 constexpr int pageWidth = 1000;  // pixels
 constexpr const char* truthLegend = "uncertainty of the truth";
 
-constexpr std::array<Panel, 3> panels = {{
+constexpr std::array<Panel, 3> sweepPanels = {{
     {&study::MethodMeans::errorRate,
      "e",
      "error rate, percent of the samples",
@@ -114,7 +114,7 @@ std::string intervalData(const Series& series, const std::string& method) {
 
 std::string dataBlocks(const Series& series) {
   std::string text = plotData("$truth", bandData(series));
-  for (const Panel& panel : panels) {
+  for (const Panel& panel : sweepPanels) {
     for (std::size_t m = 0; m < series.methods.size(); ++m) {
       text += plotData(fmt::format("${}{}", panel.name, m),
                        lineData(series, series.methods[m], panel.figure));
@@ -178,7 +178,7 @@ std::string panelCommands(const Series& series, const Panel& panel) {
 /// a second column, off the page.
 int pageHeight(const Series& series) {
   constexpr double lineHeight = 24;
-  const double share = panels[0].margins[3] - panels[0].margins[2];
+  const double share = sweepPanels[0].margins[3] - sweepPanels[0].margins[2];
   const double lines = static_cast<double>(series.methods.size()) + 2;
   return std::max(820, static_cast<int>(lines * lineHeight / share));
 }
@@ -198,7 +198,7 @@ PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
           "maxcols 1\n",
           gnuplotText(slice.axis), legendLeft(series));
   text += axisCommands(slice);
-  for (Panel panel : panels) {
+  for (Panel panel : sweepPanels) {
     if (panel.margins[1] == 0) panel.margins[1] = legendLeft(series) - 0.025;
     text += panelCommands(series, panel);
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on

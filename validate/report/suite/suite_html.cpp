@@ -42,7 +42,7 @@ Html bestOf(const study::SuiteStatistics& statistics) {
       best.label, statistics.isSoft ? "the smallest error" : "the fewest wrong samples",
       percentText(best.spread.mean), interval, percentText(best.spread.worstTwentieth),
       alike.empty() ? html("It is distinguishable from every other ranked method.")
-                    : html("It is {}.", indistinguishableText(alike)));
+                    : html("It is {}.", indistinguishableText({alike, {}})));
 }
 
 /// What a figure of the page is.

@@ -53,9 +53,7 @@ Cell caseCell(const study::StudyRecord& record, const study::ResultRecord& drawn
   return column.quantity == Quantity::ratio ? lengthCell(*of, metric) : metricCell(metric);
 }
 
-bool isAlike(const study::StudyRecord& record, const study::Case& which, const std::string& first,
-             const std::string& second) {
-  const auto difference = study::differenceOf(record, which.view, which.light, first, second);
+bool isAlike(const std::optional<study::DifferenceRecord>& difference) {
   return difference && difference->verdict == study::DifferenceVerdict::notDistinguishable;
 }
 
@@ -84,12 +82,14 @@ CaseResults resultsOf(const study::StudyRecord& record, const std::vector<std::s
 
 Cell methodCell(const study::StudyRecord& record, const std::vector<std::string>& methods,
                 const study::Case& which, const std::string& method) {
-  std::vector<std::string> alike;
+  LikeMethods like;
   for (const std::string& other : methods) {
-    if (isAlike(record, which, method, other)) alike.push_back(other);
+    const auto difference = study::differenceOf(record, which.view, which.light, method, other);
+    if (!isAlike(difference)) continue;
+    (difference->interval ? like.close : like.withoutInterval).push_back(other);
   }
   Cell cell = textCell(method);
-  cell.note = indistinguishableText(alike);
+  cell.note = indistinguishableText(like);
   return cell;
 }
 
@@ -162,9 +162,35 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
       for (const CaseMetric& metric : caseMetrics) {
         row.cells.push_back(caseCell(record, *result, metric));
       }
-      if (isAlike(record, which, result->method, results.best->method)) row.mark = " ≈";
+      if (isAlike(study::differenceOf(record, which.view, which.light, result->method,
+                                      results.best->method))) {
+        row.mark = " ≈";
+      }
       table.rows.push_back(std::move(row));
     }
+  }
+  return table;
+}
+
+Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::string>& methods,
+                      std::span<const study::Case> cases) {
+  Table table{.kind = "regions", .columns = {{"View and light", "case", Quantity::name}}};
+  double worst = 0;
+  for (const std::string& method : methods) {
+    table.columns.push_back({method, method, Quantity::percent});
+    for (const study::Case& which : cases) {
+      worst = std::max(
+          worst,
+          study::rateOf(record, method, which, study::Answer::drawn, "error_rate").value_or(0));
+    }
+  }
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    Row row{{textCell(cases[i].view + " · " + cases[i].light)}};
+    row.cells.front().link = fmt::format("#case-{}", i + 1);
+    for (const std::string& method : methods) {
+      row.cells.push_back(regionCell(study::findResult(record, method, cases[i]), worst));
+    }
+    table.rows.push_back(std::move(row));
   }
   return table;
 }

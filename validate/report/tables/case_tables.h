@@ -27,4 +27,9 @@ Table metricsTable(const study::StudyRecord& record);
 /// false_light.
 Table binsTable(const study::StudyRecord& record);
 
+/// The error of every method in every case: a row a case, which leads to "#case-1" and so on.
+/// @param methods  labels, a column each
+Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::string>& methods,
+                      std::span<const study::Case> cases);
+
 }  // namespace gnomon::report

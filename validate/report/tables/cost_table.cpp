@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "report/text/number_text.h"
+#include "report/text/ranking_text.h"
 
 namespace gnomon::report {
 
@@ -106,7 +107,7 @@ std::string keptFrames(const study::StudyRecord& record) {
       "Frame times{} were measured by an earlier run on this machine ({}): nothing that they "
       "depend "
       "on has changed since. Run with --no-cache to measure them again.",
-      measured.empty() ? "" : fmt::format(" but that of {}", fmt::join(measured, ", ")),
+      measured.empty() ? "" : fmt::format(" but that of {}", listText(measured)),
       fmt::join(days, ", "));
 }
 

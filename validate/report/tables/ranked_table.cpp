@@ -17,6 +17,14 @@ bool isSameAsBest(const study::RankedMethod& method, const study::RankedMethod& 
   return &method != &best && method.rank && contains(method.indistinguishable, best.label);
 }
 
+LikeMethods likeMethods(const study::RankedMethod& method) {
+  LikeMethods like{{}, method.withoutInterval};
+  std::copy_if(method.indistinguishable.begin(), method.indistinguishable.end(),
+               std::back_inserter(like.close),
+               [&](const std::string& label) { return !contains(method.withoutInterval, label); });
+  return like;
+}
+
 /// The error at the right end of the bars: the largest of the errors, ends of intervals and ends of
 /// the truth's uncertainty.
 double barScale(const std::vector<study::RankedMethod>& ranked) {
@@ -56,7 +64,7 @@ Row rankedRow(const study::StudyRecord& record, const study::RankedMethod& metho
   const bool isSame = isSameAsBest(method, best);
   Cell name = textCell(method.label);
   name.bar = barOf(method, scale);
-  name.note = indistinguishableText(method.indistinguishable);
+  name.note = indistinguishableText(likeMethods(method));
   Cell error = valueCell(method.errorRate.value);
   error.uncertainty = method.uncertainty;
   const auto mean = [&](const study::Mean& of) { return meanCell(of, method.cases); };
@@ -102,7 +110,9 @@ std::string overStudiesRemark(const study::RankedOverStudies& method,
     return fewerCasesText(method.cases, method.allCases, best.label, method.leaderError);
   }
   if (!method.closeToBest) return "";
-  return fmt::format("not distinguishable from {}: {}", best.label, *method.closeToBest);
+  return fmt::format("{} {}: {}",
+                     method.hasNoInterval ? "not compared with" : "not distinguishable from",
+                     best.label, *method.closeToBest);
 }
 
 Row overStudiesRow(const study::RankedOverStudies& method, const study::RankedOverStudies& best) {

@@ -9,7 +9,7 @@ Table flipTable(const std::vector<study::UncertaintyRecord>& flips) {
   Table table{.kind = "flips",
               .columns = {{"View", "view"},
                           {"Light", "light"},
-                          {"Samples that flip", "flip_rate", Quantity::percent}}};
+                          {"Samples that change", "flip_rate", Quantity::percent}}};
   for (const study::UncertaintyRecord& flip : flips) {
     table.rows.push_back({{textCell(flip.view), textCell(flip.light), valueCell(flip.flipRate)}});
   }

@@ -53,8 +53,8 @@ std::vector<study::DifferenceRecord> differencesToBest(
 std::string betterText(const study::DifferenceRecord& difference) {
   // It says what becomes of the best.
   const std::string radius = radiusNote(study::swapped(difference));
-  return fmt::format("{} is better than {} by {} % of the samples ({}){}.", difference.second,
-                     difference.first, percentText(difference.difference),
+  return fmt::format("{} is better than {} by {} % of the samples (95 % interval {}){}.",
+                     difference.second, difference.first, percentText(difference.difference),
                      intervalText(difference.interval), radius.empty() ? "" : ", which " + radius);
 }
 
@@ -82,20 +82,29 @@ std::string verdictText(const study::StudyRecord& record, const std::string& vie
   if (ranked.size() < 2) return "";
   const std::string& best = ranked.front().method;
   std::string better;
-  std::vector<std::string> alike;
+  LikeMethods like;
   for (std::size_t i = 1; i < ranked.size(); ++i) {
     const auto difference =
         study::differenceOf(record, view, study::allLights, ranked[i].method, best);
     if (!difference) continue;
     if (difference->verdict == study::DifferenceVerdict::notDistinguishable) {
-      alike.push_back(ranked[i].method);
+      (difference->interval ? like.close : like.withoutInterval).push_back(ranked[i].method);
     } else if (better.empty()) {
       better = betterText(*difference);
     }
   }
-  if (alike.empty()) return better;
-  const std::string same = fmt::format("{} is not distinguishable from {}.", best, listText(alike));
-  return better.empty() ? same : better + " " + same;
+  std::string text = better;
+  const auto add = [&](const std::string& sentence) {
+    text += (text.empty() ? "" : " ") + sentence;
+  };
+  if (!like.close.empty()) {
+    add(fmt::format("{} is not distinguishable from {}.", best, listText(like.close)));
+  }
+  if (!like.withoutInterval.empty()) {
+    add(fmt::format("No interval could be measured of the difference between {} and {}.", best,
+                    listText(like.withoutInterval)));
+  }
+  return text;
 }
 
 std::string differenceMark(const study::DifferenceRecord& toBest) {

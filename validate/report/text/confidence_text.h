@@ -18,8 +18,9 @@ std::vector<study::ConfidenceRecord> rankedIn(const study::StudyRecord& record,
                                               const std::string& view);
 
 /// The verdict on the best method of a view, as sentences: "A is better than B by 1.06 % of the
-/// samples (0.75 to 1.32)", where B is the next method that is distinguishable from A; then the
-/// methods that are not. Empty where there is nothing to compare.
+/// samples (95 % interval 0.75 to 1.32)", where B is the next method that is distinguishable from
+/// A; then the methods that are not, and those whose difference from A has no interval. Empty where
+/// there is nothing to compare.
 std::string verdictText(const study::StudyRecord& record, const std::string& view);
 
 /// The mark behind a method's row: " ≈" where it is not distinguishable from the best, †

@@ -13,10 +13,20 @@ namespace gnomon::report {
 std::string fewerCasesText(std::size_t cases, std::size_t allCases, const std::string& best,
                            std::optional<double> leaderError);
 
-/// "a", "a and b", "a; b; c and 2 more": labels may hold commas.
-std::string listText(const std::vector<std::string>& names);
+/// A label among words, in quotes: it may hold commas.
+std::string quotedText(const std::string& label);
 
-/// "not distinguishable from a and b"; empty without a name.
-std::string indistinguishableText(const std::vector<std::string>& names);
+/// "“a”", "“a” and “b”", "“a”, “b”, “c” and 2 more".
+std::string listText(const std::vector<std::string>& labels);
+
+/// The methods that one is not distinguishable from.
+struct LikeMethods {
+  std::vector<std::string> close;            ///< by the interval, or the truth's uncertainty
+  std::vector<std::string> withoutInterval;  ///< since the difference has no interval
+};
+
+/// "not distinguishable from “a” and “b”; no interval of the difference to “c”"; empty without a
+/// name.
+std::string indistinguishableText(const LikeMethods& methods);
 
 }  // namespace gnomon::report

@@ -30,6 +30,7 @@ RankedMethod summarise(const StudyRecord& record, const RankedOverStudies& place
           meanOver(rows, "ber"),
           meanInterval(record, place.label, views),
           meanOver(rankedRows(record, place.label, Answer::test), "error_rate"),
+          {},
           {}};
 }
 
@@ -45,6 +46,7 @@ std::vector<RankedMethod> rankMethods(const StudyRecord& record) {
       const auto difference = differenceIn(study, place.label, other.label);
       if (difference && difference->verdict == DifferenceVerdict::notDistinguishable) {
         ranked.back().indistinguishable.push_back(other.label);
+        if (!difference->interval) ranked.back().withoutInterval.push_back(other.label);
       }
     }
   }

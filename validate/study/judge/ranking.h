@@ -29,6 +29,7 @@ struct RankedMethod : RankedOverStudies {
   Mean testError;  ///< error rate of the shadow test alone
   /// Labels that it is not distinguishable from, by differenceOverViews.
   std::vector<std::string> indistinguishable;
+  std::vector<std::string> withoutInterval;  ///< those of them whose difference has no interval
 };
 
 /// The methods in the order of rankOverStudies over this study alone.

@@ -51,32 +51,32 @@ std::optional<double> meanWhere(std::span<const StudyMeans> studies, const std::
   return meanOf(means);
 }
 
-/// Why a method is not distinguishable from the best, as RankedOverStudies has it.
-std::optional<std::string> whyClose(const std::string& best, const std::string& label,
-                                    std::span<const StudyMeans> studies) {
+/// Says why a method is not distinguishable from the best, where it is not.
+void setClose(RankedOverStudies& method, const std::string& best,
+              std::span<const StudyMeans> studies) {
   std::vector<DifferenceRecord> found;
   std::vector<std::string> without;
   for (const StudyMeans& study : studies) {
-    const auto difference = differenceIn(study, label, best);
-    if (!difference) return std::nullopt;
+    const auto difference = differenceIn(study, method.label, best);
+    if (!difference) return;
     found.push_back(*difference);
     if (difference->interval) continue;
     without.push_back(fmt::format("{} ({})", study.name, difference->reason));
   }
   const Estimate mean = estimateOf(meanDifference(found));
-  if (isDistinguishable(mean)) return std::nullopt;
-  if (!mean.interval) {
-    return fmt::format("no interval of the difference on {}", fmt::join(without, "; "));
-  }
-  return mean.interval->holds(0) ? "the interval of the difference holds 0"
-                                 : "the difference is within the truth's uncertainty";
+  if (isDistinguishable(mean)) return;
+  method.hasNoInterval = !mean.interval;
+  method.closeToBest =
+      !mean.interval ? fmt::format("no interval of the difference on {}", fmt::join(without, "; "))
+      : mean.interval->holds(0) ? "the interval of the difference holds 0"
+                                : "the difference is within the truth's uncertainty";
 }
 
 /// Says how a method compares with the first of a ranking.
 void compareWithBest(RankedOverStudies& method, const RankedOverStudies& best,
                      std::span<const StudyMeans> studies) {
   if (method.rank) {
-    if (*method.rank > 1) method.closeToBest = whyClose(best.label, method.label, studies);
+    if (*method.rank > 1) setClose(method, best.label, studies);
   } else if (best.rank) {
     method.leaderError = meanWhere(studies, best.label, method.label);
   }

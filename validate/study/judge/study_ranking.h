@@ -30,6 +30,7 @@ struct RankedOverStudies {
   /// view has too few blocks of samples)", "the interval of the difference holds 0". None where it
   /// is, or where a study has no difference.
   std::optional<std::string> closeToBest;
+  bool hasNoInterval = false;  ///< whether that is for want of an interval
 };
 
 /// The rule of all rankings, of a study and over the studies of a run, in every format. A case is

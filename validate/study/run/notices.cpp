@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "surface/closed_surface.h"
 #include "surface/face_texels.h"
@@ -44,6 +45,12 @@ double shadowShare(const BaseCase& base) {
   return all > 0 ? static_cast<double>(shadowed) / static_cast<double>(all) : 0;
 }
 
+/// "a"; of several "“a”, “b”", since labels may hold commas.
+std::string labelsText(const std::vector<std::string>& labels) {
+  if (labels.size() == 1) return labels.front();
+  return fmt::format("“{}”", fmt::join(labels, "”, “"));
+}
+
 }  // namespace
 
 std::optional<std::string> uncertaintyNotice(const StudySpec& study, const TruthRecord& truth) {
@@ -60,7 +67,7 @@ std::optional<std::string> coarsePiecesNotice(const std::string& method, int pie
   if (!(longest > longestPieceTexels)) return std::nullopt;
   const double enough = std::ceil(longestEdgeTexels - 1e-9);
   return fmt::format(
-      "{}: the pieces of its displaced mesh, {} a side of each face, are up to {:.2g} texels long: "
+      "{}: the pieces of the displaced mesh, {} a side of each face, are up to {:.2g} texels long: "
       "too coarse for the map. {}.",
       method, pieces, longest,
       enough <= mostPieces
@@ -83,8 +90,8 @@ std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
 
 std::string givenNotice(const std::string& method) {
   return fmt::format(
-      "{}: another program drew its masks. It has no frame time and no memory here, and its answer "
-      "\"test\" is its picture.",
+      "{}: another program drew the masks. They have no frame time and no memory here, and the "
+      "answer \"test\" is the picture.",
       method);
 }
 
@@ -122,9 +129,11 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
   add(insideOutNotice(scene.surface, shadowShare(scene.standardBase())));
   add(uncertaintyNotice(scene.study, truth));
   add(softNotice(scene.study));
+  std::vector<std::string> given;
+  std::map<int, std::vector<std::string>> ofPieces;  // labels by the pieces of their mesh
   std::optional<double> longestEdge;
   for (const MethodCase& method : methods) {
-    if (method.isGiven()) add(givenNotice(method.spec->label));
+    if (method.isGiven()) given.push_back(method.spec->label);
     add(cameraNotice(scene.study, method.spec->label, method.method));
     const MeshChoice& mesh = method.base->choice;
     if (mesh.kind != render::DrawnMesh::displaced) continue;
@@ -134,7 +143,11 @@ std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
       longestEdge =
           surface::longestEdgeTexels(scene.surface, relief.texelsPerUv()) / relief.resample;
     }
-    add(coarsePiecesNotice(method.spec->label, mesh.base.subdivisions, *longestEdge));
+    ofPieces[mesh.base.subdivisions].push_back(method.spec->label);
+  }
+  if (!given.empty()) add(givenNotice(labelsText(given)));
+  for (const auto& [pieces, labels] : ofPieces) {
+    add(coarsePiecesNotice(labelsText(labels), pieces, *longestEdge));
   }
   return notices;
 }

@@ -25,6 +25,7 @@ std::optional<std::string> uncertaintyNotice(const StudySpec& study, const Truth
 
 /// A notice that a mesh of so many pieces a side is too coarse for the map, with the number that
 /// suffices.
+/// @param method             its label, or those of all methods that draw this mesh
 /// @param longestEdgeTexels  of any face
 std::optional<std::string> coarsePiecesNotice(const std::string& method, int pieces,
                                               double longestEdgeTexels);
@@ -35,6 +36,7 @@ std::optional<std::string> insideOutNotice(const surface::LimitSurface& surface,
                                            double shadowShare);
 
 /// A notice of what the masks of another program do not tell.
+/// @param method  as above
 std::string givenNotice(const std::string& method);
 
 /// A notice of what is measured under lights with discs, where the study has any.
@@ -44,7 +46,7 @@ std::optional<std::string> softNotice(const StudySpec& study);
 std::optional<std::string> cameraNotice(const StudySpec& study, const std::string& label,
                                         const render::Method& method);
 
-/// All notices of a run, once its truth is traced.
+/// All notices of a run, each once for all methods that it is about, once its truth is traced.
 std::vector<std::string> noticesOf(RunScene& scene, const TruthRecord& truth,
                                    std::span<const MethodCase> methods);
 

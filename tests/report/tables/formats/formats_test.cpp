@@ -112,7 +112,7 @@ TEST(TerminalFormat, FiguresThatDoNotFitFollowInBlocksWithTheirNames) {
 TEST(HtmlFormat, EscapesAndSaysWhyThereIsNothing) {
   const std::string html = htmlTable(sample()).text();
   EXPECT_THAT(html, AllOf(HasSubstr("<table class=\"sample\">"),
-                          HasSubstr("<th></th><th>Method</th><th class=\"n\">Error</th>"),
+                          HasSubstr("<th></th><th>Method</th><th class=\"n\"><button "),
                           HasSubstr("<td class=\"rank\">1</td><td class=\"method\">plain</td>"
                                     "<td class=\"n\"><b>12.50</b></td>"),
                           HasSubstr("<td class=\"method\">a|b_&amp; &lt;c&gt; ≈</td>"

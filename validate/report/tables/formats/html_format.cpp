@@ -2,6 +2,7 @@
 
 #include "report/tables/formats/error_bar.h"
 #include "report/text/number_text.h"
+#include "report/text/terms_html.h"
 
 namespace gnomon::report {
 namespace {
@@ -10,9 +11,15 @@ Html tooltip(const std::string& about) {
   return about.empty() ? Html() : html(" title=\"{}\"", about);
 }
 
+/// The name leads to its meaning, where the glossary has it.
+Html headingHtml(const Column& column) {
+  const Html name = htmlHeading(column.name);
+  return column.unit.empty() ? name : html("{}, {}", name, column.unit);
+}
+
 Html headCell(const Column& column) {
   const Html name = column.link.empty()
-                        ? escapeHtml(heading(column))
+                        ? headingHtml(column)
                         : html("<a href=\"{}\">{}</a>", column.link, heading(column));
   const Html note = column.note.empty() ? Html() : html("<small>{}</small>", column.note);
   return html("<th{}{}>{}{}</th>", isText(column.quantity) ? Html() : html(" class=\"n\""),

@@ -1,0 +1,181 @@
+#include "report/page/opening_html.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "report/page/html_figures.h"
+#include "report/page/html_page.h"
+#include "report/page/reference_html.h"
+#include "report/tables/cost_table.h"
+#include "report/text/confidence_text.h"
+#include "report/text/number_text.h"
+#include "report/text/terms_html.h"
+#include "study/judge/distinguish.h"
+#include "study/record/cases.h"
+
+namespace gnomon::report {
+namespace {
+
+constexpr std::string_view controlMethod = "unshadowed";
+constexpr std::string_view truthLabel = "truth";
+
+std::string nameOf(const study::StudyRecord& record, const std::string& label) {
+  for (const study::MethodRecord& method : record.methods) {
+    if (method.label == label) return method.name;
+  }
+  return label;
+}
+
+/// The label of the method of that name; of several the one without a label of its own.
+std::optional<std::string> labelOf(const study::StudyRecord& record, std::string_view name) {
+  std::optional<std::string> first;
+  for (const study::MethodRecord& method : record.methods) {
+    if (method.name != name) continue;
+    if (method.label == name) return method.label;
+    if (!first) first = method.label;
+  }
+  return first;
+}
+
+/// The label that a text names first after " of "; of two there the longer one.
+std::optional<std::string> firstNamed(const study::StudyRecord& record, const std::string& text) {
+  std::optional<std::string> found;
+  std::size_t least = std::string::npos;
+  for (const study::MethodRecord& method : record.methods) {
+    const std::size_t at = text.find(" of " + method.label);
+    if (at == std::string::npos || at > least) continue;
+    if (at == least && method.label.size() < found->size()) continue;
+    least = at;
+    found = method.label;
+  }
+  return found;
+}
+
+std::optional<std::string> claimedMethod(const study::StudyRecord& record) {
+  for (const study::ClaimRecord& claim : record.claims) {
+    const auto label = firstNamed(record, claim.detail);
+    if (!label) continue;
+    const std::string name = nameOf(record, *label);
+    if (name != costReference && name != controlMethod) return label;
+  }
+  return std::nullopt;
+}
+
+const study::PictureRecord* pictureOf(const study::PanelRecord& panel, const std::string& method) {
+  for (const study::PictureRecord& picture : panel.pictures) {
+    if (picture.method == method && picture.kind == study::PictureRecord::Kind::shaded &&
+        !picture.embedded.empty()) {
+      return &picture;
+    }
+  }
+  return nullptr;
+}
+
+/// "the view “camera” under the light “noon”", or how many there are.
+std::string placesText(const study::StudyRecord& record) {
+  const std::vector<study::Case> cases = study::comparedCases(record);
+  if (cases.size() == 1) {
+    return fmt::format("in the view “{}” under the light “{}”", cases.front().view,
+                       cases.front().light);
+  }
+  std::set<std::string> views, lights;
+  for (const study::Case& which : cases) {
+    views.insert(which.view);
+    lights.insert(which.light);
+  }
+  return fmt::format("on average over {} and {}", plural(views.size(), "view"),
+                     plural(lights.size(), "light"));
+}
+
+Html answerHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked) {
+  if (ranked.empty() || ranked.front().allCases == 0) return html("No result has an error rate.");
+  const auto inAllCases = static_cast<std::size_t>(std::count_if(
+      ranked.begin(), ranked.end(), [](const auto& method) { return method.rank.has_value(); }));
+  if (inAllCases == 0) {
+    return html("No method answers in every {}, so none is ranked.", htmlTerm("case"));
+  }
+  const study::RankedMethod& best = ranked.front();
+  const Html text =
+      html("Of {}, <b>{}</b> is closest to the {}: it is {} at <b>{}&#8239;%</b> of the {}, {}.",
+           plural(inAllCases, "method"), best.label, htmlTerm("truth"), htmlTerm("wrong"),
+           percentText(best.errorRate.value), htmlTerm("samples"), placesText(record));
+  if (!best.uncertainty) {
+    return html("{} How uncertain the truth itself is was not measured.", text);
+  }
+  const bool isNone =
+      !study::isDistinguishable({*best.errorRate.value, best.interval, *best.uncertainty});
+  return html("{} The truth itself is {} by {}&#8239;%{}.", text,
+              htmlTerm("uncertainty of the truth", "uncertain"), percentText(best.uncertainty),
+              isNone ? ": so small an error is not distinguishable from none" : "");
+}
+
+/// What the best method of each view is better than, and by how much.
+Html comparedMethods(const study::StudyRecord& record) {
+  const std::vector<std::string> views = confidenceViews(record);
+  Html paragraphs;
+  for (const std::string& view : views) {
+    const std::string verdict = verdictText(record, view);
+    if (verdict.empty()) continue;
+    paragraphs += html("<p>{}{}</p>\n", views.size() > 1 ? "In " + view + ": " : "", verdict);
+  }
+  return paragraphs;
+}
+
+Html figuresHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked) {
+  Html figures;
+  for (const OpeningFigure& figure : openingFigures(record, ranked)) {
+    const study::PanelRecord& panel = record.panels.front();
+    const bool isTruth = figure.method == truthLabel;
+    figures += html(
+        "<figure><img alt=\"{}\" src=\"{}\"><figcaption><b>{}</b> {}{}</figcaption></figure>\n",
+        isTruth ? figure.role : figure.role + ": " + figure.method,
+        pictureAddress("image/webp", pictureOf(panel, figure.method)->embedded), figure.role,
+        isTruth ? "" : figure.method, pictureRate(record, panel, figure.method));
+  }
+  if (figures.empty()) return {};
+  const study::PanelRecord& panel = record.panels.front();
+  return html(
+      "<div class=\"opening\">\n{}</div>\n<p class=\"note\">View {}, light {}; the errors are "
+      "those "
+      "there. Flat: the {}. Claimed: the method that the study’s first claim is about. Best: the "
+      "lowest error over the whole study, {}s aside.</p>\n",
+      figures, panel.view, panel.light, htmlTerm("flat horizon map"), htmlTerm("control"));
+}
+
+}  // namespace
+
+std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
+                                          const std::vector<study::RankedMethod>& ranked) {
+  std::vector<OpeningFigure> figures;
+  if (record.panels.empty()) return figures;
+  const auto add = [&](const std::optional<std::string>& method, const char* role) {
+    if (!method || pictureOf(record.panels.front(), *method) == nullptr) return;
+    for (OpeningFigure& figure : figures) {
+      if (figure.method == *method) return void(figure.role += std::string(" and ") + role);
+    }
+    figures.push_back({*method, role});
+  };
+  const auto best = std::find_if(ranked.begin(), ranked.end(), [&](const auto& method) {
+    return method.rank && nameOf(record, method.label) != controlMethod;
+  });
+  add(labelOf(record, costReference), "flat");
+  add(claimedMethod(record), "claimed");
+  if (best != ranked.end()) add(best->label, "best");
+  add(std::string(truthLabel), "truth");
+  return figures;
+}
+
+Html openingHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked) {
+  return html(
+      "<h1>{}</h1>\n<p class=\"source\">{}</p>\n<p class=\"lead\">Which method draws the shadows "
+      "of these bumps as they really fall?</p>\n<p class=\"lead\">{}</p>\n{}{}{}"
+      "<p class=\"verdict\">{}</p>\n",
+      record.heading(), record.source, answerHtml(record, ranked), figuresHtml(record, ranked),
+      comparedMethods(record), htmlNotices(record.notices),
+      statusHtml(record.status(), record.judgements, record.problems.size()));
+}
+
+}  // namespace gnomon::report
