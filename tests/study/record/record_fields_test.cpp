@@ -43,7 +43,7 @@ StudyRecord sample() {
        DifferenceVerdict::worse,
        RadiusCheck<DifferenceVerdict>{DifferenceVerdict::better, DifferenceVerdict::worse}}};
   record.bins = {{"ours", "camera", "all", "axis", {}, 0.5, {1, 1, 1, 1, 4}}};
-  record.cost = {{"ours", 1, 2, 3, 4.5, 4, 2, "2026-01-01"}};
+  record.cost = {{"ours", 1, 2, 3, 4.5, 4, 17.5, 2, "2026-01-01"}};
   record.timings = {{"truth", 1.25}};
   Gate gate{"ours",       "evening", "camera", "all",
             "error_rate", {},        0.9,      Threshold{12, false, {}},

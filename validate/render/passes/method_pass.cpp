@@ -189,7 +189,7 @@ class MethodPass::Frame {
         tables_(tables),
         isShare_(pass.share_ && drawing.lightRadius > 0),
         answers_(view.width, view.height,
-                 isShare_          ? std::vector<GLenum>{GL_R32F, GL_R32F}
+                 isShare_            ? std::vector<GLenum>{GL_R32F, GL_R32F}
                  : pass.isCounting() ? std::vector<GLenum>{GL_R32F}
                                      : std::vector<GLenum>{GL_R8UI}) {
     if (pass.seesLight()) {

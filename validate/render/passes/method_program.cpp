@@ -150,9 +150,8 @@ MethodStage ownPassStage(const fs::path& shaders, const Method& method, const Ow
 }
 
 MethodStage surfaceStage(const fs::path& shaders, const char* fragment) {
-  return {readShader(shaders / "common/surface.vert"),
-          {readShader(shaders / "common" / fragment)},
-          {}};
+  return {
+      readShader(shaders / "common/surface.vert"), {readShader(shaders / "common" / fragment)}, {}};
 }
 
 MethodStage countingStage(const fs::path& shaders) {

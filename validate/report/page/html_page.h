@@ -14,8 +14,8 @@ namespace gnomon::report {
 
 /// Parts that the pages of a run share.
 
-/// A whole page, at its end the terms that it uses. Its style is inside, and its own content policy forbids it to load anything but
-/// pictures that it holds.
+/// A whole page, at its end the terms that it uses. Its style is inside, and its own content policy
+/// forbids it to load anything but pictures that it holds.
 /// @param script  its hash is in the policy, so that it alone may run; none, if empty
 Html htmlPage(std::string_view title, const Html& header, const Html& main,
               const Html& script = {});

@@ -74,7 +74,8 @@ Table costTable(const study::StudyRecord& record) {
     const auto ratio = frameRatio(record, cost);
     table.rows.push_back(
         {{textCell(cost.method), countCell(cost.polygons), countCell(cost.tableBytes),
-          countCell(cost.heightBytes), valueCell(cost.passes), valueCell(cost.fetches, cost.fetches ? "" : "not counted"), timeCell(cost.frameMs),
+          countCell(cost.heightBytes), valueCell(cost.passes),
+          valueCell(cost.fetches, cost.fetches ? "" : "not counted"), timeCell(cost.frameMs),
           timeCell(cost.stillMs),
           valueCell(ratio, ratio ? "" : fmt::format("{} was not timed", costReference))}});
   }

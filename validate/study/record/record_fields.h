@@ -168,7 +168,8 @@ void fields(Stream& stream, T& bin) {
 
 template <typename Stream, SameAs<study::CostRecord> T>
 void fields(Stream& stream, T& cost) {
-  auto& [method, polygons, tableBytes, heightBytes, frameMs, stillMs, fetches, passes, keptSince] = cost;
+  auto& [method, polygons, tableBytes, heightBytes, frameMs, stillMs, fetches, passes, keptSince] =
+      cost;
   stream(method, polygons, tableBytes, heightBytes, frameMs, stillMs, fetches, passes, keptSince);
 }
 

@@ -220,7 +220,7 @@ TEST_F(ViewSessionTest, AMethodsOwnBakesFollowItsFilesAndTheRelief) {
   ViewSession session(request({"mine"}), [] {});
   ASSERT_TRUE(completes(session));
   const auto shadowed = [&] {
-    const auto mask = session.maskOf(0);
+    const auto mask = maskOf(session, 0);
     return mask ? std::count(mask->samples.begin(), mask->samples.end(), Shade::shadowed) : 0;
   };
   const auto first = shadowed();

@@ -24,7 +24,8 @@ struct KeptCost {
 
 template <typename Stream, cache::SameAs<KeptCost> T>
 void fields(Stream& stream, T& cost) {
-  stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.stillMs, cost.fetches, cost.day);
+  stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.stillMs, cost.fetches,
+         cost.day);
 }
 
 std::string today() {

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "common/error.h"
+#include "render/method_text.h"
+#include "render/render_scene.h"
+#include "truth/truth_scenes.h"
+
+namespace gnomon::render {
+namespace {
+
+using test::lightToward;
+using test::methodOfText;
+using test::RenderScene;
+
+/// A plane of 16² texels with a step across it.
+RenderScene stepScene() {
+  return {surface::makePlane(16, 16, 2, 2),
+          test::stepRelief(16, 16, 3, [](int i, int) { return i < 8; }),
+          {8, 16},
+          horizon::TableBits::thirtyTwo};
+}
+
+MethodPass passFor(const RenderScene& scene, const Method& method, PassPurpose purpose,
+                   const std::map<std::string, double>& parameters = {}) {
+  return {shaderFolder(),  method, scene.relief.field.wrap(), TableFilter::exact, parameters,
+          SoftAnswer::own, purpose};
+}
+
+double fetchesOf(const RenderScene& scene, const Method& method, double radius = 0,
+                 const std::map<std::string, double>& parameters = {}) {
+  const MethodPass pass = passFor(scene, method, PassPurpose::counts, parameters);
+  const RenderView view = atlasView(scene.surface, 8);
+  double fetches = -1;
+  scene.withInputs(method, parameters, [&](Drawing drawn, const GpuTables& gpu) {
+    drawn.light = lightToward(20, 30);
+    drawn.lightRadius = radius;
+    fetches = pass.fetchesPerSample(view, drawn, gpu);
+  });
+  return fetches;
+}
+
+double fetchesOf(const RenderScene& scene, const char* name) {
+  return fetchesOf(scene, readMethod(methodFile(shaderFolder(), name)));
+}
+
+const char* const loopOfFetches = R"(
+bool isShadowed(Pixel pixel, LocalLight light) {
+  float sum = 0.0;
+  for (int i = 0; i < int(count); ++i) sum += texelFetch(heightMap, ivec2(i, 0), 0).r;
+  return sum < 0.0;
+}
+vec3 shadingNormal(Pixel pixel) { return pixel.normal; }
+)";
+
+const char* const counted = R"(
+tables = ["height"]
+normal = "own"
+[parameters.count]
+default = 0
+minimum = 0
+maximum = 99
+about = "fetches"
+)";
+
+TEST(FetchCount, IsTheNumberOfCalls) {
+  const GlContext gl;
+  const RenderScene scene = stepScene();
+  const Method method = methodOfText(counted, loopOfFetches);
+  for (const double count : {0.0, 1.0, 37.0}) {
+    EXPECT_EQ(fetchesOf(scene, method, 0, {{"count", count}}), count);
+  }
+}
+
+TEST(FetchCount, IsAMeanOverSamples) {
+  const GlContext gl;
+  const RenderScene scene = stepScene();
+  // The atlas has as many samples on either side of the middle; only one side reads.
+  const Method method = methodOfText("tables = [\"height\"]\nnormal = \"own\"", R"(
+bool isShadowed(Pixel pixel, LocalLight light) {
+  return pixel.texel.x < 8.0 && texelFetch(heightMap, ivec2(0), 0).r < 0.0;
+}
+vec3 shadingNormal(Pixel pixel) { return pixel.normal; }
+)");
+  EXPECT_EQ(fetchesOf(scene, method), 0.5);
+}
+
+/// Linear in both axes of the map and in the azimuth: eight entries more than the shading's alone.
+TEST(FetchCount, OfAFlatHorizonMapIsItsEightEntries) {
+  const GlContext gl;
+  const RenderScene scene = stepScene();
+  EXPECT_EQ(fetchesOf(scene, "max-forsyth") - fetchesOf(scene, "unshadowed"), 8);
+}
+
+TEST(FetchCount, OfADiscIsThatOfTheShare) {
+  const GlContext gl;
+  const RenderScene scene = stepScene();
+  const Method method = methodOfText("tables = [\"height\"]\nnormal = \"own\"", R"(
+bool isShadowed(Pixel pixel, LocalLight light) {
+  return texelFetch(heightMap, ivec2(0), 0).r < 0.0;
+}
+float visibility(Pixel pixel, LocalLight light) {
+  return texelFetch(heightMap, ivec2(0), 0).r + texelFetch(heightMap, ivec2(1), 0).r;
+}
+vec3 shadingNormal(Pixel pixel) { return pixel.normal; }
+)");
+  EXPECT_EQ(fetchesOf(scene, method), 1);
+  EXPECT_EQ(fetchesOf(scene, method, radians(1)), 2);
+}
+
+TEST(FetchCount, NeedsAPassMadeForIt) {
+  const GlContext gl;
+  const RenderScene scene = stepScene();
+  const Method method = readMethod(methodFile(shaderFolder(), "unshadowed"));
+  const MethodPass pass = passFor(scene, method, PassPurpose::answers);
+  scene.withInputs(method, {}, [&](const Drawing& drawn, const GpuTables& gpu) {
+    EXPECT_THROW((void)pass.fetchesPerSample(atlasView(scene.surface, 8), drawn, gpu),
+                 InternalError);
+  });
+}
+
+}  // namespace
+}  // namespace gnomon::render
