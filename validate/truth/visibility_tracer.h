@@ -41,7 +41,8 @@ struct DiscSettings {
 /// see it in the same place, else slits and spikes. Over rough reliefs |ΔV| is less than 1e-5 in
 /// the mean (tests).
 ///
-/// Results do not depend on the number of threads.
+/// Results do not depend on the number of threads. A part of a view gives the view's own, but at
+/// its border, where it begins at an even row and column.
 /// @param hard      the hard light's answers at the same samples; V is `noSample` where it has none
 /// @param progress  may throw to cancel, see common/progress.h
 /// @throws InternalError unless `hard` has one answer a sample

@@ -118,8 +118,9 @@ class GrowingTruth {
     }
   }
 
-  /// The shares that a run finds. Each band is traced with a row more on both sides, since what is
-  /// traced at a sample depends on its neighbours.
+  /// The shares that a run finds. Each band is traced with rows more on both sides, since what is
+  /// traced at a sample depends on its neighbours, and from an even row on, as traceVisibility
+  /// asks.
   void refine(const std::shared_ptr<const TracedMesh>& traced,
               const TruthTracer::Worker::Job& job) {
     constexpr int bandRows = 32;
@@ -127,7 +128,7 @@ class GrowingTruth {
     const Progress progress = job.progress("Tracing the light's disc");
     for (int top = 0; top < grid.height; top += bandRows) {
       const double done = static_cast<double>(top) / grid.height;
-      const int first = std::max(0, top - 1);
+      const int first = std::max(0, top - 2);
       const int end = std::min(grid.height, top + bandRows + 1);
       const Visibility band = sharesOf(rowsOf(grid, first, end), rowsOf(hard_, first, end),
                                        request_.scene->study->truth.directions, *traced,

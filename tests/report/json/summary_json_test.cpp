@@ -80,7 +80,7 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
   EXPECT_EQ(keysOf(json["methods"][0]), (Keys{"label", "name", "title", "citation"}));
   EXPECT_EQ(keysOf(json["cost"][0]),
             (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms", "still_ms",
-                  "fetches", "passes", "frame_ratio", "frame_kept_since"}));
+                  "texels", "passes", "frame_ratio", "frame_kept_since"}));
   EXPECT_EQ(keysOf(json["timings"][0]), (Keys{"stage", "seconds"}));
   EXPECT_EQ(keysOf(json["thresholds"][0]),
             (Keys{"method", "light", "view", "answer", "region", "metric", "value", "minimum",

@@ -29,7 +29,7 @@ study::StudyRecord threeMethods() {
                     {"shadow-volume", "shadow-volume", "", ""}};
   record.cost = {{"flat", 960, 524'288, 0, 4.0, 4.0},
                  {"onoue-2004", 960, 1'048'576, 16'384, 5.0, 5.0},
-                 {"shadow-volume", 1'234'567, 0, 0, 16.0, 12.0, 3}};
+                 {"shadow-volume", 1'234'567, 0, 0, 16.0, 12.0, 24.5, 3}};
   return record;
 }
 
@@ -86,6 +86,8 @@ TEST(Cost, StandsInEveryReport) {
   const auto json = nlohmann::json::parse(summaryJson(record));
   EXPECT_EQ(json["cost"][2]["passes"], 3);
   EXPECT_EQ(json["cost"][2]["frame_ratio"], 4.0);
+  EXPECT_EQ(json["cost"][2]["texels"], 24.5);
+  EXPECT_TRUE(json["cost"][0]["texels"].is_null());
   EXPECT_EQ(json["cost"][0]["passes"], 1);
   const std::string table = terminalReport(record, false);
   EXPECT_THAT(table, HasSubstr("  shadow-volume    1\u202f234\u202f567         0 B       3      "
@@ -94,6 +96,7 @@ TEST(Cost, StandsInEveryReport) {
                                "             4.00           1.00×\n"));
   const std::string html = reportHtml(record, ".").text();
   EXPECT_THAT(html, HasSubstr(">4.00×<"));
+  EXPECT_THAT(html, HasSubstr(">24.50<"));
   EXPECT_THAT(html, HasSubstr("drawn by A &lt;rasteriser&gt;"));
 }
 

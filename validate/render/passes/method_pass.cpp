@@ -252,7 +252,7 @@ class MethodPass::Frame {
   }
 
   /// One a pixel, below 0 where there is no sample.
-  [[nodiscard]] std::vector<float> fetches() const {
+  [[nodiscard]] std::vector<float> texels() const {
     return answers_.read<float>(0, GL_RED, GL_FLOAT, 1);
   }
 
@@ -417,19 +417,19 @@ VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Dra
   return answers;
 }
 
-double MethodPass::fetchesPerSample(const RenderView& view, const Drawing& drawing,
-                                    const GpuTables& tables) const {
-  if (!isCounting()) throw InternalError(fmt::format("method {} counts no fetches", name_));
+double MethodPass::texelsPerSample(const RenderView& view, const Drawing& drawing,
+                                   const GpuTables& tables) const {
+  if (!isCounting()) throw InternalError(fmt::format("method {} counts no texels", name_));
   const Frame frame(*this, view, drawing, tables);
   frame.draw();
   double sum = 0;
   std::size_t samples = 0;
-  for (const float fetches : frame.fetches()) {
-    if (fetches < 0) continue;
-    sum += static_cast<double>(fetches);
+  for (const float texels : frame.texels()) {
+    if (texels < 0) continue;
+    sum += static_cast<double>(texels);
     ++samples;
   }
-  throwOnGlError("counting a method's texture fetches");
+  throwOnGlError("counting the texels that a method reads");
   return sum / static_cast<double>(samples);
 }
 

@@ -56,7 +56,7 @@ struct FrameTimes {
 /// What a method's pass is made for.
 enum class PassPurpose {
   answers,
-  counts,  ///< the texture instructions that its answers take
+  counts,  ///< the texels that its answers read
 };
 
 /// A method ready to render: its shaders and the passes that it declares.
@@ -86,13 +86,13 @@ class MethodPass {
                                       const GpuTables& tables, int frames, FirstFrame first,
                                       FrameClock clock) const;
 
-  /// How many texture instructions the answer of a sample takes, the mean over the view's samples:
-  /// calls of texelFetch, texture, textureLod and textureGather, each one, with those of the normal
-  /// that the picture is shaded with. Other passes than the last are not counted. NaN for a view
-  /// without a sample.
+  /// How many texels the answer of a sample reads, the mean over the view's samples: one a
+  /// texelFetch, four a textureGather, those of a linear filter for texture and textureLod; with
+  /// those of the normal that the picture is shaded with, without other passes than the last. NaN
+  /// for a view without a sample.
   /// @throws InternalError unless its purpose is `counts`
-  [[nodiscard]] double fetchesPerSample(const RenderView& view, const Drawing& drawing,
-                                        const GpuTables& tables) const;
+  [[nodiscard]] double texelsPerSample(const RenderView& view, const Drawing& drawing,
+                                       const GpuTables& tables) const;
 
   /// Bytes of the pictures that the method brings.
   [[nodiscard]] std::uint64_t textureBytes() const;

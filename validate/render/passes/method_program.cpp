@@ -155,8 +155,8 @@ MethodStage surfaceStage(const fs::path& shaders, const char* fragment) {
 }
 
 MethodStage countingStage(const fs::path& shaders) {
-  MethodStage stage = surfaceStage(shaders, "fetch_count.frag");
-  stage.before = {readShader(shaders / "common/fetch_macros.frag")};
+  MethodStage stage = surfaceStage(shaders, "texel_count.frag");
+  stage.before = {readShader(shaders / "common/texel_macros.frag")};
   return stage;
 }
 

@@ -53,7 +53,7 @@ struct MethodStage {
 /// @param fragment  a file of `common/`
 MethodStage surfaceStage(const std::filesystem::path& shaders, const char* fragment);
 
-/// The stage that draws how many texture instructions a pixel's answer takes.
+/// The stage that draws how many texels a pixel's answer reads.
 MethodStage countingStage(const std::filesystem::path& shaders);
 
 /// The stage of a pass of the method's own.

@@ -59,7 +59,7 @@ Json costJson(const study::StudyRecord& record, const study::CostRecord& cost) {
           {"height_bytes", cost.heightBytes},
           {"frame_ms", jsonNumber(cost.frameMs, "cost.frame_ms")},
           {"still_ms", jsonNumber(cost.stillMs, "cost.still_ms")},
-          {"fetches", jsonNumber(cost.fetches, "cost.fetches")},
+          {"texels", jsonNumber(cost.texels, "cost.texels")},
           {"passes", cost.passes},
           {"frame_ratio", jsonNumber(frameRatio(record, cost), "cost.frame_ratio")},
           {"frame_kept_since", cost.keptSince.empty() ? Json(nullptr) : Json(cost.keptSince)}};

@@ -66,7 +66,7 @@ Table costTable(const study::StudyRecord& record) {
                           {"Tables", "table_bytes", Q::bytes},
                           {"Height map", "height_bytes", Q::bytes, byAll & ~onTerminal},
                           {"Passes", "passes", Q::exact},
-                          {"Fetches", "fetches", Q::decimals},
+                          {"Texels read", "texels", Q::decimals, byAll & ~onTerminal},
                           {"Frame", "frame_ms", Q::decimals, byAll, "ms"},
                           {"Light still", "still_ms", Q::decimals, byAll, "ms"},
                           {fmt::format("To {}", costReference), "frame_ratio", Q::times}}};
@@ -75,7 +75,7 @@ Table costTable(const study::StudyRecord& record) {
     table.rows.push_back(
         {{textCell(cost.method), countCell(cost.polygons), countCell(cost.tableBytes),
           countCell(cost.heightBytes), valueCell(cost.passes),
-          valueCell(cost.fetches, cost.fetches ? "" : "not counted"), timeCell(cost.frameMs),
+          valueCell(cost.texels, cost.texels ? "" : "not counted"), timeCell(cost.frameMs),
           timeCell(cost.stillMs),
           valueCell(ratio, ratio ? "" : fmt::format("{} was not timed", costReference))}});
   }

@@ -119,9 +119,9 @@ struct CostRecord {
   std::optional<double> frameMs;  ///< median time of one frame of the first camera view
   /// The same while the light stands still: without the passes that depend on the light alone.
   std::optional<double> stillMs = std::nullopt;
-  /// Texture instructions that the answer of a sample takes: the mean over the samples of the first
-  /// camera view under the first light, without other passes (MethodPass::fetchesPerSample).
-  std::optional<double> fetches = std::nullopt;
+  /// Texels that the answer of a sample reads: the mean over the samples of the first camera view
+  /// under the first light, without other passes (MethodPass::texelsPerSample).
+  std::optional<double> texels = std::nullopt;
   int passes = 1;  ///< drawing passes a frame
   /// The day, "2026-11-21", on which an earlier run on this machine measured `frameMs`; empty if
   /// this run did.

@@ -168,9 +168,9 @@ void fields(Stream& stream, T& bin) {
 
 template <typename Stream, SameAs<study::CostRecord> T>
 void fields(Stream& stream, T& cost) {
-  auto& [method, polygons, tableBytes, heightBytes, frameMs, stillMs, fetches, passes, keptSince] =
+  auto& [method, polygons, tableBytes, heightBytes, frameMs, stillMs, texels, passes, keptSince] =
       cost;
-  stream(method, polygons, tableBytes, heightBytes, frameMs, stillMs, fetches, passes, keptSince);
+  stream(method, polygons, tableBytes, heightBytes, frameMs, stillMs, texels, passes, keptSince);
 }
 
 template <typename Stream, SameAs<study::TimingRecord> T>

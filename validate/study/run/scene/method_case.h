@@ -60,7 +60,7 @@ MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDeman
 /// @throws InputError as prepareMethod
 const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 
-/// The method's pass with its texture instructions counted instead of its answers drawn.
+/// The method's pass with the texels counted that it reads, instead of its answers drawn.
 render::MethodPass countingPass(const RunScene& scene, const MethodCase& method);
 
 /// What the method's passes draw under one of the study's lights.

@@ -18,13 +18,13 @@ namespace {
 /// What is kept of a method's cost.
 struct KeptCost {
   std::uint64_t polygons = 0, tableBytes = 0, heightBytes = 0;
-  std::optional<double> frameMs, stillMs, fetches;
+  std::optional<double> frameMs, stillMs, texels;
   std::string day;  ///< of the measurement
 };
 
 template <typename Stream, cache::SameAs<KeptCost> T>
 void fields(Stream& stream, T& cost) {
-  stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.stillMs, cost.fetches,
+  stream(cost.polygons, cost.tableBytes, cost.heightBytes, cost.frameMs, cost.stillMs, cost.texels,
          cost.day);
 }
 
@@ -78,10 +78,10 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
       });
       cost->frameMs = times.every;
       cost->stillMs = times.still;
-      cost->fetches = scene.clock.measure("fetches", [&](const Progress&) {
+      cost->texels = scene.clock.measure("texels read", [&](const Progress&) {
         return countingPass(scene, method)
-            .fetchesPerSample(method.base->views[*view].view, drawingOf(scene, method, 0),
-                              ready.tables);
+            .texelsPerSample(method.base->views[*view].view, drawingOf(scene, method, 0),
+                             ready.tables);
       });
     }
     scene.cache.keep(key, *cost);
@@ -93,7 +93,7 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
   record.heightBytes = cost->heightBytes;
   record.frameMs = cost->frameMs;
   record.stillMs = cost->stillMs;
-  record.fetches = cost->fetches;
+  record.texels = cost->texels;
   record.passes = method.method.passes.count();
   if (isKept && cost->frameMs) record.keptSince = cost->day;
   return record;

@@ -106,7 +106,9 @@ StudyPlan readStudyPlan(const fs::path& file, const StudyOptions& options,
     plan.title = step.title;
     plan.source = step.source;
     step.name = fmt::format("{}/{}", plan.name, which.name);
-    for (MethodSpec& method : step.methods) method.maskCase = which.name;
+    for (MethodSpec& method : step.methods) {
+      if (method.isGiven()) method.maskCase = which.name;
+    }
     step.title += ", " + caseText(swept.sweep.keys, which);
     plan.steps.push_back(std::move(step));
   }

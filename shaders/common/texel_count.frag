@@ -1,6 +1,6 @@
-// How many texture instructions the answer of every pixel takes: mask.frag's, or visibility.frag's.
+// How many texels the answer of every pixel reads: mask.frag's, or visibility.frag's.
 
-layout(location = 0) out float fetches;
+layout(location = 0) out float texels;
 
 void main() {
   Pixel pixel = makePixel();
@@ -15,5 +15,5 @@ void main() {
 #else
   bool isHidden = isShadowed(pixel, light);
 #endif
-  fetches = float(fetchesCounted);
+  texels = float(texelsRead);
 }

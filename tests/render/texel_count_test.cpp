@@ -24,29 +24,31 @@ RenderScene stepScene() {
 }
 
 MethodPass passFor(const RenderScene& scene, const Method& method, PassPurpose purpose,
-                   const std::map<std::string, double>& parameters = {}) {
-  return {shaderFolder(),  method, scene.relief.field.wrap(), TableFilter::exact, parameters,
+                   const std::map<std::string, double>& parameters = {},
+                   TableFilter filter = TableFilter::exact) {
+  return {shaderFolder(),  method, scene.relief.field.wrap(), filter, parameters,
           SoftAnswer::own, purpose};
 }
 
-double fetchesOf(const RenderScene& scene, const Method& method, double radius = 0,
-                 const std::map<std::string, double>& parameters = {}) {
-  const MethodPass pass = passFor(scene, method, PassPurpose::counts, parameters);
+double texelsOf(const RenderScene& scene, const Method& method, double radius = 0,
+                const std::map<std::string, double>& parameters = {},
+                TableFilter filter = TableFilter::exact) {
+  const MethodPass pass = passFor(scene, method, PassPurpose::counts, parameters, filter);
   const RenderView view = atlasView(scene.surface, 8);
-  double fetches = -1;
+  double texels = -1;
   scene.withInputs(method, parameters, [&](Drawing drawn, const GpuTables& gpu) {
     drawn.light = lightToward(20, 30);
     drawn.lightRadius = radius;
-    fetches = pass.fetchesPerSample(view, drawn, gpu);
+    texels = pass.texelsPerSample(view, drawn, gpu);
   });
-  return fetches;
+  return texels;
 }
 
-double fetchesOf(const RenderScene& scene, const char* name) {
-  return fetchesOf(scene, readMethod(methodFile(shaderFolder(), name)));
+double texelsOf(const RenderScene& scene, const char* name) {
+  return texelsOf(scene, readMethod(methodFile(shaderFolder(), name)));
 }
 
-const char* const loopOfFetches = R"(
+const char* const loopOfTexels = R"(
 bool isShadowed(Pixel pixel, LocalLight light) {
   float sum = 0.0;
   for (int i = 0; i < int(count); ++i) sum += texelFetch(heightMap, ivec2(i, 0), 0).r;
@@ -62,19 +64,19 @@ normal = "own"
 default = 0
 minimum = 0
 maximum = 99
-about = "fetches"
+about = "texels"
 )";
 
-TEST(FetchCount, IsTheNumberOfCalls) {
+TEST(TexelCount, IsTheNumberOfFetches) {
   const GlContext gl;
   const RenderScene scene = stepScene();
-  const Method method = methodOfText(counted, loopOfFetches);
+  const Method method = methodOfText(counted, loopOfTexels);
   for (const double count : {0.0, 1.0, 37.0}) {
-    EXPECT_EQ(fetchesOf(scene, method, 0, {{"count", count}}), count);
+    EXPECT_EQ(texelsOf(scene, method, 0, {{"count", count}}), count);
   }
 }
 
-TEST(FetchCount, IsAMeanOverSamples) {
+TEST(TexelCount, IsAMeanOverSamples) {
   const GlContext gl;
   const RenderScene scene = stepScene();
   // The atlas has as many samples on either side of the middle; only one side reads.
@@ -84,17 +86,17 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 }
 vec3 shadingNormal(Pixel pixel) { return pixel.normal; }
 )");
-  EXPECT_EQ(fetchesOf(scene, method), 0.5);
+  EXPECT_EQ(texelsOf(scene, method), 0.5);
 }
 
 /// Linear in both axes of the map and in the azimuth: eight entries more than the shading's alone.
-TEST(FetchCount, OfAFlatHorizonMapIsItsEightEntries) {
+TEST(TexelCount, OfAFlatHorizonMapIsItsEightEntries) {
   const GlContext gl;
   const RenderScene scene = stepScene();
-  EXPECT_EQ(fetchesOf(scene, "max-forsyth") - fetchesOf(scene, "unshadowed"), 8);
+  EXPECT_EQ(texelsOf(scene, "max-forsyth") - texelsOf(scene, "unshadowed"), 8);
 }
 
-TEST(FetchCount, OfADiscIsThatOfTheShare) {
+TEST(TexelCount, OfADiscIsThatOfTheShare) {
   const GlContext gl;
   const RenderScene scene = stepScene();
   const Method method = methodOfText("tables = [\"height\"]\nnormal = \"own\"", R"(
@@ -106,17 +108,26 @@ float visibility(Pixel pixel, LocalLight light) {
 }
 vec3 shadingNormal(Pixel pixel) { return pixel.normal; }
 )");
-  EXPECT_EQ(fetchesOf(scene, method), 1);
-  EXPECT_EQ(fetchesOf(scene, method, radians(1)), 2);
+  EXPECT_EQ(texelsOf(scene, method), 1);
+  EXPECT_EQ(texelsOf(scene, method, radians(1)), 2);
 }
 
-TEST(FetchCount, NeedsAPassMadeForIt) {
+/// The filter of the GPU reads the same eight entries in one instruction; N' is read by a gather.
+TEST(TexelCount, IsTheSameForTheFilterOfTheGpu) {
+  const GlContext gl;
+  const RenderScene scene = stepScene();
+  const Method method = readMethod(methodFile(shaderFolder(), "max-forsyth"));
+  EXPECT_EQ(texelsOf(scene, method, 0, {}, TableFilter::hardware), texelsOf(scene, method));
+  EXPECT_EQ(texelsOf(scene, "unshadowed"), 4);
+}
+
+TEST(TexelCount, NeedsAPassMadeForIt) {
   const GlContext gl;
   const RenderScene scene = stepScene();
   const Method method = readMethod(methodFile(shaderFolder(), "unshadowed"));
   const MethodPass pass = passFor(scene, method, PassPurpose::answers);
   scene.withInputs(method, {}, [&](const Drawing& drawn, const GpuTables& gpu) {
-    EXPECT_THROW((void)pass.fetchesPerSample(atlasView(scene.surface, 8), drawn, gpu),
+    EXPECT_THROW((void)pass.texelsPerSample(atlasView(scene.surface, 8), drawn, gpu),
                  InternalError);
   });
 }
