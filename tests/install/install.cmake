@@ -41,14 +41,9 @@ foreach(file IN ITEMS ${manual} share/doc/gnomon/copyright share/doc/gnomon/CHAN
   endif()
 endforeach()
 
-# Nothing says where it was built. As a control, a file of the build says it. A checkout in /gnomon is
-# not meant by OWNER/gnomon or share/gnomon.
-string(REGEX REPLACE "([][+.*?^$(){}|\\])" "\\\\\\1" path "${SOURCE}")
-set(own_path "(^|[^[:alnum:]_./~-])${path}($|[^[:alnum:]_-])")
-execute_process(COMMAND grep --recursive --files-with-matches --extended-regexp -e ${own_path} ${PREFIX}
-                OUTPUT_VARIABLE found)
-execute_process(COMMAND grep --quiet --extended-regexp -e ${own_path} ${BUILD}/CMakeCache.txt
-                COMMAND_ERROR_IS_FATAL ANY)
+# Nothing says where it was built.
+include(${CMAKE_CURRENT_LIST_DIR}/own_path.cmake)
+find_own_path(${SOURCE} ${BUILD} ${PREFIX} found)
 if(found)
   message(FATAL_ERROR "the build's own path is in:\n${found}")
 endif()

@@ -122,7 +122,14 @@ std::string studyCopyText(const toml::table& study, const fs::path& file) {
 }
 
 void requireCopyOrNothing(const fs::path& file) {
-  if (!pathExists(file) || readFile(file).starts_with(copyMark)) return;
+  if (!pathExists(file)) return;
+  try {
+    if (readFile(file).starts_with(copyMark)) return;
+  } catch (const InputError&) {
+    // Another run that writes into the folder has just taken it away.
+    if (!pathExists(file)) return;
+    throw;
+  }
   throw InputError(fmt::format(
       "{}: a file found that no run has written; a run would replace it, --out with another folder "
       "expected",
