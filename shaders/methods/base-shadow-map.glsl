@@ -44,6 +44,8 @@ about = "samples of the filter, and, under a disc, of the search for blockers"
 // share is that of percentage-closer soft shadows (Fernando 2005), as shadow-map's, and the smaller
 // of the two shares is the answer.
 
+#include "parts/even_march.glsl"
+
 struct Receiver {
   vec3 place;  // in the depth map, the bias taken off
   vec2 tilt;   // of the triangle's plane
@@ -76,28 +78,9 @@ vec2 nearerWithin(Receiver receiver, float across) {
   return sum;
 }
 
-// Height units per texel.
-float riseOf(Pixel pixel, LocalLight light) {
-  return light.slope * light.worldPerTexel / pixel.worldPerHeight;
-}
-
-// How far the march goes, texels.
-float endOf(Pixel pixel, LocalLight light, float height, float rise) {
-  float farthest = min(searchRadius, knownDistance(pixel.texel, light.direction));
-  return rise > 0.0 ? min((heightBounds.y - height) / rise, farthest) : farthest;
-}
-
 bool isShadowed(Pixel pixel, LocalLight light) {
   float nearer = nearerWithin(makeReceiver(pixel), width).x;
-  if (nearer > 0.5 * floor(samples)) return true;
-  float height = heightAt(pixel.texel);
-  float rise = riseOf(pixel, light);
-  float end = endOf(pixel, light, height, rise);
-  for (float i = 1.0; i <= steps; i += 1.0) {
-    float t = end * i / steps;
-    if (heightAt(pixel.texel + t * light.direction) > height + rise * t) return true;
-  }
-  return false;
+  return nearer > 0.5 * floor(samples) || shadowedOnTheWay(pixel, light);
 }
 
 // The share of the disc that the depth map leaves.
@@ -112,13 +95,5 @@ float shareByDepth(Pixel pixel) {
 }
 
 float visibility(Pixel pixel, LocalLight light) {
-  float far = shareByDepth(pixel);
-  float height = heightAt(pixel.texel);
-  float horizon = riseOf(pixel, lowestRay(light));
-  float end = endOf(pixel, light, height, horizon);
-  for (float i = 1.0; i <= steps; i += 1.0) {
-    float t = max(end * i / steps, 1e-3);
-    horizon = max(horizon, (heightAt(pixel.texel + t * light.direction) - height) / t);
-  }
-  return min(far, shareOver(light.slope, pixel.worldPerHeight / light.worldPerTexel * horizon));
+  return min(shareByDepth(pixel), shareOnTheWay(pixel, light));
 }

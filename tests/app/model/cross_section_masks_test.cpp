@@ -9,7 +9,7 @@
 #include "model/cross_section.h"
 #include "relief/patterns.h"
 #include "render/render_scene.h"
-#include "render/soft_light.h"
+#include "render/soft/soft_light.h"
 #include "truth/truth_scenes.h"
 
 namespace gnomon::app {

@@ -86,7 +86,7 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
             (Keys{"method", "light", "view", "answer", "region", "metric", "value", "minimum",
                   "maximum", "passed", "reason"}));
   EXPECT_EQ(keysOf(json["claims"][0]),
-            (Keys{"text", "source", "verdict", "detail", "spread", "radius"}));
+            (Keys{"text", "source", "verdict", "detail", "methods", "spread", "radius"}));
   EXPECT_EQ(keysOf(json["panels"][0]), (Keys{"view", "light", "width", "height", "pictures"}));
   EXPECT_EQ(keysOf(json["panels"][0]["pictures"][0]),
             (Keys{"kind", "method", "caption", "path", "mask", "test_mask", "truth"}));

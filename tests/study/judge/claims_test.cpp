@@ -39,6 +39,7 @@ TEST(Claims, HoldWhereSmallerEverywhereByMoreThanTheUncertainty) {
                 "under 2 of 2 lights, fails under 0; "
                 "ratio 0.39 (0.38 to 0.40)"));
   EXPECT_THAT(record.detail, HasSubstr("mean difference 4.00 points"));
+  EXPECT_EQ(record.methods, (std::vector<std::string>{"new", "old"}));
 }
 
 TEST(Claims, FailWhereLargerSomewhereByMoreThanTheUncertainty) {

@@ -50,9 +50,13 @@ StudyRecord sample() {
             Answer::test, "small/5"};
   record.judgements = {{gate, GateVerdict::failed, 0.95, "why"}};
   record.problems = {{"method", ExitStatus::internal, "a message"}};
-  record.claims = {{"text", "source", Verdict::held, "detail",
+  record.claims = {{"text",
+                    "source",
+                    Verdict::held,
+                    "detail",
                     ClaimSpread{3, 2, 1, 1, "ratio", Quartiles{1, 2, 3, 4, 5}, true, Verdict::held},
-                    RadiusCheck<Verdict>{Verdict::held, Verdict::failed}}};
+                    RadiusCheck<Verdict>{Verdict::held, Verdict::failed},
+                    {"ours", "theirs"}}};
   const BudgetShare share{0.5, compare::Interval{0, 1}, "none", true};
   record.budgets = {{"ours",
                      "camera",

@@ -54,6 +54,20 @@ class OwnMethod : public TemporaryFolder {
   render::GlContext gl_;
 };
 
+/// Its horizons are there while it bakes alone: a channel of 8 bits is what its frames read.
+TEST_F(OwnMethod, DoesNotCostWhatOnlyItsBakeReads) {
+  std::ofstream(file("baked.glsl"))
+      << "/* gnomon-method\ntitle = \"T\"\ncitation = \"C\"\ntables = [\"horizon\"]\n"
+         "[bakes.high]\nbits = 8\n[bakes.twice]\nbits = 8\n*/\n"
+         "float bakeHigh(vec2 texel) { return horizonAt(texel, 0.0); }\n"
+         "float bakeTwice(vec2 texel) { return 0.5 * highAt(texel); }\n"
+         "bool isShadowed(Pixel pixel, LocalLight light) { return twiceAt(pixel.texel) > 0.1; }\n";
+  edit("own.toml", "[[method]]", "[[method]]\nfile = \"baked.glsl\"\n\n[[method]]");
+  const StudyRecord record = run();
+  EXPECT_EQ(record.cost.front().method, "baked");
+  EXPECT_EQ(record.cost.front().tableBytes, 32U * 32);
+}
+
 TEST_F(OwnMethod, CostsItsBakesAndItsPasses) {
   const StudyRecord record = run();
   ASSERT_EQ(record.cost.size(), 1U);

@@ -30,17 +30,29 @@ void compareBox(Tally& tally, const Shaders& shaders, const Method& method, cons
   }
 }
 
-}  // namespace
-
-std::string facetFault(const Shaders& shaders) {
-  const Method method = methodOf(
-      DrawnMesh::displaced, "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n");
+std::string faultOfEveryCamera(const Shaders& shaders, const Method& method) {
   const BoxScene box;
   Tally tally;
   for (const Camera& camera : BoxScene::cameras()) {
     compareBox(tally, shaders, method, box, camera, Asked::both);
   }
   return tally.fault();
+}
+
+/// By the first camera. Where a side is turned from the light, how deep it lies in the box decides:
+/// not asked.
+std::string faultFromTheLight(const Shaders& shaders, const Method& method) {
+  Tally tally;
+  compareBox(tally, shaders, method, BoxScene(), BoxScene::cameras().front(), Asked::drawnAlone);
+  return tally.fault();
+}
+
+}  // namespace
+
+std::string facetFault(const Shaders& shaders) {
+  const Method method = methodOf(
+      DrawnMesh::displaced, "bool isShadowed(Pixel pixel, LocalLight light) { return false; }\n");
+  return faultOfEveryCamera(shaders, method);
 }
 
 std::string lightDepthFault(const Shaders& shaders) {
@@ -53,10 +65,7 @@ std::string lightDepthFault(const Shaders& shaders) {
                            "}\n");
   method.passes.lightDepth = true;
   method.parameters["depth_side"] = {512, 512, 512, ""};
-  Tally tally;
-  // Where a side is turned from the light, how deep it lies in the box decides: not asked.
-  compareBox(tally, shaders, method, BoxScene(), BoxScene::cameras().front(), Asked::drawnAlone);
-  return tally.fault();
+  return faultFromTheLight(shaders, method);
 }
 
 std::string volumeFault(const Shaders& shaders) {
@@ -64,12 +73,7 @@ std::string volumeFault(const Shaders& shaders) {
       methodOf(DrawnMesh::displaced,
                "bool isShadowed(Pixel pixel, LocalLight light) { return shadowCount() != 0u; }\n");
   method.passes.shadowVolumes = true;
-  const BoxScene box;
-  Tally tally;
-  for (const Camera& camera : BoxScene::cameras()) {
-    compareBox(tally, shaders, method, box, camera, Asked::both);
-  }
-  return tally.fault();
+  return faultOfEveryCamera(shaders, method);
 }
 
 std::string ownLightFault(const Shaders& shaders) {
@@ -100,9 +104,7 @@ std::string ownLightFault(const Shaders& shaders) {
   copied.mips = true;
   method.passes.own = {seen, copied};
   method.parameters["depth_side"] = {512, 512, 512};
-  Tally tally;
-  compareBox(tally, shaders, method, BoxScene(), BoxScene::cameras().front(), Asked::drawnAlone);
-  return tally.fault();
+  return faultFromTheLight(shaders, method);
 }
 
 std::string cameraPassFault(const Shaders& shaders) {
@@ -131,12 +133,7 @@ std::string cameraPassFault(const Shaders& shaders) {
   copied.source = 0;
   copied.channels = 4;
   method.passes.own = {seen, copied};
-  const BoxScene box;
-  Tally tally;
-  for (const Camera& camera : BoxScene::cameras()) {
-    compareBox(tally, shaders, method, box, camera, Asked::both);
-  }
-  return tally.fault();
+  return faultOfEveryCamera(shaders, method);
 }
 
 }  // namespace gnomon::render::check

@@ -150,6 +150,14 @@ int MethodPass::depthSide() const {
   return static_cast<int>(values_.at("depth_side"));
 }
 
+bool MethodPass::reads(const std::string& sampler) const {
+  const auto isIn = [&](const gl::Program& program) {
+    return glGetUniformLocation(program.name(), sampler.c_str()) >= 0;
+  };
+  return isIn(answer_) || (share_ && isIn(*share_)) ||
+         std::any_of(ownPrograms_.begin(), ownPrograms_.end(), isIn);
+}
+
 std::uint64_t MethodPass::textureBytes() const {
   std::uint64_t bytes = 0;
   for (const GpuTexture& picture : pictures_) bytes += picture.byteCount();

@@ -94,6 +94,10 @@ class MethodPass {
   [[nodiscard]] double texelsPerSample(const RenderView& view, const Drawing& drawing,
                                        const GpuTables& tables) const;
 
+  /// Whether a program of its frame reads a texture, by the sampler's name: what only bakes read is
+  /// not there while frames are drawn.
+  [[nodiscard]] bool reads(const std::string& sampler) const;
+
   /// Bytes of the pictures that the method brings.
   [[nodiscard]] std::uint64_t textureBytes() const;
   /// Bytes of the textures that its passes fill and read again in every frame.

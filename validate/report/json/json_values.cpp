@@ -161,6 +161,7 @@ Json jsonClaim(const study::ClaimRecord& claim) {
           {"source", claim.source},
           {"verdict", verdictName(claim.verdict)},
           {"detail", claim.detail},
+          {"methods", claim.methods},
           {"spread", claim.spread ? spreadJson(*claim.spread) : Json(nullptr)},
           {"radius", jsonRadiusCheck(claim)}};
 }

@@ -40,26 +40,12 @@ std::optional<std::string> labelOf(const study::StudyRecord& record, std::string
   return first;
 }
 
-/// The label that a text names first after " of "; of two there the longer one.
-std::optional<std::string> firstNamed(const study::StudyRecord& record, const std::string& text) {
-  std::optional<std::string> found;
-  std::size_t least = std::string::npos;
-  for (const study::MethodRecord& method : record.methods) {
-    const std::size_t at = text.find(" of " + method.label);
-    if (at == std::string::npos || at > least) continue;
-    if (at == least && method.label.size() < found->size()) continue;
-    least = at;
-    found = method.label;
-  }
-  return found;
-}
-
 std::optional<std::string> claimedMethod(const study::StudyRecord& record) {
   for (const study::ClaimRecord& claim : record.claims) {
-    const auto label = firstNamed(record, claim.detail);
-    if (!label) continue;
-    const std::string name = nameOf(record, *label);
-    if (name != costReference && name != controlMethod) return label;
+    for (const std::string& label : claim.methods) {
+      const std::string name = nameOf(record, label);
+      if (name != costReference && name != controlMethod) return label;
+    }
   }
   return std::nullopt;
 }

@@ -22,8 +22,8 @@ struct OpeningFigure {
 /// At most four, of the first panel, in this order; a method of two roles stands once, one without
 /// a picture there does not:
 ///   flat     the method that costs are compared with, costReference
-///   claimed  the first method that the detail of the first claim names, if it is neither flat nor
-///            the control `unshadowed`; else that of the next claim
+///   claimed  the first method that a claim is about and that is neither flat nor the control
+///            `unshadowed`
 ///   best     the first of the ranking that is not the control
 ///   truth
 std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,

@@ -50,6 +50,11 @@ ClaimRecord judge(const ClaimSpec& claim, std::span<const StudyRecord> run, std:
   return {claim.text, claim.source, verdictOver(spread), detailOf(claim, cases, spread), spread};
 }
 
+std::vector<std::string> methodsOf(const ClaimSpec& claim) {
+  if (!claim.method.empty()) return {claim.method};
+  return {claim.less, claim.than};
+}
+
 /// A claim that each step has judged for itself.
 ClaimRecord judgeOverSteps(const ClaimSpec& claim, const SweepRecord& sweep, std::size_t index) {
   std::array<std::vector<std::size_t>, 4> cases;  // a verdict
@@ -81,7 +86,10 @@ std::vector<ClaimRecord> judgeClaims(const std::vector<ClaimSpec>& claims,
                                      std::span<const StudyRecord> run, std::size_t own) {
   std::vector<ClaimRecord> records;
   records.reserve(claims.size());
-  for (const ClaimSpec& claim : claims) records.push_back(judge(claim, run, own));
+  for (const ClaimSpec& claim : claims) {
+    records.push_back(judge(claim, run, own));
+    records.back().methods = methodsOf(claim);
+  }
   return records;
 }
 
@@ -92,6 +100,7 @@ std::vector<ClaimRecord> judgeSweepClaims(const std::vector<ClaimSpec>& claims,
   for (std::size_t i = 0; i < claims.size(); ++i) {
     records.push_back(claims[i].gainGrows ? judgeGrowth(claims[i], sweep)
                                           : judgeOverSteps(claims[i], sweep, i));
+    records.back().methods = methodsOf(claims[i]);
   }
   return records;
 }

@@ -114,7 +114,7 @@ struct ResultRecord {
 struct CostRecord {
   std::string method;
   std::uint64_t polygons = 0;     ///< triangles that camera and light see, each mesh once
-  std::uint64_t tableBytes = 0;   ///< tables, and textures that its passes fill each frame
+  std::uint64_t tableBytes = 0;   ///< tables that a frame reads, and textures that its passes fill
   std::uint64_t heightBytes = 0;  ///< the height map, where the method reads it
   std::optional<double> frameMs;  ///< median time of one frame of the first camera view
   /// The same while the light stands still: without the passes that depend on the light alone.
@@ -142,6 +142,7 @@ struct ClaimRecord {
   /// Over the study's cases; none where the claim compares means (gains), or was not evaluated.
   std::optional<ClaimSpread> spread = std::nullopt;
   std::optional<RadiusCheck<Verdict>> radius = std::nullopt;  ///< if it was varied
+  std::vector<std::string> methods = {};  ///< labels of those that it is about, in its own order
 };
 
 /// Files with the truth at the samples of one mesh, in one view under one light. With them and a

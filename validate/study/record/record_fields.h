@@ -228,8 +228,8 @@ void fields(Stream& stream, T& spread) {
 
 template <typename Stream, SameAs<study::ClaimRecord> T>
 void fields(Stream& stream, T& claim) {
-  auto& [text, source, verdict, detail, spread, radius] = claim;
-  stream(text, source, verdict, detail, spread, radius);
+  auto& [text, source, verdict, detail, spread, radius, methods] = claim;
+  stream(text, source, verdict, detail, spread, radius, methods);
 }
 
 template <typename Stream, SameAs<study::BudgetShare> T>

@@ -296,13 +296,14 @@ std::uint64_t tableBytes(RunScene& scene, MethodCase& method) {
   const render::MethodTables& declared = method.method.tables;
   const CompiledMethod& ready = compiled(scene, method);
   const render::GpuTables& tables = ready.tables;
+  const auto isRead = [&](const std::string& sampler) { return ready.pass->reads(sampler); };
   std::uint64_t bytes = 0;
-  if (declared.horizon) bytes += tables.horizon->byteCount();
-  if (declared.distance) bytes += tables.distance->byteCount();
-  if (declared.ellipse) bytes += tables.ellipse->byteCount();
+  if (declared.horizon && isRead("horizonTable")) bytes += tables.horizon->byteCount();
+  if (declared.distance && isRead("distanceTable")) bytes += tables.distance->byteCount();
+  if (declared.ellipse && isRead("ellipseTable")) bytes += tables.ellipse->byteCount();
   if (tables.angles != nullptr) bytes += tables.angles->byteCount();
   for (const render::MethodBake& bake : method.method.bakes) {
-    bytes += render::bytesOver(bake, scene.heights.size());
+    if (isRead(bake.sampler())) bytes += render::bytesOver(bake, scene.heights.size());
   }
   const auto& views = scene.study.views;
   const auto camera = std::find_if(views.begin(), views.end(), cameraOf);

@@ -93,8 +93,8 @@ CaseAnswers answersOf(RunScene& scene, MethodCase& method, std::size_t view, std
 cache::ContentKey answerKey(const RunScene& scene, const MethodCase& method, std::size_t view,
                             std::size_t light);
 
-/// Bytes of the tables that the method declares, of its textures, and of those that its passes fill
-/// in the first camera's picture.
+/// Bytes of the tables and bakes that a frame of the method reads, of its textures, and of those
+/// that its passes fill in the first camera's picture.
 std::uint64_t tableBytes(RunScene& scene, MethodCase& method);
 
 }  // namespace gnomon::study

@@ -1,5 +1,5 @@
-// The share of a light's disc that methods answer with: against closed forms, against directions
-// one by one, and against the masks of a light without a radius.
+// The share of a light's disc that methods answer with: against closed forms, and against the masks
+// of a light without a radius.
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "common/error.h"
-#include "relief/patterns.h"
-#include "render/method_text.h"
 #include "render/render_scene.h"
-#include "render/soft_light.h"
+#include "render/soft/soft_scenes.h"
 #include "render/traced_scene.h"
 #include "truth/truth_scenes.h"
 
@@ -24,74 +21,18 @@ namespace {
 using test::DisplacedScene;
 using test::lightToward;
 using test::meanDifference;
-using test::methodOfText;
+using test::methodOf;
 using test::RenderScene;
 using test::shareOver;
+using test::softAnswerOf;
+using test::SoftBumps;
+using test::SoftWall;
+using test::sun;
 using test::TracedScene;
-
-const double sun = radians(0.266);
-
-constexpr double inDegrees(double angle) {
-  return angle * 180 / pi;
-}
-
-Method methodOf(const std::string& name) {
-  return readMethod(methodFile(shaderFolder(), name));
-}
-
-SoftAnswer softAnswerOf(const Method& method) {
-  return method.answersShares ? SoftAnswer::own : SoftAnswer::disc;
-}
-
-/// A wall of height 10 over x ≤ 15.5 texels, that falls to the ground within the next texel. Behind
-/// it, at the middles of the texels, its horizon toward -x is at 10 / (x - 15.5), with nothing to
-/// interpolate.
-struct Wall {
-  static constexpr int columns = 96;
-  static constexpr int rows = 16;
-
-  /// @param reach  of tables and marches, texels
-  explicit Wall(double reach = columns)
-      : scene(surface::makePlane(columns, rows, 12, 2),
-              test::stepRelief(columns, rows, 10, [](int i, int) { return i < 16; }), {8, reach},
-              horizon::TableBits::thirtyTwo) {}
-
-  RenderScene scene;
-  RenderView view = atlasView(scene.surface, 8);
-
-  static Vec3 light(double elevation) { return lightToward(180, elevation); }
-
-  /// The largest error of `answered` behind the wall.
-  [[nodiscard]] double error(const Visibility& answered, double elevation, double radius) const {
-    double largest = 0;
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 18; column < columns; ++column) {
-        const double horizon = std::atan(10 / (column + 0.5 - 15.5));
-        const double exact = shareOver(radians(elevation) - horizon, radius);
-        const auto i = static_cast<std::size_t>(row * view.width + column);
-        largest = std::max(largest, std::abs(exact - static_cast<double>(answered.shares[i])));
-      }
-    }
-    return largest;
-  }
-
-  [[nodiscard]] double errorOf(const std::string& name, double radius,
-                               const std::map<std::string, double>& parameters = {}) const {
-    const Method method = methodOf(name);
-    double largest = 0;
-    for (const double elevation : {11.1, 14.0, 17.3, 22.0, 31.6}) {
-      const VisibilityAnswers found =
-          scene.shares(method, view, light(elevation), radius, softAnswerOf(method), parameters);
-      largest = std::max(largest, error(found.test, elevation, radius));
-      EXPECT_EQ(meanDifference(found.test, found.drawn), 0) << "the ground faces all of the disc";
-    }
-    return largest;
-  }
-};
 
 TEST(SoftLight, OverAWallIsTheClosedForm) {
   const GlContext gl;
-  const Wall wall;
+  const SoftWall wall;
   for (const double radius : {sun, radians(1.0), radians(5.0)}) {
     for (const char* name : {"max-forsyth", "onoue-2003", "onoue-2004", "onoue-exact",
                              "geodesic-march", "resampled-horizon", "osculating-march"}) {
@@ -103,7 +44,7 @@ TEST(SoftLight, OverAWallIsTheClosedForm) {
   // Its lookup textures give the horizon's angle to 4e-4.
   EXPECT_LT(wall.errorOf("sloan-cohen", radians(5.0)), 0.01);
   const VisibilityAnswers hard =
-      wall.scene.shares(methodOf("max-forsyth"), wall.view, Wall::light(17.3), radians(5.0));
+      wall.scene.shares(methodOf("max-forsyth"), wall.view, SoftWall::light(17.3), radians(5.0));
   EXPECT_GT(wall.error(hard.test, 17.3, radians(5.0)), 0.4) << "0 or 1 is not a share";
 }
 
@@ -116,14 +57,14 @@ double shareOff(double angle, double radius) {
 /// beside the light's, where the wall has ended.
 TEST(SoftLight, OfHorizonsShotOnTheSurfaceIsTheClosedForm) {
   const GlContext gl;
-  Wall wall;
+  SoftWall wall;
   const TracedScene traced(wall.scene.surface, wall.scene.relief, 0.25);
   wall.scene.surfaceAngles = shot(wall.scene, traced, 8, pi / 2);
   for (const double radius : {radians(2.0), radians(5.0)}) {
     EXPECT_LT(wall.errorOf("sloan-cohen-surface", radius), shareOff(0.004, radius)) << radius;
   }
   const VisibilityAnswers hard = wall.scene.shares(methodOf("sloan-cohen-surface"), wall.view,
-                                                   Wall::light(17.3), radians(5.0));
+                                                   SoftWall::light(17.3), radians(5.0));
   EXPECT_GT(wall.error(hard.test, 17.3, radians(5.0)), 0.4) << "0 or 1 is not a share";
 }
 
@@ -196,19 +137,6 @@ TEST(SoftLight, AtASpheresTerminatorIsTheClosedForm) {
   }
 }
 
-/// Bumps on a sphere, whose every method has something to say, with a background.
-struct Bumps {
-  RenderScene scene{surface::makeSphere(60, 1.2, 1.2, 16, 16),
-                    {relief::makeColumns(64, 64, {32, 8, 2}, 8, relief::Wrap::repeat),
-                     relief::HeightSpace::world, Vec2(1)},
-                    {16, 64},
-                    horizon::TableBits::sixteen,
-                    2};
-  RenderView view =
-      cameraView(Camera{{80, 40, 150}, {0, 0, 50}, {0, 1, 0}, 0.7, 80, 64}, scene.mesh);
-  Vec3 light = lightToward(20, 25);
-};
-
 std::vector<std::string> methodsOfTheBaseMesh() {
   std::vector<std::string> names;
   for (const std::string& name : methodNames(shaderFolder())) {
@@ -250,7 +178,7 @@ void expectMask(const Visibility& found, const Mask& mask, const std::string& na
 
 TEST(SoftLight, WithoutARadiusIsTheMask) {
   const GlContext gl;
-  const Bumps bumps;
+  const SoftBumps bumps;
   for (const std::string& name : methodsOfTheBaseMesh()) {
     const Method method = methodOf(name);
     const MethodAnswers hard = bumps.scene.answers(method, bumps.view, {bumps.light}).front();
@@ -265,7 +193,7 @@ TEST(SoftLight, WithoutARadiusIsTheMask) {
 
 TEST(SoftLight, OfAHardMethodIsTheMask) {
   const GlContext gl;
-  const Bumps bumps;
+  const SoftBumps bumps;
   for (const char* name : {"unshadowed", "max-forsyth"}) {
     const Method method = methodOf(name);
     const MethodAnswers hard = bumps.scene.answers(method, bumps.view, {bumps.light}).front();
@@ -277,7 +205,7 @@ TEST(SoftLight, OfAHardMethodIsTheMask) {
 
 TEST(SoftLight, IsAShareOfEverySample) {
   const GlContext gl;
-  const Bumps bumps;
+  const SoftBumps bumps;
   for (const std::string& name : softMethods()) {
     const Method method = methodOf(name);
     const Mask mask = bumps.scene.test(method, bumps.view, bumps.light);
@@ -297,7 +225,7 @@ const std::set<std::string> softByThemselves = {"ao-micro-shadow", "ao-shadow", 
 /// A disc as small as a point: the shares are the mask's but on the shadows' edges.
 TEST(SoftLight, TendsToTheMask) {
   const GlContext gl;
-  const Bumps bumps;
+  const SoftBumps bumps;
   for (const std::string& name : softMethods()) {
     const Method method = methodOf(name);
     if (softByThemselves.contains(name)) continue;
@@ -311,7 +239,7 @@ TEST(SoftLight, TendsToTheMask) {
 
 TEST(SoftLight, DoesNotChangeSharesThatAreSoftByThemselves) {
   const GlContext gl;
-  const Bumps bumps;
+  const SoftBumps bumps;
   for (const std::string& name : softByThemselves) {
     const Method method = methodOf(name);
     const VisibilityAnswers small =
@@ -330,9 +258,9 @@ double meanErrorOfDepth(const Answer& answer, double edge, double radius) {
   double sum = 0;
   double all = 0;
   for (const double elevation : {14.0, 17.3, 22.0, 31.6}) {
-    const Visibility found = answer(Wall::light(elevation));
+    const Visibility found = answer(SoftWall::light(elevation));
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const auto x = static_cast<double>(i % Wall::columns) + 0.5;
+      const auto x = static_cast<double>(i % SoftWall::columns) + 0.5;
       const double over = radians(elevation) - std::atan(10 / (x - edge));
       if (x < 18 || std::abs(over) > 1.5 * radius) continue;
       sum += std::abs(static_cast<double>(found.shares[i]) - shareOver(over, radius));
@@ -347,8 +275,9 @@ double meanErrorOfDepth(const Answer& answer, double edge, double radius) {
 TEST(SoftLight, OfAShadowMapIsNearTheClosedForm) {
   const GlContext gl;
   const DisplacedScene scene(
-      surface::makePlane(Wall::columns, Wall::rows, 12, 2),
-      test::stepRelief(Wall::columns, Wall::rows, 10, [](int i, int) { return i < 16; }), 8);
+      surface::makePlane(SoftWall::columns, SoftWall::rows, 12, 2),
+      test::stepRelief(SoftWall::columns, SoftWall::rows, 10, [](int i, int) { return i < 16; }),
+      8);
   const RenderView view = atlasView(scene.surface, 8);
   for (const double radius : {radians(1.0), radians(4.0)}) {
     const auto error = [&](const std::map<std::string, double>& parameters) {
@@ -373,7 +302,7 @@ TEST(SoftLight, OfTwoScalesIsNearTheClosedForm) {
   const GlContext gl;
   const Method method = methodOf("two-scales");
   for (const double reach : {96.0, 4.0}) {
-    const Wall wall(reach);
+    const SoftWall wall(reach);
     for (const double radius : {sun, radians(1.0), radians(4.0)}) {
       const double error = meanErrorOfDepth(
           [&](const Vec3& light) {
@@ -386,133 +315,6 @@ TEST(SoftLight, OfTwoScalesIsNearTheClosedForm) {
       EXPECT_LT(error, reach > 4 ? 0.02 : 0.045) << reach << " " << radius;
     }
   }
-}
-
-/// The march along the path, toward 64 directions over the disc.
-Method directionsOneByOne() {
-  return methodOfText("tables = [\"height\"]",
-                      "float visibility(Pixel pixel, LocalLight light) {\n"
-                      "  float lit = 0.0;\n"
-                      "  for (int k = 0; k < 64; ++k) {\n"
-                      "    vec3 direction = discDirection(k, 64);\n"
-                      "    Path path = makePath(pixel, makeLocalLight(pixel, direction));\n"
-                      "    bool dark = shadowedByBareSurface(path) || "
-                      "shadowedAtCrossings(path, path.limit);\n"
-                      "    lit += dark ? 0.0 : 1.0;\n"
-                      "  }\n"
-                      "  return lit / 64.0;\n}\n");
-}
-
-TEST(OwnMethods, MayAnswerWithAShareAlone) {
-  const GlContext gl;
-  const Wall wall;
-  const Method mine =
-      methodOfText("",
-                   "float visibility(Pixel pixel, LocalLight light) {\n"
-                   "  return pixel.texel.x < 48.0 ? 0.25 : shareOver(light.slope, 0.5);\n}\n");
-  EXPECT_TRUE(mine.answersShares);
-  EXPECT_FALSE(mine.hasHorizon);
-  const double elevation = inDegrees(std::atan(0.5)) + 0.5;
-  const auto shares = wall.scene.shares(mine, wall.view, Wall::light(elevation), radians(2.0)).test;
-  const Mask mask = wall.scene.test(mine, wall.view, Wall::light(elevation));
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const bool isNear = i % Wall::columns < 48;
-    const double exact = isNear ? 0.25 : shareOver(radians(0.5), radians(2.0));
-    ASSERT_NEAR(static_cast<double>(shares.shares[i]), exact, 1e-4);
-    // Of a point the cut of equal areas.
-    ASSERT_EQ(mask.samples[i], isNear ? Shade::shadowed : Shade::lit);
-  }
-}
-
-TEST(OwnMethods, AnswerFrom0To1WhateverTheySay) {
-  const GlContext gl;
-  const Wall wall;
-  const Method mine =
-      methodOfText("",
-                   "float visibility(Pixel pixel, LocalLight light) {\n"
-                   "  int x = int(pixel.texel.x) % 3;\n"
-                   "  return x == 0 ? -1.0 : (x == 1 ? 7.0 : sqrt(-pixel.texel.x));\n}\n");
-  const auto found = wall.scene.shares(mine, wall.view, Wall::light(20), sun);
-  for (std::size_t i = 0; i < found.test.size(); ++i) {
-    const bool isWhole = i % Wall::columns % 3 == 1;
-    ASSERT_EQ(found.test.shares[i], isWhole ? 1.0F : 0.0F);
-    ASSERT_LE(found.drawn.shares[i], found.test.shares[i]);
-  }
-}
-
-TEST(OwnMethods, MayHaveAHorizonAlone) {
-  const GlContext gl;
-  const Wall wall;
-  const Method mine =
-      methodOfText("", "float horizonSlope(Pixel pixel, LocalLight light) { return 0.5; }\n");
-  EXPECT_FALSE(mine.answersShares);
-  EXPECT_TRUE(mine.hasHorizon);
-  for (const double over : {-1.0, 0.4, 3.0}) {
-    const Vec3 light = Wall::light(inDegrees(std::atan(0.5)) + over);
-    const auto shares =
-        wall.scene.shares(mine, wall.view, light, radians(2.0), SoftAnswer::disc).test;
-    ASSERT_NEAR(static_cast<double>(shares.shares[500]), shareOver(radians(over), radians(2.0)),
-                1e-4);
-    const auto hard = wall.scene.shares(mine, wall.view, light, radians(2.0)).test;
-    ASSERT_EQ(hard.shares[500], over > 0 ? 1.0F : 0.0F);
-  }
-}
-
-TEST(OwnMethods, WithoutAHorizonHaveNoDisc) {
-  const GlContext gl;
-  const Wall wall;
-  try {
-    (void)wall.scene.shares(methodOf("unshadowed"), wall.view, Wall::light(20), sun,
-                            SoftAnswer::disc);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("unshadowed: no function `float horizonSlope("),
-              std::string::npos)
-        << error.what();
-  }
-}
-
-TEST(OwnMethods, DirectionsOverTheDiscAreOfEqualSolidAngle) {
-  const GlContext gl;
-  const Wall wall;
-  const Method counting =
-      methodOfText("",
-                   "float visibility(Pixel pixel, LocalLight light) {\n"
-                   "  float over = 0.0;\n"
-                   "  for (int k = 0; k < 256; ++k) {\n"
-                   "    vec3 to = discDirection(k, 256);\n"
-                   "    over += to.z > 0.35 && abs(length(to) - 1.0) < 1e-5 ? 1.0 : 0.0;\n"
-                   "  }\n"
-                   "  return over / 256.0;\n}\n");
-  const double edge = inDegrees(std::asin(0.35));
-  for (const double radius : {0.5, 5.0}) {
-    for (const double x : {-0.9, -0.5, 0.0, 0.3, 0.8}) {
-      const auto found =
-          wall.scene.shares(counting, wall.view, Wall::light(edge + x * radius), radians(radius))
-              .test;
-      EXPECT_NEAR(static_cast<double>(found.shares[100]), shareOver(x, 1), 0.01) << x;
-    }
-  }
-}
-
-/// Over a wall across the light the one horizon of the march is that of all directions; over bumps
-/// it is not, and the bounds are what was found.
-TEST(OwnMethods, OneHorizonIsNearToDirectionsOneByOne) {
-  const GlContext gl;
-  const Method each = directionsOneByOne();
-  const Wall wall;
-  const auto difference = [&](const RenderScene& scene, const RenderView& view, const Vec3& light,
-                              double radius, const std::string& name) {
-    return meanDifference(scene.shares(methodOf(name), view, light, radius).test,
-                          scene.shares(each, view, light, radius).test);
-  };
-  EXPECT_LT(difference(wall.scene, wall.view, Wall::light(18), radians(3.0), "geodesic-march"),
-            0.002);
-  const Bumps bumps;
-  EXPECT_LT(difference(bumps.scene, bumps.view, bumps.light, sun, "geodesic-march"), 0.0005);
-  // One march in place of two would have twice that.
-  EXPECT_LT(difference(bumps.scene, bumps.view, bumps.light, radians(3.0), "geodesic-march"),
-            0.0025);
 }
 
 }  // namespace
