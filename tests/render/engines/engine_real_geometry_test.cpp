@@ -89,14 +89,14 @@ TEST(VarianceShadowMap, FiltersOverASquare) {
   EXPECT_GT(std::abs(along.x / along.y), 0.5);
   EXPECT_LT(std::abs(along.x / along.y), 2);
   const double litSide = side(texelOf({20, 0, 0}));
+  const surface::SampleGrid samples = cliff.scene.samples(view);
   const auto found =
       cliff.scene.shares("variance-shadow-map", view, light, 0.01, {{"width", width}});
   int partly = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (places[i] < 22) continue;
-    const surface::SurfaceSample sample =
-        cliff.scene.samples(view)
-            .samples[static_cast<std::size_t>(view.height / 2 * view.width) + i];
+    const surface::SurfaceSample& sample =
+        samples.samples[static_cast<std::size_t>(view.height / 2 * view.width) + i];
     const Vec2 middle = texelOf(cliff.scene.surface.evaluate(sample).position);
     int lit = 0;
     for (int a = -width / 2; a <= width / 2; ++a) {

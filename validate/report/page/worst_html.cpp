@@ -166,7 +166,7 @@ Html worstSection(const study::StudyRecord& record, const std::vector<study::Ran
       "worst", "Where each method errs most",
       html("<p class=\"note\">Enlarged: of each method the {} squares of {} × {} pixels with the "
            "most wrong samples, in the view and under the light where its error is largest. On the "
-           "left the method, on the right the truth. A method that draws a displaced mesh is shown "
+           "left the method, on the right the truth. A method with a mesh of its own is shown "
            "as a mask, white where lit.{}</p>\n{}",
            mostPlaces, windowSide, windowSide,
            methods.size() < ranked.size()
