@@ -94,7 +94,8 @@ std::vector<ReadKind> readKinds(const fs::path& folder) {
       "vn 0 0 1\ns 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\nt crease 2/1/0 0 1 2.5\n";
   return {
       {"study.toml", studyBytes(), [](const fs::path& path) { (void)study::readStudy(path); }},
-      {"method.glsl", readFile(fs::path(GNOMON_SCENES) / "../shaders/methods/osculating-march.glsl"),
+      {"method.glsl",
+       readFile(fs::path(GNOMON_SCENES) / "../shaders/methods/osculating-march.glsl"),
        [](const fs::path& path) { (void)render::readMethod(path); }},
       {"mesh.obj", obj, mesh},
       {"ascii.ply", asciiPly, mesh},
