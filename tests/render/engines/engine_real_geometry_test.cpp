@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "render/displaced_rays.h"
@@ -133,6 +135,19 @@ TEST(VarianceShadowMap, StretchesWhatBleedingLeaves) {
   EXPECT_GT(partly, 20);
 }
 
+/// x of the last dark pixel of the middle row, from the cliff on.
+double lastDark(const DisplacedCliff& cliff, const RenderView& view, const Vec3& light,
+                const std::map<std::string, double>& parameters) {
+  const std::vector<double> places = cliff.places(view);
+  const Mask mask = cliff.scene.answers("screen-space", view, light, parameters).test;
+  double end = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto row = static_cast<std::size_t>(view.height / 2 * view.width);
+    if (mask.samples[row + i] == Shade::shadowed) end = std::max(end, places[i]);
+  }
+  return end;
+}
+
 /// From above, 110 over the ground: a ray that passes below the cliff's top by more than an eighth
 /// of the thickness is stopped, since a sample shades all within 7/8 of its middle's distance. Two
 /// of the four rows must be, a pixel apart, and the first sample is up to a pixel behind the edge.
@@ -141,18 +156,9 @@ TEST(ScreenSpace, EndsAWallsShadowWhereTheThicknessSays) {
   const DisplacedCliff cliff;
   const RenderView view =
       cameraView(test::cameraAt({0, 0, 110}, {0, 0, 0}, 30, 192), cliff.scene.displaced.mesh);
-  const std::vector<double> places = cliff.places(view);
   const auto endOf = [&](double thickness, double samples) {
-    const Mask mask = cliff.scene
-                          .answers("screen-space", view, lightToward(180, 45),
-                                   {{"thickness", thickness}, {"samples", samples}})
-                          .test;
-    double end = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto row = static_cast<std::size_t>(view.height / 2 * view.width);
-      if (mask.samples[row + i] == Shade::shadowed) end = std::max(end, places[i]);
-    }
-    return end;
+    return lastDark(cliff, view, lightToward(180, 45),
+                    {{"thickness", thickness}, {"samples", samples}});
   };
   const double pixel = 110 * 2 * std::tan(radians(15)) / 192;
   for (const double thickness : {0.02, 0.05, 0.15}) {
@@ -161,6 +167,26 @@ TEST(ScreenSpace, EndsAWallsShadowWhereTheThicknessSays) {
   // As many pixels as samples, the last of which fade.
   EXPECT_LT(endOf(0.05, 16), 19.5 + 17 * pixel);
   EXPECT_GT(endOf(0.05, 16), 19.5 + 6 * pixel);
+}
+
+/// From 20 over the ground, so near that the way to the light's own place in the picture matters:
+/// of it a ray at the height z has (20 - z) / 20 before it, so that the cliff, 10 high, stands over
+/// the ray by (10 - z) / 10 of the point's nearness, of which an eighth of the thickness must be
+/// left. The cliff's edge, 4.5 beside the eye's foot and two pixels more as above, is seen where
+/// the ray is at x = -a (20 - z), a = 4.5 / 10, and z = x of the point - x.
+TEST(ScreenSpace, MeasuresTheThicknessByTheWayToTheLight) {
+  const GlContext gl;
+  const DisplacedCliff cliff;
+  const RenderView view =
+      cameraView(test::cameraAt({0, 0, 20}, {0, 0, 0}, 53, 192), cliff.scene.displaced.mesh);
+  const double pixel = 2 * std::tan(radians(53.0 / 2)) / 192;
+  const double a = 0.45 + 2 * pixel;
+  for (const double thickness : {0.4, 0.8}) {
+    const double end =
+        lastDark(cliff, view, lightToward(180, 45), {{"thickness", thickness}, {"samples", 200}});
+    const double z = 10 * (1 - thickness / 8);
+    EXPECT_NEAR(end, 24 + z * (1 + a) - 20 * a, 20 * pixel) << thickness;
+  }
 }
 
 }  // namespace
