@@ -42,7 +42,7 @@ about = "how far over the point the ray must meet the relief to be hidden, share
 // 2005, which compares the depth that the light's ray meets with the point's, 0.05 of the range aside.
 
 const int coneAzimuths = 64;
-const float coneStride = 0.5;  // texels
+const float coneStride = 1.0;  // texels
 
 // Of a cone of 1: texels per height unit.
 float wholeCone() { return max(mapSize.x, mapSize.y) / max(heightBounds.y - heightBounds.x, 1e-20); }

@@ -3,7 +3,6 @@
 #include <map>
 #include <string>
 
-#include "common/error.h"
 #include "render/method_text.h"
 #include "render/render_scene.h"
 #include "truth/truth_scenes.h"
@@ -23,23 +22,19 @@ RenderScene stepScene() {
           horizon::TableBits::thirtyTwo};
 }
 
-MethodPass passFor(const RenderScene& scene, const Method& method, PassPurpose purpose,
-                   const std::map<std::string, double>& parameters = {},
-                   TableFilter filter = TableFilter::exact) {
-  return {shaderFolder(),  method, scene.relief.field.wrap(), filter, parameters,
-          SoftAnswer::own, purpose};
-}
-
 double texelsOf(const RenderScene& scene, const Method& method, double radius = 0,
                 const std::map<std::string, double>& parameters = {},
                 TableFilter filter = TableFilter::exact) {
-  const MethodPass pass = passFor(scene, method, PassPurpose::counts, parameters, filter);
+  const relief::Wrap wrap = scene.relief.field.wrap();
+  const MethodPass pass(shaderFolder(), method, wrap, filter, parameters);
+  const TexelCounter counter(shaderFolder(), method, wrap, filter, parameters);
   const RenderView view = atlasView(scene.surface, 8);
   double texels = -1;
   scene.withInputs(method, parameters, [&](Drawing drawn, const GpuTables& gpu) {
     drawn.light = lightToward(20, 30);
     drawn.lightRadius = radius;
-    texels = pass.texelsPerSample(view, drawn, gpu);
+    texels =
+        pass.frameCosts(view, drawn, gpu, 1, FirstFrame::isWarm, FrameClock::wall, counter).texels;
   });
   return texels;
 }
@@ -121,15 +116,29 @@ TEST(TexelCount, IsTheSameForTheFilterOfTheGpu) {
   EXPECT_EQ(texelsOf(scene, "unshadowed"), 4);
 }
 
-TEST(TexelCount, NeedsAPassMadeForIt) {
+/// The depth map of the frame before the count is the one that the count reads: a sample of it a
+/// sample of the filter, and the four texels of N'.
+TEST(TexelCount, ReadsWhatTheFramesPassesLeft) {
   const GlContext gl;
   const RenderScene scene = stepScene();
-  const Method method = readMethod(methodFile(shaderFolder(), "unshadowed"));
-  const MethodPass pass = passFor(scene, method, PassPurpose::answers);
-  scene.withInputs(method, {}, [&](const Drawing& drawn, const GpuTables& gpu) {
-    EXPECT_THROW((void)pass.texelsPerSample(atlasView(scene.surface, 8), drawn, gpu),
-                 InternalError);
-  });
+  const Method method = methodOfText(R"(
+passes = ["light-depth"]
+normal = "own"
+[parameters.depth_side]
+default = 64
+minimum = 16
+maximum = 8192
+)",
+                                     R"(
+bool isShadowed(Pixel pixel, LocalLight light) {
+  vec3 place = lightMapPlace(pixel.position);
+  float depth = lightDepthOf(ivec2(floor(place.xy)));
+  // Read again where the depth map is right, and nowhere else.
+  return abs(depth - place.z) < 0.05 && lightDepthOf(ivec2(floor(place.xy))) < 0.0;
+}
+vec3 shadingNormal(Pixel pixel) { return pixel.normal; }
+)");
+  EXPECT_EQ(texelsOf(scene, method), 2);
 }
 
 }  // namespace

@@ -263,6 +263,34 @@ TEST(BaseShadowMap, SeesTheBodyItself) {
   EXPECT_GT(wrong("relief-march"), 0.05);
 }
 
+/// A trough of six flat pieces, z = x² / 60. The light sees the first one, of the slope -40 / 60,
+/// from behind, and nothing before it: there the march alone says what is seen, by the normal
+/// between the vertices, which faces the light from x = -19 on.
+TEST(BaseShadowMap, AFacetSeenFromBehindDoesNotShadeItself) {
+  const GlContext gl;
+  surface::Cage cage = surface::makePlane(48, 8, 6, 1);
+  for (Vec3& position : cage.positions) position.z = position.x * position.x / 60;
+  cage.grid.reset();
+  const RenderScene scene(cage, test::flatRelief(16, 16), {4, 8}, horizon::TableBits::eight);
+  const RenderView view = atlasView(scene.surface, 32);
+  const surface::SampleGrid samples = scene.samples(view);
+  const Vec3 light = lightToward(180, std::atan(38.0 / 60) * 180 / pi);
+  const auto shares = [&](const char* method) {
+    return scene.shares(methodOf(method), view, light, radians(3)).test.shares;
+  };
+  const std::vector<float> both = shares("base-shadow-map");
+  const std::vector<float> march = shares("relief-march");
+  int seen = 0;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    if (!samples.samples[i].isOnSurface()) continue;
+    const double x = scene.surface.evaluate(samples.samples[i]).position.x;
+    if (x < -18.5 || x > -16.2) continue;
+    EXPECT_NEAR(both[i], march[i], 1e-3) << x;
+    seen += march[i] > 0.5 ? 1 : 0;
+  }
+  EXPECT_GT(seen, 100);
+}
+
 /// A step of the mesh itself, half a unit high and straight in its last piece: what casts its
 /// shadow is hardly nearer to the light than the ground.
 TEST(BaseShadowMap, SeesALowStep) {

@@ -33,22 +33,8 @@ Mask maskOf(const RenderView& view, const std::vector<std::uint8_t>& answers, st
   return mask;
 }
 
-/// A sample's shares are 0 to 1; this is where there is no sample.
+/// A sample's shares are 0 to 1, its texels 0 or more; this is where there is no sample.
 constexpr float noShare = -1;
-
-/// The define of the soft answers; none where the method has only 0 and 1 to say.
-/// @throws InputError for a disc without a horizon
-std::optional<std::string> softDefine(const Method& method, SoftAnswer soft) {
-  const bool isDisc = soft == SoftAnswer::disc;
-  if (isDisc && !method.hasHorizon) {
-    throw InputError(fmt::format(
-        "method {}: no function `float horizonSlope(Pixel pixel, LocalLight light)` in {}, which "
-        "the light's disc could be held against",
-        method.name, method.source.file));
-  }
-  if (!isDisc && !method.answersShares) return std::nullopt;
-  return isDisc ? "ANSWER_DISC" : "ANSWER_SHARE";
-}
 
 Visibility visibilityOf(const RenderView& view, std::vector<float> shares) {
   std::replace(shares.begin(), shares.end(), noShare, noSample);
@@ -110,7 +96,7 @@ glm::dmat4 mapFromClip(glm::dvec2 size) {
 
 MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wrap wrap,
                        TableFilter filter, const std::map<std::string, double>& values,
-                       SoftAnswer soft, PassPurpose purpose)
+                       SoftAnswer soft)
     : name_(method.name),
       tables_(method.tables),
       bakes_(method.bakes),
@@ -121,19 +107,14 @@ MethodPass::MethodPass(const fs::path& shaders, const Method& method, relief::Wr
       readsLightDepth_(method.passes.lightDepth || placeOfWord(method.code, "lightDepthOf") ||
                        placeOfWord(method.code, "lightDepthMap")),
       hasLightMesh_(method.lightMesh.has_value()),
-      values_(parameterValues(method, values)),
-      purpose_(purpose) {
+      values_(parameterValues(method, values)) {
   const std::vector<std::string> defines = methodDefines(method, wrap, filter);
   std::vector<std::string> softDefines = defines;
   const std::optional<std::string> added = softDefine(method, soft);
   if (added) softDefines.push_back(*added);
-  if (purpose == PassPurpose::counts) {
-    answer_ = makeMethodProgram(shaders, method, countingStage(shaders), softDefines);
-  } else {
-    answer_ = makeMethodProgram(shaders, method, surfaceStage(shaders, "mask.frag"), defines);
-    const MethodStage stage = surfaceStage(shaders, "visibility.frag");
-    if (added) share_ = makeMethodProgram(shaders, method, stage, softDefines);
-  }
+  answer_ = makeMethodProgram(shaders, method, surfaceStage(shaders, "mask.frag"), defines);
+  const MethodStage shareStage = surfaceStage(shaders, "visibility.frag");
+  if (added) share_ = makeMethodProgram(shaders, method, shareStage, softDefines);
   for (const OwnPass& pass : own_) {
     const MethodStage stage = ownPassStage(shaders, method, pass, own_);
     ownPrograms_.push_back(makeMethodProgram(shaders, method, stage, defines));
@@ -197,9 +178,7 @@ class MethodPass::Frame {
         tables_(tables),
         isShare_(pass.share_ && drawing.lightRadius > 0),
         answers_(view.width, view.height,
-                 isShare_            ? std::vector<GLenum>{GL_R32F, GL_R32F}
-                 : pass.isCounting() ? std::vector<GLenum>{GL_R32F}
-                                     : std::vector<GLenum>{GL_R8UI}) {
+                 isShare_ ? std::vector<GLenum>{GL_R32F, GL_R32F} : std::vector<GLenum>{GL_R8UI}) {
     if (pass.seesLight()) {
       const double side = pass.depthSide();
       requireMemory(side * side * sizeof(GLfloat),
@@ -243,10 +222,7 @@ class MethodPass::Frame {
     }
     drawOwn(false);
     clearAnswers();
-    const GLuint program = isShare_ ? pass_.share_->name() : pass_.answer_.name();
-    setInputs(program, view_);
-    bindPasses(program, pass_.own_.size());
-    drawMesh(answers_, program, view_, drawing_.mesh);
+    drawAnswers(isShare_ ? pass_.share_->name() : pass_.answer_.name(), answers_);
   }
 
   void draw() const {
@@ -259,9 +235,13 @@ class MethodPass::Frame {
     return {maskOf(view_, bits, drawnShadowed), maskOf(view_, bits, testShadowed)};
   }
 
-  /// One a pixel, below 0 where there is no sample.
-  [[nodiscard]] std::vector<float> texels() const {
-    return answers_.read<float>(0, GL_RED, GL_FLOAT, 1);
+  /// The texels that a sample's answer reads, the mean, once its passes are drawn.
+  [[nodiscard]] double texels(const TexelCounter& counter) const {
+    const Target counts(view_.width, view_.height, {GL_R32F});
+    counts.clearDepth();
+    clearShares(counts, 1);
+    drawAnswers(counter.program(), counts);
+    return meanOfSamples(counts.read<float>(0, GL_RED, GL_FLOAT, 1));
   }
 
   [[nodiscard]] VisibilityAnswers shares() const {
@@ -272,15 +252,27 @@ class MethodPass::Frame {
  private:
   void clearAnswers() const {
     answers_.clearDepth();
-    if (isShare_ || pass_.isCounting()) {
-      const std::array<GLfloat, 4> none = {noShare, 0, 0, 0};
-      for (GLint channel = 0; channel < (isShare_ ? 2 : 1); ++channel) {
-        glClearNamedFramebufferfv(answers_.framebuffer(), GL_COLOR, channel, none.data());
-      }
+    if (isShare_) {
+      clearShares(answers_, 2);
     } else {
       const std::array<GLuint, 4> none = {noAnswer, 0, 0, 0};
       glClearNamedFramebufferuiv(answers_.framebuffer(), GL_COLOR, 0, none.data());
     }
+  }
+
+  /// Sets attachments to what there is where no sample is.
+  static void clearShares(const Target& target, GLint attachments) {
+    const std::array<GLfloat, 4> none = {noShare, 0, 0, 0};
+    for (GLint channel = 0; channel < attachments; ++channel) {
+      glClearNamedFramebufferfv(target.framebuffer(), GL_COLOR, channel, none.data());
+    }
+  }
+
+  /// The surface by a program that reads all that the passes left.
+  void drawAnswers(GLuint program, const Target& target) const {
+    setInputs(program, view_);
+    bindPasses(program, pass_.own_.size());
+    drawMesh(target, program, view_, drawing_.mesh);
   }
 
   /// What the pass from the light draws.
@@ -425,31 +417,21 @@ VisibilityAnswers MethodPass::renderVisibility(const RenderView& view, const Dra
   return answers;
 }
 
-double MethodPass::texelsPerSample(const RenderView& view, const Drawing& drawing,
-                                   const GpuTables& tables) const {
-  if (!isCounting()) throw InternalError(fmt::format("method {} counts no texels", name_));
-  const Frame frame(*this, view, drawing, tables);
-  frame.draw();
-  double sum = 0;
-  std::size_t samples = 0;
-  for (const float texels : frame.texels()) {
-    if (texels < 0) continue;
-    sum += static_cast<double>(texels);
-    ++samples;
-  }
-  throwOnGlError("counting the texels that a method reads");
-  return sum / static_cast<double>(samples);
-}
-
-FrameTimes MethodPass::frameTimes(const RenderView& view, const Drawing& drawing,
+FrameCosts MethodPass::frameCosts(const RenderView& view, const Drawing& drawing,
                                   const GpuTables& tables, int frames, FirstFrame first,
-                                  FrameClock clock) const {
+                                  FrameClock clock, const TexelCounter& counter) const {
   const Frame frame(*this, view, drawing, tables);
-  const double every = medianFrameMilliseconds([&] { frame.draw(); }, frames, first, clock);
-  if (!frame.hasLightPasses()) return {every, every};
+  FrameCosts costs;
+  costs.every = medianFrameMilliseconds([&] { frame.draw(); }, frames, first, clock);
+  costs.still = costs.every;
   // At least one frame has been drawn: the light's passes are filled.
-  const auto drawView = [&] { frame.drawView(); };
-  return {every, medianFrameMilliseconds(drawView, frames, FirstFrame::isWarm, clock)};
+  if (frame.hasLightPasses()) {
+    const auto drawView = [&] { frame.drawView(); };
+    costs.still = medianFrameMilliseconds(drawView, frames, FirstFrame::isWarm, clock);
+  }
+  costs.texels = frame.texels(counter);
+  throwOnGlError("counting the texels that a method reads");
+  return costs;
 }
 
 }  // namespace gnomon::render

@@ -15,6 +15,7 @@
 #include "render/passes/drawing.h"
 #include "render/passes/method_tables.h"
 #include "render/passes/shadow_volume_pass.h"
+#include "render/passes/texel_counter.h"
 
 namespace gnomon::render {
 
@@ -39,24 +40,16 @@ struct VisibilityAnswers {
   Visibility test;
 };
 
-/// What a method says of a soft light.
-enum class SoftAnswer {
-  own,   ///< its `visibility`; 0 or 1 where its file has none
-  disc,  ///< its horizon held against the disc by the closed form, `shareOver` of disc.glsl
-};
-
-/// Median times of a method's frames, milliseconds: see medianFrameMilliseconds.
-struct FrameTimes {
-  double every = 0;  ///< all its passes
-  /// While the light stands still: without the passes whose result depends on the light alone (a
-  /// depth map, a texture pass), which are kept from one frame to the next.
+/// What a method's frames cost.
+struct FrameCosts {
+  /// Median time of a frame with all its passes, milliseconds: see medianFrameMilliseconds.
+  double every = 0;
+  /// The same while the light stands still: without the passes whose result depends on the light
+  /// alone (a depth map, a texture pass), which are kept from one frame to the next.
   double still = 0;
-};
-
-/// What a method's pass is made for.
-enum class PassPurpose {
-  answers,
-  counts,  ///< the texels that its answers read
+  /// Texels that the answer of a sample reads (TexelCounter), the mean over the view's samples,
+  /// without other passes than the last. NaN for a view without a sample.
+  double texels = 0;
 };
 
 /// A method ready to render: its shaders and the passes that it declares.
@@ -68,7 +61,7 @@ class MethodPass {
   ///   `SoftAnswer::disc` of a method without a horizon
   MethodPass(const std::filesystem::path& shaders, const Method& method, relief::Wrap wrap,
              TableFilter filter, const std::map<std::string, double>& values,
-             SoftAnswer soft = SoftAnswer::own, PassPurpose purpose = PassPurpose::answers);
+             SoftAnswer soft = SoftAnswer::own);
 
   /// The method's answers for every sample of the view.
   /// @param drawing  with `volumes` for shadow volumes, with `texture` for a texture pass, with
@@ -82,17 +75,10 @@ class MethodPass {
                                                    const GpuTables& tables) const;
 
   /// Of the passes that answer for the drawing's light, a point or a disc.
-  [[nodiscard]] FrameTimes frameTimes(const RenderView& view, const Drawing& drawing,
+  /// @param counter  of the same method and settings
+  [[nodiscard]] FrameCosts frameCosts(const RenderView& view, const Drawing& drawing,
                                       const GpuTables& tables, int frames, FirstFrame first,
-                                      FrameClock clock) const;
-
-  /// How many texels the answer of a sample reads, the mean over the view's samples: one a
-  /// texelFetch, four a textureGather, those of a linear filter for texture and textureLod; with
-  /// those of the normal that the picture is shaded with, without other passes than the last. NaN
-  /// for a view without a sample.
-  /// @throws InternalError unless its purpose is `counts`
-  [[nodiscard]] double texelsPerSample(const RenderView& view, const Drawing& drawing,
-                                       const GpuTables& tables) const;
+                                      FrameClock clock, const TexelCounter& counter) const;
 
   /// Whether a program of its frame reads a texture, by the sampler's name: what only bakes read is
   /// not there while frames are drawn.
@@ -108,7 +94,6 @@ class MethodPass {
  private:
   class Frame;
 
-  [[nodiscard]] bool isCounting() const { return purpose_ == PassPurpose::counts; }
   [[nodiscard]] bool seesLight() const {
     return passes_.lightDepth || passes_.hasOwn(PassRaster::light);
   }
@@ -125,7 +110,6 @@ class MethodPass {
   bool readsLightDepth_;
   bool hasLightMesh_;
   std::map<std::string, double> values_;  ///< every parameter's
-  PassPurpose purpose_;
   gl::Program answer_;
   std::optional<gl::Program> share_;      ///< of a method that answers with a share
   std::vector<gl::Program> ownPrograms_;  ///< one a pass of `own_`

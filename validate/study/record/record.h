@@ -120,7 +120,7 @@ struct CostRecord {
   /// The same while the light stands still: without the passes that depend on the light alone.
   std::optional<double> stillMs = std::nullopt;
   /// Texels that the answer of a sample reads: the mean over the samples of the first camera view
-  /// under the first light, without other passes (MethodPass::texelsPerSample).
+  /// under the first light, without other passes (FrameCosts::texels).
   std::optional<double> texels = std::nullopt;
   int passes = 1;  ///< drawing passes a frame
   /// The day, "2026-11-21", on which an earlier run on this machine measured `frameMs`; empty if

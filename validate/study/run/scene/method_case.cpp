@@ -37,16 +37,16 @@ void bakeOwn(RunScene& scene, MethodCase& method) {
   ready.tables.bakes = ready.bakes.get();
 }
 
-render::MethodPass makePass(const RunScene& scene, const MethodCase& method,
-                            render::PassPurpose purpose) {
+/// The shader of a method as this study uses it: Pass is MethodPass or TexelCounter.
+template <typename Pass>
+Pass makePass(const RunScene& scene, const MethodCase& method) {
   const MethodSpec& spec = *method.spec;
   return {scene.shaders,
           method.method,
           scene.study.relief.field.wrap(),
           spec.filter,
           spec.parameters,
-          spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own,
-          purpose};
+          spec.disc ? render::SoftAnswer::disc : render::SoftAnswer::own};
 }
 
 void compile(RunScene& scene, MethodCase& method) {
@@ -61,7 +61,7 @@ void compile(RunScene& scene, MethodCase& method) {
       scene.keys.program(spec, method.method),
       [&] {
         return std::make_shared<const render::MethodPass>(
-            makePass(scene, method, render::PassPurpose::answers));
+            makePass<render::MethodPass>(scene, method));
       },
       [](const render::MethodPass&) { return bytes; });
   method.compiled.emplace(
@@ -213,8 +213,8 @@ const CompiledMethod& compiled(RunScene& scene, MethodCase& method) {
   return *method.compiled;
 }
 
-render::MethodPass countingPass(const RunScene& scene, const MethodCase& method) {
-  return makePass(scene, method, render::PassPurpose::counts);
+render::TexelCounter texelCounter(const RunScene& scene, const MethodCase& method) {
+  return makePass<render::TexelCounter>(scene, method);
 }
 
 render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light) {

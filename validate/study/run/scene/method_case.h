@@ -60,8 +60,8 @@ MethodCase prepareMethod(RunScene& scene, const MethodSpec& spec, SurfaceOnDeman
 /// @throws InputError as prepareMethod
 const CompiledMethod& compiled(RunScene& scene, MethodCase& method);
 
-/// The method's pass with the texels counted that it reads, instead of its answers drawn.
-render::MethodPass countingPass(const RunScene& scene, const MethodCase& method);
+/// Counts the texels that the method's answers read.
+render::TexelCounter texelCounter(const RunScene& scene, const MethodCase& method);
 
 /// What the method's passes draw under one of the study's lights.
 render::Drawing drawingOf(RunScene& scene, const MethodCase& method, std::size_t light);

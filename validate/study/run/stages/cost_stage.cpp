@@ -72,17 +72,14 @@ CostRecord CostStage::measure(RunScene& scene, MethodCase& method, int frames) c
       const CompiledMethod& ready = compiled(scene, method);
       const render::FirstFrame first =
           ready.hasDrawn ? render::FirstFrame::isWarm : render::FirstFrame::warmsUp;
-      const auto times = scene.clock.measure("frame times", [&](const Progress&) {
-        return ready.pass->frameTimes(method.base->views[*view].view, drawingOf(scene, method, 0),
-                                      ready.tables, frames, first, clock_);
+      const render::FrameCosts costs = scene.clock.measure("frame times", [&](const Progress&) {
+        return ready.pass->frameCosts(method.base->views[*view].view, drawingOf(scene, method, 0),
+                                      ready.tables, frames, first, clock_,
+                                      texelCounter(scene, method));
       });
-      cost->frameMs = times.every;
-      cost->stillMs = times.still;
-      cost->texels = scene.clock.measure("texels read", [&](const Progress&) {
-        return countingPass(scene, method)
-            .texelsPerSample(method.base->views[*view].view, drawingOf(scene, method, 0),
-                             ready.tables);
-      });
+      cost->frameMs = costs.every;
+      cost->stillMs = costs.still;
+      cost->texels = costs.texels;
     }
     scene.cache.keep(key, *cost);
   }
