@@ -15,6 +15,7 @@
 #include "render/passes/drawing.h"
 #include "render/passes/method_tables.h"
 #include "render/passes/shadow_volume_pass.h"
+#include "render/passes/soft_answer.h"
 #include "render/passes/texel_counter.h"
 
 namespace gnomon::render {

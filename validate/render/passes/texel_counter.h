@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,18 +10,9 @@
 #include "render/method.h"
 #include "render/passes/drawing.h"
 #include "render/passes/method_tables.h"
+#include "render/passes/soft_answer.h"
 
 namespace gnomon::render {
-
-/// What a method says of a soft light.
-enum class SoftAnswer {
-  own,   ///< its `visibility`; 0 or 1 where its file has none
-  disc,  ///< its horizon held against the disc by the closed form, `shareOver` of disc.glsl
-};
-
-/// The define of a method's soft answers; none where it has only 0 and 1 to say.
-/// @throws InputError for a disc without a horizon
-std::optional<std::string> softDefine(const Method& method, SoftAnswer soft);
 
 /// A method's answer with the texels counted that it reads: one a texelFetch, four a textureGather,
 /// those of a linear filter for texture and textureLod; with those of the normal that the picture
