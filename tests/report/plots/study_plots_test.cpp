@@ -30,8 +30,12 @@ study::StudyRecord plottedRecord() {
   return made;
 }
 
+MethodStyles styles() {
+  return MethodStyles(study::studyMeans(plottedRecord()));
+}
+
 TEST(BinPlot, DrawsEachBinsErrorAtItsPlace) {
-  const std::string script = binPlot(plottedRecord(), "elevation", "camera").commands;
+  const std::string script = binPlot(plottedRecord(), "elevation", "camera", styles()).commands;
   EXPECT_THAT(script, HasSubstr("$m0 << EOD\n0 5\n1 10\n2 1\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("$m1 << EOD\n0 NaN\n1 25\n2 10\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("set xtics ('0' 0.5, '10…20' 1.5)\n"));
@@ -59,7 +63,7 @@ TEST(StudyPlots, AreNamedApartAndDrawn) {
 }
 
 TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
   const std::string here = pdfsOf({sheet}).front();
   const char* before = std::getenv("TZ");
   const std::string kept = before == nullptr ? "" : before;
@@ -70,7 +74,7 @@ TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
 }
 
 TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
   const std::string pdf = pdfsOf({sheet}).front();
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   EXPECT_THAT(pdf, HasSubstr("%%EOF"));
@@ -96,7 +100,7 @@ TEST(PlotSheet, PdfIsTheSameBesideOthers) {
       "set format x '%.9f'\nset style data lines\nset multiplot layout 1,2\n"
       "set encoding iso_8859_1\n"
       "$bins << EOD\n1 2\nEOD\nplot x\nplot x\nunset multiplot\n"};
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
   const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet};
   const std::vector<std::string> pdfs = pdfsOf(beside);
   ASSERT_EQ(pdfs.size(), 4U);

@@ -12,8 +12,8 @@
 #include "image/grey_picture.h"
 #include "image/images.h"
 #include "image/web_picture.h"
+#include "report/highlights.h"
 #include "report/page/html_page.h"
-#include "report/page/opening_html.h"
 #include "report/page/worst_windows.h"
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
@@ -24,26 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = study::PictureRecord::Kind;
 
-constexpr std::size_t mostMethods = 8;
 constexpr std::size_t mostPlaces = 3;
 constexpr int windowSide = 64;
-
-/// The methods that are shown, in the order of the ranking.
-std::vector<std::string> shownMethods(const study::StudyRecord& record,
-                                      const std::vector<study::RankedMethod>& ranked) {
-  std::vector<std::string> chosen;
-  for (const OpeningFigure& figure : openingFigures(record, ranked))
-    chosen.push_back(figure.method);
-  std::erase(chosen, "truth");
-  for (const study::RankedMethod& method : ranked) {
-    if (chosen.size() < mostMethods) appendOnce(chosen, method.label);
-  }
-  std::vector<std::string> ordered;
-  for (const study::RankedMethod& method : ranked) {
-    if (contains(chosen, method.label)) ordered.push_back(method.label);
-  }
-  return ordered;
-}
 
 const study::PictureRecord* pictureOf(const study::PanelRecord& panel, const std::string& method,
                                       Kind kind) {
@@ -155,7 +137,7 @@ Html methodHtml(const study::StudyRecord& record, const std::string& method,
 
 Html worstSection(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
                   const fs::path& folder) {
-  const std::vector<std::string> methods = shownMethods(record, ranked);
+  const std::vector<std::string> methods = highlights(study::studyMeans(record));
   std::vector<Html> parts(methods.size());
   parallelFor(0, methods.size(),
               [&](std::size_t i) { parts[i] = methodHtml(record, methods[i], folder); });

@@ -127,7 +127,8 @@ std::vector<std::string> binViews(const study::StudyRecord& record, std::string_
   return views;
 }
 
-PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view) {
+PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view,
+                  const MethodStyles& styles) {
   const std::vector<const study::BinRecord*> bins = binsOf(record, axis, view);
   const std::vector<Ends> ends = endsOf(bins);
   std::vector<std::string> methods;
@@ -137,13 +138,17 @@ PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::
       plotData("$truth", fmt::format("-0.5 {0}\n{1} {0}\n", uncertainty,
                                      exactText(static_cast<double>(ends.size()) - 0.5)));
   std::string plot =
-      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title 'uncertainty of the "
+      "plot $truth using 1:2 with filledcurves y1=0 fc rgb band title 'uncertainty of the "
       "truth'";
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    data += plotData(fmt::format("$m{}", m), lineData(bins, ends, methods[m]));
-    plot += fmt::format(", \\\n  $m{} using 1:2 with linespoints {} title {}", m, plotLine(m),
-                        plotLegend(methods[m]));
+  std::vector<LegendEntry> legend;
+  const std::vector<std::string> drawn = styles.drawnOrder(methods);
+  for (std::size_t m = 0; m < drawn.size(); ++m) {
+    data += plotData(fmt::format("$m{}", m), lineData(bins, ends, drawn[m]));
+    plot +=
+        fmt::format(", \\\n  $m{} using 1:2 with linespoints {} notitle", m, styles.line(drawn[m]));
+    legend.push_back({methods[m], methods[m]});
   }
+  plot += styles.legend(legend, "linespoints", &MethodStyles::line);
   const std::string title = axisTitle(axis);
   return {fmt::format("error-by-{}", axis),
           fmt::format("Error by {} ({})", title, view),
@@ -165,7 +170,9 @@ PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::
               "set ylabel 'error rate, percent of the bin’s samples' offset 1,0\n"
               "set key at screen 0.7, screen 0.96 left top Left reverse samplen 2 spacing 1.1 "
               "maxcols 1\n" +
-              plot + "\n"};
+              plot + "\n",
+          "plots",
+          styles.colours()};
 }
 
 }  // namespace gnomon::report

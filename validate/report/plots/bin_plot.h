@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/plots/method_styles.h"
 #include "report/plots/plot_sheet.h"
 #include "study/record/record.h"
 
@@ -21,6 +22,7 @@ std::vector<std::string> binViews(const study::StudyRecord& record, std::string_
 /// samples (of the first method's); the truth's uncertainty as a grey band. A method without
 /// samples in a bin has a gap there.
 /// @throws InternalError for a number that is not finite
-PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view);
+PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view,
+                  const MethodStyles& styles);
 
 }  // namespace gnomon::report

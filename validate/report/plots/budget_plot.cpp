@@ -90,7 +90,7 @@ PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
                          plotLegend(budget.method + ", forward"), exactText(y), exactText(y + 1));
     // A mark at the method's error over both of its bars.
     totals +=
-        fmt::format("set arrow from {0},{1} to {0},{2} nohead front lw 2 lc rgb '#000000'\n",
+        fmt::format("set arrow from {0},{1} to {0},{2} nohead front lw 2 lc rgb ink\n",
                     exactText(100 * budget.total.value), exactText(y - 0.48), exactText(y + 1.48));
     y += 2.5;
   }
@@ -114,7 +114,7 @@ PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
           "Each method's error by cause, forward and backward; the tables hold the same figures",
           1000,
           std::max({320, 24 * lines, 70 + 75 * static_cast<int>(budgets.size())}),
-          data + plotFrame(1, "xtics ") + "set yzeroaxis lt 1 lc rgb '#5b626b'\n" +
+          data + plotFrame(1, "xtics ") + "set yzeroaxis lt 1 lc rgb axis\n" +
               (isEmpty ? "set xrange [0:1]\n" : "") +
               fmt::format("set yrange [{}:-0.75]\n", exactText(y - 0.75)) + "set ytics scale 0 (" +
               names + ")\n" + totals +

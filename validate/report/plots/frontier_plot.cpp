@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
-#include "common/lists.h"
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
 #include "report/text/number_text.h"
@@ -54,13 +54,29 @@ std::string dataRow(const FrontierPoint& point, double unit) {
   return fmt::format("{} {}\n", exactText(point.price / unit), exactText(100 * point.errorRate));
 }
 
+/// Each method's name, and the label of the entry that its colour is of.
+std::map<std::string, std::string> methodsOf(const std::vector<FrontierPoint>& points,
+                                             const MethodStyles& styles) {
+  std::map<std::string, std::string> methods;
+  for (const FrontierPoint& point : points) {
+    const auto [found, isNew] = methods.emplace(point.name, point.label);
+    if (!styles.isHighlighted(found->second) && styles.isHighlighted(point.label)) {
+      found->second = point.label;
+    }
+  }
+  return methods;
+}
+
 }  // namespace
 
-PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price) {
+PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
+                       const MethodStyles& styles) {
   const PriceWords& words = price == Price::memory ? byMemory : byFrameTime;
-  std::vector<std::string> names;
-  for (const FrontierPoint& point : points) {
-    appendOnce(names, point.name);
+  std::vector<std::string> labels;
+  std::vector<LegendEntry> legend;
+  for (const auto& [name, label] : methodsOf(points, styles)) {
+    labels.push_back(label);
+    legend.push_back({label, name});
   }
   std::string rows;
   for (const FrontierPoint& point : points)
@@ -71,25 +87,27 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price) {
                         [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
   rows += dataRow({"", "", points.back().price, best.errorRate}, words.unit);
   std::string data = plotData("$frontier", rows);
-  std::string plot = "plot $frontier using 1:2 with steps lc rgb '#9aa1a9' lw 2 title 'frontier'";
-  for (std::size_t m = 0; m < names.size(); ++m) {
+  std::string plot = "plot $frontier using 1:2 with steps lc rgb axis lw 2 title 'frontier'";
+  for (const std::string& label : styles.drawnOrder(labels)) {
+    const auto m =
+        static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
     rows.clear();
     for (const FrontierPoint& point : points) {
-      rows += point.name == names[m] ? dataRow(point, words.unit) : "";
+      rows += point.name == legend[m].text ? dataRow(point, words.unit) : "";
     }
     data += plotData(fmt::format("$m{}", m), rows);
-    plot += fmt::format(", \\\n  $m{} using 1:2 with points lc rgb '{}' pt {} ps 1 lw 2 title {}",
-                        m, plotColours.at(m % plotColours.size()),
-                        plotPoints.at((m + m / plotColours.size()) % plotPoints.size()),
-                        plotLegend(names[m]));
+    plot += fmt::format(", \\\n  $m{} using 1:2 with points {} notitle", m,
+                        styles.pointsOfMethod(label));
   }
+  plot += styles.legend(legend, "points", &MethodStyles::pointsOfMethod);
   const std::string commands =
       data + plotFrame() + "set logscale xy\n" + ranges(points, words.unit) +
       "set format x '%g'\nset format y '%g'\n" + fmt::format("set xlabel '{}'\n", words.axis) +
       "set ylabel 'error rate, percent of the samples'\n"
       "set key outside right top Left reverse samplen 2 spacing 1.25\n" +
       plot + "\n";
-  return {words.name, words.title, words.about, 1000, 560, commands, words.section};
+  return {words.name, words.title, words.about,   1000,
+          560,        commands,    words.section, styles.colours()};
 }
 
 }  // namespace gnomon::report

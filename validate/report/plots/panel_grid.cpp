@@ -35,9 +35,9 @@ PanelGrid::PanelGrid(std::size_t panels, const std::vector<std::string>& legends
 std::string PanelGrid::opening(const std::string& axis) const {
   return fmt::format(
       "set multiplot\n"
-      "set border 3 lc rgb '#5b626b'\n"
-      "set tics nomirror out textcolor rgb '#1a1d21' font ',9'\n"
-      "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
+      "set border 3 lc rgb axis\n"
+      "set tics nomirror out textcolor rgb ink font ',9'\n"
+      "set grid ytics lc rgb grid lw 1 dt 1\n"
       "set title offset 0,-0.6 font ',12'\n"
       "set label 99 {} at screen {:.4f}, screen {:.4f} center\n"
       "set key at screen {:.4f}, screen {:.4f} left top Left reverse samplen 2 spacing 1.1 "

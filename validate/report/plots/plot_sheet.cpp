@@ -27,13 +27,31 @@ std::string withoutDate(std::string pdf) {
   return pdf.replace(at + dateKey.size(), never.size(), never);
 }
 
+/// Gives the commands' colours their values.
+std::string colourSettings(const PlotSheet& sheet) {
+  std::string settings;
+  for (const auto* colours : {&frameColours(), &sheet.colours}) {
+    for (const PlotColour& colour : *colours) {
+      settings += fmt::format("{} = '{}'\n", colour.variable, colour.onWhite);
+    }
+  }
+  return settings;
+}
+
 }  // namespace
+
+const std::vector<PlotColour>& frameColours() {
+  static const std::vector<PlotColour> colours = {
+      {"ink", "#1a1d21"}, {"axis", "#5b626b"}, {"grid", "#dde1e6"}, {"band", "#c8c8c8"}};
+  return colours;
+}
 
 std::string svgOf(const PlotSheet& sheet) {
   const std::string terminal = fmt::format(
       "set terminal svg size {},{} noenhanced font 'sans-serif,14' background '#ffffff'\n",
       sheet.width, sheet.height);
-  return cleanSvg(runGnuplot(encoding + terminal + sheet.commands), sheet.title);
+  return cleanSvg(runGnuplot(encoding + terminal + colourSettings(sheet) + sheet.commands),
+                  sheet.title);
 }
 
 std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
@@ -46,7 +64,7 @@ std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
         "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
         "fontscale 0.4 linewidth 0.5\n",
         inches(sheet.width), inches(sheet.height));
-    scripts.push_back(encoding + terminal + sheet.commands);
+    scripts.push_back(encoding + terminal + colourSettings(sheet) + sheet.commands);
   }
   std::vector<std::string> pdfs = drawByGnuplot(scripts);
   // cairo 1.18 compresses the date too.

@@ -5,15 +5,26 @@
 
 namespace gnomon::report {
 
+/// A colour that a plot's commands name by a variable of gnuplot's: `lc rgb ink`.
+struct PlotColour {
+  std::string variable;
+  std::string onWhite;  ///< "#1a1d21"
+  bool operator==(const PlotColour&) const = default;
+};
+
+/// Those of axes and bands, which all plots have: `ink`, `axis`, `grid` and `band`.
+const std::vector<PlotColour>& frameColours();
+
 /// A plot, before it is drawn in one of the formats.
 struct PlotSheet {
   std::string name;  ///< of its files
   std::string title;
-  std::string about;              ///< what it shows, for whoever cannot see it
-  int width = 1000;               ///< of the SVG, pixels; on paper 144 of them are an inch
-  int height = 560;               ///< likewise
-  std::string commands;           ///< gnuplot's, without the terminal
-  std::string section = "plots";  ///< of the page that shows it
+  std::string about;                     ///< what it shows, for whoever cannot see it
+  int width = 1000;                      ///< of the SVG, pixels; on paper 144 of them are an inch
+  int height = 560;                      ///< likewise
+  std::string commands;                  ///< gnuplot's, without the terminal
+  std::string section = "plots";         ///< of the page that shows it
+  std::vector<PlotColour> colours = {};  ///< of its methods
 };
 
 /// The plot as an SVG document, by a gnuplot of its own: the last colour of one SVG reaches into

@@ -14,8 +14,8 @@ namespace gnomon::report {
 
 // What the plots share.
 
-/// The colours of Okabe and Ito that are readable as lines on white: the common colour vision
-/// deficiencies keep them apart.
+/// Colours of what is no method, as lights: those of Okabe and Ito that are readable as lines on
+/// white. The common colour vision deficiencies keep them apart. Methods have MethodStyles.
 constexpr std::array<const char*, 7> plotColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                     "#56B4E9", "#E69F00", "#000000"};
 /// gnuplot's numbers of point shapes, one a colour.
@@ -33,10 +33,10 @@ inline std::string plotLine(std::size_t m) {
 /// @param grid   "xtics " or "ytics " for lines of that axis alone
 inline std::string plotFrame(int sides = 3, const std::string& grid = "") {
   return "set border " + std::to_string(sides) +
-         " lc rgb '#5b626b'\n"
-         "set tics nomirror out textcolor rgb '#1a1d21'\n"
+         " lc rgb axis\n"
+         "set tics nomirror out textcolor rgb ink\n"
          "set grid " +
-         grid + "lc rgb '#dde1e6' lw 1 dt 1\n";
+         grid + "lc rgb grid lw 1 dt 1\n";
 }
 
 /// Rows under a name that the plot command takes: "$m0".

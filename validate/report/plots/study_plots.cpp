@@ -9,12 +9,13 @@
 namespace gnomon::report {
 namespace {
 
-void addBins(std::vector<PlotSheet>& plots, const study::StudyRecord& record) {
+void addBins(std::vector<PlotSheet>& plots, const study::StudyRecord& record,
+             const MethodStyles& styles) {
   for (const std::string& axis : binAxes(record)) {
     const std::vector<std::string> views = binViews(record, axis);
     const std::vector<std::string> files = study::fileNames(views);
     for (std::size_t i = 0; i < views.size(); ++i) {
-      plots.push_back(binPlot(record, axis, views[i]));
+      plots.push_back(binPlot(record, axis, views[i], styles));
       plots.back().name += "_" + files[i];
     }
   }
@@ -34,10 +35,11 @@ void addBudgets(std::vector<PlotSheet>& plots, const study::StudyRecord& record)
 
 std::vector<PlotSheet> studyPlots(const study::StudyRecord& record) {
   std::vector<PlotSheet> plots;
-  addBins(plots, record);
+  const MethodStyles styles(study::studyMeans(record));
+  addBins(plots, record, styles);
   for (const Price price : {Price::memory, Price::frameTime}) {
     const std::vector<FrontierPoint> points = frontier(record, price);
-    if (!points.empty()) plots.push_back(frontierPlot(points, price));
+    if (!points.empty()) plots.push_back(frontierPlot(points, price, styles));
   }
   addBudgets(plots, record);
   return plots;

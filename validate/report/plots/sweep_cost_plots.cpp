@@ -7,6 +7,7 @@
 #include <set>
 
 #include "report/plots/gnuplot.h"
+#include "report/plots/method_styles.h"
 #include "report/plots/plot_style.h"
 #include "report/tables/cost_table.h"
 #include "report/text/number_text.h"
@@ -69,21 +70,31 @@ bool tradesMemory(const Line& line) {
 /// A sheet of lines over two axes.
 /// @param row  x and y of one point; a gap where it is empty
 template <typename Row>
-PlotSheet sheetOf(const std::vector<Line>& lines, const std::string& axes, const Row& row) {
+PlotSheet sheetOf(const std::vector<Line>& lines, const MethodStyles& styles,
+                  const std::string& axes, const Row& row) {
   std::string data;
   std::string plot;
-  for (std::size_t m = 0; m < lines.size(); ++m) {
+  std::vector<std::string> labels;
+  std::vector<LegendEntry> legend;
+  for (const Line& line : lines) {
+    labels.push_back(line.label);
+    legend.push_back({line.label, line.label});
+  }
+  for (const std::string& label : styles.drawnOrder(labels)) {
+    const auto m =
+        static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
     std::string rows;
     for (const Point& point : lines[m].points) rows += row(point) + "\n";
     data += plotData(fmt::format("$m{}", m), rows);
-    plot += fmt::format("{}$m{} using 1:2 with linespoints {} title {}",
-                        plot.empty() ? "plot " : ", \\\n  ", m, plotLine(m),
-                        plotLegend(lines[m].label));
+    plot += fmt::format("{}$m{} using 1:2 with linespoints {} notitle",
+                        plot.empty() ? "plot " : ", \\\n  ", m, styles.line(label));
   }
+  plot += styles.legend(legend, "linespoints", &MethodStyles::line);
   constexpr std::size_t linesOfPage = 22;
   constexpr int lineHeight = 24;
   const auto more = static_cast<int>(std::max(lines.size(), linesOfPage) - linesOfPage);
   PlotSheet sheet;
+  sheet.colours = styles.colours();
   sheet.height += more * lineHeight;
   sheet.commands =
       data + plotFrame() + axes + "set format y '%g'\nset offsets graph 0.03, graph 0.03, 0, 0\n" +
@@ -91,9 +102,9 @@ PlotSheet sheetOf(const std::vector<Line>& lines, const std::string& axes, const
   return sheet;
 }
 
-PlotSheet framePlot(std::vector<Line> lines, const SweepSlice& slice) {
+PlotSheet framePlot(std::vector<Line> lines, const SweepSlice& slice, const MethodStyles& styles) {
   std::erase_if(lines, [](const Line& line) { return !isTimed(line); });
-  PlotSheet sheet = sheetOf(lines,
+  PlotSheet sheet = sheetOf(lines, styles,
                             "set logscale y\nset xlabel " + gnuplotText(slice.axis) +
                                 "\nset ylabel 'time of a frame, ms'\n" + axisCommands(slice),
                             [](const Point& point) {
@@ -106,10 +117,10 @@ PlotSheet framePlot(std::vector<Line> lines, const SweepSlice& slice) {
   return sheet;
 }
 
-PlotSheet memoryPlot(std::vector<Line> lines) {
+PlotSheet memoryPlot(std::vector<Line> lines, const MethodStyles& styles) {
   std::erase_if(lines, [](const Line& line) { return !tradesMemory(line); });
   PlotSheet sheet =
-      sheetOf(lines,
+      sheetOf(lines, styles,
               "set logscale xy\nset format x '%g'\nset xlabel 'tables and height map, MB'\n"
               "set ylabel 'error rate, percent of the samples'\n",
               [](const Point& point) {
@@ -128,9 +139,12 @@ PlotSheet memoryPlot(std::vector<Line> lines) {
 
 std::vector<PlotSheet> sweepCostPlots(const study::SweepRecord& sweep, const SweepSlice& slice) {
   const std::vector<Line> lines = linesOf(sweep, slice);
+  const MethodStyles styles(study::studyMeans(sweep));
   std::vector<PlotSheet> sheets;
-  if (std::any_of(lines.begin(), lines.end(), isTimed)) sheets.push_back(framePlot(lines, slice));
-  if (std::any_of(lines.begin(), lines.end(), tradesMemory)) sheets.push_back(memoryPlot(lines));
+  if (std::any_of(lines.begin(), lines.end(), isTimed))
+    sheets.push_back(framePlot(lines, slice, styles));
+  if (std::any_of(lines.begin(), lines.end(), tradesMemory))
+    sheets.push_back(memoryPlot(lines, styles));
   return sheets;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "report/plots/gnuplot.h"
+#include "report/plots/method_styles.h"
 #include "report/plots/plot_style.h"
 #include "report/text/number_text.h"
 #include "study/judge/study_ranking.h"
@@ -137,19 +138,29 @@ std::vector<std::size_t> legendOrder(const Series& series) {
   return risingOrder(depths);
 }
 
-std::string plotCommand(const Series& series, const Panel& panel) {
+std::size_t indexOf(const Series& series, const std::string& method) {
+  const auto found = std::find(series.methods.begin(), series.methods.end(), method);
+  return static_cast<std::size_t>(found - series.methods.begin());
+}
+
+std::string plotCommand(const Series& series, const Panel& panel, const MethodStyles& styles) {
   std::string text = fmt::format(
-      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title '{}'", truthLegend);
-  for (const std::size_t m : legendOrder(series)) {
-    text += fmt::format(", \\\n  ${}{} using 1:2 with linespoints {} title {}", panel.name, m,
-                        plotLine(m), plotLegend(series.legends[m]));
+      "plot $truth using 1:2 with filledcurves y1=0 fc rgb band title '{}'", truthLegend);
+  for (const std::string& method : styles.drawnOrder(series.methods)) {
+    text += fmt::format(", \\\n  ${}{} using 1:2 with linespoints {} notitle", panel.name,
+                        indexOf(series, method), styles.line(method));
   }
   // After the lines, so that no line hides a bar.
   for (std::size_t m = 0; m < series.methods.size(); ++m) {
     if (panel.figure != &study::MethodMeans::errorRate) break;
     if (intervalData(series, series.methods[m]).empty()) continue;
-    text += fmt::format(", \\\n  $i{} {}", m, plotBars(m, "0.006"));
+    text += fmt::format(", \\\n  $i{} {}", m, styles.bars(series.methods[m], "0.006"));
   }
+  std::vector<LegendEntry> legend;
+  for (const std::size_t m : legendOrder(series)) {
+    legend.push_back({series.methods[m], series.legends[m]});
+  }
+  text += styles.legend(legend, "linespoints", &MethodStyles::line);
   return text + "\n";
 }
 
@@ -165,13 +176,13 @@ double legendLeft(const Series& series) {
   return 1 - (symbol + character * static_cast<double>(longest)) / pageWidth;
 }
 
-std::string panelCommands(const Series& series, const Panel& panel) {
+std::string panelCommands(const Series& series, const Panel& panel, const MethodStyles& styles) {
   std::string text;
   constexpr std::array sides = {"lmargin", "rmargin", "bmargin", "tmargin"};
   for (std::size_t i = 0; i < sides.size(); ++i) {
     text += fmt::format("set {} at screen {}\n", sides.at(i), panel.margins.at(i));
   }
-  return text + "set title " + gnuplotText(panel.title) + "\n" + plotCommand(series, panel);
+  return text + "set title " + gnuplotText(panel.title) + "\n" + plotCommand(series, panel, styles);
 }
 
 /// So high that the first panel is as high as the legend beside it: gnuplot would put the rest into
@@ -187,6 +198,7 @@ int pageHeight(const Series& series) {
 
 PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
   const Series series = seriesOf(sweep, slice);
+  const MethodStyles styles(study::studyMeans(sweep));
   std::string text =
       dataBlocks(series) + "set multiplot\n" + plotFrame(3, "ytics ") +
       fmt::format(
@@ -200,7 +212,7 @@ PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
   text += axisCommands(slice);
   for (Panel panel : sweepPanels) {
     if (panel.margins[1] == 0) panel.margins[1] = legendLeft(series) - 0.025;
-    text += panelCommands(series, panel);
+    text += panelCommands(series, panel, styles);
     text += "unset key\nset xtics font ',10'\n";  // half as wide from here on
   }
   return {
@@ -209,7 +221,9 @@ PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
       "Error rate, false shadow and false light of each method against " + slice.axis,
       pageWidth,
       pageHeight(series),
-      text + "unset multiplot\n"};
+      text + "unset multiplot\n",
+      "plots",
+      styles.colours()};
 }
 
 }  // namespace gnomon::report

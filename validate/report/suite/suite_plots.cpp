@@ -10,6 +10,7 @@
 
 #include "common/lists.h"
 #include "report/plots/bin_plot.h"
+#include "report/plots/method_styles.h"
 #include "report/plots/plot_style.h"
 #include "report/suite/suite_tables.h"
 #include "report/text/number_text.h"
@@ -21,8 +22,8 @@ namespace {
 constexpr double leastShown = 0.01;
 
 constexpr const char* openFrame =
-    "set border 3 lc rgb '#5b626b'\n"
-    "set tics nomirror out textcolor rgb '#1a1d21'\n";
+    "set border 3 lc rgb axis\n"
+    "set tics nomirror out textcolor rgb ink\n";
 
 // ---- the cumulative plot
 
@@ -91,12 +92,12 @@ std::vector<const study::SuiteMethod*> rankedMethods(const study::SuiteStatistic
 
 using Ends = std::pair<std::optional<double>, std::optional<double>>;
 
-/// What is plotted: as many of the best as there are colours but one, and the last.
-std::vector<std::string> shownMethods(const study::SuiteStatistics& statistics) {
+/// What is plotted: of the highlighted methods those with a rank.
+std::vector<std::string> shownMethods(const study::SuiteStatistics& statistics,
+                                      const MethodStyles& styles) {
   std::vector<std::string> shown;
   for (const study::SuiteMethod* method : rankedMethods(statistics)) {
-    if (shown.size() == plotColours.size()) shown.pop_back();
-    shown.push_back(method->label);
+    if (styles.isHighlighted(method->label)) shown.push_back(method->label);
   }
   return shown;
 }
@@ -179,7 +180,7 @@ struct Panels {
 };
 
 void addPanel(const study::SuiteStatistics& statistics, const std::vector<std::string>& methods,
-              std::size_t place, Panels& panels) {
+              const MethodStyles& styles, std::size_t place, Panels& panels) {
   const std::string axis = panelAxes.at(place);
   const std::vector<Ends> ends = endsOf(statistics, axis);
   if (ends.empty()) return;
@@ -193,10 +194,10 @@ void addPanel(const study::SuiteStatistics& statistics, const std::vector<std::s
     panels.data +=
         fmt::format("{} << EOD\n{}EOD\n", name, binRows(statistics, methods[m], axis, ends, shift));
     plot += fmt::format(
-        "{}{} using 1:3:(0):($4-$3) with vectors nohead lc rgb '{}' lw 1 dt 1 notitle, \\\n"
+        "{}{} using 1:3:(0):($4-$3) with vectors nohead {} lw 1 dt 1 notitle, \\\n"
         "  {} using 1:2 with linespoints {} title {}",
-        m == 0 ? "plot " : ", \\\n  ", name, plotColours.at(m), name, plotLine(m),
-        plotLegend(methods[m]));
+        m == 0 ? "plot " : ", \\\n  ", name, styles.colour(methods[m]), name,
+        styles.line(methods[m]), plotLegend(methods[m]));
   }
   // Edges of many digits would meet.
   const std::string edges = ticks(ends);
@@ -225,15 +226,30 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics) {
   right = std::min(100.0, 1.2 * right);
   std::string data;
   std::string plot;
-  for (std::size_t m = 0; m < all.size(); ++m) {
-    data += fmt::format("$m{} << EOD\n{}EOD\n", m, curve(all[m], left, right));
-    plot += fmt::format("{}$m{} using 1:2 with steps lc rgb '{}' lw 2 dt {} title {}",
-                        m == 0 ? "plot " : ", \\\n  ", m, plotColours.at(m % plotColours.size()),
-                        1 + m / plotColours.size(), plotLegend(statistics.methods[m].label));
+  const MethodStyles styles(statistics);
+  std::vector<std::string> labels;
+  std::vector<LegendEntry> legend;
+  for (const study::SuiteMethod& method : statistics.methods) {
+    labels.push_back(method.label);
+    legend.push_back({method.label, method.label});
   }
+  for (const std::string& label : styles.drawnOrder(labels)) {
+    const auto m =
+        static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
+    data += fmt::format("$m{} << EOD\n{}EOD\n", m, curve(all[m], left, right));
+    // Its symbol at some of the scenes, that of all of few.
+    constexpr std::size_t symbols = 10;
+    plot += fmt::format(
+        "{}$m{} using 1:2 with steps {} notitle, \\\n  $m{} using 1:2 every {}::1::{} with points "
+        "{} "
+        "notitle",
+        plot.empty() ? "plot " : ", \\\n  ", m, styles.stroke(label), m,
+        1 + all[m].size() / symbols, all[m].size(), styles.points(label));
+  }
+  plot += styles.legend(legend, "linespoints", &MethodStyles::line);
   const std::string commands =
       data + openFrame +
-      "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
+      "set grid lc rgb grid lw 1 dt 1\n"
       "set logscale x\nset format x '%g'\n" +
       fmt::format("set xrange [{}:{}]\nset yrange [0:100]\n", exactText(left), exactText(right)) +
       "set lmargin at screen 0.075\nset rmargin at screen 0.69\n" +
@@ -247,7 +263,9 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics) {
           "Share of the scenes with no more than an error rate, a curve a method",
           1000,
           std::max(560, 25 * (static_cast<int>(all.size()) + 4)),
-          commands};
+          commands,
+          "plots",
+          styles.colours()};
 }
 
 PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics) {
@@ -284,7 +302,7 @@ PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics) {
   const std::string commands = fmt::format(
       "$cells << EOD\n{}EOD\n$texts << EOD\n{}EOD\n"
       "unset border\nunset key\n"
-      "set tics scale 0 textcolor rgb '#1a1d21'\n"
+      "set tics scale 0 textcolor rgb ink\n"
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
       "set ytics ({})\nset x2tics ({}) offset 0,-0.4\nunset xtics\n"
@@ -307,16 +325,17 @@ PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics) {
 }
 
 std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics) {
-  const std::vector<std::string> methods = shownMethods(statistics);
+  const MethodStyles styles(statistics);
+  const std::vector<std::string> methods = shownMethods(statistics, styles);
   if (methods.empty()) return std::nullopt;
   Panels panels;
   for (std::size_t place = 0; place < panelAxes.size(); ++place) {
-    addPanel(statistics, methods, place, panels);
+    addPanel(statistics, methods, styles, place, panels);
   }
   if (panels.plots.empty()) return std::nullopt;
   const std::string commands =
       panels.data + openFrame +
-      "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
+      "set grid ytics lc rgb grid lw 1 dt 1\n"
       "set tics font ',9'\n"
       "set xlabel font ',12'\n"
       "set logscale y\nset format y '%g'\n" +
@@ -333,7 +352,9 @@ std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics)
                    "and stretch of the texture",
                    1000,
                    680,
-                   commands};
+                   commands,
+                   "plots",
+                   styles.colours()};
 }
 
 std::vector<PlotSheet> suitePlots(const study::SuiteStatistics& statistics) {
