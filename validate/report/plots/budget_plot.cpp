@@ -78,7 +78,7 @@ void addBar(std::vector<BudgetPart>& parts, const study::BudgetRecord& budget,
 
 }  // namespace
 
-PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
+PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets, PlotPlace place) {
   std::vector<BudgetPart> parts = partsOf(budgets);
   std::string names;
   std::string totals;
@@ -121,7 +121,13 @@ PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
               "set xlabel 'percent of the samples; black line: all of the error'\n"
               "set key outside right top Left reverse samplen 1 spacing 1.1\n" +
               plot + "\n",
-          "budget"};
+          "budget",
+          {},
+          place,
+          {},
+          {},
+          {},
+          true};
 }
 
 }  // namespace gnomon::report

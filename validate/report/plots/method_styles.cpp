@@ -32,10 +32,9 @@ int pointOf(const std::string& name, const std::string& symbol) {
                                  : hashOf(name) % symbolPoints.size());
 }
 
-std::string coloursOf(const std::string& family) {
-  const auto found = std::find_if(familyColours.begin(), familyColours.end(),
-                                  [&](const auto& colours) { return colours.family == family; });
-  return std::string(found->onWhite);
+const FamilyColours& coloursOf(const std::string& family) {
+  return *std::find_if(familyColours.begin(), familyColours.end(),
+                       [&](const auto& colours) { return colours.family == family; });
 }
 
 }  // namespace
@@ -81,8 +80,12 @@ std::size_t MethodStyles::indexOf(const std::string& label) const {
   return static_cast<std::size_t>(found - methods_.begin());
 }
 
+std::string MethodStyles::variable(const std::string& label) const {
+  return fmt::format("method{}", indexOf(label));
+}
+
 std::string MethodStyles::colour(const std::string& label) const {
-  return fmt::format("lc rgb method{}", indexOf(label));
+  return "lc rgb " + variable(label);
 }
 
 std::string MethodStyles::line(const std::string& label) const {
@@ -106,18 +109,13 @@ std::string MethodStyles::pointsOfMethod(const std::string& label) const {
   return pointClause(label, methods_.at(indexOf(label)).own);
 }
 
-std::string MethodStyles::bars(const std::string& label, const char* cap) const {
-  return fmt::format(
-      "using 1:2:(0):($3-$2) with vectors heads size graph {},90 {} lw 1 dt 1 notitle", cap,
-      colour(label));
-}
-
 std::vector<PlotColour> MethodStyles::colours() const {
   std::vector<PlotColour> colours;
   for (std::size_t m = 0; m < methods_.size(); ++m) {
-    const bool isOther = !isHighlighted(methods_[m].label);
-    colours.push_back({fmt::format("method{}", m), isOther ? std::string(otherMethods.onWhite)
-                                                           : coloursOf(methods_[m].style.family)});
+    const FamilyColours& found =
+        isHighlighted(methods_[m].label) ? coloursOf(methods_[m].style.family) : otherMethods;
+    colours.push_back({fmt::format("method{}", m), std::string(found.onWhite),
+                       std::string(found.onDark), methods_[m].style.family});
   }
   return colours;
 }
@@ -140,6 +138,24 @@ std::string MethodStyles::legend(const std::vector<LegendEntry>& entries, const 
     }
   }
   return text;
+}
+
+std::vector<LegendItem> MethodStyles::items(const std::vector<LegendEntry>& entries,
+                                            bool hasLine) const {
+  std::vector<LegendItem> items;
+  for (const bool wanted : {true, false}) {
+    for (const LegendEntry& entry : entries) {
+      if (isHighlighted(entry.label) != wanted) continue;
+      const Styled& method = methods_.at(indexOf(entry.label));
+      items.push_back({.text = entry.text,
+                       .variable = variable(entry.label),
+                       .point = (hasLine ? method.style : method.own).point,
+                       .dash = hasLine ? method.style.dash : 0,
+                       .isMethod = true,
+                       .isHighlighted = wanted});
+    }
+  }
+  return items;
 }
 
 }  // namespace gnomon::report

@@ -68,6 +68,8 @@ class MethodStyles {
 
   [[nodiscard]] const std::vector<std::string>& highlighted() const { return highlighted_; }
   [[nodiscard]] bool isHighlighted(const std::string& label) const;
+  /// The variable of its colour.
+  [[nodiscard]] std::string variable(const std::string& label) const;
   /// Its colour, a gnuplot clause.
   [[nodiscard]] std::string colour(const std::string& label) const;
   /// The style of a line with points, a gnuplot clause.
@@ -77,9 +79,6 @@ class MethodStyles {
   [[nodiscard]] std::string points(const std::string& label) const;
   /// Of points that stand for all entries of a method: its own symbol, the colour of one of them.
   [[nodiscard]] std::string pointsOfMethod(const std::string& label) const;
-  /// Of the bars of its intervals, of columns x, low and high.
-  /// @param cap  half the width of their ends, of that of the axis
-  [[nodiscard]] std::string bars(const std::string& label, const char* cap) const;
   /// The colours that these clauses use, for the sheet.
   [[nodiscard]] std::vector<PlotColour> colours() const;
   /// A list of labels in the order to draw them: the highlighted ones last, so that no grey line
@@ -91,6 +90,10 @@ class MethodStyles {
   [[nodiscard]] std::string legend(const std::vector<LegendEntry>& entries, const char* with,
                                    std::string (MethodStyles::*style)(const std::string&)
                                        const) const;
+  /// The same for a page.
+  /// @param hasLine  whether the plot joins the method's values
+  [[nodiscard]] std::vector<LegendItem> items(const std::vector<LegendEntry>& entries,
+                                              bool hasLine) const;
 
  private:
   struct Styled {
