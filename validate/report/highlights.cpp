@@ -1,5 +1,6 @@
 #include "report/highlights.h"
 
+#include <algorithm>
 #include <array>
 
 #include "common/lists.h"
@@ -16,15 +17,30 @@ std::string nameOf(std::span<const study::MethodMeans> methods, const std::strin
   return label;
 }
 
+/// An entry of a ranking.
+struct Ranked {
+  std::string label, name;
+};
+
 /// Those of the chosen and of the first, in the order of the ranking.
-std::vector<std::string> choose(const std::vector<std::string>& ranked,
+std::vector<std::string> choose(const std::vector<Ranked>& ranked,
                                 std::vector<std::string> chosen) {
-  for (const std::string& label : ranked) {
-    if (chosen.size() < mostHighlights) appendOnce(chosen, label);
+  std::vector<std::string> names;
+  for (const Ranked& entry : ranked) {
+    if (contains(chosen, entry.label)) appendOnce(names, entry.name);
+  }
+  const std::size_t given = chosen.size();
+  for (const bool isNew : {true, false}) {
+    for (const Ranked& entry : ranked) {
+      if (chosen.size() >= std::max(mostHighlights, given)) break;
+      if (isNew && contains(names, entry.name)) continue;
+      appendOnce(chosen, entry.label);
+      appendOnce(names, entry.name);
+    }
   }
   std::vector<std::string> ordered;
-  for (const std::string& label : ranked) {
-    if (contains(chosen, label)) ordered.push_back(label);
+  for (const Ranked& entry : ranked) {
+    if (contains(chosen, entry.label)) ordered.push_back(entry.label);
   }
   return ordered;
 }
@@ -54,9 +70,9 @@ std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> met
 }
 
 std::vector<std::string> highlights(const study::StudyMeans& study) {
-  std::vector<std::string> ranked;
+  std::vector<Ranked> ranked;
   for (const study::RankedOverStudies& method : study::rankOverStudies(std::array{study})) {
-    ranked.push_back(method.label);
+    ranked.push_back({method.label, nameOf(study.methods, method.label)});
   }
   std::vector<std::string> chosen;
   for (const auto& label :
@@ -67,10 +83,10 @@ std::vector<std::string> highlights(const study::StudyMeans& study) {
 }
 
 std::vector<std::string> highlights(const study::SuiteStatistics& statistics) {
-  std::vector<std::string> ranked;
+  std::vector<Ranked> ranked;
   std::vector<std::string> chosen;
   for (const study::SuiteMethod& method : statistics.methods) {
-    ranked.push_back(method.label);
+    ranked.push_back({method.label, method.names.empty() ? method.label : method.names.front()});
     if (chosen.empty() && contains(method.names, costReference)) chosen.push_back(method.label);
   }
   return choose(ranked, std::move(chosen));

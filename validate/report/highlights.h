@@ -28,8 +28,8 @@ constexpr std::size_t mostHighlights = 8;
 
 /// The methods that plots draw in their own colours and of which a page shows the worst places,
 /// in the order of the ranking: the flat horizon map (`costReference`), the method that the first
-/// claim is about, and the first of the ranking, `mostHighlights` in all. Plots draw the others in
-/// grey.
+/// claim is about, and the first of the ranking, `mostHighlights` in all; of a method with several
+/// entries the best one, and more where there is room. Plots draw the others in grey.
 /// @param study  of a run or a sweep
 std::vector<std::string> highlights(const study::StudyMeans& study);
 

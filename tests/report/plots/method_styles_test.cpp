@@ -217,6 +217,14 @@ TEST(Highlights, AreTheFlatMapTheClaimedMethodAndTheFirstOfTheRanking) {
   EXPECT_EQ(colours.at(6).onWhite, otherMethods.onWhite);
 }
 
+TEST(Highlights, HaveTheBestEntryOfEachMethodBeforeAnyOther) {
+  study::StudyMeans study = studyOf({"a", "a 2", "a 3", "b", "c", "d", "e", "f", "g", "h"});
+  for (std::size_t i : {1U, 2U}) study.methods[i].name = "a";
+  EXPECT_THAT(highlights(study), ElementsAre("a", "b", "c", "d", "e", "f", "g", "h"));
+  study.methods.resize(5);
+  EXPECT_THAT(highlights(study), ElementsAre("a", "a 2", "a 3", "b", "c"));
+}
+
 TEST(Highlights, OfFewMethodsAreAll) {
   EXPECT_THAT(highlights(studyOf({"b", "a"})), ElementsAre("b", "a"));
   EXPECT_THAT(highlights(study::StudyMeans{}), SizeIs(0));

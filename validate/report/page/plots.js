@@ -13,7 +13,7 @@ class Plot {
       const title = group.querySelector('title');
       const words = title.textContent;
       title.remove();  // the tip replaces it
-      return {group, x, y, words, curve: group.closest('.value').parentNode.parentNode};
+      return {group, x, y, words, curve: group.parentNode};
     });
     this.shown = null;
     svg.addEventListener('pointermove', (event) => this.showNearest(event));

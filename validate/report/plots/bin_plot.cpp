@@ -237,16 +237,16 @@ PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::
                   .colours = styles.colours(),
                   .place = place,
                   .table = valuesTable(bins, ends, methods)};
-  PlotMargins margins{75, 310, 67, 62};
+  PlotMargins margins{75, 310, 67, 70};
   if (place == PlotPlace::paper) {
     sheet.height = std::max(560, 25 * lines);
   } else if (place == PlotPlace::page) {
     sheet.height = 430;
-    margins = {66, 12, 46, 60};
+    margins = {66, 12, 46, 68};
   } else {
     sheet.width = 380;
     sheet.height = 360;
-    margins = {58, 8, 46, 54};
+    margins = {58, 8, 46, 64};
   }
   const double uncertainty = 100 * uncertaintyIn(record, view);
   std::string data = plotData(
@@ -289,7 +289,7 @@ PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::
       "set x2tics font ',9' scale 0 offset 0,-0.4\n"
       "set xlabel " +
       gnuplotText(title) +
-      "\n"
+      " offset 0,0.5\n"
       "set x2label 'share of the samples' font ',10' offset 0,-0.5\n" +
       (isPhone ? "set ylabel 'wrong, percent' offset 2.2,0\n"
                : "set ylabel 'wrong, percent of the bin’s samples' offset 1,0\n") +

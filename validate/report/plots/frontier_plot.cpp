@@ -149,12 +149,13 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
   sheet.commands =
       data + values.data(sheet) + plotFrame() + "set logscale xy\n" +
       ranges(points, words.unit, uncertainty) + (hasBand ? plotBandBelow(100 * *uncertainty) : "") +
-      "set format x '%g'\nset format y '%g'\n" + fmt::format("set xlabel '{}'\n", words.axis) +
+      "set format x '%g'\nset format y '%g'\n" +
+      fmt::format("set xlabel '{}' offset 0,0.5\n", words.axis) +
       (isPhone ? "set ylabel 'wrong, percent' offset 2,0\n"
                : "set ylabel 'error rate, percent of the samples'\n") +
       (place == PlotPlace::paper
            ? "set key outside right top Left reverse samplen 2 spacing 1.25\n"
-           : "unset key\n" + plotMargins({isPhone ? 52 : 76, 12, 10, isPhone ? 52 : 56},
+           : "unset key\n" + plotMargins({isPhone ? 52 : 76, 12, 10, isPhone ? 64 : 68},
                                          sheet.width, sheet.height)) +
       plot + values.plot(sheet) + "\n";
   return sheet;

@@ -93,13 +93,21 @@ class PageCopy {
       if (isValue) markValue(child, copy);
       copyChildren(child, copy);
       const bool isGroup = std::string_view(child.name()) == "g";
-      if (isGroup && !copy.first_child()) to.remove_child(copy);
+      if (isGroup && !copy.first_child()) {
+        to.remove_child(copy);
+        continue;
+      }
+      // gnuplot has a group of its own about each value.
+      const pugi::xml_node only = copy.first_child();
+      if (isGroup && only.attribute("class") && !only.next_sibling()) {
+        to.append_move(only);
+        to.remove_child(copy);
+        continue;
+      }
       // A curve, as far as it is of a method.
       const bool isPlot = std::strncmp(child.attribute("id").value(), "gnuplot_plot_", 13) == 0;
-      if (isPlot && copy.first_child() && !method_.empty()) {
-        copy.append_attribute("data-method") = method_.c_str();
-      }
-      if (isPlot) method_.clear();
+      const std::string method = isPlot ? methodIn(copy) : "";
+      if (!method.empty()) copy.append_attribute("data-method") = method.c_str();
     }
   }
 
@@ -112,11 +120,30 @@ class PageCopy {
            std::string_view(node.attribute("fill").value()) == "#ffffff";
   }
 
+  /// The variable of the method whose colour something in a group has; empty where nothing has one.
+  static std::string methodIn(const pugi::xml_node& group) {
+    constexpr std::string_view begin = "var(--plot-";
+    const pugi::xml_node found = group.find_node([&](const pugi::xml_node& node) {
+      return std::string_view(node.attribute("color").value()).starts_with("var(--plot-method") ||
+             std::string_view(node.attribute("stroke").value()).starts_with("var(--plot-method");
+    });
+    if (!found) return {};
+    std::string text = found.attribute("color").value();
+    if (!text.starts_with("var(--plot-method")) text = found.attribute("stroke").value();
+    return text.substr(begin.size(), text.size() - begin.size() - 1);
+  }
+
+  /// Whether every element has it anyway.
+  static bool isDefault(const pugi::xml_attribute& attribute) {
+    const std::string_view value = attribute.value();
+    return value == "butt" || value == "miter";
+  }
+
   void copyAttributes(const pugi::xml_node& from, pugi::xml_node to) {
     for (const pugi::xml_attribute& attribute : from.attributes()) {
       const std::string_view name = attribute.name();
       if (name == oldHref) to.append_attribute("href") = attribute.value();
-      if (!contains(knownAttributes, name)) continue;
+      if (!contains(knownAttributes, name) || isDefault(attribute)) continue;
       to.append_attribute(attribute.name()) = shown(attribute.value()).c_str();
     }
   }
@@ -128,7 +155,6 @@ class PageCopy {
     if (!rgb || rgb->at(0) != 1 || sheet_.isShaded) return value;
     const std::size_t index = 256 * rgb->at(1) + rgb->at(2);
     if (index >= variables_.size()) return value;
-    if (index >= frameColours().size()) method_ = variables_[index];
     return fmt::format("var(--plot-{})", variables_[index]);
   }
 
@@ -148,7 +174,6 @@ class PageCopy {
 
   const PlotSheet& sheet_;
   std::vector<std::string> variables_;
-  std::string method_;  ///< whose colour was met in the curve that is copied
 };
 
 std::string textOf(const pugi::xml_node& node) {

@@ -234,7 +234,7 @@ PlotMargins marginsOf(std::size_t panel, const Series& series, const PlotSheet& 
   if (sheet.place == PlotPlace::phone) {
     const int each = sheet.height / 3;
     const int above = static_cast<int>(panel) * each;
-    return {46, 10, above + 28, sheet.height - above - each + 50};
+    return {46, 10, above + 28, sheet.height - above - each + 62};
   }
   const int width = sheet.width;
   const int height = sheet.height;

@@ -293,11 +293,11 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics, PlotPlace pl
                   .colours = styles.colours(),
                   .place = place,
                   .table = errorsTable(statistics, all)};
-  PlotMargins margins{75, 310, 12, 58};
+  PlotMargins margins{75, 310, 12, 68};
   if (place == PlotPlace::page) margins.right = 12;
   if (place == PlotPlace::phone) {
     sheet.width = sheet.height = 380;
-    margins = {48, 10, 10, 50};
+    margins = {48, 10, 10, 64};
   }
   std::string data;
   std::string plot;
@@ -344,7 +344,7 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics, PlotPlace pl
       data + values.data(sheet) + plotFrame() + "set logscale x\nset format x '%g'\n" + band +
       fmt::format("set xrange [{}:{}]\nset yrange [0:100]\n", exactText(left), exactText(right)) +
       plotMargins(margins, sheet.width, sheet.height) +
-      fmt::format("set xlabel '{}, percent of {}'\n",
+      fmt::format("set xlabel '{}, percent of {}' offset 0,0.5\n",
                   statistics.isSoft ? "mean |ΔV|" : "error rate", suiteFigure(statistics).of) +
       "set ylabel 'scenes with no more, percent' offset 1,0\n" +
       (place == PlotPlace::paper ? "set key at screen 0.7, screen 0.97 left top Left reverse "
