@@ -234,7 +234,7 @@ PlotMargins marginsOf(std::size_t panel, const Series& series, const PlotSheet& 
   if (sheet.place == PlotPlace::phone) {
     const int each = sheet.height / 3;
     const int above = static_cast<int>(panel) * each;
-    return {46, 10, above + 28, sheet.height - above - each + 62};
+    return {46, 10, above + 28, sheet.height - above - each + 76};
   }
   const int width = sheet.width;
   const int height = sheet.height;
@@ -267,7 +267,7 @@ PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice, Pl
   if (place == PlotPlace::page) sheet.height = 760;
   if (place == PlotPlace::phone) {
     sheet.width = 380;
-    sheet.height = 840;
+    sheet.height = 930;
   }
   sheet.legend.push_back(bandItem());
   std::string panels;
