@@ -184,7 +184,7 @@ TEST(MethodStyles, VariantsKeepTheColourAndDifferInSymbolAndDashes) {
 
 /// Fixed here, since a report of another day must look the same.
 TEST(MethodStyles, OfAnOwnFileFollowFromItsName) {
-  EXPECT_EQ(methodStyle("biased", "biased", {}), (MethodStyle{"own", 3, 1}));
+  EXPECT_EQ(methodStyle("biased", "biased", {}), (MethodStyle{"own", 15, 1}));
   EXPECT_EQ(methodStyle("mine", "mine", {"march", "star"}), (MethodStyle{"march", 3, 1}));
 }
 

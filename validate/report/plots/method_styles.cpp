@@ -22,7 +22,7 @@ constexpr std::array<int, 6> outlinedPoints = {6, 4, 8, 10, 12, 14};
 std::uint32_t hashOf(std::string_view text) {
   std::uint32_t hash = 2166136261U;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-  return hash ^ (hash >> 16);  // its low bits alone mix badly
+  return hash;
 }
 
 int pointOf(const std::string& name, const std::string& symbol) {
