@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Ambient aperture lighting"
 citation = "Oat & Sander 2007"
+family = "engine"
+symbol = "triangle"
 tables = ["horizon"]
 
 [bakes.aperture]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Micro shadow from ambient occlusion"
 citation = "Naughty Dog 2016 (Uncharted 4)"
+family = "engine"
+symbol = "square"
 tables = ["height", "horizon"]
 
 [bakes.openness]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Shadow from ambient occlusion, a cone of light"
 citation = "Chan 2018, as in Filament"
+family = "engine"
+symbol = "circle"
 tables = ["height", "horizon"]
 
 [bakes.openness]

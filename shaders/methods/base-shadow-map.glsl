@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Shadow map of the undisplaced mesh, and the relief marched"
 citation = "as games with parallax mapping do"
+family = "displaced"
+symbol = "triangle"
 tables = ["height"]
 passes = ["light-depth"]
 

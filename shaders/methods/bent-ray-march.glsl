@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Height map marched, the ray bent by the frame at each step"
 citation = "Chen & Chang 2008"
+family = "march"
+symbol = "inverted-triangle"
 tables = ["height"]
 
 [parameters.stride]

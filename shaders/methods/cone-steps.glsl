@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Cone step mapping"
 citation = "Dummer 2006"
+family = "march"
+symbol = "diamond"
 tables = ["height", "horizon"]
 
 [bakes.cone]

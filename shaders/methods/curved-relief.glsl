@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Relief mapping over a quadric"
 citation = "Oliveira & Policarpo 2005"
+family = "march"
+symbol = "triangle"
 tables = ["height"]
 
 [parameters.steps]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Elliptical cones of light"
 citation = "Kautz, Heidrich & Daubert 2000"
+family = "flat"
+symbol = "inverted-triangle"
 tables = ["ellipse"]
 */
 

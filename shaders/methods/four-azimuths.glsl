@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Horizons of four azimuths, linear in angle"
 citation = "Stellarium, the Moon's shader"
+family = "engine"
+symbol = "cross"
 tables = ["horizon"]
 azimuths = 4
 

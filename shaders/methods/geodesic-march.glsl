@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Height map marched along the surface's own path"
 citation = "this project"
+family = "ours"
+symbol = "circle"
 tables = ["height"]
 
 [parameters.own_slope]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Horizon over a pyramid of logarithmic distances"
 citation = "Snyder & Nowrouzezahrai 2008"
+family = "engine"
+symbol = "star"
 tables = ["height"]
 
 [bakes.pyramid]

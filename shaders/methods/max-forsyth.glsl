@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Flat horizon map"
 citation = "Max 1988; Forsyth 2003"
+family = "flat"
+symbol = "circle"
 tables = ["horizon"]
 */
 

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Normal mapping shadows"
 citation = "Vorontsov 2020"
+family = "engine"
+symbol = "diamond"
 tables = ["height"]
 
 [parameters.samples]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Curvature-aware horizon and distance maps, convex parts only"
 citation = "Onoue, Max & Nishita 2003"
+family = "curvature"
+symbol = "square"
 tables = ["height", "horizon", "distance"]
 */
 

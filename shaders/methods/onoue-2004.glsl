@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Curvature-aware horizon and distance maps"
 citation = "Onoue, Max & Nishita 2004"
+family = "curvature"
+symbol = "circle"
 tables = ["height", "horizon", "distance"]
 */
 

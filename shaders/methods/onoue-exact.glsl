@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Horizon and distance maps, exact on the osculating circle"
 citation = "after Onoue, Max & Nishita 2004"
+family = "curvature"
+symbol = "triangle"
 tables = ["height", "horizon", "distance"]
 */
 

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Height map marched on the osculating circle"
 citation = "the horizon of one circle a pixel, found by brute force"
+family = "march"
+symbol = "square"
 tables = ["height"]
 
 [parameters.stride]

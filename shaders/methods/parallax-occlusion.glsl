@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Parallax occlusion mapping's soft shadow"
 citation = "Tatarchuk 2006"
+family = "engine"
+symbol = "inverted-triangle"
 tables = ["height"]
 
 [parameters.taps]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Horizons as a radial Fourier series"
 citation = "OneEightHundred 2010"
+family = "engine"
+symbol = "plus"
 tables = ["horizon"]
 
 [bakes.first]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Height map marched toward the light"
 citation = "as engines do, after Tatarchuk 2006"
+family = "march"
+symbol = "circle"
 tables = ["height"]
 
 [parameters.steps]

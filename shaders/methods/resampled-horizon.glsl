@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Horizon resampled from distances"
 citation = "this project, after eq. (4) of Onoue, Max & Nishita 2004"
+family = "ours"
+symbol = "square"
 tables = ["height", "distance"]
 
 [parameters.crossings]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Screen-space shadows"
 citation = "Aldridge 2023 (Bend Studio, Days Gone), as in Godot and Bevy"
+family = "displaced"
+symbol = "diamond"
 passes = ["camera-depth"]
 mesh = "displaced"
 subdivisions = 9

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Heights at which the light ends, two a texel"
 citation = "Community Shaders for Skyrim, terrain shadows; OGRE's Terra alike"
+family = "engine"
+symbol = "pentagon"
 tables = ["height"]
 
 [[pass]]

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Displaced mesh with a shadow map"
 citation = "Williams 1978; Reeves, Salesin & Cook 1987; Fernando 2005"
+family = "displaced"
+symbol = "square"
 passes = ["light-depth"]
 mesh = "displaced"
 subdivisions = 9

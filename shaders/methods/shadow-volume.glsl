@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Displaced mesh with shadow volumes"
 citation = "Crow 1977, z-fail; Onoue, Max & Nishita 2004, Figure 8(c)"
+family = "displaced"
+symbol = "circle"
 passes = ["shadow-volumes"]
 mesh = "displaced"
 subdivisions = 9

@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Interactive horizon mapping, tables of the real geometry"
 citation = "Sloan & Cohen 2000, §2 on curved surfaces and §3"
+family = "flat"
+symbol = "triangle"
 tables = ["surface-angles"]
 passes = ["texture"]
 azimuths = 8

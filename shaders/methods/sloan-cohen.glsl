@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Interactive horizon mapping with tables of the flat relief"
 citation = "Sloan & Cohen 2000, on planes"
+family = "flat"
+symbol = "square"
 tables = ["angles"]
 passes = ["texture"]
 azimuths = 8

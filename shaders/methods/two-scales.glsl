@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Two scales: the relief marched nearby, the body's depth from the light"
 citation = "this project"
+family = "ours"
+symbol = "triangle"
 tables = ["height"]
 passes = ["light-depth"]
 subdivisions = 4

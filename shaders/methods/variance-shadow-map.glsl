@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Displaced mesh with a variance shadow map"
 citation = "Donnelly & Lauritzen 2006; Lauritzen 2007"
+family = "displaced"
+symbol = "inverted-triangle"
 mesh = "displaced"
 subdivisions = 9
 

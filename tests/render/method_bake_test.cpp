@@ -273,9 +273,11 @@ TEST_F(MethodBakes, TheCompilersMessagesNameFileLineAndDeclaration) {
   };
   const std::string one = "float bakeOne(vec2 texel) { return 1.0; }";
   EXPECT_THAT(refusal("", "", "  return occlusionAt(pixel.texel) > 0.5;"),
-              AllOf(HasSubstr("mine.glsl:8: "), EndsWith("; occlusionAt needs [bakes.occlusion]")));
-  EXPECT_THAT(refusal("[bakes.one]", one, "  return twoTexel(ivec2(0)) > oneTexel(ivec2(0));"),
-              AllOf(HasSubstr("mine.glsl:8: "), EndsWith("; twoTexel needs [bakes.two]")));
+              AllOf(HasSubstr("mine.glsl:8: "),
+                    EndsWith("; to use occlusionAt, declare [bakes.occlusion]")));
+  EXPECT_THAT(
+      refusal("[bakes.one]", one, "  return twoTexel(ivec2(0)) > oneTexel(ivec2(0));"),
+      AllOf(HasSubstr("mine.glsl:8: "), EndsWith("; to use twoTexel, declare [bakes.two]")));
   EXPECT_THAT(refusal("[bakes.one]", one, "  return oneAt(3) > 0.5;"),
               AllOf(HasSubstr("mine.glsl:8: "), testing::Not(HasSubstr("needs"))));
   EXPECT_THAT(

@@ -84,9 +84,10 @@ TEST_F(MethodFiles, ErrorsInThemNameTheirOwnLines) {
   EXPECT_THAT(refusal("#include \"one.glsl\"\nbool wrong(Pixel pixel) { return true; }\n"),
               HasSubstr("one.glsl:2: "));
   write("one.glsl", "float one() { return heightAt(vec2(1.0)); }\n");
-  EXPECT_THAT(refusal("#include \"one.glsl\"\nbool wrong(Pixel pixel) { return true; }\n"),
-              testing::AllOf(HasSubstr("one.glsl:1: "),
-                             testing::EndsWith("; heightAt needs tables = [\"height\"]")));
+  EXPECT_THAT(
+      refusal("#include \"one.glsl\"\nbool wrong(Pixel pixel) { return true; }\n"),
+      testing::AllOf(HasSubstr("one.glsl:1: "),
+                     testing::EndsWith("; to use heightAt, declare tables = [\"height\"]")));
   write("one.glsl", "float one() { return 1.0; }\n");
   EXPECT_THAT(refusal("#include \"one.glsl\"\n\nbool wrong(Pixel pixel) { return missing; }\n"),
               HasSubstr("mine.glsl:8: "));

@@ -197,13 +197,13 @@ TEST_F(OwnPasses, AreNamedWhereTheirDeclarationIsMissing) {
   };
   EXPECT_THAT(refusal("float passMoments(Pixel pixel) { return 1.0; }",
                       "  return momentsAt(pixel.texel) > 0.0;"),
-              EndsWith("; momentsAt needs [[pass]] name = \"moments\""));
+              EndsWith("; to use momentsAt, declare [[pass]] name = \"moments\""));
   EXPECT_THAT(refusal("", "  return texelFetch(noiseTexture, ivec2(0), 0).r > 0.0;"),
-              EndsWith("; noiseTexture needs [textures.noise]"));
+              EndsWith("; to use noiseTexture, declare [textures.noise]"));
   EXPECT_THAT(refusal("", "  return viewDirection(pixel).x > 0.0;"),
-              EndsWith("; viewDirection needs needs = \"camera\""));
+              EndsWith("; to use viewDirection, declare needs = \"camera\""));
   EXPECT_THAT(refusal("", "  return cameraDepthOf(ivec2(0)) > 0.0;"),
-              EndsWith("; cameraDepthOf needs passes = [\"camera-depth\"]"));
+              EndsWith("; to use cameraDepthOf, declare passes = [\"camera-depth\"]"));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ class SharedNames : public TemporaryFolder {
 TEST_F(SharedNames, AnUndeclaredFunctionNamesItsTable) {
   const std::string message = refusal("", "return heightAt(pixel.texel) > 1.0;");
   EXPECT_THAT(message, HasSubstr("mine.glsl:7: "));
-  EXPECT_THAT(message, EndsWith(R"(; heightAt needs tables = ["height"])"));
+  EXPECT_THAT(message, EndsWith(R"(; to use heightAt, declare tables = ["height"])"));
   EXPECT_THAT(message, Not(HasSubstr("\n")));
 }
 
@@ -52,28 +52,28 @@ TEST_F(SharedNames, EveryKindOfDeclarationIsNamed) {
     return refusal("", "return " + body + ";");
   };
   EXPECT_THAT(ending("horizonAt(pixel.texel, 0.0) > 0.0"),
-              EndsWith(R"(horizonAt needs tables = ["horizon"])"));
+              EndsWith(R"(horizonAt, declare tables = ["horizon"])"));
   EXPECT_THAT(ending("distanceAt(pixel.texel, 0.0) > 0.0"),
-              EndsWith(R"(distanceAt needs tables = ["distance"])"));
+              EndsWith(R"(distanceAt, declare tables = ["distance"])"));
   EXPECT_THAT(ending("ellipseAt(pixel.texel).centre.x > 0.0"),
-              EndsWith(R"(ellipseAt needs tables = ["ellipse"])"));
+              EndsWith(R"(ellipseAt, declare tables = ["ellipse"])"));
   EXPECT_THAT(ending("angleOfCosine(0.5) > 0.0"),
-              EndsWith(R"(angleOfCosine needs tables = ["angles"] or ["surface-angles"])"));
+              EndsWith(R"(angleOfCosine, declare tables = ["angles"] or ["surface-angles"])"));
   EXPECT_THAT(ending("resolvedAt(pixel.texel) > 0.0"),
-              EndsWith(R"(resolvedAt needs passes = ["texture"])"));
+              EndsWith(R"(resolvedAt, declare passes = ["texture"])"));
   EXPECT_THAT(ending("lightDepthOf(ivec2(0)) > 0.0"),
-              EndsWith(R"(lightDepthOf needs passes = ["light-depth"])"));
+              EndsWith(R"(lightDepthOf, declare passes = ["light-depth"])"));
   EXPECT_THAT(ending("shadowCount() > 0u"),
-              EndsWith(R"(shadowCount needs passes = ["shadow-volumes"])"));
+              EndsWith(R"(shadowCount, declare passes = ["shadow-volumes"])"));
   EXPECT_THAT(ending("facetNormal(pixel).x > 0.0"),
-              EndsWith(R"(facetNormal needs mesh = "displaced")"));
+              EndsWith(R"(facetNormal, declare mesh = "displaced")"));
 }
 
 TEST_F(SharedNames, SoDoesAUniformAndAStructure) {
   EXPECT_THAT(refusal("", "return searchRadius > 1.0;"),
-              EndsWith(R"(searchRadius needs tables = ["height"])"));
+              EndsWith(R"(searchRadius, declare tables = ["height"])"));
   EXPECT_THAT(refusal("", "Path path = makePath(pixel, light); return path.limit > 1.0;"),
-              EndsWith(R"(Path needs tables = ["height"])"));
+              EndsWith(R"(Path, declare tables = ["height"])"));
   EXPECT_THAT(refusal("", "return tableEntry(mine, vec2(1.0), ivec2(0), 0) > 0.0;"),
               HasSubstr("mine"));
 }

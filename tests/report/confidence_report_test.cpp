@@ -59,9 +59,10 @@ TEST(ConfidenceText, RanksWhatAllLightsTogetherGive) {
 }
 
 TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
-  EXPECT_EQ(verdictText(recordOfThree(), "camera"),
-            "best is better than rough, \"old\" by 9.00 % of the samples (95 % interval 7.20 to "
-            "11.50). No interval could be measured of the difference between best and “close”.");
+  EXPECT_EQ(
+      verdictText(recordOfThree(), "camera"),
+      "“best” is better than “rough, \"old\"” by 9.00 % of the samples (95 % interval 7.20 to "
+      "11.50). “best” and “close” could not be compared: their difference has no 95 % interval.");
   EXPECT_EQ(intervalText(compare::Interval{-0.001, 0.02}), "−0.10 to 2.00");
   EXPECT_EQ(intervalText(compare::Interval{-0.012, 0.5}), "−1.20 to 50.00");
   EXPECT_EQ(intervalText(compare::Interval{-1e-7, 0}), "0.00 to 0.00");
@@ -75,21 +76,21 @@ TEST(ConfidenceText, SaysWhatTheBestIsBetterThan) {
                                           study::DifferenceVerdict::notDistinguishable));
   }
   EXPECT_THAT(verdictText(many, "camera"),
-              HasSubstr("best is not distinguishable from “a”, “b” and “c”. No interval"));
+              HasSubstr("“best” is not distinguishable from “a”, “b” and “c”. “best” and"));
   for (const char* name : {"d, e", "f"}) {
     many.confidence.push_back({name, "camera", "all", 0.011, {}, "", 25, 40});
     many.differences.push_back(difference("best", name, -0.001, compare::Interval{-0.002, 0.001},
                                           study::DifferenceVerdict::notDistinguishable));
   }
   EXPECT_THAT(verdictText(many, "camera"),
-              HasSubstr("best is not distinguishable from “a”, “b”, “c” and 2 more."));
+              HasSubstr("“best” is not distinguishable from “a”, “b”, “c” and 2 more."));
   EXPECT_THAT(
       confidenceNote(recordOfThree(), "camera"),
       HasSubstr(
           "over all random draws of the bumps, on the same surface, in the same view, under the "
-          "same lights. It comes from 25 blocks of 40 × 40 samples. ≈ not "
-          "distinguishable from the best: the interval of the difference holds 0, "
-          "there is none, or it is within the truth’s uncertainty of 0.30 %."));
+          "same lights. It comes from 25 blocks of 40 × 40 samples. ≈ means not "
+          "distinguishable from the best: the 95 % interval of the difference contains 0 or could "
+          "not be measured, or the difference is within the truth’s uncertainty of 0.30 %."));
 }
 
 TEST(ConfidenceText, StatesTheUncertaintyThatItsMarksWereJudgedBy) {

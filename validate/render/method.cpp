@@ -69,6 +69,20 @@ MethodPasses readPasses(const Declaration& declaration) {
   return passes;
 }
 
+/// One of several names; empty where the key is not there.
+template <std::size_t count>
+std::string readName(const Declaration& declaration, std::string_view key,
+                     const std::array<std::string_view, count>& names) {
+  const toml::node_view<const toml::node> found = declaration.table()[key];
+  if (!found) return {};
+  const auto name = found.value<std::string>().value_or("");
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    declaration.fail(*found.node(),
+                     fmt::format("{} `{}`, expected one of {}", key, name, fmt::join(names, ", ")));
+  }
+  return name;
+}
+
 DrawnMesh readMesh(const Declaration& declaration) {
   const toml::node_view<const toml::node> found = declaration.table()["mesh"];
   if (!found) return DrawnMesh::base;
@@ -285,11 +299,14 @@ Method readMethod(const fs::path& path) {
   method.code = std::move(included.pieces);
   method.includes = std::move(included.includes);
   const Declaration declaration(method.source.file, method.source.text);
-  declaration.allowOnly(declaration.table(), {"title", "citation", "tables", "passes", "mesh",
-                                              "light_mesh", "normal", "subdivisions", "azimuths",
-                                              "parameters", "bakes", "textures", "pass", "needs"});
+  declaration.allowOnly(
+      declaration.table(),
+      {"title", "citation", "family", "symbol", "tables", "passes", "mesh", "light_mesh", "normal",
+       "subdivisions", "azimuths", "parameters", "bakes", "textures", "pass", "needs"});
   method.title = declaration.text("title");
   method.citation = declaration.text("citation");
+  method.mark = {readName(declaration, "family", methodFamilies),
+                 readName(declaration, "symbol", methodSymbols)};
   method.tables = readTables(declaration);
   method.bakes = readBakes(declaration);
   method.textures = readTextures(declaration, path.parent_path());

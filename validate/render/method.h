@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/bakes/method_bake.h"
+#include "render/method_mark.h"
 #include "render/passes/own_pass.h"
 #include "render/shader_files.h"
 #include "render/textures/method_texture.h"
@@ -80,6 +81,7 @@ enum class DrawnMesh {
 /// A shadow method: one GLSL file whose first comment declares it. The comment opens with
 /// `gnomon-method` and holds TOML:
 ///   title, citation
+///   family, symbol  how plots draw it, see MethodMark
 ///   tables        list of "height", "horizon", "distance", "angles", "surface-angles", "ellipse"
 ///   passes        list of "texture", "light-depth", "shadow-volumes", "camera-depth": drawn before
 ///                 the answer
@@ -104,6 +106,7 @@ struct Method {
   std::string name;  ///< the file's stem
   std::string title;
   std::string citation;
+  MethodMark mark;
   MethodTables tables;
   std::vector<MethodBake> bakes;  ///< in the order of the declaration
   MethodPasses passes;

@@ -152,7 +152,7 @@ std::string missingDeclaration(const std::vector<SharedName>& names, const std::
     const bool isShared = std::any_of(names.begin(), names.end(),
                                       [&](const auto& shared) { return shared.name == word; });
     const std::string own = isShared ? "" : ownDeclaration(method, word);
-    if (!own.empty()) return fmt::format("; {} needs {}", word, own);
+    if (!own.empty()) return fmt::format("; to use {}, declare {}", word, own);
     std::vector<std::string> needed;
     bool isThere = false;
     for (const SharedName& shared : names) {
@@ -164,7 +164,7 @@ std::string missingDeclaration(const std::vector<SharedName>& names, const std::
       }
     }
     if (isThere || needed.empty()) continue;
-    return fmt::format("; {} needs {}", word, fmt::join(needed, " or "));
+    return fmt::format("; to use {}, declare {}", word, fmt::join(needed, " or "));
   }
   return "";
 }

@@ -40,6 +40,8 @@ cache::ContentKey keyOf(const PlotSheet& sheet, std::string_view format) {
   cache::KeyBuilder key("plot");
   key.add("format", format).add("gnuplot", gnuplotVersion()).add("title", sheet.title);
   key.add("width", sheet.width).add("height", sheet.height);
+  key.add("place", static_cast<int>(sheet.place)).add("shaded", sheet.isShaded ? 1 : 0);
+  for (const PlotColour& colour : sheet.colours) key.add(colour.variable, colour.onWhite);
   return key.add("commands", sheet.commands).key();
 }
 
@@ -93,28 +95,41 @@ std::vector<PlotFile> plotFiles(const std::vector<PlotSheet>& sheets, const Plot
   return all;
 }
 
-/// Draws all plots in both formats, and writes them.
-std::vector<DrawnPlot> writePlots(std::vector<PlotSheet> sheets, RunFolder& folder,
+/// Draws all plots, in both formats for paper and as SVG for the page, and writes the former.
+/// @param sheetsFor  all plots as a place has them
+template <typename SheetsFor>
+std::vector<DrawnPlot> writePlots(const SheetsFor& sheetsFor, RunFolder& folder,
                                   cache::Cache& cache) {
-  std::array<std::vector<PlotFile>, plotFormats.size()> drawn;
-  parallelFor(0, plotFormats.size(),
-              [&](std::size_t i) { drawn.at(i) = plotFiles(sheets, plotFormats.at(i), cache); });
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
+  std::vector<PlotSheet> paper = sheetsFor(PlotPlace::paper);
+  std::vector<PlotSheet> wide = sheetsFor(PlotPlace::page);
+  std::vector<PlotSheet> narrow = sheetsFor(PlotPlace::phone);
+  const PlotFormat& svg = plotFormats.at(0);
+  const PlotFormat& pdf = plotFormats.at(1);
+  std::array<std::vector<PlotFile>, 4> drawn;
+  parallelFor(0, drawn.size(), [&](std::size_t i) {
+    const std::vector<PlotSheet>& sheets = i < 2 ? paper : i == 2 ? wide : narrow;
+    drawn.at(i) = plotFiles(sheets, i == 1 ? pdf : svg, cache);
+  });
+  for (std::size_t i = 0; i < 2; ++i) {
     for (const PlotFile& file : drawn.at(i)) {
       folder.write(fmt::format("plots/{}.{}", file.sheet->name, plotFormats.at(i).name),
                    file.bytes);
     }
   }
-  std::vector<DrawnPlot> plots(sheets.size());
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    plots[i].svg = std::move(drawn.front()[i].bytes);
-    plots[i].sheet = std::move(sheets[i]);
+  std::vector<DrawnPlot> plots(wide.size());
+  for (std::size_t i = 0; i < wide.size(); ++i) {
+    plots[i].svg = std::move(drawn.at(2)[i].bytes);
+    plots[i].sheet = std::move(wide[i]);
+    // One that is as wide on a phone scrolls sideways there.
+    if (narrow[i].width == plots[i].sheet.width) continue;
+    plots[i].narrowSvg = std::move(drawn.at(3)[i].bytes);
+    plots[i].narrow = std::move(narrow[i]);
   }
   return plots;
 }
 
 /// All plots of a sweep, each with the section of the page that shows it.
-std::vector<PlotSheet> sweepSheets(const study::SweepRecord& sweep) {
+std::vector<PlotSheet> sweepSheets(const study::SweepRecord& sweep, PlotPlace place) {
   std::vector<PlotSheet> sheets;
   const auto add = [&](PlotSheet sheet, const char* section) {
     sheet.section = section;
@@ -122,12 +137,13 @@ std::vector<PlotSheet> sweepSheets(const study::SweepRecord& sweep) {
   };
   const std::vector<SweepSlice> slices = slicesOf(sweep);
   for (const SweepSlice& slice : slices) {
-    add(sweepPlot(sweep, slice), sweepErrorSection);
-    if (auto lights = sweepLightsPlot(sweep, slice)) add(std::move(*lights), sweepLightsSection);
+    add(sweepPlot(sweep, slice, place), sweepErrorSection);
+    if (auto lights = sweepLightsPlot(sweep, slice, place))
+      add(std::move(*lights), sweepLightsSection);
   }
-  if (isGrid(sweep)) add(sweepMapPlot(sweep), sweepErrorSection);
+  if (isGrid(sweep)) add(sweepMapPlot(sweep, place), sweepErrorSection);
   if (slices.size() == 1) {
-    for (PlotSheet& sheet : sweepCostPlots(sweep, slices.front())) {
+    for (PlotSheet& sheet : sweepCostPlots(sweep, slices.front(), place)) {
       add(std::move(sheet), sweepCostSection);
     }
   }
@@ -149,7 +165,8 @@ void writeRunFiles(const study::StudyRecord& record, RunFolder& folder, cache::C
   writeRows("bins.csv", binsTable(record));
   writeRows("frontier.csv", frontierTable(frontier(record, Price::memory)));
   writeRows("budget.csv", budgetPartsTable(record));
-  const std::vector<DrawnPlot> plots = writePlots(studyPlots(record), folder, cache);
+  const std::vector<DrawnPlot> plots =
+      writePlots([&](PlotPlace place) { return studyPlots(record, place); }, folder, cache);
   folder.write("report.html", reportHtml(record, folder.path(), plots).text());
   folder.finish(summaryJson(record));
 }
@@ -159,7 +176,8 @@ void writeSweepFiles(const study::SweepRecord& sweep, RunFolder& folder, cache::
   folder.write("sweep.csv", csvTable(sweepMeansTable(sweep)));
   folder.write("cases.csv", longCsv(sweep));
   folder.write("table.tex", latexTable(sweepPaperTable(sweep)));
-  const std::vector<DrawnPlot> plots = writePlots(sweepSheets(sweep), folder, cache);
+  const std::vector<DrawnPlot> plots =
+      writePlots([&](PlotPlace place) { return sweepSheets(sweep, place); }, folder, cache);
   folder.write("report.html", sweepHtml(sweep, plots).text());
   folder.finish(sweepJson(sweep));
 }

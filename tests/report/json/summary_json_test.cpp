@@ -77,7 +77,8 @@ TEST(SummaryJson, HasEveryKeyInOrder) {
                                          "bvh_bytes", "mesh_bytes", "flips"}));
   EXPECT_EQ(keysOf(json["truth"]["flips"][0]),
             (Keys{"view", "light", "flip_rate", "length_error", "boundaries"}));
-  EXPECT_EQ(keysOf(json["methods"][0]), (Keys{"label", "name", "title", "citation"}));
+  EXPECT_EQ(keysOf(json["methods"][0]),
+            (Keys{"label", "name", "title", "citation", "family", "symbol"}));
   EXPECT_EQ(keysOf(json["cost"][0]),
             (Keys{"method", "polygons", "table_bytes", "height_bytes", "frame_ms", "still_ms",
                   "texels", "passes", "frame_ratio", "frame_kept_since"}));

@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 study::BinRecord bin(const std::string& method, const std::string& view, std::optional<double> low,
@@ -30,15 +31,35 @@ study::StudyRecord plottedRecord() {
   return made;
 }
 
+MethodStyles styles() {
+  return MethodStyles(study::studyMeans(plottedRecord()));
+}
+
 TEST(BinPlot, DrawsEachBinsErrorAtItsPlace) {
-  const std::string script = binPlot(plottedRecord(), "elevation", "camera").commands;
-  EXPECT_THAT(script, HasSubstr("$m0 << EOD\n0 5\n1 10\n2 1\nEOD\n"));
-  EXPECT_THAT(script, HasSubstr("$m1 << EOD\n0 NaN\n1 25\n2 10\nEOD\n"));
-  EXPECT_THAT(script, HasSubstr("set xtics ('0' 0.5, '10…20' 1.5)\n"));
-  EXPECT_THAT(script, HasSubstr("set x2tics ('10.0 %%' 0, '20.0 %%' 1, '70.0 %%' 2)\n"));
+  const std::string script = binPlot(plottedRecord(), "elevation", "camera", styles()).commands;
+  // The middle, the error, the lower end and the width; open bins are as wide as their neighbours.
+  EXPECT_THAT(script, HasSubstr("$m0 << EOD\n-5 5 -10 10\n5 10 0 10\n25 1 20 10\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$m1 << EOD\n-5 NaN -10 10\n5 25 0 10\n25 10 20 10\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("set xtics ('0' 0, '10' 10, '20' 20)\n"));
+  EXPECT_THAT(script, HasSubstr("set x2tics ('10.0 %%' -5, '20.0 %%' 5, '70.0 %%' 25)\n"));
   // Flips of 0.2 and 0.4 percent under the two lights.
-  EXPECT_THAT(script, HasSubstr("$truth << EOD\n-0.5 0.3\n2.5 0.3\nEOD\n"));
+  EXPECT_THAT(script, HasSubstr("$truth << EOD\n-10 0.3\n30 0.3\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("degrees'"));
+}
+
+/// 1, 2, 4, 8: each bin is as wide as the others on a logarithmic axis, those at the ends too.
+TEST(BinPlot, EdgesThatGrowByOneFactorAreLogarithmic) {
+  study::StudyRecord record = test::sampleRecord();
+  record.bins = {bin("best", "camera", {}, 1, 5, 100), bin("best", "camera", 1, 2, 5, 100),
+                 bin("best", "camera", 2, 4, 5, 100), bin("best", "camera", 4, 8, 5, 100),
+                 bin("best", "camera", 8, {}, 5, 100)};
+  const std::string script =
+      binPlot(record, "elevation", "camera", MethodStyles(study::studyMeans(record))).commands;
+  EXPECT_THAT(script, HasSubstr("set logscale x\n"));
+  EXPECT_THAT(script, HasSubstr("set xrange [0.5:16]\n"));
+  const std::string linear = binPlot(plottedRecord(), "elevation", "camera", styles()).commands;
+  EXPECT_THAT(linear, Not(HasSubstr("set logscale")));
+  EXPECT_THAT(linear, HasSubstr("set xrange [-10:30]\n"));
 }
 
 TEST(BinPlot, NamesTheViewsOfAnAxis) {
@@ -59,7 +80,7 @@ TEST(StudyPlots, AreNamedApartAndDrawn) {
 }
 
 TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
   const std::string here = pdfsOf({sheet}).front();
   const char* before = std::getenv("TZ");
   const std::string kept = before == nullptr ? "" : before;
@@ -70,7 +91,7 @@ TEST(PlotSheet, PdfDoesNotTellTheTimeZone) {
 }
 
 TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
   const std::string pdf = pdfsOf({sheet}).front();
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   EXPECT_THAT(pdf, HasSubstr("%%EOF"));
@@ -96,7 +117,7 @@ TEST(PlotSheet, PdfIsTheSameBesideOthers) {
       "set format x '%.9f'\nset style data lines\nset multiplot layout 1,2\n"
       "set encoding iso_8859_1\n"
       "$bins << EOD\n1 2\nEOD\nplot x\nplot x\nunset multiplot\n"};
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera");
+  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
   const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet};
   const std::vector<std::string> pdfs = pdfsOf(beside);
   ASSERT_EQ(pdfs.size(), 4U);

@@ -10,6 +10,7 @@
 #include "report/suite/suite_json.h"
 #include "report/suite/suite_plots.h"
 #include "report/suite/suite_tables.h"
+#include "report/text/number_text.h"
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/markdown_format.h"
 #include "study/judge/suite/suite_studies.h"

@@ -109,17 +109,21 @@ TEST(Frontier, MayBeAskedForTheTimeOfAFrame) {
   EXPECT_FALSE(points[1].efficient) << "slower and worse";
   EXPECT_TRUE(points[2].efficient) << "no table, and no memory";
   EXPECT_TRUE(frontier(record, Price::memory).empty()) << "of memory there is one choice";
-  const PlotSheet sheet = frontierPlot(points, Price::frameTime);
+  const MethodStyles styles(study::studyMeans(record));
+  const PlotSheet sheet = frontierPlot(points, Price::frameTime, styles);
   EXPECT_EQ(sheet.name, "frontier_time");
   EXPECT_EQ(sheet.section, "cost");
   EXPECT_NE(svgOf(sheet).find("frame, ms"), std::string::npos);
 }
 
 TEST(Frontier, PlotAndRowsHoldEveryEntry) {
-  const auto points = byMemory({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}});
-  const std::string svg = svgOf(frontierPlot(points, Price::memory));
+  const study::StudyRecord record =
+      recordOf({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}});
+  const MethodStyles styles(study::studyMeans(record));
+  const auto points = frontier(record, Price::memory);
+  const std::string svg = svgOf(frontierPlot(points, Price::memory, styles));
   EXPECT_NE(svg.find("<svg"), std::string::npos);
-  EXPECT_EQ(svg, svgOf(frontierPlot(points, Price::memory)));
+  EXPECT_EQ(svg, svgOf(frontierPlot(points, Price::memory, styles)));
   EXPECT_EQ(csvTable(frontierTable(points)),
             "method,shader,bytes,error_rate,efficient\n\"a, 8\",a,800,0.05,1\na 16,a,1600,0,1\n");
 }

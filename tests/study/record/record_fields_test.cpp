@@ -21,7 +21,7 @@ StudyRecord sample() {
   record.truth.flips[0].boundaries[0] = {
       compare::boundaryMetricNames()[0], {}, compare::boundaryReasons()[0]};
   record.truth.refinement = {{0.5, 10, {}}, {0.25, 40, 0.01}};
-  record.methods = {{"ours", "onoue-2004", "title", "citation"}};
+  record.methods = {{"ours", "onoue-2004", "title", "citation", {"curvature", "circle"}}};
   record.refused = {{"theirs", "a reason"}};
   ResultRecord result;
   result.method = "ours";

@@ -11,10 +11,9 @@ namespace gnomon::report {
 namespace {
 
 Json methodJson(const study::MethodRecord& method) {
-  return {{"label", method.label},
-          {"name", method.name},
-          {"title", method.title},
-          {"citation", method.citation}};
+  return {{"label", method.label},        {"name", method.name},
+          {"title", method.title},        {"citation", method.citation},
+          {"family", method.mark.family}, {"symbol", method.mark.symbol}};
 }
 
 Json resultJson(const study::ResultRecord& result) {

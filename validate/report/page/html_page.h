@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,19 @@ Html htmlSection(std::string_view id, std::string_view title, const Html& conten
 /// A paragraph in small letters; nothing, if there is no text.
 Html htmlNote(std::string_view text);
 
-/// A plot inside the page.
+/// A plot inside the page: drawn for wide screens and, where there is such a drawing, for narrow
+/// ones, with its legend, in which a reader highlights methods, and its values as a table.
 Html htmlPlot(const DrawnPlot& plot);
+
+/// How the plots of a page are read: what their colours mean and what a reader can do.
+constexpr std::string_view plotReading =
+    "A colour stands for a family of methods, a symbol for a method; both are the same in every "
+    "report. At most eight methods are highlighted: the flat horizon map, the method of the first "
+    "claim, and the best others. The rest are grey. Press a name below a plot to highlight it or "
+    "not. Point at a symbol, or use the arrow keys, to read its value.";
+
+/// The shapes that the plots of a page are drawn with, once a page; nothing without a plot.
+Html htmlSymbols(std::span<const DrawnPlot> plots);
 
 /// A term and what it is, for a list <dl>; nothing, if there is no text.
 Html htmlFact(std::string_view term, std::string_view text);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "report/highlights.h"
 #include "report/page/html_figures.h"
 #include "report/page/html_page.h"
 #include "report/page/reference_html.h"
@@ -19,7 +20,6 @@
 namespace gnomon::report {
 namespace {
 
-constexpr std::string_view controlMethod = "unshadowed";
 constexpr std::string_view truthLabel = "truth";
 
 std::string nameOf(const study::StudyRecord& record, const std::string& label) {
@@ -27,27 +27,6 @@ std::string nameOf(const study::StudyRecord& record, const std::string& label) {
     if (method.label == label) return method.name;
   }
   return label;
-}
-
-/// The label of the method of that name; of several the one without a label of its own.
-std::optional<std::string> labelOf(const study::StudyRecord& record, std::string_view name) {
-  std::optional<std::string> first;
-  for (const study::MethodRecord& method : record.methods) {
-    if (method.name != name) continue;
-    if (method.label == name) return method.label;
-    if (!first) first = method.label;
-  }
-  return first;
-}
-
-std::optional<std::string> claimedMethod(const study::StudyRecord& record) {
-  for (const study::ClaimRecord& claim : record.claims) {
-    for (const std::string& label : claim.methods) {
-      const std::string name = nameOf(record, label);
-      if (name != costReference && name != controlMethod) return label;
-    }
-  }
-  return std::nullopt;
 }
 
 const study::PictureRecord* pictureOf(const study::PanelRecord& panel, const std::string& method) {
@@ -147,8 +126,9 @@ std::vector<OpeningFigure> openingFigures(const study::StudyRecord& record,
   const auto best = std::find_if(ranked.begin(), ranked.end(), [&](const auto& method) {
     return method.rank && nameOf(record, method.label) != controlMethod;
   });
-  add(labelOf(record, costReference), "flat");
-  add(claimedMethod(record), "claimed");
+  const study::StudyMeans means = study::studyMeans(record);
+  add(labelOf(means.methods, costReference), "flat");
+  add(claimedMethod(means.methods, means.claims), "claimed");
   if (best != ranked.end()) add(best->label, "best");
   add(std::string(truthLabel), "truth");
   return figures;

@@ -222,10 +222,11 @@ Html reproduceSection(const study::StudyRecord& record) {
 Html plotSection(std::span<const DrawnPlot> plots) {
   const Html content = plotsOf(plots, "plots");
   if (content.empty()) return {};
-  return htmlSection("plots", "Where the error grows",
-                     html("<p class=\"note\">Each plot lies beside this page as SVG and PDF, in "
-                          "<code>plots/</code>.</p>\n{}",
-                          content));
+  return htmlSection(
+      "plots", "Where the error grows",
+      html("<p class=\"note\">{} The folder <code>plots/</code> beside this page has "
+           "each plot as SVG and PDF.</p>\n{}",
+           plotReading, content));
 }
 
 }  // namespace
@@ -267,8 +268,9 @@ Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& f
   const bool hasPictures = !record.panels.empty();
   Html claims;
   for (const study::ClaimRecord& claim : record.claims) claims += htmlClaim(claim);
-  Html main = htmlClaims(claims) + rankingSection(record, ranked) + thresholdSection(record) +
-              referenceSection(record, folder) + (hasPictures ? viewerMarkup() : Html());
+  Html main = htmlSymbols(plots) + htmlClaims(claims) + rankingSection(record, ranked) +
+              thresholdSection(record) + referenceSection(record, folder) +
+              (hasPictures ? viewerMarkup() : Html());
   main += caseSections(record, ranked, folder);
   main += worstSection(record, ranked, folder);
   main += confidenceSection(record) + plotSection(plots) + budgetSection(record, plots) +

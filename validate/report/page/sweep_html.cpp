@@ -83,15 +83,15 @@ Html errorPlots(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& p
   const Html drawn = plotsOf(plots, sweepErrorSection);
   if (drawn.text().empty()) {
     return html(
-        "<p class=\"note\">{} lie on no axis and no grid of two, so that no plot shows them; "
+        "<p class=\"note\">No plot can show these {}: they vary too many settings at once. "
         "<code>cases.csv</code> has every figure.</p>\n",
         plural(sweep.cases.size(), "case"));
   }
   return htmlNote(
-             "Percent of the samples, mean over all lights and views. The grey band is "
-             "the truth’s own "
-             "uncertainty: differences as small as it say nothing. Bars are 95 % intervals.") +
-         drawn;
+             "Percent of the samples, mean over all lights and views. The grey band is how "
+             "uncertain "
+             "the truth itself is: smaller differences mean nothing. Bars are 95 % intervals.") +
+         htmlNote(plotReading) + drawn;
 }
 
 std::string plotHeading(const study::SweepRecord& sweep) {
@@ -119,7 +119,7 @@ Html sweepHtml(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& pl
                           htmlFact("With the options, in this folder", sweep.copy));
   return htmlPage(
       sweep.heading(), sweepHeader(sweep),
-      htmlSection("plot", plotHeading(sweep), errorPlots(sweep, plots)) +
+      htmlSymbols(plots) + htmlSection("plot", plotHeading(sweep), errorPlots(sweep, plots)) +
           htmlSection("lights", "Light by light", plotsOf(plots, sweepLightsSection)) +
           htmlSection("cost", "What the values cost", plotsOf(plots, sweepCostSection)) +
           htmlSection("values", sweep.keys.size() == 1 ? "Error by value" : "Error by case",

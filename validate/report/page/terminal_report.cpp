@@ -73,9 +73,11 @@ void appendResults(TerminalPage& page, const study::StudyRecord& record) {
   std::vector<study::Case> left = study::casesOf(record);
   if (left.empty()) return;
   page.paragraph(
-      "Rates in percent of the samples, of the drawn picture: shadow test and shading. Test: the "
-      "error of the shadow test alone. Length: the median ratio of cast shadows to the truth's. "
-      "≈ not distinguishable from the best of its light.");
+      "Percent of the samples that are wrong in the drawn picture, which is the shadow test and "
+      "the "
+      "shading together. Test: wrong by the shadow test alone. Length: how long cast shadows are, "
+      "divided by the truth's; the median. ≈ means not distinguishable from the best under that "
+      "light.");
   while (!left.empty()) {
     const std::string view = left.front().view;
     const auto rest = std::stable_partition(left.begin(), left.end(),

@@ -11,9 +11,10 @@
 #include "common/parallel.h"
 #include "image/grey_picture.h"
 #include "image/images.h"
+#include "image/share_picture.h"
 #include "image/web_picture.h"
+#include "report/highlights.h"
 #include "report/page/html_page.h"
-#include "report/page/opening_html.h"
 #include "report/page/worst_windows.h"
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
@@ -22,45 +23,26 @@ namespace gnomon::report {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = study::PictureRecord::Kind;
 
-constexpr std::size_t mostMethods = 8;
 constexpr std::size_t mostPlaces = 3;
 constexpr int windowSide = 64;
+constexpr const char* truthMethod = "truth";
 
-/// The methods that are shown, in the order of the ranking.
-std::vector<std::string> shownMethods(const study::StudyRecord& record,
-                                      const std::vector<study::RankedMethod>& ranked) {
-  std::vector<std::string> chosen;
-  for (const OpeningFigure& figure : openingFigures(record, ranked))
-    chosen.push_back(figure.method);
-  std::erase(chosen, "truth");
-  for (const study::RankedMethod& method : ranked) {
-    if (chosen.size() < mostMethods) appendOnce(chosen, method.label);
-  }
-  std::vector<std::string> ordered;
-  for (const study::RankedMethod& method : ranked) {
-    if (contains(chosen, method.label)) ordered.push_back(method.label);
-  }
-  return ordered;
-}
-
-const study::PictureRecord* pictureOf(const study::PanelRecord& panel, const std::string& method,
-                                      Kind kind) {
+const study::PictureRecord* shadedPicture(const study::PanelRecord& panel,
+                                          const std::string& method) {
   for (const study::PictureRecord& picture : panel.pictures) {
-    if (picture.method == method && picture.kind == kind) return &picture;
+    if (picture.method == method && picture.kind == study::PictureRecord::Kind::shaded) {
+      return &picture;
+    }
   }
   return nullptr;
 }
 
-/// Whether the pictures of a method in a panel can be compared pixel by pixel.
-bool isComparable(const study::StudyRecord& record, const study::PanelRecord& panel,
-                  const std::string& method) {
-  const auto* row = study::findResult(record, method, {panel.view, panel.light});
-  return row != nullptr && row->shares.empty() &&
-         pictureOf(panel, method, Kind::difference) != nullptr &&
-         pictureOf(panel, method, Kind::shaded) != nullptr &&
-         pictureOf(panel, "truth", Kind::shaded) != nullptr;
+/// Whether the answers of a method in a panel can be compared with the truth pixel by pixel.
+bool isComparable(const study::PanelRecord& panel, const std::string& method) {
+  const study::PictureRecord* own = shadedPicture(panel, method);
+  return own != nullptr && own->truth && !own->mask.empty() &&
+         shadedPicture(panel, truthMethod) != nullptr;
 }
 
 /// The panel in which a method's error is largest; null without any.
@@ -68,7 +50,7 @@ const study::PanelRecord* worstPanel(const study::StudyRecord& record, const std
   const study::PanelRecord* worst = nullptr;
   double largest = -1;
   for (const study::PanelRecord& panel : record.panels) {
-    if (!isComparable(record, panel, method)) continue;
+    if (!isComparable(panel, method)) continue;
     const auto error = study::rateOf(record, method, {panel.view, panel.light},
                                      study::Answer::drawn, "error_rate");
     if (error.value_or(-1) <= largest) continue;
@@ -78,16 +60,15 @@ const study::PanelRecord* worstPanel(const study::StudyRecord& record, const std
   return worst;
 }
 
-/// 1 where a signed difference shows an error: its red part tells.
-std::vector<std::uint8_t> wrongPixels(const image::GreyPicture& difference) {
-  using Colours = image::DifferenceColours;
-  std::vector<std::uint8_t> wrong;
-  wrong.reserve(difference.values.size());
-  for (const float value : difference.values) {
-    const long red = std::lround(255 * value);
-    wrong.push_back(red == Colours::falseShadow[0] || red == Colours::falseLight[0] ? 1 : 0);
+/// By how much a method's answer is wrong at each pixel: 0 or 1, under a light with a disc |ΔV|; 0
+/// where there is no sample.
+std::vector<float> errorsOf(const Visibility& own, const Visibility& truth) {
+  std::vector<float> errors(own.shares.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const float error = std::abs(own.shares[i] - truth.shares.at(i));
+    errors[i] = std::isnan(error) ? 0 : error;
   }
-  return wrong;
+  return errors;
 }
 
 /// A square of a picture as a page embeds it, in grey.
@@ -110,43 +91,56 @@ struct PairPaths {
 };
 
 PairPaths pairPaths(const study::PanelRecord& panel, const std::string& method) {
-  const study::PictureRecord& own = *pictureOf(panel, method, Kind::shaded);
-  const study::PictureRecord& truth = *pictureOf(panel, "truth", Kind::shaded);
-  const bool hasOwnSamples = own.truth && own.truth->mask != truth.mask;
-  return hasOwnSamples ? PairPaths{own.mask, own.truth->mask} : PairPaths{own.path, truth.path};
+  const study::PictureRecord& own = *shadedPicture(panel, method);
+  const study::PictureRecord& truth = *shadedPicture(panel, truthMethod);
+  return own.truth->mask == truth.mask ? PairPaths{own.path, truth.path}
+                                       : PairPaths{own.mask, own.truth->mask};
 }
 
-Html placeHtml(const std::string& method, const Window& window, const image::GreyPicture& own,
-               const image::GreyPicture& truth) {
+/// How wrong a window is: "1 203 of 4 096 pixels wrong"; under a light with a disc the mean of
+/// |ΔV|.
+std::string errorText(const Window& window, bool isSoft) {
+  const double pixels = static_cast<double>(window.side) * window.side;
+  if (isSoft) return fmt::format("mean |ΔV| {}\u202f%", percentText(window.error / pixels));
+  return fmt::format("{} of {} pixels wrong", groupedText(static_cast<std::uint64_t>(window.error)),
+                     groupedText(static_cast<std::uint64_t>(pixels)));
+}
+
+Html placeHtml(const std::string& method, const Window& window, bool isSoft,
+               const image::GreyPicture& own, const image::GreyPicture& truth) {
   return html(
       "<figure><div class=\"pair\"><img alt=\"{}\" src=\"{}\"><img alt=\"the truth\" "
-      "src=\"{}\"></div><figcaption>{} of {} pixels wrong, at {}, {}</figcaption></figure>\n",
-      method, cropAddress(own, window), cropAddress(truth, window), groupedText(window.wrong),
-      groupedText(static_cast<std::uint64_t>(window.side) *
-                  static_cast<std::uint64_t>(window.side)),
+      "src=\"{}\"></div><figcaption>{}, at {}, {}</figcaption></figure>\n",
+      method, cropAddress(own, window), cropAddress(truth, window), errorText(window, isSoft),
       window.left, window.top);
+}
+
+void requireSize(const fs::path& path, std::size_t found, const Visibility& truth) {
+  if (found == truth.size()) return;
+  throw InputError(fmt::format("{}: {} × {} pixels expected, as the truth has", path.string(),
+                               truth.width, truth.height));
 }
 
 Html methodHtml(const study::StudyRecord& record, const std::string& method,
                 const fs::path& folder) {
   const study::PanelRecord* panel = worstPanel(record, method);
   if (panel == nullptr) return {};
-  const image::GreyPicture difference =
-      image::readGreyPicture(folder / pictureOf(*panel, method, Kind::difference)->path, "R");
-  const std::vector<Window> windows = worstWindows(wrongPixels(difference), difference.width,
-                                                   difference.height, windowSide, mostPlaces);
+  const study::PictureRecord& picture = *shadedPicture(*panel, method);
+  const Visibility answer = image::readSharePicture(folder / picture.mask);
+  const Visibility right = image::readSharePicture(folder / picture.truth->mask);
+  requireSize(folder / picture.mask, answer.size(), right);
+  const std::vector<Window> windows =
+      worstWindows(errorsOf(answer, right), right.width, right.height, windowSide, mostPlaces);
   if (windows.empty()) return {};
   const PairPaths paths = pairPaths(*panel, method);
   const image::GreyPicture own = image::readGreyPicture(folder / paths.method, "R");
   const image::GreyPicture truth = image::readGreyPicture(folder / paths.truth, "R");
-  if (own.values.size() != difference.values.size() ||
-      truth.values.size() != difference.values.size()) {
-    throw InputError(fmt::format("{}: {} × {} pixels expected, as its difference has",
-                                 (folder / paths.method).string(), difference.width,
-                                 difference.height));
-  }
+  requireSize(folder / paths.method, own.values.size(), right);
+  requireSize(folder / paths.truth, truth.values.size(), right);
+  const auto* row = study::findResult(record, method, {panel->view, panel->light});
+  const bool isSoft = row != nullptr && !row->shares.empty();
   Html places;
-  for (const Window& window : windows) places += placeHtml(method, window, own, truth);
+  for (const Window& window : windows) places += placeHtml(method, window, isSoft, own, truth);
   return html("<h3>{} <small>{} · {}</small></h3>\n<div class=\"worst\">\n{}</div>\n", method,
               panel->view, panel->light, places);
 }
@@ -155,7 +149,7 @@ Html methodHtml(const study::StudyRecord& record, const std::string& method,
 
 Html worstSection(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
                   const fs::path& folder) {
-  const std::vector<std::string> methods = shownMethods(record, ranked);
+  const std::vector<std::string> methods = highlights(study::studyMeans(record));
   std::vector<Html> parts(methods.size());
   parallelFor(0, methods.size(),
               [&](std::size_t i) { parts[i] = methodHtml(record, methods[i], folder); });
@@ -164,14 +158,13 @@ Html worstSection(const study::StudyRecord& record, const std::vector<study::Ran
   if (content.empty()) return {};
   return htmlSection(
       "worst", "Where each method errs most",
-      html("<p class=\"note\">Enlarged: of each method the {} squares of {} × {} pixels with the "
-           "most wrong samples, in the view and under the light where its error is largest. On the "
-           "left the method, on the right the truth. A method with a mesh of its own is shown "
-           "as a mask, white where lit.{}</p>\n{}",
+      html("<p class=\"note\">Enlarged: for each method the {} squares of {} × {} pixels with the "
+           "largest error, in the view and under the light where the method is most wrong. The "
+           "method is on the left, the truth on the right. A method that draws its own mesh is "
+           "shown as a mask: white is lit.{}</p>\n{}",
            mostPlaces, windowSide, windowSide,
            methods.size() < ranked.size()
-               ? fmt::format(" Shown are the methods of the first pictures, and the best of the "
-                             "others: {} of {}.",
+               ? fmt::format(" These are the {} of {} methods that the plots highlight.",
                              methods.size(), ranked.size())
                : "",
            content));

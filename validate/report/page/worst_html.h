@@ -12,8 +12,8 @@ namespace gnomon::report {
 /// The section of the places where methods err most: of each method `worstWindows` of 64 pixels a
 /// side, three at most, in the view and under the light where its error is largest, each beside the
 /// truth. A method that draws another mesh than the truth's picture is shown as masks, at its own
-/// samples. Eight methods at most: those of the opening, then the first of the ranking. Lights with
-/// a disc have none. Nothing without a wrong sample.
+/// samples. The methods are the `highlights`. Under a light with a disc an error is |ΔV|. Nothing
+/// without an error.
 /// @param folder  the run's, where its pictures are
 /// @throws InputError for a picture that cannot be read
 Html worstSection(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,

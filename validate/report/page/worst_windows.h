@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace gnomon::report {
@@ -9,16 +8,17 @@ namespace gnomon::report {
 /// A square of a picture, its corner at the left top.
 struct Window {
   int left = 0, top = 0;
-  int side = 0;           ///< pixels
-  std::size_t wrong = 0;  ///< pixels in it that are wrong
+  int side = 0;      ///< pixels
+  double error = 0;  ///< sum over its pixels
 };
 
-/// The squares with the most wrong pixels, none of which overlap: the one with the most of all,
-/// then the one with the most of those that do not overlap it, and so on. Of equal ones the
-/// topmost, then the leftmost. None without a wrong pixel.
-/// @param wrong  1 where a pixel is wrong, else 0; row by row
-/// @param side   of a picture that is smaller, its shorter side
-std::vector<Window> worstWindows(const std::vector<std::uint8_t>& wrong, int width, int height,
-                                 int side, std::size_t most);
+/// The squares with the largest error, none of which overlap: the one with the most of all, then
+/// the one with the most of those that do not overlap it, and so on. Of equal ones the topmost,
+/// then the leftmost. None without an error.
+/// @param errors  of each pixel, row by row: 1 or 0 for wrong or right, under a light with a disc
+///                |ΔV|
+/// @param side    of a picture that is smaller, its shorter side
+std::vector<Window> worstWindows(const std::vector<float>& errors, int width, int height, int side,
+                                 std::size_t most);
 
 }  // namespace gnomon::report

@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "common/lists.h"
 #include "compare/rates.h"
 #include "report/plots/plot_style.h"
+#include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 #include "study/record/cases.h"
 #include "study/record/confidence_record.h"
@@ -47,47 +49,132 @@ const study::BinRecord* findBin(const std::vector<const study::BinRecord*>& bins
   return found == bins.end() ? nullptr : *found;
 }
 
-/// What stands between two bins: the edge that they share, or where a bin without samples was left
-/// out both of its edges.
-std::string edgeText(const Ends& left, const Ends& right) {
-  std::string edge = left.second ? exactText(*left.second) : "";
-  if (left.second == right.first) return edge;
-  return edge + "…" + (right.first ? exactText(*right.first) : "");
+/// None where the method has no sample in the bin.
+std::optional<double> errorIn(const std::vector<const study::BinRecord*>& bins,
+                              const std::string& method, const Ends& ends) {
+  const study::BinRecord* bin = findBin(bins, method, ends);
+  return bin == nullptr ? std::nullopt : compare::rate(bin->counts, "error_rate").value;
 }
 
-/// Ticks at the edges between the bins, and over each bin its share of the samples.
-std::string ticks(const std::vector<const study::BinRecord*>& bins, const std::vector<Ends>& ends,
-                  const std::string& method) {
+/// Where a bin lies on the axis. An open bin is drawn as wide as its neighbour.
+struct Place {
+  double low, high, middle;
+};
+
+/// The bins as an axis has them: with their true widths, of edges that grow by one factor on a
+/// logarithmic axis.
+struct BinAxis {
+  std::vector<Place> places;
+  bool isLogarithmic = false;
+
+  [[nodiscard]] double left() const { return places.front().low; }
+  [[nodiscard]] double right() const { return places.back().high; }
+  /// How far across the axis a value lies, 0 to 1.
+  [[nodiscard]] double share(double value) const {
+    const auto scale = [&](double v) { return isLogarithmic ? std::log(v) : v; };
+    return (scale(value) - scale(left())) / (scale(right()) - scale(left()));
+  }
+};
+
+BinAxis axisOf(const std::vector<Ends>& ends) {
+  std::vector<double> edges;
+  for (const auto& [low, high] : ends) {
+    for (const auto& edge : {low, high}) {
+      if (edge) edges.push_back(*edge);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  BinAxis axis;
+  axis.isLogarithmic = isGeometric(edges);
+  const auto beyond = [&](double edge, double next) {
+    return axis.isLogarithmic ? edge * edge / next : 2 * edge - next;
+  };
+  // One edge alone has no neighbour, none has not even a place.
+  const double single = edges.empty() ? 0.5 : edges.front();
+  const double left = edges.size() > 1 ? beyond(edges[0], edges[1]) : single - 1;
+  const double right =
+      edges.size() > 1 ? beyond(edges[edges.size() - 1], edges[edges.size() - 2]) : single + 1;
+  for (const auto& [low, high] : ends) {
+    Place place{low.value_or(left), high.value_or(right), 0};
+    place.middle =
+        axis.isLogarithmic ? std::sqrt(place.low * place.high) : (place.low + place.high) / 2;
+    axis.places.push_back(place);
+  }
+  return axis;
+}
+
+/// Labels at places of an axis, as far as each has its room, a share of the axis.
+std::string ticsWhereRoom(const BinAxis& axis,
+                          const std::vector<std::pair<double, std::string>>& labels,
+                          double roomOfCharacter) {
+  std::string tics;
+  double free = -1;
+  for (const auto& [place, text] : labels) {
+    const double half = roomOfCharacter * static_cast<double>(displayWidth(text) + 1) / 2;
+    const double at = axis.share(place);
+    const bool hasRoom = at - half >= free;
+    tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ", gnuplotText(hasRoom ? text : ""),
+                        exactText(place));
+    if (hasRoom) free = at + half;
+  }
+  return tics;
+}
+
+/// Tics at the edges of the bins, and over each bin its share of the samples.
+std::string tics(const std::vector<const study::BinRecord*>& bins, const std::vector<Ends>& ends,
+                 const BinAxis& axis, const std::string& method, int pixels) {
   const auto samplesIn = [&](const Ends& bin) {
     const study::BinRecord* found = findBin(bins, method, bin);
     return found == nullptr ? 0 : static_cast<double>(found->counts.samples);
   };
   double all = 0;
   for (const Ends& bin : ends) all += samplesIn(bin);
-  std::string edges;
-  std::string shares;
+  std::vector<std::pair<double, std::string>> edges;
+  std::vector<std::pair<double, std::string>> shares;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (i > 0) {
-      edges +=
-          fmt::format("{}{} {}", i > 1 ? ", " : "", gnuplotText(edgeText(ends[i - 1], ends[i])),
-                      exactText(static_cast<double>(i) - 0.5));
+    for (const auto& edge : {ends[i].first, ends[i].second}) {
+      if (edge && (edges.empty() || edges.back().first != *edge)) {
+        edges.emplace_back(*edge, exactText(*edge));
+      }
     }
-    shares += fmt::format("{}'{:.1f} %%' {}", i > 0 ? ", " : "",
-                          all > 0 ? 100 * samplesIn(ends[i]) / all : 0, i);
+    shares.emplace_back(axis.places[i].middle,
+                        fmt::format("{:.1f} %%", all > 0 ? 100 * samplesIn(ends[i]) / all : 0));
   }
-  return fmt::format("set xtics ({})\nset x2tics ({})\n", edges, shares);
+  const double edgeRoom = 8.0 / pixels;
+  const double shareRoom = 6.5 / pixels;
+  return "set xtics (" + ticsWhereRoom(axis, edges, edgeRoom) + ")\nset x2tics (" +
+         ticsWhereRoom(axis, shares, shareRoom) + ")\n";
 }
 
+/// Middle, error, lower end, width of each bin; no row of a bin without samples, which is a gap.
 std::string lineData(const std::vector<const study::BinRecord*>& bins,
-                     const std::vector<Ends>& ends, const std::string& method) {
+                     const std::vector<Ends>& ends, const BinAxis& axis,
+                     const std::string& method) {
   std::string rows;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const study::BinRecord* bin = findBin(bins, method, ends[i]);
-    const auto error =
-        bin == nullptr ? std::nullopt : compare::rate(bin->counts, "error_rate").value;
-    rows += fmt::format("{} {}\n", i, error ? exactText(100 * *error) : "NaN");
+    const auto error = errorIn(bins, method, ends[i]);
+    const Place& place = axis.places[i];
+    rows += fmt::format("{} {} {} {}\n", exactText(place.middle),
+                        error ? exactText(100 * *error) : "NaN", exactText(place.low),
+                        exactText(place.high - place.low));
   }
   return rows;
+}
+
+/// The values behind the plot: a row a method, a column a bin.
+Table valuesTable(const std::vector<const study::BinRecord*>& bins, const std::vector<Ends>& ends,
+                  const std::vector<std::string>& methods) {
+  Table table{.kind = "values", .columns = {{"Method", "", Quantity::name}}};
+  for (const auto& [low, high] : ends) {
+    table.columns.push_back({binText(low, high), "", Quantity::percent});
+  }
+  for (const std::string& method : methods) {
+    Row row{{textCell(method)}};
+    for (const Ends& bin : ends) row.cells.push_back(valueCell(errorIn(bins, method, bin)));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 /// The truth's uncertainty in a view, mean over its lights; 0 where it was not measured.
@@ -100,6 +187,14 @@ double uncertaintyIn(const study::StudyRecord& record, std::string_view view) {
     ++lights;
   }
   return lights > 0 ? sum / lights : 0;
+}
+
+/// The axis's title without its unit.
+std::string axisWords(std::string_view axis) {
+  for (const study::SampleAxis& known : study::sampleAxes()) {
+    if (known.name == axis) return std::string(known.title);
+  }
+  return std::string(axis);
 }
 
 }  // namespace
@@ -127,45 +222,83 @@ std::vector<std::string> binViews(const study::StudyRecord& record, std::string_
   return views;
 }
 
-PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view) {
+PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view,
+                  const MethodStyles& styles, PlotPlace place) {
   const std::vector<const study::BinRecord*> bins = binsOf(record, axis, view);
   const std::vector<Ends> ends = endsOf(bins);
+  const BinAxis places = axisOf(ends);
   std::vector<std::string> methods;
   for (const study::BinRecord* bin : bins) appendOnce(methods, bin->method);
-  const std::string uncertainty = exactText(100 * uncertaintyIn(record, view));
-  std::string data =
-      plotData("$truth", fmt::format("-0.5 {0}\n{1} {0}\n", uncertainty,
-                                     exactText(static_cast<double>(ends.size()) - 0.5)));
-  std::string plot =
-      "plot $truth using 1:2 with filledcurves y1=0 fc rgb '#c8c8c8' title 'uncertainty of the "
-      "truth'";
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    data += plotData(fmt::format("$m{}", m), lineData(bins, ends, methods[m]));
-    plot += fmt::format(", \\\n  $m{} using 1:2 with linespoints {} title {}", m, plotLine(m),
-                        plotLegend(methods[m]));
-  }
   const std::string title = axisTitle(axis);
-  return {fmt::format("error-by-{}", axis),
-          fmt::format("Error by {} ({})", title, view),
-          fmt::format("Error rate of each method by {}, view {}", title, view),
-          1000,
-          std::max(560, 25 * (static_cast<int>(methods.size()) + 4)),
-          data + plotFrame(3, "ytics ") +
-              "set lmargin at screen 0.075\nset rmargin at screen 0.69\n"
-              "set tmargin at screen 0.88\n" +
-              ticks(bins, ends, methods.empty() ? "" : methods.front()) +
-              fmt::format("set xrange [-0.5:{0}]\nset x2range [-0.5:{0}]\nset yrange [0:*]\n",
-                          exactText(static_cast<double>(ends.size()) - 0.5)) +
-              "set xtics font ',11'\n"
-              "set x2tics font ',9' scale 0 offset 0,-0.4\n"
-              "set xlabel " +
-              gnuplotText(title) +
-              "\n"
-              "set x2label 'share of the samples' font ',10' offset 0,-0.5\n"
-              "set ylabel 'error rate, percent of the bin’s samples' offset 1,0\n"
-              "set key at screen 0.7, screen 0.96 left top Left reverse samplen 2 spacing 1.1 "
-              "maxcols 1\n" +
-              plot + "\n"};
+  const int lines = static_cast<int>(methods.size()) + 4;
+  PlotSheet sheet{.name = fmt::format("error-by-{}", axis),
+                  .title = fmt::format("Error by {} ({})", title, view),
+                  .about = fmt::format("Error rate of each method by {}, view {}", title, view),
+                  .colours = styles.colours(),
+                  .place = place,
+                  .table = valuesTable(bins, ends, methods)};
+  PlotMargins margins{75, 310, 67, 70};
+  if (place == PlotPlace::paper) {
+    sheet.height = std::max(560, 25 * lines);
+  } else if (place == PlotPlace::page) {
+    sheet.height = 430;
+    margins = {66, 12, 46, 68};
+  } else {
+    sheet.width = 380;
+    sheet.height = 360;
+    margins = {58, 8, 46, 64};
+  }
+  const double uncertainty = 100 * uncertaintyIn(record, view);
+  std::string data = plotData(
+      "$truth", fmt::format("{} {}\n{} {}\n", exactText(places.left()), exactText(uncertainty),
+                            exactText(places.right()), exactText(uncertainty)));
+  std::string plot = "plot " + plotBand("$truth", true);
+  std::vector<LegendEntry> legend;
+  ValuePoints values("$values");
+  for (const std::string& method : styles.drawnOrder(methods)) {
+    const auto m = static_cast<std::size_t>(std::find(methods.begin(), methods.end(), method) -
+                                            methods.begin());
+    data += plotData(fmt::format("$m{}", m), lineData(bins, ends, places, method));
+    plot += fmt::format(
+        ", \\\n  $m{} using 3:2:4:(0) with vectors nohead {} lw 2 notitle, \\\n"
+        "  $m{} using 1:2 with linespoints {} notitle",
+        m, styles.colour(method), m, styles.line(method));
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto error = errorIn(bins, method, ends[i]);
+      if (!error) continue;
+      values.add(sheet, places.places[i].middle, 100 * *error,
+                 fmt::format("{}: {} % wrong, {} {}", method, percentText(error), axisWords(axis),
+                             binText(ends[i].first, ends[i].second)));
+    }
+    values.endCurve();
+  }
+  for (const std::string& method : methods) legend.push_back({method, method});
+  plot += styles.legend(legend, "linespoints", &MethodStyles::line);
+  sheet.legend = styles.items(legend, true);
+  sheet.legend.push_back(bandItem());
+  const bool isPhone = place == PlotPlace::phone;
+  sheet.commands =
+      data + values.data(sheet) + plotFrame(3, "ytics ") +
+      plotMargins(margins, sheet.width, sheet.height) +
+      (places.isLogarithmic ? "set logscale x\nset logscale x2\n" : "") +
+      tics(bins, ends, places, methods.empty() ? "" : methods.front(),
+           sheet.width - margins.left - margins.right) +
+      fmt::format("set xrange [{0}:{1}]\nset x2range [{0}:{1}]\nset yrange [0:*]\n",
+                  exactText(places.left()), exactText(places.right())) +
+      "set xtics font ',11'\n"
+      "set x2tics font ',9' scale 0 offset 0,-0.4\n"
+      "set xlabel " +
+      gnuplotText(title) +
+      " offset 0,0.5\n"
+      "set x2label 'share of the samples' font ',10' offset 0,-0.5\n" +
+      (isPhone ? "set ylabel 'wrong, percent' offset 2.2,0\n"
+               : "set ylabel 'wrong, percent of the bin’s samples' offset 1,0\n") +
+      (place == PlotPlace::paper
+           ? "set key at screen 0.7, screen 0.96 left top Left reverse samplen 2 spacing 1.1 "
+             "maxcols 1\n"
+           : "unset key\n") +
+      plot + values.plot(sheet) + "\n";
+  return sheet;
 }
 
 }  // namespace gnomon::report

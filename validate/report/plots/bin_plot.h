@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/plots/method_styles.h"
 #include "report/plots/plot_sheet.h"
 #include "study/record/record.h"
 
@@ -16,11 +17,13 @@ std::string axisTitle(std::string_view axis);
 std::vector<std::string> binAxes(const study::StudyRecord& record);
 std::vector<std::string> binViews(const study::StudyRecord& record, std::string_view axis);
 
-/// The methods' error rates in the bins of one axis and view, all lights together: one line a
-/// method, its bins at equal distances between ticks at their edges, over each its share of the
-/// samples (of the first method's); the truth's uncertainty as a grey band. A method without
-/// samples in a bin has a gap there.
+/// The methods' error rates in the bins of one axis and view, all lights together: one curve a
+/// method, each bin as wide as it is, those without an end as wide as their neighbours, over each
+/// its share of the samples (of the first method's); the truth's uncertainty as a grey band. Bins
+/// whose edges grow by one factor stand on a logarithmic axis. A method without samples in a bin
+/// has a gap there.
 /// @throws InternalError for a number that is not finite
-PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view);
+PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::string_view view,
+                  const MethodStyles& styles, PlotPlace place = PlotPlace::paper);
 
 }  // namespace gnomon::report

@@ -78,7 +78,7 @@ void addBar(std::vector<BudgetPart>& parts, const study::BudgetRecord& budget,
 
 }  // namespace
 
-PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
+PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets, PlotPlace place) {
   std::vector<BudgetPart> parts = partsOf(budgets);
   std::string names;
   std::string totals;
@@ -90,7 +90,7 @@ PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
                          plotLegend(budget.method + ", forward"), exactText(y), exactText(y + 1));
     // A mark at the method's error over both of its bars.
     totals +=
-        fmt::format("set arrow from {0},{1} to {0},{2} nohead front lw 2 lc rgb '#000000'\n",
+        fmt::format("set arrow from {0},{1} to {0},{2} nohead front lw 2 lc rgb ink\n",
                     exactText(100 * budget.total.value), exactText(y - 0.48), exactText(y + 1.48));
     y += 2.5;
   }
@@ -114,14 +114,20 @@ PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets) {
           "Each method's error by cause, forward and backward; the tables hold the same figures",
           1000,
           std::max({320, 24 * lines, 70 + 75 * static_cast<int>(budgets.size())}),
-          data + plotFrame(1, "xtics ") + "set yzeroaxis lt 1 lc rgb '#5b626b'\n" +
+          data + plotFrame(1, "xtics ") + "set yzeroaxis lt 1 lc rgb axis\n" +
               (isEmpty ? "set xrange [0:1]\n" : "") +
               fmt::format("set yrange [{}:-0.75]\n", exactText(y - 0.75)) + "set ytics scale 0 (" +
               names + ")\n" + totals +
               "set xlabel 'percent of the samples; black line: all of the error'\n"
               "set key outside right top Left reverse samplen 1 spacing 1.1\n" +
               plot + "\n",
-          "budget"};
+          "budget",
+          {},
+          place,
+          {},
+          {},
+          {},
+          true};
 }
 
 }  // namespace gnomon::report

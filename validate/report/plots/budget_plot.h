@@ -12,6 +12,7 @@ namespace gnomon::report {
 /// a mark where both together end, at the method's error.
 /// @param budgets  of one light, at least one
 /// @throws InternalError for a number that is not finite
-PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets);
+PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets,
+                     PlotPlace place = PlotPlace::paper);
 
 }  // namespace gnomon::report

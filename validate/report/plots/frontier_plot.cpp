@@ -3,8 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
-#include "common/lists.h"
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
 #include "report/text/number_text.h"
@@ -36,14 +37,18 @@ constexpr PriceWords byFrameTime = {"frontier_time",
                                     "cost",
                                     1};
 
+/// The least error that a logarithmic axis shows: an error of nothing has no place there.
+constexpr double leastError = 1e-5;
+
 /// A third more room on every side, in the logarithm.
-std::string ranges(const std::vector<FrontierPoint>& points, double unit) {
+std::string ranges(const std::vector<FrontierPoint>& points, double unit,
+                   std::optional<double> uncertainty) {
   const auto [low, high] =
       std::minmax_element(points.begin(), points.end(),
                           [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
   constexpr double room = 1.35;
-  // An error of nothing has no place on a logarithmic axis.
-  const double least = std::max(low->errorRate, 1e-5);
+  double least = std::max(low->errorRate, leastError);
+  if (uncertainty && *uncertainty > leastError) least = std::min(least, *uncertainty);
   return fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n",
                      exactText(points.front().price / unit / room),
                      exactText(points.back().price / unit * room), exactText(100 * least / room),
@@ -54,13 +59,56 @@ std::string dataRow(const FrontierPoint& point, double unit) {
   return fmt::format("{} {}\n", exactText(point.price / unit), exactText(100 * point.errorRate));
 }
 
+/// Each method's name, and the label of the entry that its colour is of.
+std::map<std::string, std::string> methodsOf(const std::vector<FrontierPoint>& points,
+                                             const MethodStyles& styles) {
+  std::map<std::string, std::string> methods;
+  for (const FrontierPoint& point : points) {
+    const auto [found, isNew] = methods.emplace(point.name, point.label);
+    if (!styles.isHighlighted(found->second) && styles.isHighlighted(point.label)) {
+      found->second = point.label;
+    }
+  }
+  return methods;
+}
+
+/// The points behind the plot, by price.
+Table valuesTable(const std::vector<FrontierPoint>& points, const PriceWords& words) {
+  Table table{.kind = "values",
+              .columns = {{"Method", "", Quantity::name},
+                          {words.axis, "", Quantity::decimals},
+                          {"Error", "", Quantity::percent},
+                          {"On the frontier", "", Quantity::text}}};
+  for (const FrontierPoint& point : points) {
+    table.rows.push_back({{textCell(point.label), valueCell(point.price / words.unit),
+                           valueCell(point.errorRate), textCell(point.efficient ? "yes" : "")}});
+  }
+  return table;
+}
+
 }  // namespace
 
-PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price) {
+PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
+                       const MethodStyles& styles, std::optional<double> uncertainty,
+                       PlotPlace place) {
   const PriceWords& words = price == Price::memory ? byMemory : byFrameTime;
-  std::vector<std::string> names;
-  for (const FrontierPoint& point : points) {
-    appendOnce(names, point.name);
+  PlotSheet sheet{.name = words.name,
+                  .title = words.title,
+                  .about = words.about,
+                  .section = words.section,
+                  .colours = styles.colours(),
+                  .place = place,
+                  .table = valuesTable(points, words)};
+  if (place == PlotPlace::page) sheet.height = 460;
+  if (place == PlotPlace::phone) {
+    sheet.width = 380;
+    sheet.height = 380;
+  }
+  std::vector<std::string> labels;
+  std::vector<LegendEntry> legend;
+  for (const auto& [name, label] : methodsOf(points, styles)) {
+    labels.push_back(label);
+    legend.push_back({label, name});
   }
   std::string rows;
   for (const FrontierPoint& point : points)
@@ -71,25 +119,46 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price) {
                         [](const auto& a, const auto& b) { return a.errorRate < b.errorRate; });
   rows += dataRow({"", "", points.back().price, best.errorRate}, words.unit);
   std::string data = plotData("$frontier", rows);
-  std::string plot = "plot $frontier using 1:2 with steps lc rgb '#9aa1a9' lw 2 title 'frontier'";
-  for (std::size_t m = 0; m < names.size(); ++m) {
+  std::string plot = "plot $frontier using 1:2 with steps lc rgb axis lw 2 title 'frontier'";
+  ValuePoints values("$values");
+  for (const std::string& label : styles.drawnOrder(labels)) {
+    const auto m =
+        static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
     rows.clear();
     for (const FrontierPoint& point : points) {
-      rows += point.name == names[m] ? dataRow(point, words.unit) : "";
+      if (point.name != legend[m].text) continue;
+      rows += dataRow(point, words.unit);
+      values.add(sheet, point.price / words.unit, 100 * std::max(point.errorRate, leastError),
+                 fmt::format("{}: {} % wrong, {:.3g} {}", point.label, percentText(point.errorRate),
+                             point.price / words.unit, words.name == byMemory.name ? "MB" : "ms"));
     }
+    values.endCurve();
     data += plotData(fmt::format("$m{}", m), rows);
-    plot += fmt::format(", \\\n  $m{} using 1:2 with points lc rgb '{}' pt {} ps 1 lw 2 title {}",
-                        m, plotColours.at(m % plotColours.size()),
-                        plotPoints.at((m + m / plotColours.size()) % plotPoints.size()),
-                        plotLegend(names[m]));
+    plot += fmt::format(", \\\n  $m{} using 1:2 with points {} notitle", m,
+                        styles.pointsOfMethod(label));
   }
-  const std::string commands =
-      data + plotFrame() + "set logscale xy\n" + ranges(points, words.unit) +
-      "set format x '%g'\nset format y '%g'\n" + fmt::format("set xlabel '{}'\n", words.axis) +
-      "set ylabel 'error rate, percent of the samples'\n"
-      "set key outside right top Left reverse samplen 2 spacing 1.25\n" +
-      plot + "\n";
-  return {words.name, words.title, words.about, 1000, 560, commands, words.section};
+  plot += styles.legend(legend, "points", &MethodStyles::pointsOfMethod);
+  sheet.legend = styles.items(legend, false);
+  sheet.legend.push_back({.text = "frontier", .variable = "axis", .dash = 1});
+  const bool hasBand = uncertainty && *uncertainty > leastError;
+  if (hasBand) {
+    plot += plotBandEntry();
+    sheet.legend.push_back(bandItem());
+  }
+  const bool isPhone = place == PlotPlace::phone;
+  sheet.commands =
+      data + values.data(sheet) + plotFrame() + "set logscale xy\n" +
+      ranges(points, words.unit, uncertainty) + (hasBand ? plotBandBelow(100 * *uncertainty) : "") +
+      "set format x '%g'\nset format y '%g'\n" +
+      fmt::format("set xlabel '{}' offset 0,0.5\n", words.axis) +
+      (isPhone ? "set ylabel 'wrong, percent' offset 2,0\n"
+               : "set ylabel 'error rate, percent of the samples'\n") +
+      (place == PlotPlace::paper
+           ? "set key outside right top Left reverse samplen 2 spacing 1.25\n"
+           : "unset key\n" + plotMargins({isPhone ? 52 : 76, 12, 10, isPhone ? 64 : 68},
+                                         sheet.width, sheet.height)) +
+      plot + values.plot(sheet) + "\n";
+  return sheet;
 }
 
 }  // namespace gnomon::report

@@ -27,13 +27,45 @@ std::string withoutDate(std::string pdf) {
   return pdf.replace(at + dateKey.size(), never.size(), never);
 }
 
+/// Gives the commands' colours their values.
+std::string colourSettings(const PlotSheet& sheet) {
+  const bool isPage = sheet.place != PlotPlace::paper && !sheet.isShaded;
+  std::string settings;
+  std::size_t index = 0;
+  for (const auto* colours : {&frameColours(), &sheet.colours}) {
+    for (const PlotColour& colour : *colours) {
+      settings += fmt::format("{} = '{}'\n", colour.variable,
+                              isPage ? placeholderColour(index) : colour.onWhite);
+      ++index;
+    }
+  }
+  return settings;
+}
+
 }  // namespace
+
+const std::vector<PlotColour>& frameColours() {
+  // Those of the lights are Okabe and Ito's: the common colour vision deficiencies keep them apart.
+  static const std::vector<PlotColour> colours = {
+      {"ink", "#1a1d21", "#e8eaed"},    {"axis", "#5b626b", "#a0a8b2"},
+      {"grid", "#dde1e6", "#31363d"},   {"band", "#c8c8c8", "#454b53"},
+      {"light0", "#0072B2", "#3f9fdc"}, {"light1", "#D55E00", "#ef7a1d"},
+      {"light2", "#009E73", "#1fc597"}, {"light3", "#CC79A7", "#e29ac2"},
+      {"light4", "#56B4E9", "#8fd0f7"}, {"light5", "#E69F00", "#f2bd45"},
+      {"light6", "#000000", "#ffffff"}};
+  return colours;
+}
+
+std::string placeholderColour(std::size_t index) {
+  return fmt::format("#01{:02x}{:02x}", index / 256 % 256, index % 256);
+}
 
 std::string svgOf(const PlotSheet& sheet) {
   const std::string terminal = fmt::format(
-      "set terminal svg size {},{} noenhanced font 'sans-serif,14' background '#ffffff'\n",
-      sheet.width, sheet.height);
-  return cleanSvg(runGnuplot(encoding + terminal + sheet.commands), sheet.title);
+      "set terminal svg size {},{} noenhanced font 'sans-serif,{}' background '#ffffff'\n",
+      sheet.width, sheet.height, sheet.place == PlotPlace::phone ? 13 : 14);
+  return cleanSvg(runGnuplot(encoding + terminal + colourSettings(sheet) + sheet.commands),
+                  sheet.title);
 }
 
 std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
@@ -46,7 +78,7 @@ std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
         "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,14' "
         "fontscale 0.4 linewidth 0.5\n",
         inches(sheet.width), inches(sheet.height));
-    scripts.push_back(encoding + terminal + sheet.commands);
+    scripts.push_back(encoding + terminal + colourSettings(sheet) + sheet.commands);
   }
   std::vector<std::string> pdfs = drawByGnuplot(scripts);
   // cairo 1.18 compresses the date too.

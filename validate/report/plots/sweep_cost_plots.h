@@ -16,6 +16,7 @@ namespace gnomon::report {
 ///                 some method's memory changes with the value.
 /// @throws InternalError for a number that is not finite
 /// @param slice  all cases
-std::vector<PlotSheet> sweepCostPlots(const study::SweepRecord& sweep, const SweepSlice& slice);
+std::vector<PlotSheet> sweepCostPlots(const study::SweepRecord& sweep, const SweepSlice& slice,
+                                      PlotPlace place = PlotPlace::paper);
 
 }  // namespace gnomon::report

@@ -87,46 +87,99 @@ CurveData dataOf(const study::SweepRecord& sweep, const SweepSlice& slice,
   return data;
 }
 
+/// The truth's uncertainty at each value, the largest over views and lights.
+std::string bandData(const study::SweepRecord& sweep, const SweepSlice& slice) {
+  std::string rows;
+  for (std::size_t i = 0; i < slice.cases.size(); ++i) {
+    const auto largest = study::largestUncertainty(study::studyMeans(sweep.steps[slice.cases[i]]));
+    rows += fmt::format("{} {}\n", exactText(slice.positions[i]),
+                        largest ? exactText(100 * *largest) : "NaN");
+  }
+  return rows;
+}
+
 /// The plot of one method: its data, then the command.
 std::string panelCommands(const study::SweepRecord& sweep, const SweepSlice& slice,
-                          const Curves& curves, std::size_t m) {
+                          const Curves& curves, std::size_t m, PlotSheet& sheet) {
   std::string data;
-  std::string lines;
+  std::string lines = "plot " + plotBand("$truth", false);
   std::string bars;
+  ValuePoints values(fmt::format("$v{}l", m));
   for (std::size_t l = 0; l < curves.lights.size(); ++l) {
     const CurveData curve = dataOf(sweep, slice, curves.methods[m], curves.lights[l]);
     data += fmt::format("$m{}l{} << EOD\n{}EOD\n", m, l, curve.line);
-    lines += fmt::format("{}$m{}l{} using 1:2 with linespoints {} title {}",
-                         lines.empty() ? "plot " : ", \\\n  ", m, l, plotLine(l),
-                         plotLegend(curves.lights[l]));
+    lines += fmt::format(", \\\n  $m{}l{} using 1:2 with linespoints {} title {}", m, l,
+                         lightLine(l), plotLegend(curves.lights[l]));
+    for (std::size_t i = 0; i < slice.cases.size(); ++i) {
+      const auto error =
+          meanUnder(sweep.steps[slice.cases[i]], curves.methods[m], curves.lights[l]).error;
+      if (!error) continue;
+      values.add(sheet, slice.positions[i], 100 * *error,
+                 fmt::format("{}, {}: {} % wrong, {}", curves.methods[m], curves.lights[l],
+                             percentText(error), valueText(slice, i)));
+    }
+    values.endCurve();
     if (curve.bars.empty()) continue;
     data += fmt::format("$b{}l{} << EOD\n{}EOD\n", m, l, curve.bars);
-    bars += fmt::format(", \\\n  $b{}l{} {}", m, l, plotBars(l, "0.015"));
+    bars += fmt::format(", \\\n  $b{}l{} {}", m, l, plotBars(lightColour(l), "0.015"));
   }
-  return data + fmt::format("set title {}\n", plotLegend(curves.methods[m])) + lines + bars + "\n";
+  return data + values.data(sheet) + fmt::format("set title {}\n", plotLegend(curves.methods[m])) +
+         lines + bars + values.plot(sheet) + "\n";
+}
+
+/// The errors behind the plot: a row a method and light, a column a value.
+Table valuesTable(const study::SweepRecord& sweep, const SweepSlice& slice, const Curves& curves) {
+  Table table{.kind = "values",
+              .columns = {{"Method", "", Quantity::name}, {"Light", "", Quantity::text}}};
+  for (std::size_t i = 0; i < slice.cases.size(); ++i) {
+    table.columns.push_back({placeText(slice, i), "", Quantity::percent});
+  }
+  for (const std::string& method : curves.methods) {
+    for (const std::string& light : curves.lights) {
+      Row row{{textCell(method), textCell(light)}};
+      for (const std::size_t i : slice.cases) {
+        row.cells.push_back(valueCell(meanUnder(sweep.steps[i], method, light).error));
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
 }
 
 }  // namespace
 
-std::optional<PlotSheet> sweepLightsPlot(const study::SweepRecord& sweep, const SweepSlice& slice) {
+std::optional<PlotSheet> sweepLightsPlot(const study::SweepRecord& sweep, const SweepSlice& slice,
+                                         PlotPlace place) {
   const Curves curves = curvesOf(sweep, slice);
   if (curves.lights.size() < 2 || curves.lights.size() > mostPlottedLights) return std::nullopt;
-  const PanelGrid grid(curves.methods.size(), curves.lights);
-  std::string text = grid.opening(slice.axis) +
-                     "set yrange [0:*]\n"
-                     "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n";
-  text += axisCommands(slice);
-  for (std::size_t m = 0; m < curves.methods.size(); ++m) {
-    text += grid.panel(m) + panelCommands(sweep, slice, curves, m);
+  const bool isPaper = place == PlotPlace::paper;
+  const PanelGrid grid(curves.methods.size(), isPaper ? curves.lights : std::vector<std::string>(),
+                       place);
+  PlotSheet sheet{.name = "sweep_lights" + slice.suffix,
+                  .title = fmt::format("{}, by light{}", sweep.heading(),
+                                       slice.title.empty() ? "" : ", " + slice.title),
+                  .about = "Error rate of each method under each light against " + slice.axis,
+                  .width = grid.width(),
+                  .height = grid.height(),
+                  .place = place,
+                  .table = valuesTable(sweep, slice, curves)};
+  for (std::size_t l = 0; l < curves.lights.size(); ++l) {
+    sheet.legend.push_back({.text = curves.lights[l],
+                            .variable = lightColour(l),
+                            .point = lightPoints.at(l % lightPoints.size()),
+                            .dash = static_cast<int>(1 + l / lightPoints.size())});
   }
-  const std::string title = sweep.heading();
-  return PlotSheet{
-      "sweep_lights" + slice.suffix,
-      fmt::format("{}, by light{}", title, slice.title.empty() ? "" : ", " + slice.title),
-      "Error rate of each method under each light against " + slice.axis,
-      PanelGrid::width,
-      grid.height(),
-      text + "unset multiplot\n"};
+  sheet.legend.push_back(bandItem());
+  sheet.commands = plotData("$truth", bandData(sweep, slice)) + grid.opening(slice.axis) +
+                   (isPaper ? "" : "unset key\n") +
+                   "set yrange [0:*]\n"
+                   "set offsets graph 0.03, graph 0.03, graph 0.05, 0\n" +
+                   axisCommands(slice);
+  for (std::size_t m = 0; m < curves.methods.size(); ++m) {
+    sheet.commands += grid.panel(m) + panelCommands(sweep, slice, curves, m, sheet);
+  }
+  sheet.commands += "unset multiplot\n";
+  return sheet;
 }
 
 }  // namespace gnomon::report

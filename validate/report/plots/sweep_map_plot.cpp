@@ -13,7 +13,7 @@
 
 namespace gnomon::report {
 
-PlotSheet sweepMapPlot(const study::SweepRecord& sweep) {
+PlotSheet sweepMapPlot(const study::SweepRecord& sweep, PlotPlace place) {
   const SweepGrid grid = gridOf(sweep);
   std::vector<study::StudyMeans> steps;
   for (const study::StudyRecord& step : sweep.steps) steps.push_back(study::studyMeans(step));
@@ -21,14 +21,14 @@ PlotSheet sweepMapPlot(const study::SweepRecord& sweep) {
   double worst = 0;
   std::string data;
   std::string plots;
-  const PanelGrid panels(labels.size(), {"100.00"});
+  const PanelGrid panels(labels.size(), {"100.00"}, PlotPlace::page);
   for (std::size_t m = 0; m < labels.size(); ++m) {
     data += fmt::format("$m{} << EOD\n", m);
-    for (std::size_t place = 0; place < grid.cases.size(); ++place) {
-      const study::MethodMeans* means = study::findMeans(steps[grid.cases[place]], labels[m]);
+    for (std::size_t at = 0; at < grid.cases.size(); ++at) {
+      const study::MethodMeans* means = study::findMeans(steps[grid.cases[at]], labels[m]);
       const auto error = means != nullptr ? means->errorRate : std::nullopt;
       worst = std::max(worst, error.value_or(0));
-      data += fmt::format("{} {} {}\n", place % grid.across.size(), place / grid.across.size(),
+      data += fmt::format("{} {} {}\n", at % grid.across.size(), at / grid.across.size(),
                           error ? exactText(100 * *error) : "NaN");
     }
     data += "EOD\n";
@@ -52,9 +52,16 @@ PlotSheet sweepMapPlot(const study::SweepRecord& sweep) {
   return {"sweep_map",
           fmt::format("{}: error rate, percent", sweep.heading()),
           fmt::format("Error rate of each method over {} and {}", grid.acrossAxis, grid.upAxis),
-          PanelGrid::width,
+          panels.width(),
           panels.height(),
-          std::move(text)};
+          std::move(text),
+          "plots",
+          {},
+          place,
+          {},
+          {},
+          {},
+          true};
 }
 
 }  // namespace gnomon::report

@@ -11,6 +11,6 @@ namespace gnomon::report {
 /// mean error rate over lights and views, by one scale for all panels. A figure that is not defined
 /// leaves a gap.
 /// @throws InternalError for a number that is not finite
-PlotSheet sweepMapPlot(const study::SweepRecord& sweep);
+PlotSheet sweepMapPlot(const study::SweepRecord& sweep, PlotPlace place = PlotPlace::paper);
 
 }  // namespace gnomon::report

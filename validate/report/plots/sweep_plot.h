@@ -11,6 +11,7 @@ namespace gnomon::report {
 /// false light; in each the truth's mean uncertainty as a grey band from 0. The legend stands in
 /// the order of the lines at the last value. A figure that is not defined leaves a gap.
 /// @throws InternalError for a number that is not finite
-PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice);
+PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice,
+                    PlotPlace place = PlotPlace::paper);
 
 }  // namespace gnomon::report

@@ -10,6 +10,7 @@
 
 #include "report/plots/gnuplot.h"
 #include "report/plots/plot_style.h"
+#include "report/text/number_text.h"
 
 namespace gnomon::report {
 namespace {
@@ -123,16 +124,6 @@ std::vector<std::string> labelsOf(const Dimension& dimension) {
   return labels;
 }
 
-bool isGeometric(const std::vector<double>& positions) {
-  constexpr std::size_t fewest = 4;
-  if (positions.size() < fewest || !(positions.front() > 0)) return false;
-  const double ratio = positions[1] / positions[0];
-  for (std::size_t i = 1; i < positions.size(); ++i) {
-    if (std::abs(positions[i] / positions[i - 1] / ratio - 1) > 0.01) return false;
-  }
-  return ratio > 1;
-}
-
 }  // namespace
 
 std::vector<SweepSlice> slicesOf(const study::SweepRecord& sweep) {
@@ -185,6 +176,16 @@ SweepGrid gridOf(const study::SweepRecord& sweep) {
     grid.cases[row * columns.size() + placeIn(columns, across.positions[i])] = i;
   }
   return grid;
+}
+
+std::string placeText(const SweepSlice& slice, std::size_t i) {
+  return slice.categories.empty()
+             ? exactText(slice.positions[i])
+             : slice.categories.at(static_cast<std::size_t>(slice.positions[i]));
+}
+
+std::string valueText(const SweepSlice& slice, std::size_t i) {
+  return fmt::format("{} {}", slice.axis, placeText(slice, i));
 }
 
 std::string axisCommands(const SweepSlice& slice) {

@@ -39,6 +39,10 @@ bool isGrid(const study::SweepRecord& sweep);
 /// @param sweep  one for which isGrid
 SweepGrid gridOf(const study::SweepRecord& sweep);
 
+/// The i-th place of a slice's axis, "16"; and as a sentence has it, "azimuths 16".
+std::string placeText(const SweepSlice& slice, std::size_t i);
+std::string valueText(const SweepSlice& slice, std::size_t i);
+
 /// The slice's axis across a plot: its labels where its values are no numbers, logarithmic where
 /// each of four or more is the same multiple of the one before, to a hundredth.
 std::string axisCommands(const SweepSlice& slice);

@@ -42,6 +42,12 @@ study::BinRecord readBin(const JsonReader& row) {
           row.numberOrNull("low"), row.numberOrNull("high"), readCounts(row)};
 }
 
+/// Summaries of older versions have none.
+render::MethodMark readMark(const JsonReader& method) {
+  if (!method.has("family")) return {};
+  return {method.text("family"), method.text("symbol")};
+}
+
 /// What statistics over scenes need of a record: the drawn answers over all samples, and the bins.
 study::StudyRecord readRecord(const JsonReader& summary, const std::string& suite) {
   const JsonReader study = summary.object("study");
@@ -55,7 +61,7 @@ study::StudyRecord readRecord(const JsonReader& summary, const std::string& suit
     record.truth.flips.push_back({flip.text("view"), flip.text("light"), flip.number("flip_rate")});
   }
   for (const JsonReader& method : summary.list("methods")) {
-    record.methods.push_back({method.text("label"), method.text("name"), "", ""});
+    record.methods.push_back({method.text("label"), method.text("name"), "", "", readMark(method)});
   }
   for (const JsonReader& row : summary.list("results")) {
     if (row.text("answer") != study::answerName(study::Answer::drawn) ||

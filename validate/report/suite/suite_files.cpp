@@ -15,13 +15,22 @@
 namespace gnomon::report {
 namespace {
 
-std::vector<DrawnPlot> writePlots(const std::vector<PlotSheet>& sheets, RunFolder& folder) {
-  std::vector<DrawnPlot> plots(sheets.size());
-  parallelFor(0, sheets.size(), [&](std::size_t i) { plots[i] = {sheets[i], svgOf(sheets[i])}; });
-  const std::vector<std::string> pdfs = pdfsOf(sheets);
-  for (std::size_t i = 0; i < plots.size(); ++i) {
-    folder.write(fmt::format("plots/{}.svg", sheets[i].name), plots[i].svg);
-    folder.write(fmt::format("plots/{}.pdf", sheets[i].name), pdfs[i]);
+std::vector<DrawnPlot> writeSuitePlots(const study::SuiteStatistics& statistics,
+                                       RunFolder& folder) {
+  const std::vector<PlotSheet> paper = suitePlots(statistics);
+  const std::vector<PlotSheet> wide = suitePlots(statistics, PlotPlace::page);
+  const std::vector<PlotSheet> narrow = suitePlots(statistics, PlotPlace::phone);
+  std::vector<DrawnPlot> plots(wide.size());
+  parallelFor(0, wide.size(), [&](std::size_t i) {
+    plots[i] = {wide[i], svgOf(wide[i])};
+    if (narrow[i].width == wide[i].width) return;
+    plots[i].narrow = narrow[i];
+    plots[i].narrowSvg = svgOf(narrow[i]);
+  });
+  const std::vector<std::string> pdfs = pdfsOf(paper);
+  for (std::size_t i = 0; i < paper.size(); ++i) {
+    folder.write(fmt::format("plots/{}.svg", paper[i].name), svgOf(paper[i]));
+    folder.write(fmt::format("plots/{}.pdf", paper[i].name), pdfs[i]);
   }
   return plots;
 }
@@ -38,7 +47,7 @@ void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
                      RunFolder& folder) {
   writeTables(statistics, studies, folder);
-  const std::vector<DrawnPlot> plots = writePlots(suitePlots(statistics), folder);
+  const std::vector<DrawnPlot> plots = writeSuitePlots(statistics, folder);
   folder.write("suite.html", suiteHtml(statistics, plots, command).text());
 }
 

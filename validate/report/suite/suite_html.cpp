@@ -120,7 +120,7 @@ Html binsSection(const study::SuiteStatistics& statistics, const std::vector<Dra
       noted(
           html("Error among the samples of all scenes that lie in a bin, each scene with the same "
                "weight. Bars are 95&#8239;% intervals over the scenes; errors below "
-               "0.01&#8239;% stand at it. The plot has the best methods and the last one, the "
+               "0.01&#8239;% are drawn at 0.01&#8239;%. The plot has the highlighted methods, the "
                "tables have all."),
           plotOf(plots, "suite-bins") +
               html("<details>\n<summary>All methods</summary>\n{}</details>\n", tables)));
@@ -142,11 +142,13 @@ Html suiteHtml(const study::SuiteStatistics& statistics, const std::vector<Drawn
                std::string_view command) {
   const Html curves = htmlSection(
       "errors", "Share of the scenes with an error below",
-      noted(html("The higher and the farther to the left a curve, the better the method; where it "
-                 "reaches 100 is its worst scene. Errors below 0.01&#8239;% stand at it."),
+      noted(html("The farther up and to the left a curve runs, the better the method. It reaches "
+                 "100&#8239;% at the method’s worst scene. Errors below 0.01&#8239;% are drawn at "
+                 "0.01&#8239;%. {}",
+                 plotReading),
             plotOf(plots, "suite-errors")));
   return htmlPage(statistics.suite, header(statistics),
-                  rankedSection(statistics) + curves + winsSection(plots) +
+                  htmlSymbols(plots) + rankedSection(statistics) + curves + winsSection(plots) +
                       leaderSection(statistics) + binsSection(statistics, plots) +
                       hardSection(statistics) + htmlReproduction(command));
 }

@@ -10,8 +10,10 @@
 
 #include "common/lists.h"
 #include "report/plots/bin_plot.h"
+#include "report/plots/method_styles.h"
 #include "report/plots/plot_style.h"
 #include "report/suite/suite_tables.h"
+#include "report/text/interval_text.h"
 #include "report/text/number_text.h"
 
 namespace gnomon::report {
@@ -19,10 +21,6 @@ namespace {
 
 /// The least error that a logarithmic axis shows, percent.
 constexpr double leastShown = 0.01;
-
-constexpr const char* openFrame =
-    "set border 3 lc rgb '#5b626b'\n"
-    "set tics nomirror out textcolor rgb '#1a1d21'\n";
 
 // ---- the cumulative plot
 
@@ -91,12 +89,12 @@ std::vector<const study::SuiteMethod*> rankedMethods(const study::SuiteStatistic
 
 using Ends = std::pair<std::optional<double>, std::optional<double>>;
 
-/// What is plotted: as many of the best as there are colours but one, and the last.
-std::vector<std::string> shownMethods(const study::SuiteStatistics& statistics) {
+/// What is plotted: of the highlighted methods those with a rank.
+std::vector<std::string> shownMethods(const study::SuiteStatistics& statistics,
+                                      const MethodStyles& styles) {
   std::vector<std::string> shown;
   for (const study::SuiteMethod* method : rankedMethods(statistics)) {
-    if (shown.size() == plotColours.size()) shown.pop_back();
-    shown.push_back(method->label);
+    if (styles.isHighlighted(method->label)) shown.push_back(method->label);
   }
   return shown;
 }
@@ -174,18 +172,59 @@ std::string errorRange(const study::SuiteStatistics& statistics,
                      exactText(std::min(120.0, 150 * most)));
 }
 
+/// The mean uncertainty of the truth, the largest over the methods; 0 where none was measured.
+double largestUncertainty(const study::SuiteStatistics& statistics) {
+  double largest = 0;
+  for (const study::SuiteMethod& method : statistics.methods) {
+    largest = std::max(largest, method.uncertainty);
+  }
+  return largest;
+}
+
+/// Where a panel lies.
+PlotMargins panelMargins(std::size_t place, const PlotSheet& sheet) {
+  const auto at = static_cast<int>(place);
+  if (sheet.place == PlotPlace::phone) {
+    const int each = sheet.height / static_cast<int>(panelAxes.size());
+    return {46, 8, at * each + 12, sheet.height - (at + 1) * each + 62};
+  }
+  const int half = sheet.height / 2;
+  const int top = (at < 2 ? 0 : half) + 20;
+  const int bottom = sheet.height - top - half + 84;
+  if (sheet.place == PlotPlace::page) {
+    return at % 2 == 0 ? PlotMargins{60, 520, top, bottom} : PlotMargins{560, 12, top, bottom};
+  }
+  return at % 2 == 0 ? PlotMargins{60, 660, top, bottom} : PlotMargins{410, 310, top, bottom};
+}
+
 struct Panels {
   std::string data, plots;
 };
 
+void addValues(const study::SuiteStatistics& statistics, const std::string& method,
+               const std::string& axis, const std::vector<Ends>& ends, double shift,
+               ValuePoints& values, PlotSheet& sheet) {
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const study::SuiteBin* bin = findBin(statistics, method, axis, ends[i]);
+    if (bin == nullptr) continue;
+    const double error = bin->error.errorRate;
+    const std::string interval =
+        bin->error.interval ? fmt::format(" (95 % interval {})", intervalText(bin->error.interval))
+                            : "";
+    values.add(sheet, static_cast<double>(i) + shift, std::max(leastShown, 100 * error),
+               fmt::format("{}: {} %{}, {} {}", method, percentText(error), interval,
+                           axisTitle(axis), binText(ends[i].first, ends[i].second)));
+  }
+  values.endCurve();
+}
+
 void addPanel(const study::SuiteStatistics& statistics, const std::vector<std::string>& methods,
-              std::size_t place, Panels& panels) {
+              const MethodStyles& styles, std::size_t place, Panels& panels, PlotSheet& sheet) {
   const std::string axis = panelAxes.at(place);
   const std::vector<Ends> ends = endsOf(statistics, axis);
   if (ends.empty()) return;
-  const double left = place % 2 == 0 ? 0.06 : 0.41;
-  const double top = place < 2 ? 0.97 : 0.47;
   std::string plot;
+  ValuePoints values(fmt::format("$v{}m", place));
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const double shift =
         0.5 * (static_cast<double>(m) + 0.5) / static_cast<double>(methods.size()) - 0.25;
@@ -193,26 +232,48 @@ void addPanel(const study::SuiteStatistics& statistics, const std::vector<std::s
     panels.data +=
         fmt::format("{} << EOD\n{}EOD\n", name, binRows(statistics, methods[m], axis, ends, shift));
     plot += fmt::format(
-        "{}{} using 1:3:(0):($4-$3) with vectors nohead lc rgb '{}' lw 1 dt 1 notitle, \\\n"
+        "{}{} using 1:3:(0):($4-$3) with vectors nohead {} lw 1 dt 1 notitle, \\\n"
         "  {} using 1:2 with linespoints {} title {}",
-        m == 0 ? "plot " : ", \\\n  ", name, plotColours.at(m), name, plotLine(m),
-        plotLegend(methods[m]));
+        m == 0 ? "plot " : ", \\\n  ", name, styles.colour(methods[m]), name,
+        styles.line(methods[m]), plotLegend(methods[m]));
+    addValues(statistics, methods[m], axis, ends, shift, values, sheet);
   }
+  panels.data += values.data(sheet);
   // Edges of many digits would meet.
   const std::string edges = ticks(ends);
-  const char* turned = edges.size() > 120 ? "rotate by 35 right" : "norotate";
-  panels.plots += fmt::format(
-      "set lmargin at screen {:.3f}\nset rmargin at screen {:.3f}\n"
-      "set tmargin at screen {:.3f}\nset bmargin at screen {:.3f}\n"
-      "set xtics {} ({})\nset xrange [-0.5:{}]\nset xlabel {} offset 0,0.4\n{}\n{}\n",
-      left, left + 0.28, top, top - 0.36, turned, edges,
-      exactText(static_cast<double>(ends.size()) - 0.5), gnuplotText(axisTitle(axis)), plot,
-      "unset key\nunset label 1");
+  const bool isNarrow = sheet.place == PlotPlace::phone;
+  const char* turned = edges.size() > (isNarrow ? 90 : 120) ? "rotate by 35 right" : "norotate";
+  panels.plots +=
+      plotMargins(panelMargins(place, sheet), sheet.width, sheet.height) +
+      fmt::format("set xtics {} ({})\nset xrange [-0.5:{}]\nset xlabel {} offset 0,0.4\n{}{}\n{}\n",
+                  turned, edges, exactText(static_cast<double>(ends.size()) - 0.5),
+                  gnuplotText(axisTitle(axis)), plot, values.plot(sheet),
+                  "unset key\nunset label 1");
+}
+
+/// The errors behind the curves: a row a method, a column a share of the scenes.
+Table errorsTable(const study::SuiteStatistics& statistics,
+                  const std::vector<std::vector<double>>& all) {
+  constexpr std::array shares = {10, 25, 50, 75, 90, 95, 100};
+  Table table{.kind = "values", .columns = {{"Method", "", Quantity::name}}};
+  for (const int share : shares) {
+    table.columns.push_back({fmt::format("{} % of the scenes", share), "", Quantity::percent});
+  }
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    Row row{{textCell(statistics.methods[m].label)}};
+    for (const int share : shares) {
+      const std::size_t count =
+          (all[m].size() * static_cast<std::size_t>(share) + 99) / 100;  // rounded up
+      row.cells.push_back(valueCell(all[m].at(std::max<std::size_t>(1, count) - 1) / 100));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 }  // namespace
 
-PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics) {
+PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics, PlotPlace place) {
   std::vector<std::vector<double>> all;
   double left = 100;
   double right = leastShown;
@@ -223,34 +284,77 @@ PlotSheet suiteErrorsPlot(const study::SuiteStatistics& statistics) {
   }
   left = std::max(leastShown, left / 1.2);
   right = std::min(100.0, 1.2 * right);
+  const MethodStyles styles(statistics);
+  const int lines = static_cast<int>(all.size()) + 4;
+  PlotSheet sheet{.name = "suite-errors",
+                  .title = "Share of the scenes with an error below",
+                  .about = "Share of the scenes with no more than an error rate, a curve a method",
+                  .height = place == PlotPlace::paper ? std::max(560, 25 * lines) : 460,
+                  .colours = styles.colours(),
+                  .place = place,
+                  .table = errorsTable(statistics, all)};
+  PlotMargins margins{75, 310, 12, 68};
+  if (place == PlotPlace::page) margins.right = 12;
+  if (place == PlotPlace::phone) {
+    sheet.width = sheet.height = 380;
+    margins = {48, 10, 10, 64};
+  }
   std::string data;
   std::string plot;
-  for (std::size_t m = 0; m < all.size(); ++m) {
-    data += fmt::format("$m{} << EOD\n{}EOD\n", m, curve(all[m], left, right));
-    plot += fmt::format("{}$m{} using 1:2 with steps lc rgb '{}' lw 2 dt {} title {}",
-                        m == 0 ? "plot " : ", \\\n  ", m, plotColours.at(m % plotColours.size()),
-                        1 + m / plotColours.size(), plotLegend(statistics.methods[m].label));
+  std::vector<std::string> labels;
+  std::vector<LegendEntry> legend;
+  for (const study::SuiteMethod& method : statistics.methods) {
+    labels.push_back(method.label);
+    legend.push_back({method.label, method.label});
   }
-  const std::string commands =
-      data + openFrame +
-      "set grid lc rgb '#dde1e6' lw 1 dt 1\n"
-      "set logscale x\nset format x '%g'\n" +
+  ValuePoints values("$values");
+  for (const std::string& label : styles.drawnOrder(labels)) {
+    const auto m =
+        static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
+    data += fmt::format("$m{} << EOD\n{}EOD\n", m, curve(all[m], left, right));
+    // Its symbol at some of the scenes, of few at all.
+    constexpr std::size_t symbols = 10;
+    const std::size_t step = 1 + all[m].size() / symbols;
+    plot += fmt::format(
+        "{}$m{} using 1:2 with steps {} notitle, \\\n  $m{} using 1:2 every {}::1::{} with points "
+        "{} notitle",
+        plot.empty() ? "plot " : ", \\\n  ", m, styles.stroke(label), m, step, all[m].size(),
+        styles.points(label));
+    for (std::size_t i = 0; i < all[m].size(); i += step) {
+      const double share = 100 * static_cast<double>(i + 1) / static_cast<double>(all[m].size());
+      values.add(sheet, all[m][i], share,
+                 fmt::format("{}: {} % or less on {:.0f} % of the scenes", label,
+                             percentText(all[m][i] / 100), share));
+    }
+    values.endCurve();
+  }
+  plot += styles.legend(legend, "linespoints", &MethodStyles::line);
+  sheet.legend = styles.items(legend, true);
+  const double uncertainty = 100 * largestUncertainty(statistics);
+  std::string band;
+  if (uncertainty > left) {
+    band = fmt::format(
+        "set object 1 rectangle from graph 0, graph 0 to first {}, graph 1 fc rgb band fs solid "
+        "noborder behind\n",
+        exactText(uncertainty));
+    plot += plotBandEntry();
+    sheet.legend.push_back(bandItem());
+  }
+  sheet.commands =
+      data + values.data(sheet) + plotFrame() + "set logscale x\nset format x '%g'\n" + band +
       fmt::format("set xrange [{}:{}]\nset yrange [0:100]\n", exactText(left), exactText(right)) +
-      "set lmargin at screen 0.075\nset rmargin at screen 0.69\n" +
-      fmt::format("set xlabel '{}, percent of {}'\n",
+      plotMargins(margins, sheet.width, sheet.height) +
+      fmt::format("set xlabel '{}, percent of {}' offset 0,0.5\n",
                   statistics.isSoft ? "mean |ΔV|" : "error rate", suiteFigure(statistics).of) +
-      "set ylabel 'scenes with no more, percent' offset 1,0\n"
-      "set key at screen 0.7, screen 0.97 left top Left reverse samplen 3 spacing 1.1 maxcols 1\n" +
-      plot + "\n";
-  return {"suite-errors",
-          "Share of the scenes with an error below",
-          "Share of the scenes with no more than an error rate, a curve a method",
-          1000,
-          std::max(560, 25 * (static_cast<int>(all.size()) + 4)),
-          commands};
+      "set ylabel 'scenes with no more, percent' offset 1,0\n" +
+      (place == PlotPlace::paper ? "set key at screen 0.7, screen 0.97 left top Left reverse "
+                                   "samplen 3 spacing 1.1 maxcols 1\n"
+                                 : "unset key\n") +
+      plot + values.plot(sheet) + "\n";
+  return sheet;
 }
 
-PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics) {
+PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics, PlotPlace place) {
   const std::vector<const study::SuiteMethod*> ranked = rankedMethods(statistics);
   const std::size_t count = ranked.size();
   std::string cells;
@@ -284,7 +388,7 @@ PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics) {
   const std::string commands = fmt::format(
       "$cells << EOD\n{}EOD\n$texts << EOD\n{}EOD\n"
       "unset border\nunset key\n"
-      "set tics scale 0 textcolor rgb '#1a1d21'\n"
+      "set tics scale 0 textcolor rgb ink\n"
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
       "set ytics ({})\nset x2tics ({}) offset 0,-0.4\nunset xtics\n"
@@ -303,45 +407,66 @@ PlotSheet suiteWinsPlot(const study::SuiteStatistics& statistics) {
       "error than that of the column on a new scene",
       width,
       height,
-      commands};
+      commands,
+      "plots",
+      {},
+      place,
+      {},
+      {},
+      {},
+      true};
 }
 
-std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics) {
-  const std::vector<std::string> methods = shownMethods(statistics);
+std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics, PlotPlace place) {
+  const MethodStyles styles(statistics);
+  const std::vector<std::string> methods = shownMethods(statistics, styles);
   if (methods.empty()) return std::nullopt;
+  PlotSheet sheet{.name = "suite-bins",
+                  .title = "Where methods fail",
+                  .about =
+                      "Error rate by curvature times height, elevation of the light, reach of "
+                      "shadows and stretch of the texture",
+                  .height = 680,
+                  .colours = styles.colours(),
+                  .place = place};
+  if (place == PlotPlace::phone) {
+    sheet.width = 380;
+    sheet.height = 1120;
+  }
   Panels panels;
-  for (std::size_t place = 0; place < panelAxes.size(); ++place) {
-    addPanel(statistics, methods, place, panels);
+  for (std::size_t axis = 0; axis < panelAxes.size(); ++axis) {
+    addPanel(statistics, methods, styles, axis, panels, sheet);
   }
   if (panels.plots.empty()) return std::nullopt;
-  const std::string commands =
-      panels.data + openFrame +
-      "set grid ytics lc rgb '#dde1e6' lw 1 dt 1\n"
+  std::vector<LegendEntry> legend;
+  for (const std::string& method : methods) legend.push_back({method, method});
+  sheet.legend = styles.items(legend, true);
+  const double uncertainty = 100 * largestUncertainty(statistics);
+  const bool hasBand = uncertainty > leastShown;
+  if (hasBand) sheet.legend.push_back(bandItem());
+  sheet.commands =
+      panels.data + plotFrame(3, "ytics ") +
       "set tics font ',9'\n"
       "set xlabel font ',12'\n"
       "set logscale y\nset format y '%g'\n" +
-      errorRange(statistics, methods) +
-      "set label 1 'error rate, percent of the bin’s samples' at screen 0.012, screen 0.52 center "
-      "rotate\n"
-      "set key at screen 0.7, screen 0.975 left top Left reverse samplen 2 spacing 1.1 maxcols "
-      "1\n"
-      "set multiplot\n" +
-      panels.plots + "unset multiplot\n";
-  return PlotSheet{"suite-bins",
-                   "Where methods fail",
-                   "Error rate by curvature times height, elevation of the light, reach of shadows "
-                   "and stretch of the texture",
-                   1000,
-                   680,
-                   commands};
+      errorRange(statistics, methods) + (hasBand ? plotBandBelow(uncertainty) : "") +
+      (place == PlotPlace::phone
+           ? "set ylabel 'error, percent' offset 2,0 font ',11'\n"
+           : "set label 1 'error rate, percent of the bin’s samples' at screen 0.012, screen 0.52 "
+             "center rotate textcolor rgb ink\n") +
+      (place == PlotPlace::paper ? "set key at screen 0.7, screen 0.975 left top Left reverse "
+                                   "samplen 2 spacing 1.1 maxcols 1\n"
+                                 : "unset key\n") +
+      "set multiplot\n" + panels.plots + "unset multiplot\n";
+  return sheet;
 }
 
-std::vector<PlotSheet> suitePlots(const study::SuiteStatistics& statistics) {
+std::vector<PlotSheet> suitePlots(const study::SuiteStatistics& statistics, PlotPlace place) {
   std::vector<PlotSheet> sheets;
   if (statistics.methods.empty()) return sheets;
-  sheets.push_back(suiteErrorsPlot(statistics));
-  if (statistics.methods.front().rank) sheets.push_back(suiteWinsPlot(statistics));
-  if (auto bins = suiteBinsPlot(statistics)) sheets.push_back(std::move(*bins));
+  sheets.push_back(suiteErrorsPlot(statistics, place));
+  if (statistics.methods.front().rank) sheets.push_back(suiteWinsPlot(statistics, place));
+  if (auto bins = suiteBinsPlot(statistics, place)) sheets.push_back(std::move(*bins));
   return sheets;
 }
 

@@ -109,13 +109,6 @@ std::string rankText(std::size_t low, std::size_t high) {
   return low == high ? fmt::format("{}", low) : fmt::format("{} to {}", low, high);
 }
 
-std::string binText(const std::optional<double>& low, const std::optional<double>& high) {
-  if (!low && !high) return "all";
-  if (!low) return "below " + exactText(*high);
-  if (!high) return exactText(*low) + " and more";
-  return fmt::format("{} to {}", exactText(*low), exactText(*high));
-}
-
 std::vector<std::string> suiteAxes(const study::SuiteStatistics& statistics) {
   std::vector<std::string> axes;
   for (const study::SampleAxis& axis : study::sampleAxes()) {

@@ -46,9 +46,6 @@ Table suiteResultsTable(const study::SuiteStatistics& statistics,
 /// The axes that have bins, in the order of sampleAxes.
 std::vector<std::string> suiteAxes(const study::SuiteStatistics& statistics);
 
-/// "below 5", "5 to 10", "75 and more".
-std::string binText(const std::optional<double>& low, const std::optional<double>& high);
-
 /// Three decimals: "0.012", "<0.001".
 std::string probabilityText(double probability);
 

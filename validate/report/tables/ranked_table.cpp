@@ -95,8 +95,8 @@ std::string rankedCaption(const study::StudyRecord& record,
   if (!ranked.empty() && ranked.front().uncertainty) {
     text += fmt::format(
         " The truth itself is uncertain by {}\u202f%; ≈ marks methods that are not distinguishable "
-        "from the best: the interval of the difference holds 0, there is none, or the difference "
-        "is no larger than that uncertainty.",
+        "from the best: the 95\u202f% interval of the difference contains 0 or could not be "
+        "measured, or the difference is no larger than that uncertainty.",
         percentText(ranked.front().uncertainty));
   }
   if (!record.cost.empty() && !isTimed(record)) text += " No frame was timed.";

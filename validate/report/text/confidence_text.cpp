@@ -54,8 +54,9 @@ std::string betterText(const study::DifferenceRecord& difference) {
   // It says what becomes of the best.
   const std::string radius = radiusNote(study::swapped(difference));
   return fmt::format("{} is better than {} by {} % of the samples (95 % interval {}){}.",
-                     difference.second, difference.first, percentText(difference.difference),
-                     intervalText(difference.interval), radius.empty() ? "" : ", which " + radius);
+                     quotedText(difference.second), quotedText(difference.first),
+                     percentText(difference.difference), intervalText(difference.interval),
+                     radius.empty() ? "" : ", which " + radius);
 }
 
 }  // namespace
@@ -98,11 +99,11 @@ std::string verdictText(const study::StudyRecord& record, const std::string& vie
     text += (text.empty() ? "" : " ") + sentence;
   };
   if (!like.close.empty()) {
-    add(fmt::format("{} is not distinguishable from {}.", best, listText(like.close)));
+    add(fmt::format("{} is not distinguishable from {}.", quotedText(best), listText(like.close)));
   }
   if (!like.withoutInterval.empty()) {
-    add(fmt::format("No interval could be measured of the difference between {} and {}.", best,
-                    listText(like.withoutInterval)));
+    add(fmt::format("{} and {} could not be compared: their difference has no 95 % interval.",
+                    quotedText(best), listText(like.withoutInterval)));
   }
   return text;
 }
@@ -123,19 +124,19 @@ std::string confidenceNote(const study::StudyRecord& record, const std::string& 
   for (const study::DifferenceRecord& toBest : differencesToBest(record, view, ranked)) {
     uncertainty.add(toBest.uncertainty);
     if (toBest.radius) {
-      radius = fmt::format(" {} depends on the radius: another verdict at half or at twice of it.",
+      radius = fmt::format(" {} The verdict changes when the search radius is halved or doubled.",
                            radiusMark);
     }
   }
   const std::string truth =
       uncertainty.isEmpty()
           ? ""
-          : fmt::format(", or it is within the truth’s uncertainty of {} %",
+          : fmt::format(", or the difference is within the truth’s uncertainty of {} %",
                         uncertainty.text([](double share) { return percentText(share); }));
   return fmt::format(
       "Percent of the samples, mean over the lights. {} It comes from {} blocks of {} × {} "
-      "samples. ≈ not distinguishable from the best: the interval of the difference holds 0, there "
-      "is none{}.{}",
+      "samples. ≈ means not distinguishable from the best: the 95 % interval of the difference "
+      "contains 0 or could not be measured{}.{}",
       intervalMeaning, blocks.text([](double count) { return fmt::format("{}", count); }),
       ranked.front().blockSide, ranked.front().blockSide, truth, radius);
 }

@@ -51,6 +51,13 @@ std::string exactText(std::optional<double> value) {
   return value ? exactText(*value) : "";
 }
 
+std::string binText(const std::optional<double>& low, const std::optional<double>& high) {
+  if (!low && !high) return "all";
+  if (!low) return "below " + exactText(*high);
+  if (!high) return exactText(*low) + " and more";
+  return fmt::format("{} to {}", exactText(*low), exactText(*high));
+}
+
 std::string groupedText(std::uint64_t value) {
   std::string digits = fmt::format("{}", value);
   for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, "\u202f");

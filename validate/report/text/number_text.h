@@ -31,6 +31,9 @@ std::string exactText(double value);
 /// The same, or nothing.
 std::string exactText(std::optional<double> value);
 
+/// A bin: "below 5", "5 to 10", "75 and more", "all".
+std::string binText(const std::optional<double>& low, const std::optional<double>& high);
+
 /// An integer with its thousands apart (by a narrow no-break space): "33 554 432".
 std::string groupedText(std::uint64_t value);
 

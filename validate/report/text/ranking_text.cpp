@@ -38,8 +38,8 @@ std::string indistinguishableText(const LikeMethods& methods) {
   std::string text;
   if (!methods.close.empty()) text = "not distinguishable from " + listText(methods.close);
   if (methods.withoutInterval.empty()) return text;
-  return fmt::format("{}{}no interval of the difference to {}", text, text.empty() ? "" : "; ",
-                     listText(methods.withoutInterval));
+  return fmt::format("{}{}could not be compared with {}: no 95 % interval", text,
+                     text.empty() ? "" : "; ", listText(methods.withoutInterval));
 }
 
 }  // namespace gnomon::report

@@ -25,8 +25,8 @@ struct LikeMethods {
   std::vector<std::string> withoutInterval;  ///< since the difference has no interval
 };
 
-/// "not distinguishable from “a” and “b”; no interval of the difference to “c”"; empty without a
-/// name.
+/// "not distinguishable from “a” and “b”; could not be compared with “c”: no 95 % interval"; empty
+/// without a name.
 std::string indistinguishableText(const LikeMethods& methods);
 
 }  // namespace gnomon::report

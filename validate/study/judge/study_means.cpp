@@ -13,11 +13,12 @@
 namespace gnomon::study {
 namespace {
 
-std::string nameOf(const StudyRecord& record, const std::string& label) {
+/// A label without a method of its own is its name.
+MethodRecord methodOf(const StudyRecord& record, const std::string& label) {
   for (const MethodRecord& method : record.methods) {
-    if (method.label == label) return method.name;
+    if (method.label == label) return method;
   }
-  return label;
+  return {label, label, "", ""};
 }
 
 /// A method's figures over the steps of a sweep.
@@ -28,7 +29,10 @@ MethodMeans meanOver(std::span<const StudyMeans> steps, const std::string& label
     std::vector<std::optional<double>> values;
     for (const StudyMeans& step : steps) {
       const MethodMeans* means = findMeans(step, label);
-      if (means != nullptr) mean.name = means->name;
+      if (means != nullptr) {
+        mean.name = means->name;
+        mean.mark = means->mark;
+      }
       values.push_back(means == nullptr ? std::nullopt : means->*figure);
     }
     return meanOf(values);
@@ -109,14 +113,16 @@ MethodMeans meansOf(const StudyRecord& record, const std::string& label) {
   };
   std::set<std::string> views;
   for (const ResultRecord* row : rows) views.insert(row->view);
+  const MethodRecord method = methodOf(record, label);
   return {label,
-          nameOf(record, label),
+          method.name,
           mean("error_rate"),
           mean("false_shadow"),
           mean("false_light"),
           meanUncertainty(record, rows),
           caseErrors(record, label),
-          meanInterval(record, label, views)};
+          meanInterval(record, label, views),
+          method.mark};
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct MethodMeans {
   std::vector<std::optional<double>> caseErrors = {};
   /// 95 % of `errorRate` in a study, see RankedMethod; none for a sweep's mean.
   std::optional<compare::Interval> interval = std::nullopt;
+  render::MethodMark mark = {};
 
   /// In how many of them it has one.
   [[nodiscard]] std::size_t cases() const;

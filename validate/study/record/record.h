@@ -10,6 +10,7 @@
 #include "compare/counts.h"
 #include "compare/rates.h"
 #include "compare/shadow_length.h"
+#include "render/method_mark.h"
 #include "study/record/answer.h"
 #include "study/record/bin_record.h"
 #include "study/record/budget_record.h"
@@ -89,6 +90,7 @@ struct MethodRecord {
   std::string name;   ///< the method's own name
   std::string title;
   std::string citation;
+  render::MethodMark mark = {};
 };
 
 /// A method of the study that was not measured, because the driver draws wrong what it needs.

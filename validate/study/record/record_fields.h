@@ -115,8 +115,8 @@ void fields(Stream& stream, T& radius) {
 
 template <typename Stream, SameAs<study::MethodRecord> T>
 void fields(Stream& stream, T& method) {
-  auto& [label, name, title, citation] = method;
-  stream(label, name, title, citation);
+  auto& [label, name, title, citation, mark] = method;
+  stream(label, name, title, citation, mark.family, mark.symbol);
 }
 
 template <typename Stream, SameAs<study::RefusedMethod> T>

@@ -73,8 +73,8 @@ class StudyRun {
     for (const MethodSpec& spec : study_.methods) {
       MethodCase prepared = prepareMethod(scene_, spec, surface_.onDemand());
       requireView(prepared, study_);
-      record_.methods.push_back(
-          {spec.label, prepared.method.name, prepared.method.title, prepared.method.citation});
+      record_.methods.push_back({spec.label, prepared.method.name, prepared.method.title,
+                                 prepared.method.citation, prepared.method.mark});
       methods_.push_back(std::move(prepared));
     }
   }

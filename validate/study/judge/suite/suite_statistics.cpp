@@ -140,13 +140,14 @@ std::vector<Comparison> comparisonsOf(const compare::SceneTable& table,
   return comparisons;
 }
 
-std::vector<std::string> namesOf(const Scenes& scenes, const std::string& label) {
-  std::vector<std::string> names;
+/// Sets what the scenes say of a method's own names, and of its mark.
+void nameAfter(const Scenes& scenes, SuiteMethod& method) {
   for (const StudyMeans* scene : scenes) {
-    const MethodMeans* means = findMeans(*scene, label);
-    if (means != nullptr) appendOnce(names, means->name);
+    const MethodMeans* means = findMeans(*scene, method.label);
+    if (means == nullptr) continue;
+    if (method.names.empty()) method.mark = means->mark;
+    appendOnce(method.names, means->name);
   }
-  return names;
 }
 
 SuiteMethod methodOf(const compare::SceneTable& table, std::size_t m,
@@ -194,7 +195,7 @@ std::vector<SuiteMethod> methodsOf(const compare::SceneTable& table, const Scene
   std::vector<SuiteMethod> methods;
   for (auto& method : found) {
     if (!method) continue;
-    method->names = namesOf(scenes, method->label);
+    nameAfter(scenes, *method);
     methods.push_back(std::move(*method));
   }
   rank(table, methods);

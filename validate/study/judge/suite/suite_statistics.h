@@ -30,6 +30,7 @@ struct SuiteMethod {
   double uncertainty = 0;                     ///< of the truth, mean over these scenes
   /// None for a method that lacks a scene: means over other scenes cannot be compared.
   std::optional<compare::SceneRank> rank;
+  render::MethodMark mark = {};  ///< of the first of `names`
 };
 
 /// Two methods over the scenes that both have, at least one.

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/judge/study_means.h"
+#include "study/judge/suite/suite_statistics.h"
+
+namespace gnomon::report {
+
+/// Bump mapping alone: the method that every other must beat.
+constexpr std::string_view controlMethod = "unshadowed";
+
+/// The label of the method of that name; of several the one without a label of its own.
+std::optional<std::string> labelOf(std::span<const study::MethodMeans> methods,
+                                   std::string_view name);
+
+/// The first method that a claim is about and that is neither `costReference` nor the control.
+std::optional<std::string> claimedMethod(std::span<const study::MethodMeans> methods,
+                                         std::span<const study::ClaimRecord> claims);
+
+/// The most methods that a plot draws in their colours.
+constexpr std::size_t mostHighlights = 8;
+
+/// The methods that plots draw in their own colours and of which a page shows the worst places,
+/// in the order of the ranking: the flat horizon map (`costReference`), the method that the first
+/// claim is about, and the first of the ranking, `mostHighlights` in all; of a method with several
+/// entries the best one, and more where there is room. Plots draw the others in grey.
+/// @param study  of a run or a sweep
+std::vector<std::string> highlights(const study::StudyMeans& study);
+
+/// Likewise of a suite, whose ranking is over its scenes and which claims nothing.
+std::vector<std::string> highlights(const study::SuiteStatistics& statistics);
+
+}  // namespace gnomon::report
