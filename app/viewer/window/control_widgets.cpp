@@ -75,8 +75,9 @@ bool ControlWidgets::slider(const char* label, const std::string& name, int& val
 
 bool ControlWidgets::field(const std::string& name, std::string& text, const char* whenEmpty,
                            const char* hint) {
-  const bool isEntered = ImGui::InputTextWithHint(fmt::format("##{}", name).c_str(), whenEmpty,
-                                                  &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool isEntered = ImGui::InputTextWithHint(
+      fmt::format("##{}", name).c_str(), whenEmpty, &text,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   note(name, hint);
   return isEntered;
 }

@@ -58,6 +58,7 @@ TEST(History, WhatChangesWithoutARestIsOneStep) {
   history.observe(30, time += rest, true);
   history.observe(30, time += 9 * rest, true);
   history.observe(31, time += 9 * rest, true);
+  history.observe(31, time += 2 * rest, true);
   history.observe(31, time += 0.1 * rest, false);
   history.observe(32, time += 0.1 * rest, false);
   EXPECT_EQ(history.undo(), 20);

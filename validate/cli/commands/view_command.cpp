@@ -36,8 +36,8 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
   addList(*view, "--set", request.options.overrides,
           "Override a key of the study, as relief.height=4 or light.0.elevation=30", "KEY=VALUE");
   addList(*view, "--show", request.show,
-          "Content of a pane; once, twice or four times for one, two or four panes; by default "
-          "the study's first method but unshadowed, and the truth",
+          "Content of a pane; once, twice or four times for one, two or four panes; by default the "
+          "study's first method other than unshadowed, and the truth",
           "CONTENT");
   addList(*view, "--overlay", request.overlays,
           "Overlay on the panes: curvature, directions, section or pixel", "NAME")
@@ -73,9 +73,10 @@ CLI::App* addViewCommand(CLI::App& app, ViewRequest& request) {
       ->capture_default_str()
       ->check(CLI::Range(1, mostFrames))
       ->type_name("N");
-  view->add_option("--record", request.record,
-                   "Record the panes along the light path into a new folder without a display, "
-                   "each picture with the complete truth, and a film where ffmpeg is, and exit")
+  view->add_option(
+          "--record", request.record,
+          "Record the panes along the light path into a new folder without a display, "
+          "each picture with the complete truth, and a film where ffmpeg is installed, and exit")
       ->type_name("DIR");
   view->add_option("--cursor", request.cursor, "Position of the cursor in a screenshot, pixels")
       ->delimiter(',')

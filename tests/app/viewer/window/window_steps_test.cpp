@@ -99,6 +99,9 @@ TEST_F(ViewerWindow, StepsAreTakenBackAndStudiesOpened) {
   write("bad.toml", "[study]\nname = 3\n");
   write("other.toml", replaced(replaced(ballStudy(), "name = \"ball\"", "name = \"other\""),
                                "elevation = 30", "elevation = 41"));
+  // It is read well, and fails when its mesh is made.
+  write("late.toml", replaced(replaced(ballStudy(), "quads = [20, 20]", "quads = [80, 80]"),
+                              "[truth]", "[base]\nsubdivisions = 1024\n\n[truth]"));
   fs::create_directory(folder() / "far");
   fs::copy(folder() / "other.toml", folder() / "far/third.toml");
   DrivenViewer viewer = open({"--show", "max-forsyth"});
@@ -151,6 +154,12 @@ TEST_F(ViewerWindow, StepsAreTakenBackAndStudiesOpened) {
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 0);
   EXPECT_EQ(refused.at("study"), "ball.toml");
   EXPECT_EQ(refused.at("light"), changed.at("light"));
+
+  choose("study.late.toml");
+  EXPECT_TRUE(viewer.waitFor([](const json& now) {
+    return now.at("notice").at("text").get<std::string>().starts_with("base.subdivisions: 1024") &&
+           now.at("opening") == "" && now.at("study") == "ball.toml";
+  })) << viewer.status().dump(2);
 
   choose("study.other.toml");
   EXPECT_TRUE(viewer.waitFor([](const json& now) {
