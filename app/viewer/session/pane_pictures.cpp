@@ -69,7 +69,7 @@ std::string noteOfNone(const DrawnScene& scene, const PaneContent& content) {
     if (scene.errors().contains(source.label)) return "not shown: see the message";
     waits = true;
   }
-  return waits ? "" : "these two draw different meshes: no common pixels";
+  return waits ? "" : "these two draw different meshes: their pixels cannot be compared";
 }
 
 std::vector<Vec3> endsOf(const std::vector<LineSegment>& lines) {

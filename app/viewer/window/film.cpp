@@ -88,7 +88,8 @@ std::optional<int> endOf(pid_t process, int options) {
 std::string contentOf(std::FILE* file) {
   std::rewind(file);
   std::array<char, 4096> buffer{};
-  const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), file);
+  std::size_t size = std::fread(buffer.data(), 1, buffer.size(), file);
+  while (size > 0 && buffer.at(size - 1) == '\n') --size;
   return {buffer.data(), size};
 }
 
