@@ -126,7 +126,7 @@ TEST(PaneFigures, CountAreasWhereTheyAreGiven) {
 }
 
 /// A rectangle of columns 10 to 29 and rows 6 to 20, counted sample by sample.
-const ViewPart middle{0.25, 0.2, 0.75, 0.7};
+const ViewPart middlePart{0.25, 0.2, 0.75, 0.7};
 bool isInPart(std::size_t i) {
   const std::size_t column = i % paneWidth;
   const std::size_t row = i / paneWidth;
@@ -149,7 +149,7 @@ TEST(PaneFigures, OfARectangleAreThoseOfItsSamplesAlone) {
     if (masks.candidate.samples[i] == masks.truth.samples[i]) continue;
     (masks.truth.samples[i] == Shade::lit ? dark : light) += 1;
   }
-  const PaneFigures figures = paneFigures(masks.candidate, masks.truth, traced, middle);
+  const PaneFigures figures = paneFigures(masks.candidate, masks.truth, traced, middlePart);
   EXPECT_EQ(figures.samples, count);
   EXPECT_EQ(figures.wrong, dark + light);
   EXPECT_EQ(figures.errorRate.value, (dark + light) / static_cast<double>(count));
@@ -174,7 +174,7 @@ TEST(PaneFigures, OfARectangleUnderADiscAreMeansOverIt) {
         std::abs(static_cast<double>(candidate.shares[i]) - static_cast<double>(truth.shares[i]));
     ++count;
   }
-  const PaneFigures figures = paneFigures(candidate, truth, all, middle);
+  const PaneFigures figures = paneFigures(candidate, truth, all, middlePart);
   EXPECT_EQ(figures.samples, count);
   EXPECT_NEAR(figures.wrong, off, 1e-9);
   EXPECT_NEAR(figures.errorRate.value.value(), off / static_cast<double>(count), 1e-12);
