@@ -59,6 +59,7 @@ TEST_F(ViewerWindow, PanesOfEveryKindLookAsTheyDoWithoutADisplay) {
   viewer.key("Tab");
   viewer.key("4");
   viewer.moveTo(100, 100);
+  viewer.key("n");
   viewer.key("b");
   viewer.moveTo(500, 100);
   viewer.key("t");
