@@ -6,6 +6,7 @@
 
 #include "compare/rates.h"
 #include "model/answers.h"
+#include "model/view_part.h"
 
 namespace gnomon::app {
 
@@ -13,8 +14,10 @@ namespace gnomon::app {
 struct PaneFigures {
   /// Over the traced samples. Of shares the error rate is the mean of |ΔV|.
   compare::Metric errorRate, falseShadow, falseLight, iou;
-  double tracedShare = 0;  ///< of the view's samples, 0 to 1
-  bool isSoft = false;     ///< of shares, not of masks
+  std::size_t samples = 0;  ///< how many were compared
+  double wrong = 0;         ///< how many of them are wrong; of shares the sum of |ΔV|
+  double tracedShare = 0;   ///< of the samples that were asked about, 0 to 1
+  bool isSoft = false;      ///< of shares, not of masks
 };
 
 /// The figures of `compare` over the traced samples; with all of them traced those that a run
@@ -27,5 +30,9 @@ struct PaneFigures {
 ///   traced sample; InternalError for answers of two kinds
 PaneFigures paneFigures(const Answers& candidate, const Answers& truth,
                         std::span<const std::uint8_t> traced, std::span<const double> weights = {});
+
+/// The same over the samples in a part of a camera's view alone.
+PaneFigures paneFigures(const Answers& candidate, const Answers& truth,
+                        std::span<const std::uint8_t> traced, const ViewPart& part);
 
 }  // namespace gnomon::app

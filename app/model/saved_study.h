@@ -17,6 +17,7 @@ struct BakeChange {
   std::optional<int> azimuths;
   std::optional<int> bits;
   std::optional<double> radius;  ///< texels
+  friend bool operator==(const BakeChange&, const BakeChange&) = default;
 };
 
 /// What sliders change of one method.
@@ -24,6 +25,7 @@ struct MethodChange {
   BakeChange bake;
   std::optional<int> subdivisions;           ///< of the mesh that it draws
   std::map<std::string, double> parameters;  ///< its own, by name
+  friend bool operator==(const MethodChange&, const MethodChange&) = default;
 };
 
 /// What sliders change of a study.
@@ -33,6 +35,7 @@ struct StudyChanges {
   BakeChange bake;                  ///< of the study; methods with their own keep it
   std::optional<int> subdivisions;  ///< of the study's base mesh; methods with their own keep it
   std::map<std::string, MethodChange> methods;  ///< by label
+  friend bool operator==(const StudyChanges&, const StudyChanges&) = default;
 };
 
 /// The changes as overrides, `key.path=value`: what `readStudy` takes to read the file with them,

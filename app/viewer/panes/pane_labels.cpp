@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "image/images.h"
-#include "image/share_picture.h"
 #include "render/gl_objects.h"
+#include "report/text/number_text.h"
 #include "viewer/panes/gui.h"
+#include "viewer/panes/legends.h"
 
 namespace gnomon::app {
 namespace {
@@ -31,24 +31,32 @@ void drawPart(ImDrawList& list, const PaneRectangle& rectangle, const PanePictur
 
 constexpr float chipPadding = 6;
 
-void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<std::string>& lines,
-              bool rightAligned, bool active) {
-  const float lineHeight = ImGui::GetTextLineHeight() + 2;
+float chipLineHeight() {
+  return ImGui::GetTextLineHeight() + 2;
+}
+
+Vec2 chipSize(const std::vector<std::string>& lines) {
   float width = 0;
   for (const std::string& line : lines)
     width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
-  width = std::min(width + 2 * chipPadding, static_cast<float>(widest));
-  const float height = lineHeight * static_cast<float>(lines.size()) + 2 * chipPadding - 2;
+  return {width + 2 * chipPadding,
+          chipLineHeight() * static_cast<float>(lines.size()) + 2 * chipPadding - 2};
+}
+
+void drawChip(ImDrawList& list, Vec2 corner, double widest, const std::vector<std::string>& lines,
+              bool rightAligned, bool active) {
+  const Vec2 whole = chipSize(lines);
+  const ImVec2 size = point({std::min(whole.x, widest), whole.y});
   ImVec2 begin = point(corner);
-  if (rightAligned) begin.x -= width;
-  const ImVec2 end(begin.x + width, begin.y + height);
+  if (rightAligned) begin.x -= size.x;
+  const ImVec2 end(begin.x + size.x, begin.y + size.y);
   list.AddRectFilled(begin, end, ink::chip, 4);
   if (active) list.AddRect(begin, end, ink::line, 4);
   list.PushClipRect(begin, end, true);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    list.AddText(
-        ImVec2(begin.x + chipPadding, begin.y + chipPadding + lineHeight * static_cast<float>(i)),
-        i == 0 ? ink::text : ink::faint, lines[i].c_str());
+    list.AddText(ImVec2(begin.x + chipPadding,
+                        begin.y + chipPadding + chipLineHeight() * static_cast<float>(i)),
+                 i == 0 ? ink::text : ink::faint, lines[i].c_str());
   }
   list.PopClipRect();
 }
@@ -76,98 +84,47 @@ std::vector<std::string> labelOf(const ViewSession& session, std::size_t pane, d
   return lines;
 }
 
-ImU32 colourOf(const image::Rgb& colour) {
-  return IM_COL32(colour[0], colour[1], colour[2], 255);
-}
-
-float differenceLegendHeight() {
-  return ImGui::GetTextLineHeight() + 10;
-}
-
-/// What the colours of a difference mean.
-void drawDifferenceLegend(ImDrawList& list, const PaneRectangle& pane, bool rightAligned) {
-  constexpr std::array entries = {std::pair(image::DifferenceColours::falseShadow, "false shadow"),
-                                  std::pair(image::DifferenceColours::falseLight, "false light")};
-  constexpr float square = 11;
-  float width = 8;
-  for (const auto& [colour, text] : entries) width += square + 18 + ImGui::CalcTextSize(text).x;
-  const float height = differenceLegendHeight();
-  ImVec2 at = point(pane.corner +
-                    Vec2(rightAligned ? pane.size.x - width - 10 : 10, pane.size.y - height - 10));
-  list.AddRectFilled(at, ImVec2(at.x + width, at.y + height), ink::chip, 4);
-  at = ImVec2(at.x + 8, at.y + 5);
-  for (const auto& [colour, text] : entries) {
-    list.AddRectFilled(ImVec2(at.x, at.y + 3), ImVec2(at.x + square, at.y + 3 + square),
-                       colourOf(colour), 2);
-    list.AddText(ImVec2(at.x + square + 5, at.y), ink::text, text);
-    at.x += square + 18 + ImGui::CalcTextSize(text).x;
-  }
-}
-
-/// The colours of ΔV from −1 to 1, over the greys of truths that it can be against.
-image::Image shareScale(int steps) {
-  Visibility candidate{steps, 1, {}};
-  Visibility truth{steps, 1, {}};
-  for (int i = 0; i < steps; ++i) {
-    const float share = static_cast<float>(i) / static_cast<float>(steps - 1);
-    candidate.shares.push_back(share);
-    truth.shares.push_back(1 - share);
-  }
-  return image::shareDifferenceImage(candidate, truth);
-}
-
-/// The same of shares.
-void drawShareLegend(ImDrawList& list, const PaneRectangle& pane, bool rightAligned) {
-  constexpr int steps = 41;
-  constexpr float step = 3;
-  const char* below = "\u22121 false shadow";
-  const char* above = "false light 1";
-  const float side = std::max(ImGui::CalcTextSize(below).x, ImGui::CalcTextSize(above).x) + 6;
-  const float width = 2 * side + steps * step + 16;
-  const float height = differenceLegendHeight();
-  const ImVec2 begin = point(
-      pane.corner + Vec2(rightAligned ? pane.size.x - width - 10 : 10, pane.size.y - height - 10));
-  list.AddRectFilled(begin, ImVec2(begin.x + width, begin.y + height), ink::chip, 4);
-  list.AddText(ImVec2(begin.x + 8 + side - 6 - ImGui::CalcTextSize(below).x, begin.y + 5),
-               ink::text, below);
-  const image::Image scale = shareScale(steps);
-  for (int i = 0; i < steps; ++i) {
-    const float x = begin.x + 8 + side + static_cast<float>(i) * step;
-    const auto* rgb = &scale.rgb[3 * static_cast<std::size_t>(i)];
-    list.AddRectFilled(ImVec2(x, begin.y + 7), ImVec2(x + step, begin.y + height - 7),
-                       colourOf({rgb[0], rgb[1], rgb[2]}));
-  }
-  list.AddText(ImVec2(begin.x + 8 + side + steps * step + 6, begin.y + 5), ink::text, above);
-}
-
-/// Above the line in which the legends of differences stand.
-void drawCurvatureLegend(ImDrawList& list, const PaneRectangle& pictures, double largest) {
-  constexpr float width = 200;
-  constexpr float bar = 10;
-  const float height = 2 * ImGui::GetTextLineHeight() + bar + 18;
-  const ImVec2 begin =
-      point(pictures.corner + Vec2((pictures.size.x - width) / 2,
-                                   pictures.size.y - height - differenceLegendHeight() - 20));
-  list.AddRectFilled(begin, ImVec2(begin.x + width, begin.y + height), ink::chip, 4);
-  list.AddText(ImVec2(begin.x + 8, begin.y + 4), ink::text, "κ along the light, 1/world");
-  constexpr int steps = 46;
-  const float top = begin.y + ImGui::GetTextLineHeight() + 9;
-  for (int i = 0; i < steps; ++i) {
-    const double value = largest * (2.0 * i / (steps - 1) - 1);
-    const float x = begin.x + 8 + static_cast<float>(i) * 4;
-    list.AddRectFilled(ImVec2(x, top), ImVec2(x + 4, top + bar),
-                       colourOf(curvatureColour(value, largest)));
-  }
-  const float below = top + bar + 2;
-  const std::string high = fmt::format("{:+.3g}", largest);
-  list.AddText(ImVec2(begin.x + 8, below), ink::faint, fmt::format("{:+.3g}", -largest).c_str());
-  list.AddText(ImVec2(begin.x + 8 + steps * 2 - 4, below), ink::faint, "0");
-  list.AddText(ImVec2(begin.x + width - 8 - ImGui::CalcTextSize(high.c_str()).x, below), ink::faint,
-               high.c_str());
-}
-
 std::string percent(const compare::Metric& metric) {
-  return metric.value ? fmt::format("{:.2f} %", 100 * *metric.value) : "undefined";
+  return report::percentText(metric.value) + " %";
+}
+
+/// "2.41 % wrong", "mean |ΔV| 2.41 %".
+std::string errorText(const PaneFigures& figures) {
+  const std::string error = percent(figures.errorRate);
+  return figures.isSoft ? "mean |ΔV| " + error : error + " wrong";
+}
+
+/// The rectangle, dark on bright and bright on dark, with what it tells below it or, where there is
+/// no room, in it.
+void drawRectangle(ImDrawList& list, const PaneRectangle& pane, const ViewPart& part,
+                   const std::vector<std::string>& lines) {
+  const PaneRectangle place = placeOf(part, pane);
+  const ImVec2 begin = point(place.corner);
+  const ImVec2 end = point(place.corner + place.size);
+  list.AddRect(begin, end, ink::chip, 0, 0, 4);
+  list.AddRect(begin, end, ink::text, 0, 0, 1.5F);
+  if (lines.empty()) return;
+  const Vec2 size = chipSize(lines);
+  const Vec2 paneEnd = pane.corner + pane.size;
+  const double below = place.corner.y + place.size.y + 5;
+  const bool fitsBelow = below + size.y <= paneEnd.y;
+  const Vec2 corner(std::max(pane.corner.x, std::min(place.corner.x, paneEnd.x - size.x)),
+                    fitsBelow ? below : paneEnd.y - size.y - 5);
+  drawChip(list, corner, pane.size.x, lines, false, true);
+}
+
+/// What the rectangle tells of the pane; of two panes, which share one picture, of both.
+std::vector<std::string> rectangleLines(const ViewSession& session, std::size_t pane) {
+  const ViewState& state = session.state();
+  std::vector<std::string> lines;
+  const bool isShared = state.paneCount == 2;
+  for (std::size_t i = isShared ? 0 : pane; i <= (isShared ? 1 : pane); ++i) {
+    const auto& figures = session.pane(i).partFigures;
+    if (!figures) continue;
+    if (isShared) lines.push_back(titleOf(state.panes.at(i), LightAngles{}));
+    for (std::string& line : rectangleText(*figures)) lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 }  // namespace
@@ -179,30 +136,45 @@ void drawPixelText(ViewSession& session, PixelProbe& probe, const WindowLayout& 
   const Camera& camera = session.state().camera;
   const auto pixel = pixelUnder(cursor, layout.panes.at(static_cast<std::size_t>(pane)),
                                 camera.width, camera.height);
-  const std::string text = pixel ? probe.textOf(session, *pixel) : "";
-  if (text.empty()) return;
-  const PaneRectangle& pictures = layout.pictures;
-  const double width = ImGui::CalcTextSize(text.c_str()).x + 2 * chipPadding;
-  const double height = ImGui::GetTextLineHeight() + 2 * chipPadding;
-  const double right = pictures.corner.x + pictures.size.x;
-  const bool fitsBelow = cursor.y + 14 + height < pictures.corner.y + pictures.size.y;
-  const Vec2 corner(std::max(pictures.corner.x, std::min(cursor.x + 14, right - width)),
-                    cursor.y + (fitsBelow ? 14 : -14 - height));
-  drawChip(*ImGui::GetForegroundDrawList(), corner, pictures.size.x, {text}, false, true);
+  if (!pixel) return;
+  const std::vector<std::string> lines = probe.linesOf(session, *pixel);
+  if (lines.empty()) return;
+  const Vec2 size = chipSize(lines);
+  const Vec2 end = layout.pictures.corner + layout.pictures.size;
+  constexpr double gap = 14;
+  const bool fitsBelow = cursor.y + gap + size.y < end.y;
+  const Vec2 corner(std::max(layout.pictures.corner.x, std::min(cursor.x + gap, end.x - size.x)),
+                    cursor.y + (fitsBelow ? gap : -gap - size.y));
+  drawChip(*ImGui::GetForegroundDrawList(), corner, layout.pictures.size.x, lines, false, true);
 }
 
 std::string titleOf(const PaneContent& content, const LightAngles& light) {
   if (content.shown == displacedSurface) return "displaced surface, ray-traced";
   std::string title = sourceText(content.shown);
   if (content.against) title += fmt::format(" \u2212 {}", sourceText(*content.against));
-  return light.radius > 0 ? fmt::format("V of {}, radius {}°", title, light.radius) : title;
+  return light.radius > 0 ? title + ", share V of the light that is seen" : title;
 }
 
 std::string figuresText(const PaneFigures& figures) {
-  return fmt::format("{} {}: {} false shadow, {} false light; IoU {}", percent(figures.errorRate),
-                     figures.isSoft ? "mean |ΔV|" : "wrong", percent(figures.falseShadow),
-                     percent(figures.falseLight),
-                     figures.iou.value ? fmt::format("{:.3f}", *figures.iou.value) : "undefined");
+  return fmt::format("{}: {} false shadow, {} false light; shadow overlap (IoU) {}",
+                     errorText(figures), percent(figures.falseShadow), percent(figures.falseLight),
+                     report::correlationText(figures.iou.value));
+}
+
+std::vector<std::string> rectangleText(const PaneFigures& figures) {
+  if (figures.samples == 0) return {"no traced sample in the rectangle"};
+  const std::string samples = fmt::format("{} samples", report::groupedText(figures.samples));
+  std::vector<std::string> lines = {
+      figures.isSoft ? fmt::format("{}, {}", samples, errorText(figures))
+                     : fmt::format("{}, {} wrong: {}", samples,
+                                   report::groupedText(static_cast<std::uint64_t>(figures.wrong)),
+                                   percent(figures.errorRate)),
+      fmt::format("{} false shadow, {} false light", percent(figures.falseShadow),
+                  percent(figures.falseLight))};
+  if (figures.tracedShare < 1) {
+    lines.push_back(fmt::format("{:.0f} % of the samples traced", 100 * figures.tracedShare));
+  }
+  return lines;
 }
 
 void PaneView::upload(const CurvaturePicture& picture) {
@@ -247,7 +219,7 @@ void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int 
              labelOf(session, i, room), right,
              state.paneCount > 1 && static_cast<int>(i) == activePane);
     if (state.panes.at(i).isDifference()) {
-      (state.light.radius > 0 ? drawShareLegend : drawDifferenceLegend)(list, pane, right);
+      drawDifferenceLegend(list, pane, state.light.radius > 0, right);
     }
   }
   if (wipes) {
@@ -255,6 +227,10 @@ void PaneView::draw(const ViewSession& session, const WindowLayout& layout, int 
     list.AddLine(point(top), point(top + Vec2(0, layout.pictures.size.y)), ink::text, 2);
     list.AddCircleFilled(point(top + Vec2(0, layout.pictures.size.y / 2)), 9, ink::chip);
     list.AddCircle(point(top + Vec2(0, layout.pictures.size.y / 2)), 9, ink::text, 0, 2);
+  }
+  for (std::size_t i = 0; state.part && i < static_cast<std::size_t>(state.paneCount); ++i) {
+    if (wipes && i == 1) break;
+    drawRectangle(list, layout.panes.at(i), *state.part, rectangleLines(session, i));
   }
   if (curvature != nullptr) drawCurvatureLegend(list, layout.pictures, curvature->largest);
 }

@@ -123,8 +123,8 @@ std::string degrees(double slope) {
 
 /// What a formula says: of a light's disc the share that is seen.
 std::string verdict(const CrossSection& section, bool shadowed, double share) {
-  if (section.lightRadius > 0) return fmt::format("V {:.3f}", share);
-  return shadowed ? "shadow" : "lit";
+  if (section.lightRadius > 0) return fmt::format("V = {:.3f}", share);
+  return shadowed ? "in shadow" : "lit";
 }
 
 /// The light's rays: of a disc its lowest and highest, and what lies between them.
@@ -247,13 +247,13 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
   list.AddLine(ImVec2(left, upper), ImVec2(left + room, upper), ink::line);
   if (!section_) {
     list.AddText(ImVec2(begin.x + 14, begin.y + 12), ink::faint,
-                 "Cross-section: put the cursor on the surface");
+                 "Cross-section: move the cursor over the surface");
     return;
   }
   const CrossSection& section = *section_;
   list.AddCircle(ImVec2(static_cast<float>(pixel_.x), static_cast<float>(pixel_.y)), 6, ink::text,
                  0, 2);
-  const float column = (width - 230) / 2;
+  const float column = (width - 262) / 2;
   const float top = begin.y + 32;
   const float bottom = end.y - 12;
   const double reach = reachOf(section, occluder_);
@@ -285,30 +285,31 @@ void SectionPanel::draw(const ViewSession& session, const WindowLayout& layout, 
                }
              });
 
-  const std::string truth = !session.traced()         ? "truth: not traced yet"
-                            : section.lightRadius > 0 ? fmt::format("truth: V {:.3f}", tracedShare_)
-                            : !occluder_              ? "truth: lit"
-                            : occluder_->attached     ? "truth: shadow, own facet"
-                                                      : "truth: shadow, occluder";
+  const std::string truth = !session.traced() ? "truth: not traced yet"
+                            : section.lightRadius > 0
+                                ? fmt::format("truth: V = {:.3f}", tracedShare_)
+                            : !occluder_          ? "truth: lit"
+                            : occluder_->attached ? "truth: in shadow by its own slope"
+                                                  : "truth: in shadow of the green dot";
   drawEntries(list, ImVec2(begin.x + 2 * column + 18, top),
               {{rayColour, lightText(section)},
                {flatColour,
-                fmt::format("flat {}: {}", degrees(section.here.flat.slope),
+                fmt::format("flat horizon {}: {}", degrees(section.here.flat.slope),
                             verdict(section, section.here.flat.shadowed, section.here.flat.share))},
                {correctedColour,
                 fmt::format("onoue-2004 {}: {}", degrees(best),
                             verdict(section, corrected.onoue2004, corrected.onoue2004Share))},
-               {0, fmt::format("by (2) {}, (3) {}", degrees(corrected.smallAngle.slope),
+               {0, fmt::format("its formulas (2) {}, (3) {}", degrees(corrected.smallAngle.slope),
                                degrees(corrected.bare.slope))},
-               {0, fmt::format("exact {}: {}", degrees(corrected.exact.slope),
+               {0, fmt::format("exact formula {}: {}", degrees(corrected.exact.slope),
                                verdict(section, corrected.onoueExact, corrected.onoueExactShare))},
                {truthColour, truth}});
   const ImVec2 notes(begin.x + 2 * column + 18, bottom - 3 * (ImGui::GetTextLineHeight() + 3));
   list.AddText(
       notes, ink::faint,
-      fmt::format("κ {:+.4g}, h {:.3g}\nd {:.3g} texels, σ {:.3g}\n{}", section.curvature,
-                  section.here.lookups.height, section.horizon.distance, section.worldPerTexel,
-                  section.fromTables ? "corrections from tables" : "corrections exact")
+      fmt::format("curvature κ {:+.4g}, height h {:.3g}\nhorizon point d = {:.3g} texels away\n{}",
+                  section.curvature, section.here.lookups.height, section.horizon.distance,
+                  section.fromTables ? "horizon read from the tables" : "horizon computed exactly")
           .c_str());
 }
 

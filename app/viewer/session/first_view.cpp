@@ -1,16 +1,14 @@
 #include "viewer/session/first_view.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <string_view>
 
-#include "render/method.h"
-#include "render/shader_files.h"
-#include "study/spec/method_replacement.h"
-#include "study/spec/study_table.h"
-#include "study/spec/toml/toml_reader.h"
+#include "common/error.h"
+#include "common/lists.h"
 
 namespace gnomon::app {
 namespace {
@@ -38,46 +36,51 @@ Camera firstCamera(const study::StudySpec& study) {
   return cameraOn(study.cage);
 }
 
+/// The control of every study: bump mapping alone.
+constexpr std::string_view controlMethod = "unshadowed";
+
+bool isControl(const study::StudySpec& study, const std::string& label) {
+  return std::any_of(study.methods.begin(), study.methods.end(),
+                     [&](const study::MethodSpec& method) {
+                       return method.label == label && method.file.stem() == controlMethod;
+                     });
+}
+
+bool has(const OpenedStudy& opened, const PaneContent& content) {
+  const auto isThere = [&](const PaneSource& source) {
+    return !source.isMethod() || contains(opened.labels, source.label);
+  };
+  return isThere(content.shown) && (!content.against || isThere(*content.against));
+}
+
+ViewPart partOf(const std::vector<double>& percent) {
+  const ViewPart part{percent[0] / 100, percent[1] / 100, percent[2] / 100, percent[3] / 100};
+  const bool isOne = part.left >= 0 && part.left < part.right && part.right <= 1 && part.top >= 0 &&
+                     part.top < part.bottom && part.bottom <= 1;
+  if (isOne) return part;
+  throw UsageError(
+      fmt::format("--rectangle {}: left, top, right and bottom, percent of the "
+                  "picture, as 25,20,75,70, expected",
+                  fmt::join(percent, ",")));
+}
+
 }  // namespace
 
-study::StudyOptions optionsOf(const cli::ViewRequest& request) {
-  study::StudyOptions options = request.options;
-  const toml::table table = study::studyTable(request.study, request.options);
-  std::set<std::string> labels;
-  if (const toml::array* methods = table["method"].as_array()) {
-    for (const toml::node& method : *methods) {
-      if (method.is_table()) labels.insert(study::methodLabel(*method.as_table()));
-    }
-  }
-  // A study without methods is refused by its reader, which says so better.
-  if (labels.empty()) return options;
-  for (const std::string& name : render::methodNames(render::shaderFolder())) {
-    if (labels.insert(name).second) options.addedMethods.push_back(name);
-  }
-  return options;
+const std::string& firstMethod(const OpenedStudy& opened) {
+  const auto begin = opened.labels.begin();
+  const auto end = opened.ownCount > 0 ? begin + static_cast<std::ptrdiff_t>(opened.ownCount)
+                                       : opened.labels.end();
+  const auto found = std::find_if(
+      begin, end, [&](const std::string& label) { return !isControl(*opened.study, label); });
+  return found == end ? opened.labels.front() : *found;
 }
 
-StudyNumbers numbersOf(const cli::ViewRequest& request) {
-  const toml::table table = study::parseToml(request.study, request.options.overrides);
-  return {table["relief"]["height"].value<double>(), table["surface"]["curvature"].value<double>()};
-}
-
-std::vector<std::string> labelsOf(const study::StudySpec& study) {
-  std::vector<std::string> labels;
-  for (const study::MethodSpec& method : study.methods) {
-    if (!method.isGiven()) labels.push_back(method.label);
-  }
-  return labels;
-}
-
-ViewState firstView(const study::StudySpec& study, const cli::ViewRequest& request,
-                    const std::vector<std::string>& labels) {
+ViewState firstView(const OpenedStudy& opened) {
+  const cli::ViewRequest& request = opened.request;
   ViewState state;
-  state.camera = firstCamera(study);
-  state.light = lightAngles(study.lights.front());
-  const bool hasPaper = std::find(labels.begin(), labels.end(), "onoue-2004") != labels.end();
-  const std::string method = hasPaper ? "onoue-2004" : labels.front();
-  const PaneSource first = methodSource(method);
+  state.camera = firstCamera(*opened.study);
+  state.light = lightAngles(opened.study->lights.front());
+  const PaneSource first = methodSource(firstMethod(opened));
   state.panes = {PaneContent{first}, PaneContent{tracedTruth}, PaneContent{first, tracedTruth},
                  PaneContent{displacedSurface}};
   const std::size_t count = request.show.size();
@@ -85,17 +88,32 @@ ViewState firstView(const study::StudySpec& study, const cli::ViewRequest& reque
     throw UsageError(fmt::format("--show: {} panes found, 1, 2 or 4 expected", count));
   }
   for (std::size_t i = 0; i < count; ++i) {
-    state.panes.at(i) = parseContent(request.show[i], labels);
+    state.panes.at(i) = parseContent(request.show[i], opened.labels);
   }
-  state.paneCount = count == 0 ? 1 : static_cast<int>(count);
+  state.paneCount = count == 0 ? 2 : static_cast<int>(count);
   for (const std::string& overlay : request.overlays) {
     if (overlay == "curvature") state.overlays.curvature = true;
     if (overlay == "directions") state.overlays.directions = true;
     if (overlay == "section") state.overlays.section = true;
     if (overlay == "pixel") state.overlays.pixel = true;
   }
+  if (!request.rectangle.empty()) state.part = partOf(request.rectangle);
+  state.path = parsePath(request.lightPath, state.light, request.lightFrames);
   state.panel = request.panel;
   state.help = request.help;
+  return state;
+}
+
+ViewState nextView(const OpenedStudy& opened, const ViewState& before) {
+  ViewState state = firstView(opened);
+  for (std::size_t i = 0; i < state.panes.size(); ++i) {
+    if (has(opened, before.panes.at(i))) state.panes.at(i) = before.panes.at(i);
+  }
+  state.paneCount = before.paneCount;
+  state.wipe = before.wipe;
+  state.overlays = before.overlays;
+  state.panel = before.panel;
+  state.path.frames = before.path.frames;
   return state;
 }
 

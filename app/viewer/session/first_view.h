@@ -1,36 +1,26 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "cli/commands/view_request.h"
+#include "viewer/session/opened_study.h"
 #include "viewer/session/view_state.h"
 
 namespace gnomon::app {
 
-/// What the window opens with.
+/// The method that a study is first looked at with: the first of its own that can be shown, but for
+/// the control `unshadowed`, which casts no shadow to look at, where there is another one.
+const std::string& firstMethod(const OpenedStudy& opened);
 
-/// The request's options, with all built-in methods after the study's own.
-/// @throws InputError as parseToml
-study::StudyOptions optionsOf(const cli::ViewRequest& request);
+/// What the window opens with: the study's first camera (or one that sees all of the surface), its
+/// first light, and the panes and overlays that are asked for; by default `firstMethod` beside the
+/// truth.
+/// @throws UsageError for contents that are none, or other than one, two or four of them; for a
+///   light path or a rectangle that is none
+ViewState firstView(const OpenedStudy& opened);
 
-/// What the file has of keys that sliders move, and StudySpec does not keep; unset where the file
-/// has no such key.
-struct StudyNumbers {
-  std::optional<double> height;     ///< `relief.height`
-  std::optional<double> curvature;  ///< `surface.curvature`
-};
-
-StudyNumbers numbersOf(const cli::ViewRequest& request);
-
-/// The labels of a study's methods, in its order.
-std::vector<std::string> labelsOf(const study::StudySpec& study);
-
-/// The study's first camera (or one that sees all of the surface), its first light, and the panes
-/// and overlays that are asked for.
-/// @throws UsageError for contents that are none, or other than one, two or four of them
-ViewState firstView(const study::StudySpec& study, const cli::ViewRequest& request,
-                    const std::vector<std::string>& labels);
+/// The view of a study that is opened after another one: panes, overlays and controls stay as they
+/// are where the study has the methods.
+/// @param before  the view of the other study
+ViewState nextView(const OpenedStudy& opened, const ViewState& before);
 
 }  // namespace gnomon::app

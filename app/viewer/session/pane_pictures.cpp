@@ -69,7 +69,7 @@ std::string noteOfNone(const DrawnScene& scene, const PaneContent& content) {
     if (scene.errors().contains(source.label)) return "not shown: see the message";
     waits = true;
   }
-  return waits ? "" : "these two draw different meshes: no common pixels";
+  return waits ? "" : "these two draw different meshes: their pixels cannot be compared";
 }
 
 std::vector<Vec3> endsOf(const std::vector<LineSegment>& lines) {
@@ -163,32 +163,37 @@ void PanePictures::showImage(Pane& pane, const image::Image& image) {
   pane.shown.topDown = true;
 }
 
-void PanePictures::measure(Pane& pane, const PaneContent& content, study::MeshChoice mesh,
-                           const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
-                           std::uint64_t serial) {
+void PanePictures::measure(Pane& pane, const PaneContent& content, const DrawnScene& scene,
+                           const ViewState& state, const KnownTruth& truth, std::uint64_t serial) {
   pane.shown.figures.reset();
-  if (!content.shown.isMethod()) return;
+  pane.shown.partFigures.reset();
+  const auto mesh = meshOf(scene, content);
+  if (!mesh || !content.shown.isMethod()) return;
   const Answers* candidate = methodAnswers(scene, state, content.shown.label, serial);
   if (candidate == nullptr) return;
+  const auto compare = [&](const Answers& a, const Answers& b,
+                           std::span<const std::uint8_t> traced) {
+    pane.shown.figures = paneFigures(a, b, traced);
+    if (state.part) pane.shown.partFigures = paneFigures(a, b, traced, *state.part);
+  };
   if (content.against && content.against->isMethod()) {
     const Answers* other = methodAnswers(scene, state, content.against->label, serial);
     if (other == nullptr) return;
     const auto [a, b] = comparable(*candidate, *other, false);
-    const std::vector<std::uint8_t> all(std::visit([](const auto& map) { return map.size(); }, a),
-                                        1);
-    pane.shown.figures = paneFigures(a, b, all);
+    compare(
+        a, b,
+        std::vector<std::uint8_t>(std::visit([](const auto& map) { return map.size(); }, a), 1));
     return;
   }
-  const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, mesh, state.camera);
+  const PartialTruth* partial = truth.stale ? nullptr : truthOf(truth, *mesh, state.camera);
   if (partial == nullptr || partial->tracedCount == 0) return;
-  pane.shown.figures = paneFigures(*candidate, partial->answers, partial->traced);
+  compare(*candidate, partial->answers, partial->traced);
 }
 
 void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnScene& scene,
                             const ViewState& state, const KnownTruth& truth, std::uint64_t serial) {
   pane.shown.note.clear();
   if (content.shown == displacedSurface) {
-    pane.shown.figures.reset();
     if (truth.picture) showImage(pane, *truth.picture);
     if (!truth.picture) {
       shade(pane, scene, state, scene.data()->standardMesh(), noAnswers(state));
@@ -198,7 +203,6 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
   const auto mesh = meshOf(scene, content);
   if (!mesh) {
     pane.shown.note = noteOfNone(scene, content);
-    pane.shown.figures.reset();
     if (!pane.shown.note.empty()) {
       shade(pane, scene, state, scene.data()->standardMesh(), noAnswers(state));
     }
@@ -223,7 +227,6 @@ void PanePictures::drawPane(Pane& pane, const PaneContent& content, const DrawnS
   } else {
     shade(pane, scene, state, *mesh, *first);
   }
-  measure(pane, content, *mesh, scene, state, truth, serial);
 }
 
 bool PanePictures::draw(const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
@@ -233,14 +236,18 @@ bool PanePictures::draw(const DrawnScene& scene, const ViewState& state, const K
   for (std::size_t i = 0; i < static_cast<std::size_t>(state.paneCount); ++i) {
     Pane& pane = panes_.at(i);
     const Key key{state.panes.at(i), serial, truth.serial, state.overlays.directions};
-    if (pane.key == key) continue;
+    const bool isDrawn = pane.key == key;
+    if (isDrawn && pane.part == state.part) continue;
     try {
-      drawPane(pane, key.content, scene, state, truth, serial);
+      if (!isDrawn) drawPane(pane, key.content, scene, state, truth, serial);
+      measure(pane, key.content, scene, state, truth, serial);
     } catch (const Error& error) {
       pane.shown.note = error.what();
       pane.shown.figures.reset();
+      pane.shown.partFigures.reset();
     }
     pane.key = key;
+    pane.part = state.part;
     drawn = true;
   }
   return drawn;

@@ -32,6 +32,7 @@ struct PanePicture {
   bool topDown = false;                ///< row 0 of the texture is the picture's top
   std::string note;                    ///< why the picture is not what was asked for; may be empty
   std::optional<PaneFigures> figures;  ///< of the first operand against the second, or the truth
+  std::optional<PaneFigures> partFigures = {};  ///< the same in the rectangle, where there is one
 };
 
 /// Draws the pictures of the panes into textures, and keeps them until something changes.
@@ -88,6 +89,7 @@ class PanePictures {
   };
   struct Pane {
     std::optional<Key> key;
+    std::optional<ViewPart> part;  ///< that the figures are of
     std::unique_ptr<render::Target> target;
     render::gl::Texture image;
     int imageWidth = 0, imageHeight = 0;
@@ -105,9 +107,9 @@ class PanePictures {
   static void showImage(Pane& pane, const image::Image& image);
   const Answers* methodAnswers(const DrawnScene& scene, const ViewState& state,
                                const std::string& label, std::uint64_t serial);
-  void measure(Pane& pane, const PaneContent& content, study::MeshChoice mesh,
-               const DrawnScene& scene, const ViewState& state, const KnownTruth& truth,
-               std::uint64_t serial);
+  /// Computes the figures of a pane; none where it shows nothing that can be wrong.
+  void measure(Pane& pane, const PaneContent& content, const DrawnScene& scene,
+               const ViewState& state, const KnownTruth& truth, std::uint64_t serial);
 
   std::filesystem::path shaders_;
   std::optional<Programs> programs_;

@@ -63,7 +63,7 @@ class GrowingTruth {
   void trace(std::size_t level, const std::shared_ptr<const TracedMesh>& traced,
              const TruthTracer::Worker::Job& job) {
     constexpr std::size_t samplesAtOnce = 16384;
-    const Progress progress = job.progress("Tracing");
+    const Progress progress = job.progress("Tracing the truth");
     const std::size_t end = order_.levelEnds[level];
     const bool isLast = end == order_.samples.size();
     while (hardCount_ < end) {
@@ -213,7 +213,7 @@ void TruthTracer::build(const SceneData& scene, const Worker::Job& job) {
   if (traced_ && traced_->key == scene.keys.truth) return;
   traced_.reset();  // the old one goes before the new one comes
   traced_ = std::make_shared<const TracedMesh>(scene, job.progress("Displacing the surface"),
-                                               job.progress("Building the hierarchy"));
+                                               job.progress("Building boxes for rays"));
 }
 
 void TruthTracer::publish(const Worker::Job& job, TruthResult result) const {
@@ -229,7 +229,7 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
     for (const AnglesRequest& asked : request.angles) {
       horizon::AngleTable table = truth::shootHorizons(
           *scene.surface, scene.study->relief, traced_->mesh, traced_->scene, asked.texels,
-          asked.bake.settings.azimuths, asked.bake.angleLimit, job.progress("Shooting horizons"));
+          asked.bake.settings.azimuths, asked.bake.angleLimit, job.progress("Tracing horizons"));
       table.originX = asked.origin.x;
       table.originY = asked.origin.y;
       TruthResult result;
@@ -253,7 +253,7 @@ void TruthTracer::trace(const TruthRequest& request, const Worker::Job& job) {
       }
       if (request.picture) {
         result.picture = seenSurface(*traced_, *request.picture, request.light.direction(), stride,
-                                     job.progress("Looking at the displaced surface"));
+                                     job.progress("Tracing the displaced surface"));
       }
       if (result.picture || result.curvature) publish(job, std::move(result));
     }

@@ -34,25 +34,25 @@ std::function<void(const TruthRequest&, const TruthTracer::Worker::Job&)> truthW
 
 }  // namespace
 
-ViewSession::ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake)
-    : request_(request),
+ViewSession::ViewSession(OpenedStudy opened, ViewState state, const std::function<void()>& wake)
+    : opened_(std::move(opened)),
       shaders_(render::shaderFolder()),
-      opened_(std::make_shared<const study::StudySpec>(
-          study::readStudy(request.study, optionsOf(request)))),
-      numbers_(numbersOf(request)),
-      labels_(labelsOf(*opened_)),
-      state_(firstView(*opened_, request_, labels_)),
+      state_(std::move(state)),
       scene_(shaders_),
       pictures_(shaders_),
       watch_(shaders_),
       cameraMoved_(Clock::now() - std::chrono::hours(1)),
-      baker_(sceneWork(request), wake),
-      tracer_(truthWork(), wake) {
-  request_.options = optionsOf(request);
-}
+      baker_(sceneWork(opened_.request), wake),
+      tracer_(truthWork(), wake) {}
+
+ViewSession::ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake)
+    : ViewSession(openStudy(request), wake) {}
+
+ViewSession::ViewSession(OpenedStudy opened, const std::function<void()>& wake)
+    : ViewSession(opened, firstView(opened), wake) {}
 
 void ViewSession::resetView() {
-  const ViewState first = firstView(*opened_, request_, labels_);
+  const ViewState first = firstView(opened_);
   const auto [width, height] = std::pair(state_.camera.width, state_.camera.height);
   state_.camera = first.camera;
   state_.camera.width = width;
@@ -61,9 +61,9 @@ void ViewSession::resetView() {
 }
 
 study::StudyOptions ViewSession::shownOptions() const {
-  study::StudyOptions options = request_.options;
+  study::StudyOptions options = opened_.request.options;
   const std::vector<std::string> changes =
-      overridesOf(state_.changes, request_.study, request_.options);
+      overridesOf(state_.changes, opened_.request.study, opened_.request.options);
   options.overrides.insert(options.overrides.end(), changes.begin(), changes.end());
   return options;
 }

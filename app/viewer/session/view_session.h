@@ -10,6 +10,7 @@
 #include "viewer/session/background_worker.h"
 #include "viewer/session/drawn_scene.h"
 #include "viewer/session/first_view.h"
+#include "viewer/session/opened_study.h"
 #include "viewer/session/pane_pictures.h"
 #include "viewer/session/shader_watch.h"
 #include "viewer/session/truth_worker.h"
@@ -27,9 +28,15 @@ struct SceneResult {
 /// missing, takes what it has made, and draws. Made and used by the thread that has the context.
 class ViewSession {
  public:
-  /// Reads the study, and waits for nothing else.
-  /// @param wake  called from other threads when there is something new
-  /// @throws InputError as readStudy, UsageError for contents that are none
+  /// Waits for nothing.
+  /// @param state  what to begin with
+  /// @param wake   called from other threads when there is something new
+  ViewSession(OpenedStudy opened, ViewState state, const std::function<void()>& wake);
+  /// Begins with the study's first view.
+  /// @throws UsageError as firstView
+  ViewSession(OpenedStudy opened, const std::function<void()>& wake);
+  /// Reads the study, and begins with its first view.
+  /// @throws InputError as readStudy, UsageError as firstView
   ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake);
 
   ViewState& state() { return state_; }
@@ -46,14 +53,14 @@ class ViewSession {
 
   [[nodiscard]] const SceneData* scene() const { return scene_.data(); }
   [[nodiscard]] const study::StudySpec& study() const {
-    return hasScene() ? *scene_.data()->study : *opened_;
+    return hasScene() ? *scene_.data()->study : *opened_.study;
   }
   /// The study as it was opened, before any slider.
-  [[nodiscard]] const study::StudySpec& opened() const { return *opened_; }
-  [[nodiscard]] const StudyNumbers& numbers() const { return numbers_; }
+  [[nodiscard]] const study::StudySpec& opened() const { return *opened_.study; }
+  [[nodiscard]] const StudyNumbers& numbers() const { return opened_.numbers; }
   /// Back to the camera and light that the window opened with.
   void resetView();
-  [[nodiscard]] const cli::ViewRequest& request() const { return request_; }
+  [[nodiscard]] const cli::ViewRequest& request() const { return opened_.request; }
   [[nodiscard]] const PanePicture& pane(std::size_t index) const { return pictures_.pane(index); }
   /// Share of the truth that is traced for a pane, 0 to 1.
   [[nodiscard]] double tracedShare(std::size_t pane) const;
@@ -65,7 +72,7 @@ class ViewSession {
   /// What stands in the way, one a line: shaders that do not compile, keys out of range.
   [[nodiscard]] std::vector<std::string> errors() const;
   /// Labels of all methods, the study's own first.
-  [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
+  [[nodiscard]] const std::vector<std::string>& labels() const { return opened_.labels; }
   /// The pixels of the study's base mesh, and the curvature there, once the camera rests.
   [[nodiscard]] const surface::SampleGrid* samples() const;
   [[nodiscard]] const std::shared_ptr<const CurvaturePicture>& curvature() const {
@@ -89,11 +96,8 @@ class ViewSession {
   void reloadShaders();
   [[nodiscard]] std::vector<AnglesRequest> missingAngles() const;
 
-  cli::ViewRequest request_;
+  OpenedStudy opened_;
   std::filesystem::path shaders_;
-  std::shared_ptr<const study::StudySpec> opened_;
-  StudyNumbers numbers_;
-  std::vector<std::string> labels_;
   ViewState state_;
   DrawnScene scene_;
   PanePictures pictures_;

@@ -17,27 +17,32 @@ namespace {
 
 /// Keys and what they do.
 using KeyHelp = std::pair<std::string_view, std::string_view>;
-constexpr std::array<KeyHelp, 20> keyHelp = {{
+constexpr std::array<KeyHelp, 25> keyHelp = {{
     {"drag", "turn the surface"},
     {"right drag", "move the surface"},
     {"scroll, + \u2212", "nearer, farther"},
     {"L and drag, arrows", "move the light"},
+    {"Shift and drag", "a rectangle, which tells its own error; Shift and click removes it"},
     {"1 2 4", "one, two or four panes"},
-    {"drag the line, [ ]", "move the wipe of two panes"},
+    {"drag the line, [ ]", "move the line between two panes"},
     {"N B", "next, previous method in the pane under the cursor"},
-    {"F", "flip the first two panes"},
-    {"T", "the traced truth"},
-    {"G", "the displaced surface, ray-traced"},
-    {"D", "difference to the truth, on and off"},
-    {"K", "normal curvature along the light"},
-    {"V", "principal directions"},
+    {"F", "swap the first two panes"},
+    {"T", "show the ray-traced truth in the pane under the cursor"},
+    {"G", "show the surface with its real bumps there, ray-traced"},
+    {"D", "show where the method there differs from the truth, on and off"},
+    {"K", "how strongly the surface bends toward the light"},
+    {"V", "lines along which the surface bends most and least"},
     {"X", "cross-section through the pixel under the cursor"},
-    {"I", "what is known of that pixel"},
-    {"R", "the study's own camera and light"},
-    {"S P M", "save: study, picture, masks"},
+    {"I", "what every method says of that pixel, and why it is lit or not"},
+    {"Space", "play the light path, or stop"},
+    {"Ctrl Z, Ctrl Y", "undo, redo"},
+    {"R", "back to the study's own camera and light"},
+    {"O", "open another study"},
+    {"S P M", "save a study of this view, a picture, the masks"},
     {"Tab", "controls, on and off"},
+    {"Escape", "close what is open; then remove the rectangle"},
     {"?", "this list"},
-    {"Q", "close"},
+    {"Q", "quit"},
 }};
 
 Vec2 cursor() {
@@ -80,9 +85,12 @@ void Input::drag(ViewState& state, const WindowLayout& layout) {
   const bool right = ImGui::IsMouseDown(ImGuiMouseButton_Right);
   if (drag_ == Drag::none && !io.WantCaptureMouse && paneUnder(layout, cursor(), state.wipe) >= 0) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-      drag_ = nearWipe(state, layout)   ? Drag::wipe
+      drag_ = io.KeyShift               ? Drag::rectangle
+              : nearWipe(state, layout) ? Drag::wipe
               : io.KeysDown[GLFW_KEY_L] ? Drag::light
                                         : Drag::orbit;
+      dragBegin_ = cursor();
+      if (drag_ == Drag::rectangle) state.part.reset();
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
       drag_ = Drag::pan;
     }
@@ -96,6 +104,10 @@ void Input::drag(ViewState& state, const WindowLayout& layout) {
     state.camera = orbited(state.camera, -moved.x * radiansPerPixel, moved.y * radiansPerPixel);
   } else if (drag_ == Drag::pan) {
     state.camera = panned(state.camera, moved);
+  } else if (drag_ == Drag::rectangle) {
+    const auto pane =
+        static_cast<std::size_t>(std::max(0, paneUnder(layout, dragBegin_, state.wipe)));
+    state.part = partBetween(dragBegin_, cursor(), layout.panes.at(pane));
   } else if (drag_ == Drag::light) {
     state.light = dragged(state.light, moved.x * degreesPerPixel, -moved.y * degreesPerPixel);
   } else {
@@ -116,15 +128,24 @@ void Input::choose(ViewSession& session, int step) {
   content.shown = methodSource(labels[static_cast<std::size_t>((now + step + count) % count)]);
 }
 
-InputActions Input::press(ViewSession& session, std::span<const int> keys) {
+Actions Input::press(ViewSession& session, std::span<const int> keys) {
   const auto pressed = [&](int key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
   ViewState& state = session.state();
   PaneContent& content = state.panes.at(static_cast<std::size_t>(activePane_));
-  InputActions actions;
+  Actions actions;
+  if (ImGui::GetIO().KeyCtrl) {
+    const bool isShifted = ImGui::GetIO().KeyShift;
+    actions.undo = pressed(GLFW_KEY_Z) && !isShifted;
+    actions.redo = pressed(GLFW_KEY_Y) || (pressed(GLFW_KEY_Z) && isShifted);
+    return actions;
+  }
   if (typed('?')) state.help = !state.help;
-  if (pressed(GLFW_KEY_ESCAPE)) state.help = false;
+  if (pressed(GLFW_KEY_ESCAPE)) {
+    if (!state.help) state.part.reset();
+    state.help = false;
+  }
   for (const auto& [key, count] : {std::pair(GLFW_KEY_1, 1), {GLFW_KEY_2, 2}, {GLFW_KEY_4, 4}}) {
     if (pressed(key)) state.paneCount = count;
   }
@@ -152,13 +173,16 @@ InputActions Input::press(ViewSession& session, std::span<const int> keys) {
   if (typed(']')) state.wipe = std::min(1.0, state.wipe + share);
   if (typed('+') || typed('=')) state.camera = zoomedBy(state.camera, 1);
   if (typed('-')) state.camera = zoomedBy(state.camera, -1);
-  actions.save = {pressed(GLFW_KEY_S), pressed(GLFW_KEY_P), pressed(GLFW_KEY_M)};
+  actions.saveStudy = pressed(GLFW_KEY_S);
+  actions.savePicture = pressed(GLFW_KEY_P);
+  actions.saveMasks = pressed(GLFW_KEY_M);
+  actions.play = pressed(GLFW_KEY_SPACE);
+  actions.askForStudy = pressed(GLFW_KEY_O);
   actions.close = pressed(GLFW_KEY_Q);
   return actions;
 }
 
-InputActions Input::apply(ViewSession& session, const WindowLayout& layout,
-                          std::span<const int> keys) {
+Actions Input::apply(ViewSession& session, const WindowLayout& layout, std::span<const int> keys) {
   const ImGuiIO& io = ImGui::GetIO();
   ViewState& state = session.state();
   const int under = paneUnder(layout, cursor(), state.wipe);
@@ -168,7 +192,9 @@ InputActions Input::apply(ViewSession& session, const WindowLayout& layout,
   if (io.MouseWheel != 0 && under >= 0 && !io.WantCaptureMouse) {
     state.camera = zoomedBy(state.camera, io.MouseWheel);
   }
-  return io.WantTextInput ? InputActions{} : press(session, keys);
+  // What is typed into a field, and what closes a list, is no key of the viewer.
+  const bool isTaken = io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  return isTaken ? Actions{} : press(session, keys);
 }
 
 void drawKeyList(const WindowLayout& layout) {

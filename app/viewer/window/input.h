@@ -1,16 +1,12 @@
 #pragma once
 
+#include <span>
+
 #include "viewer/panes/layout.h"
 #include "viewer/session/view_session.h"
-#include "viewer/window/controls.h"
+#include "viewer/window/actions.h"
 
 namespace gnomon::app {
-
-/// What keys ask for beside changes of the state.
-struct InputActions {
-  SaveActions save;
-  bool close = false;
-};
 
 /// Turns what keyboard and mouse did since the last frame into changes of the state, where the
 /// panels do not take it.
@@ -18,18 +14,21 @@ class Input {
  public:
   /// @param layout  of the frame that the person has seen
   /// @param keys    that went down, as GLFW numbers them
-  InputActions apply(ViewSession& session, const WindowLayout& layout, std::span<const int> keys);
+  Actions apply(ViewSession& session, const WindowLayout& layout, std::span<const int> keys);
 
+  /// A button is down that began something in the pictures.
+  [[nodiscard]] bool isDragging() const { return drag_ != Drag::none; }
   /// The pane that keys speak of: the one under the cursor last.
   [[nodiscard]] int activePane() const { return activePane_; }
 
  private:
   void drag(ViewState& state, const WindowLayout& layout);
-  InputActions press(ViewSession& session, std::span<const int> keys);
+  Actions press(ViewSession& session, std::span<const int> keys);
   void choose(ViewSession& session, int step);
 
-  enum class Drag { none, orbit, pan, light, wipe };
+  enum class Drag { none, orbit, pan, light, wipe, rectangle };
   Drag drag_ = Drag::none;
+  Vec2 dragBegin_{0, 0};  ///< window pixels
   int activePane_ = 0;
 };
 

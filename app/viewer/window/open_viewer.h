@@ -4,11 +4,10 @@
 
 namespace gnomon::app {
 
-/// Shows a study in a window until it is closed; or, for a screenshot, renders the window's content
+/// Shows a study in a window until it is closed; or, for a screenshot or a recording, renders
 /// without a display and leaves.
 /// @throws NoGlError where there is no display or no OpenGL 4.5, InputError as readStudy,
-/// UsageError
-///   for contents that are none
+///   UsageError for contents that are none
 ExitStatus openViewer(const cli::ViewRequest& request);
 
 }  // namespace gnomon::app

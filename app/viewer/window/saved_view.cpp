@@ -19,13 +19,13 @@ namespace {
 constexpr int mostViews = 100000;
 
 /// The first number that no file of the folder bears.
-fs::path freePath(const ViewSession& session, const std::string& ending) {
+fs::path freePath(const ViewSession& session, const std::string& stem, const std::string& ending) {
   const fs::path folder = session.request().out / session.opened().name / "view";
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
   for (int number = 1; number < mostViews; ++number) {
-    fs::path path = folder / fmt::format("view-{}{}", number, ending);
+    fs::path path = folder / fmt::format("{}-{}{}", stem, number, ending);
     if (!pathExists(path)) return path;
   }
   throw InputError(fmt::format("{}: no free name for another view", folder.string()));
@@ -33,8 +33,12 @@ fs::path freePath(const ViewSession& session, const std::string& ending) {
 
 }  // namespace
 
+fs::path freeRecordingFolder(const ViewSession& session) {
+  return freePath(session, "path", "");
+}
+
 std::string saveStudyView(const ViewSession& session) {
-  const fs::path path = freePath(session, ".toml");
+  const fs::path path = freePath(session, "view", ".toml");
   StudyState state;
   state.file = session.request().study;
   state.options = session.shownOptions();
@@ -50,7 +54,7 @@ std::string saveStudyView(const ViewSession& session) {
 }
 
 std::string savePicture(const ViewSession& session, const image::Image& picture) {
-  const fs::path path = freePath(session, ".png");
+  const fs::path path = freePath(session, "view", ".png");
   image::writePng(path, picture);
   return fmt::format("saved {}", path.string());
 }
@@ -62,7 +66,7 @@ std::string saveMasks(ViewSession& session) {
     if (answers == nullptr) continue;
     const std::string shown = sourceText(session.state().panes.at(i).shown);
     const fs::path path =
-        freePath(session, fmt::format("_{}.png", study::fileNames({shown}).front()));
+        freePath(session, "view", fmt::format("_{}.png", study::fileNames({shown}).front()));
     writeTextAtomically(
         path,
         std::visit(Overloaded{[](const Mask& mask) { return image::pngOf(image::maskImage(mask)); },

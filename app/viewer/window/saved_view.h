@@ -8,7 +8,8 @@
 
 namespace gnomon::app {
 
-/// What a person saves from the window: `OUT/NAME/view/view-N…`, N the first number that is free.
+/// What a person saves from the window: `OUT/NAME/view/view-N…`, N the first number that is
+/// free.
 
 /// The state as a study that `gnomon run` reproduces, and beside it what the screen says of it.
 /// @return what was written, for the person
@@ -20,5 +21,8 @@ std::string savePicture(const ViewSession& session, const image::Image& picture)
 
 /// The masks of the panes that show one; maps of shares where the light has a disc.
 std::string saveMasks(ViewSession& session);
+
+/// The folder of a new recording: `path-N`.
+std::filesystem::path freeRecordingFolder(const ViewSession& session);
 
 }  // namespace gnomon::app

@@ -14,18 +14,30 @@ json valueOf(const compare::Metric& metric) {
   return metric.value ? json(*metric.value) : json(nullptr);
 }
 
+json figuresOf(const PaneFigures& figures) {
+  return {{"error_rate", valueOf(figures.errorRate)},
+          {"false_shadow", valueOf(figures.falseShadow)},
+          {"false_light", valueOf(figures.falseLight)},
+          {"iou", valueOf(figures.iou)}};
+}
+
 json paneOf(const ViewSession& session, std::size_t index) {
   const PanePicture& picture = session.pane(index);
   json pane = {{"shows", contentText(session.state().panes.at(index))},
                {"note", picture.note},
                {"traced_share", session.tracedShare(index)}};
-  if (const auto& figures = picture.figures) {
-    pane["error_rate"] = valueOf(figures->errorRate);
-    pane["false_shadow"] = valueOf(figures->falseShadow);
-    pane["false_light"] = valueOf(figures->falseLight);
-    pane["iou"] = valueOf(figures->iou);
+  if (const auto& figures = picture.figures) pane.update(figuresOf(*figures));
+  if (const auto& figures = picture.partFigures) {
+    pane["rectangle"] = figuresOf(*figures);
+    pane["rectangle"]["samples"] = figures->samples;
+    pane["rectangle"]["wrong"] = figures->wrong;
+    pane["rectangle"]["traced_share"] = figures->tracedShare;
   }
   return pane;
+}
+
+json rectangleOf(const std::optional<ViewPart>& part) {
+  return part ? json{part->left, part->top, part->right, part->bottom} : json(nullptr);
 }
 
 json workOf(const WorkStatus& work) {
@@ -42,6 +54,7 @@ json screen(const ViewSession& session) {
   return {{"complete", session.isComplete()},
           {"panes", panes},
           {"wipe", state.wipe},
+          {"rectangle", rectangleOf(state.part)},
           {"light",
            {{"azimuth", state.light.azimuth},
             {"elevation", state.light.elevation},
@@ -67,18 +80,24 @@ std::string screenJson(const ViewSession& session) {
 }
 
 void StatusFile::write(const ViewSession& session, const ControlPlaces& places,
-                       const FrameLog& frames, const std::string& said) {
+                       const PanelFacts& facts, const Notice& notice) {
   if (!path_) return;
   json status = screen(session);
+  status["study"] = session.request().study.string();
   status["controls"] = places;
-  status["said"] = said;
+  status["notice"] = {{"text", notice.text}, {"is_error", notice.isError}};
+  status["opening"] = facts.opening;
+  status["can_undo"] = facts.canUndo;
+  status["can_redo"] = facts.canRedo;
+  status["playing"] = facts.path.isPlaying;
+  status["recording"] = facts.path.isRecording;
   status["baking"] = workOf(session.baking());
   status["tracing"] = workOf(session.tracing());
   const std::string now = report::jsonText(status);
   if (now == last_) return;
   last_ = now;
-  status["frames"] = {{"mean_ms", frames.meanMilliseconds()},
-                      {"longest_ms", frames.longestMilliseconds()}};
+  status["frames"] = {{"mean_ms", facts.frames.meanMilliseconds()},
+                      {"longest_ms", facts.frames.longestMilliseconds()}};
   writeTextAtomically(*path_, report::jsonText(status));
 }
 

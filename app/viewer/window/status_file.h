@@ -7,7 +7,7 @@
 
 #include "viewer/session/view_session.h"
 #include "viewer/window/controls.h"
-#include "viewer/window/frame_log.h"
+#include "viewer/window/messages.h"
 
 namespace gnomon::app {
 
@@ -20,8 +20,8 @@ class StatusFile {
   explicit StatusFile(std::optional<std::filesystem::path> path) : path_(std::move(path)) {}
 
   /// Writes it where something has changed.
-  void write(const ViewSession& session, const ControlPlaces& places, const FrameLog& frames,
-             const std::string& said);
+  void write(const ViewSession& session, const ControlPlaces& places, const PanelFacts& facts,
+             const Notice& notice);
 
  private:
   std::optional<std::filesystem::path> path_;

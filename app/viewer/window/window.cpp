@@ -22,6 +22,14 @@ std::string lastError() {
   throw NoGlError(fmt::format("no window: {}. Without a display use --screenshot", what));
 }
 
+/// The key that bears a letter on the person's own keyboard: GLFW numbers keys by where they are
+/// on an American one, which has Z where a German one has Y.
+int keyByLetter(int key, int scancode) {
+  const char* name = glfwGetKeyName(key, scancode);
+  const bool isLetter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
+  return isLetter ? GLFW_KEY_A + (name[0] - 'a') : key;
+}
+
 /// GLFW 3.4 asks for Wayland first, whose library writes a line of its own where it has no folder
 /// to look for a display in.
 void avoidWaylandWithoutAFolder() {
@@ -58,11 +66,12 @@ Window::Window(int width, int height, const std::string& title) {
   glfwMakeContextCurrent(window_);
   glfwSetWindowUserPointer(window_, &keys_);
   // Dear ImGui sets its own callback later and calls this one from there.
-  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int) {
     // Only arrows repeat: of the others a second press undoes the first.
     const bool repeats = key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP;
     if (action == GLFW_RELEASE || (action == GLFW_REPEAT && !repeats)) return;
-    static_cast<std::vector<int>*>(glfwGetWindowUserPointer(window))->push_back(key);
+    static_cast<std::vector<int>*>(glfwGetWindowUserPointer(window))
+        ->push_back(keyByLetter(key, scancode));
   });
   glfwSwapInterval(1);
 }

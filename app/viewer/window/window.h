@@ -31,7 +31,8 @@ class Window {
   void swap();
   /// Reads input; waits for it at most so long, or until `wake` is called.
   void readInput(double seconds);
-  /// The keys that went down since the last call, as GLFW numbers them; arrows repeat. None is
+  /// The keys that went down since the last call, as GLFW numbers them, letters by what the
+  /// person's keyboard bears; arrows repeat. None is
   /// lost, however short, and however long a frame takes.
   std::vector<int> takeKeys() { return std::exchange(keys_, {}); }
   /// Ends a wait, from any thread.

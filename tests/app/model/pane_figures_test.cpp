@@ -125,6 +125,79 @@ TEST(PaneFigures, CountAreasWhereTheyAreGiven) {
                 .value);
 }
 
+/// A rectangle of columns 10 to 29 and rows 6 to 20, counted sample by sample.
+const ViewPart middlePart{0.25, 0.2, 0.75, 0.7};
+bool isInPart(std::size_t i) {
+  const std::size_t column = i % paneWidth;
+  const std::size_t row = i / paneWidth;
+  return column >= 10 && column < 30 && row >= 6 && row < 21;
+}
+
+TEST(PaneFigures, OfARectangleAreThoseOfItsSamplesAlone) {
+  const Masks masks = randomMasks();
+  std::vector<std::uint8_t> traced(paneSamples, 1);
+  std::size_t asked = 0;
+  std::size_t count = 0;
+  double dark = 0;
+  double light = 0;
+  for (std::size_t i = 0; i < paneSamples; ++i) {
+    traced[i] = i % 5 != 0 ? 1 : 0;
+    if (!isInPart(i) || masks.truth.samples[i] == Shade::none) continue;
+    ++asked;
+    if (traced[i] == 0) continue;
+    ++count;
+    if (masks.candidate.samples[i] == masks.truth.samples[i]) continue;
+    (masks.truth.samples[i] == Shade::lit ? dark : light) += 1;
+  }
+  const PaneFigures figures = paneFigures(masks.candidate, masks.truth, traced, middlePart);
+  EXPECT_EQ(figures.samples, count);
+  EXPECT_EQ(figures.wrong, dark + light);
+  EXPECT_EQ(figures.errorRate.value, (dark + light) / static_cast<double>(count));
+  EXPECT_EQ(figures.falseShadow.value, dark / static_cast<double>(count));
+  EXPECT_EQ(figures.falseLight.value, light / static_cast<double>(count));
+  EXPECT_EQ(figures.tracedShare, static_cast<double>(count) / static_cast<double>(asked));
+  EXPECT_GT(dark, 0);
+  EXPECT_GT(light, 0);
+  // The control: the whole view has another error.
+  EXPECT_NE(figures.errorRate.value,
+            paneFigures(masks.candidate, masks.truth, traced).errorRate.value);
+}
+
+TEST(PaneFigures, OfARectangleUnderADiscAreMeansOverIt) {
+  const auto [candidate, truth] = randomShares();
+  const std::vector<std::uint8_t> all(paneSamples, 1);
+  double off = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < paneSamples; ++i) {
+    if (!isInPart(i) || !isAnswer(truth.shares[i])) continue;
+    off +=
+        std::abs(static_cast<double>(candidate.shares[i]) - static_cast<double>(truth.shares[i]));
+    ++count;
+  }
+  const PaneFigures figures = paneFigures(candidate, truth, all, middlePart);
+  EXPECT_EQ(figures.samples, count);
+  EXPECT_NEAR(figures.wrong, off, 1e-9);
+  EXPECT_NEAR(figures.errorRate.value.value(), off / static_cast<double>(count), 1e-12);
+}
+
+TEST(PaneFigures, OfRectanglesThatFillTheViewAddUpToThoseOfTheView) {
+  const Masks masks = randomMasks();
+  const std::vector<std::uint8_t> all(paneSamples, 1);
+  const PaneFigures whole = paneFigures(masks.candidate, masks.truth, all);
+  EXPECT_EQ(paneFigures(masks.candidate, masks.truth, all, ViewPart{}).errorRate.value,
+            whole.errorRate.value);
+  std::size_t samples = 0;
+  double wrong = 0;
+  for (const ViewPart& piece : {ViewPart{0, 0, 0.3, 1}, {0.3, 0, 1, 0.41}, {0.3, 0.41, 1, 1}}) {
+    const PaneFigures figures = paneFigures(masks.candidate, masks.truth, all, piece);
+    samples += figures.samples;
+    wrong += figures.wrong;
+  }
+  EXPECT_EQ(samples, whole.samples);
+  EXPECT_EQ(wrong, whole.wrong);
+  EXPECT_EQ(whole.wrong, std::round(whole.errorRate.value.value() * static_cast<double>(samples)));
+}
+
 TEST(PaneFigures, AreUndefinedBeforeAnythingIsTraced) {
   const Masks masks = randomMasks();
   const PaneFigures figures =

@@ -116,6 +116,10 @@ void DrivenViewer::key(const std::string& name) const {
   tool("keyup " + name);
 }
 
+void DrivenViewer::type(const std::string& text) const {
+  tool("type --delay 60 " + text);
+}
+
 void DrivenViewer::keyDown(const std::string& name) const {
   tool("keydown " + name);
 }

@@ -50,6 +50,8 @@ class DrivenViewer {
   /// Presses the left button at one place and lets it go at another, some places between.
   void drag(int x0, int y0, int x1, int y1) const;
   void scroll(int steps) const;
+  /// Types letters, digits, points and hyphens.
+  void type(const std::string& text) const;
   void keyDown(const std::string& name) const;
   void keyUp(const std::string& name) const;
   /// Clicks on a control at a share of its width.

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,6 +13,7 @@
 
 #include "app/viewer/viewed_study.h"
 #include "common/files/atomic_file.h"
+#include "model/cross_section.h"
 #include "model/orbit.h"
 #include "render/gl_context.h"
 #include "render/shader_files.h"
@@ -183,28 +185,86 @@ TEST_F(ViewSessionTest, TellsWhatIsKnownOfAPixel) {
   truth::markGlobal(*scene.surface, scene.study->relief, traced.mesh, traced.scene,
                     truth::SurfacePaths(*scene.surface), {}, samples, {&light, 1}, {&truth, 1});
   const Mask mask = *maskOf(session, 0);
-  const auto word = [](Shade shade) { return shade == Shade::lit ? "lit" : "shadow"; };
+  const auto word = [](Shade shade) { return shade == Shade::lit ? "lit" : "in shadow"; };
   PixelProbe probe;
   std::set<truth::Region> regions;
   for (std::size_t i = 0; i < mask.size(); i += 7) {
     const auto width = static_cast<std::size_t>(samples.width);
     const ViewPixel pixel{static_cast<int>(i % width), static_cast<int>(i / width)};
-    const std::string text = probe.textOf(session, pixel);
+    const std::vector<std::string> lines = probe.linesOf(session, pixel);
     if (mask.samples[i] == Shade::none) {
-      EXPECT_EQ(text, "");
+      EXPECT_TRUE(lines.empty());
       continue;
     }
-    EXPECT_THAT(text, ::testing::StartsWith(fmt::format(
-                          "max-forsyth {}, truth {}: {}; horizon ", word(mask.samples[i]),
-                          word(truth.mask.samples[i]), truth::regionName(truth.regions[i]))));
+    ASSERT_EQ(lines.size(), 5U);
+    EXPECT_EQ(lines[0], fmt::format("max-forsyth: {}", word(mask.samples[i])));
+    EXPECT_EQ(lines[1], fmt::format("truth: {}", word(truth.mask.samples[i])));
+    EXPECT_THAT(lines[2], ::testing::StartsWith(
+                              fmt::format("region {}: ", truth::regionName(truth.regions[i]))));
+    // The horizon of a flat relief over the base surface, and its height, by the reference.
+    const auto section = crossSection(*scene.surface, scene.study->relief, samples.samples[i],
+                                      light.light, {light.radiusTexels, 0});
+    ASSERT_TRUE(section);
+    EXPECT_EQ(lines[3], fmt::format("horizon {:.1f}° over the surface, light {:.1f}°",
+                                    std::atan(section->here.flat.slope) * 180 / pi,
+                                    std::atan(section->lightSlope) * 180 / pi));
+    EXPECT_EQ(lines[4], fmt::format("height {:.3g}", section->here.lookups.height));
     regions.insert(truth.regions[i]);
   }
   EXPECT_GE(regions.size(), 3U);
   // Under a disc the answers are shares.
   session.state().light.radius = 5;
   ASSERT_TRUE(completes(session));
-  EXPECT_THAT(probe.textOf(session, {samples.width / 2, samples.height / 2}),
-              ::testing::MatchesRegex("max-forsyth V [01]\\.000, truth V [01]\\.[0-9]+: .*"));
+  const std::vector<std::string> soft =
+      probe.linesOf(session, {samples.width / 2, samples.height / 2});
+  ASSERT_GE(soft.size(), 2U);
+  EXPECT_THAT(soft[0], ::testing::MatchesRegex("max-forsyth: V = [01]\\.000"));
+  EXPECT_THAT(soft[1], ::testing::MatchesRegex("truth: V = [01]\\.[0-9]+"));
+}
+
+/// Of masks and of shares, and when it alone moves.
+TEST_F(ViewSessionTest, ARectangleIsMeasuredByItsOwnSamples) {
+  ViewSession session(request({"max-forsyth", "max-forsyth:truth"}), [] {});
+  ASSERT_TRUE(completes(session));
+  EXPECT_FALSE(session.pane(0).partFigures);
+  for (const double radius : {0.0, 4.0}) {
+    session.state().light.radius = radius;
+    ASSERT_TRUE(completes(session));
+    for (const ViewPart& part : {ViewPart{0.3, 0.2, 0.6, 0.7}, {0.5, 0.5, 0.9, 0.6}}) {
+      session.state().part = part;
+      EXPECT_TRUE(session.update());
+      const Answers method = *session.answersOf({methodSource("max-forsyth")});
+      const Answers truth = *session.answersOf({tracedTruth});
+      const auto shadeOf = [](const Answers& answers, std::size_t i) {
+        const auto* map = std::get_if<Visibility>(&answers);
+        if (map != nullptr) return 1.0 - static_cast<double>(map->shares[i]);
+        return std::get<Mask>(answers).samples[i] == Shade::lit ? 0.0 : 1.0;
+      };
+      const Camera& camera = session.state().camera;
+      const std::vector<std::uint8_t> inside = pixelsIn(part, camera.width, camera.height);
+      double wrong = 0;
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < inside.size(); ++i) {
+        const bool isThere =
+            std::visit([&](const auto& map) { return isAnswer(valuesOf(map)[i]); }, truth);
+        if (inside[i] == 0 || !isThere) continue;
+        ++count;
+        wrong += std::abs(shadeOf(method, i) - shadeOf(truth, i));
+      }
+      for (const std::size_t pane : {0, 1}) {
+        const auto& figures = session.pane(pane).partFigures;
+        ASSERT_TRUE(figures);
+        EXPECT_EQ(figures->samples, count);
+        EXPECT_NEAR(figures->wrong, wrong, 1e-6);
+        EXPECT_NEAR(*figures->errorRate.value, wrong / static_cast<double>(count), 1e-9);
+      }
+      EXPECT_GT(count, 100U);
+      EXPECT_GT(wrong, 0);
+    }
+  }
+  session.state().part.reset();
+  session.update();
+  EXPECT_FALSE(session.pane(0).partFigures);
 }
 
 TEST_F(ViewSessionTest, AMethodsOwnBakesFollowItsFilesAndTheRelief) {

@@ -1,15 +1,11 @@
-#include <OpenImageIO/imageio.h>
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 #include <thread>
 
-#include "app/viewer/virtual_display.h"
-#include "end_to_end/support/program.h"
-#include "support/columns_study.h"
+#include "app/viewer/viewer_window.h"
 
 namespace gnomon::test {
 namespace {
@@ -18,76 +14,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-/// Columns on a part of a sphere: every slider has something to move.
-std::string ballStudy() {
-  return sphereStudy("ball") + R"(
-[truth]
-step = 0.25
-
-[[view]]
-type = "camera"
-width = 200
-height = 200
-eye = [0, 0, 140]
-fov = 30
-
-[[light]]
-azimuth = 20
-elevation = 30
-
-[[method]]
-name = "max-forsyth"
-
-[[method]]
-name = "onoue-2004"
-)";
-}
-
-class ViewerWindow : public EndToEnd {
- protected:
-  void SetUp() override {
-    EndToEnd::SetUp();
-    ASSERT_FALSE(display_.name().empty()) << "no Xvfb: install the packages of packages.txt";
-    write("ball.toml", ballStudy());
-  }
-  [[nodiscard]] DrivenViewer open(std::vector<std::string> arguments,
-                                  const std::vector<std::string>& environment = {}) const {
-    arguments.insert(arguments.begin(), "ball.toml");
-    return {display_, folder(), arguments, environment};
-  }
-
-  VirtualDisplay display_;
-};
-
 double elevationOf(const json& status) {
   return status.at("light").at("elevation").get<double>();
-}
-
-/// RGB pictures of one size.
-std::size_t differingPixels(const fs::path& a, const fs::path& b) {
-  const auto read = [](const fs::path& path) {
-    auto file = OIIO::ImageInput::open(path.string());
-    if (!file) throw std::runtime_error(path.string());
-    const OIIO::ImageSpec spec = file->spec();
-    std::vector<unsigned char> values(static_cast<std::size_t>(spec.width * spec.height) * 3);
-    file->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, values.data());
-    return values;
-  };
-  const auto first = read(a);
-  const auto second = read(b);
-  if (first.size() != second.size()) throw std::runtime_error("pictures of different sizes");
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < first.size(); i += 3) {
-    count += std::equal(&first[i], &first[i] + 3, &second[i]) ? 0 : 1;
-  }
-  return count;
-}
-
-bool appears(const fs::path& path) {
-  for (int wait = 0; wait < 200 && !fs::exists(path); ++wait) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return fs::exists(path);
 }
 
 TEST_F(ViewerWindow, ADragTurnsTheSurfaceAndWithLTheLight) {
@@ -125,7 +53,7 @@ TEST_F(ViewerWindow, ADragTurnsTheSurfaceAndWithLTheLight) {
 }
 
 TEST_F(ViewerWindow, PanesOfEveryKindLookAsTheyDoWithoutADisplay) {
-  DrivenViewer viewer = open({"--width", "700", "--height", "500"});
+  DrivenViewer viewer = open({"--show", "onoue-2004", "--width", "700", "--height", "500"});
   ASSERT_TRUE(viewer.waitUntilComplete()) << viewer.output();
   // Every pane gets its content by keys, while the cursor is over it.
   viewer.key("Tab");
