@@ -34,10 +34,16 @@ maximum = 16
 about = "the same, pieces of the displaced mesh; the depth map hides, and the march sees, what is nearer"
 
 [parameters.edge]
-default = 0.125
+default = 0.25
 minimum = 0
 maximum = 16
-about = "how far from its silhouettes the depth map leaves the answer to the march, pieces"
+about = "how far from the outlines of its shadows the depth map asks the march, pieces; a texel at least"
+
+[parameters.trust]
+default = 0.03
+minimum = 0
+maximum = 1
+about = "the march overrules the depth map where its path errs less than this part of what the map may be off"
 
 [parameters.search_samples]
 default = 24
@@ -63,8 +69,10 @@ about = "soft light: texels of the depth map that the share is taken of"
 //  - What is nearer than A along the ray is therefore lost to the depth map. Over t texels of the
 //    path, σ long each, a ray at the slope tan θ gets t σ √(1 + tan² θ) far, so that the march must
 //    go up to  t = A / (σ √(1 + tan² θ)). That is a few texels, whatever the body.
-//  - Silhouettes of flat pieces run beside the relief's. Where the depth map says lit, but sees
-//    something nearer to the light `edge` pieces beside the place, the march goes on to its end.
+//  - Outlines of shadows of flat pieces, sampled at texels, run beside the true ones. Within `edge`
+//    pieces of them, or a texel, the map sees something nearer at some texels only, by D at most. The
+//    march then goes on as far as that is, and overrules the map where it knows the way better
+//    (isPathKnown).
 //
 // The camera draws the base mesh. It lies below the surface where that is convex: see surfacePoint.
 
@@ -129,35 +137,70 @@ float shareNearer(vec3 place, vec2 tilt) {
   return share;
 }
 
-// Whether any texel at the corners of a square of half side `far` about the place is nearer.
-bool isBesideEdge(vec3 place, vec2 tilt, float far) {
-  bool isBeside = false;
-  for (int k = 0; k < 4; ++k) {
-    vec2 corner = vec2(k & 1, k >> 1) * 2.0 - 1.0;
-    isBeside = isBeside || isNearer(place, tilt, floor(place.xy + far * corner));
+// What the depth map sees about a place: at five texels, its own and those at the corners of a square.
+struct Blockers {
+  int count;   // of those that are nearer to the light than the place
+  float most;  // the largest D of these, in depth
+  float own;   // D of the place's own texel; 0 where it is not nearer
+};
+
+// @param far  half the square's side, texels
+Blockers blockersAbout(vec3 place, vec2 tilt, float far) {
+  Blockers seen = Blockers(0, 0.0, 0.0);
+  for (int k = 0; k < 5; ++k) {
+    vec2 corner = k < 4 ? vec2(k & 1, k >> 1) * 2.0 - 1.0 : vec2(0.0);
+    vec2 texel = floor(place.xy + far * corner);
+    bool isBlocker = isNearer(place, tilt, texel);
+    seen.own = isBlocker ? max(place.z - lightDepthOf(ivec2(texel)), 0.0) : 0.0;
+    seen.most = max(seen.most, seen.own);
+    seen.count += isBlocker ? 1 : 0;
   }
-  return isBeside;
+  return seen;
 }
+
+// `edge` pieces in texels of the map, and one at least, since that is how far apart its samples are.
+float outlineReach(float piece) { return max(edge * piece / lightMapLengths.x, 1.0); }
 
 // Where the depth map is asked for a pixel.
 struct DepthPlace {
-  vec3 place;  // in the map, A nearer to the light than the displaced point
-  vec2 tilt;   // of the plane of its facet
-  float near;  // t, what of the path is lost to the map, texels
+  vec3 place;            // in the map, A nearer to the light than the displaced point
+  vec2 tilt;             // of the plane of its facet
+  float off;             // u, world
+  float near;            // t, what of the path is lost to the map, texels
+  float texelsPerDepth;  // of the path, for a depth of 1
 };
 
 // @param cosine  of the facet to the light's centre
 DepthPlace depthPlaceOf(Pixel pixel, LocalLight light, Path path, float piece, vec3 facet,
                         float cosine) {
   float slope = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6), steepest);
-  float off = bias * lightMapLengths.x + piece_bias * piece;
-  float allowance = off * (1.0 + 0.5 * slope);
+  float texelsPerWorld = 1.0 / (path.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
   DepthPlace at;
-  at.near = allowance / (path.worldPerTexel * sqrt(1.0 + light.slope * light.slope));
+  at.off = bias * lightMapLengths.x + piece_bias * piece;
+  float allowance = at.off * (1.0 + 0.5 * slope);
+  at.near = allowance * texelsPerWorld;
+  at.texelsPerDepth = lightMapLengths.y * texelsPerWorld;
   at.place = lightMapPlace(surfacePoint(pixel) + path.height * pixel.normal);
   at.place.z -= allowance / lightMapLengths.y;
   at.tilt = lightMapTilt(facet, max(cosine, 1.0 / steepest));
   return at;
+}
+
+// Whether the march knows its path as far as t, texels, better than the depth map knows the mesh. After
+// the arc length s the path errs by
+//   ½ κ² s³     in height: the order of the first term that a changing circle leaves out,
+//   |τ| s H     sideways, at the highest relief H: the surface's normal turns about the path by its
+//               geodesic torsion τ, and the path's columns of relief lean with it.
+// And both see the same: at the map's blocker the relief ends within 2u of the ray.
+bool isPathKnown(Pixel pixel, LocalLight light, Path path, float t, float off) {
+  float s = t * path.worldPerTexel;
+  float angle = path.curvature * s;
+  float square = max(dot(light.tangent, light.tangent), 1e-30);
+  vec3 side = cross(pixel.normal, light.tangent);
+  float torsion = dot(turnOfNormal(pixel, light.tangent), side) / square;
+  float highest = max(path.height, path.scale * heightBounds.y);
+  float error = 0.5 * angle * angle * s + abs(torsion) * s * highest;
+  return t < path.limit && error < trust * off && abs(excess(path, t)) < 2.0 * off;
 }
 
 bool isShadowed(Pixel pixel, LocalLight light) {
@@ -168,9 +211,12 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   if (!(cosine > 0.0)) return true;
 
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
-  if (shareNearer(at.place, at.tilt) > 0.5) return true;
-  bool isLong = isBesideEdge(at.place, at.tilt, edge * piece / lightMapLengths.x);
-  return shadowedAtCrossings(path, isLong ? path.limit : min(at.near, path.limit));
+  Blockers seen = blockersAbout(at.place, at.tilt, outlineReach(piece));
+  if (seen.count == 5) return true;
+  float end = min(at.near + seen.most * at.texelsPerDepth, path.limit);
+  if (shadowedAtCrossings(path, end)) return true;
+  bool isLit = isPathKnown(pixel, light, path, seen.own * at.texelsPerDepth, at.off);
+  return !isLit && shareNearer(at.place, at.tilt) > 0.5;
 }
 
 // A disc as light. What stands D nearer to the light hides some of it where it lies within D tan ρ
@@ -182,14 +228,16 @@ bool isShadowed(Pixel pixel, LocalLight light) {
 // share tells how far the outline is, share - ½ texels, and the closed form for a straight edge
 // gives V.
 //
-// Where the depth map sees anything in reach the march goes on to its end, too. It keeps its
-// highest horizon, twice where the disc is wide (marchesUpTo). What either hides is at the lower
-// side of the disc, mostly the same: the smaller share is the answer.
+// The march goes on as far as the farthest of all that hides some of the light. It keeps its highest
+// horizon, twice where the disc is wide (marchesUpTo). Where it knows the path to what hides the light,
+// its share is the answer. Elsewhere what either hides is at the lower side of the disc, mostly the
+// same: the smaller share is.
 
-// The mean D of what hides some of the light, in depth; 0 where nothing does.
-float blockerDistance(vec3 place, vec2 tilt, float reach) {
+// What hides some of the light: its mean D and its largest, in depth; 0 where nothing does.
+vec2 blockerDistances(vec3 place, vec2 tilt, float reach) {
   int count = int(search_samples);
   vec2 sum = vec2(0.0);  // number, D
+  float most = 0.0;
   vec2 toward = vec2(1.0, 0.0);
   for (int k = 0; k < count; ++k) {
     float share = (float(k) + 0.5) / float(count);
@@ -199,8 +247,9 @@ float blockerDistance(vec3 place, vec2 tilt, float reach) {
     float nearer = place.z - lightDepthOf(ivec2(texel));
     bool isBlocker = isNearer(place, tilt, texel) && length(offset) <= reach * nearer + 1.0;
     sum += isBlocker ? vec2(1.0, nearer) : vec2(0.0);
+    most = max(most, isBlocker ? nearer : 0.0);
   }
-  return sum.y / max(sum.x, 1.0);
+  return max(vec2(sum.y / max(sum.x, 1.0), most), 0.0);
 }
 
 // V by the depth map, with the penumbra's radius in its texels.
@@ -225,24 +274,24 @@ float visibility(Pixel pixel, LocalLight light) {
   float cosine = dot(facet, lightDirection);
   if (!(cosine > -sin(lightRadius))) return 0.0;
 
-  DepthPlace depth = depthPlaceOf(pixel, light, path, piece, facet, cosine);
-  vec3 place = depth.place;
-  vec2 tilt = depth.tilt;
+  DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
   float reach = tan(lightRadius) * lightMapLengths.y / lightMapLengths.x;  // texels, of depth 1
-  float radius = reach * max(blockerDistance(place, tilt, reach), 0.0);
-  float far = shareByDepth(place, tilt, radius);
-  if (far <= 0.0) return 0.0;
-  bool isLong = far < 1.0 || radius > 0.0 || isBesideEdge(place, tilt, edge * piece / lightMapLengths.x);
+  vec2 distances = blockerDistances(at.place, at.tilt, reach);
+  float far = shareByDepth(at.place, at.tilt, reach * distances.x);
+  Blockers seen = blockersAbout(at.place, at.tilt, outlineReach(piece));
+  if (far <= 0.0 && seen.count == 5) return 0.0;
   float enough = slopeTurned(light.slope, tan(lightRadius));
-  float end = isLong ? path.limit : min(depth.near, path.limit);
+  float end = min(at.near + max(distances.y, seen.most) * at.texelsPerDepth, path.limit);
   int marches = marchesUpTo(end);
   float sum = 0.0;
   for (int march = 0; march < marches; ++march) {
     LocalLight to = marchedLight(pixel, light, march, marches);
     Path way = marchedPath(path, to);
-    Crossings at = firstCrossings(way);
-    sum += shareOver(to.slope, horizonAtCrossings(way, at, end, bareSlope(path), enough));
+    Crossings passed = firstCrossings(way);
+    sum += shareOver(to.slope, horizonAtCrossings(way, passed, end, bareSlope(path), enough));
   }
   float share = sum / float(marches);
-  return min(far, share);
+  float blocker = distances.x > 0.0 ? distances.x : seen.own;
+  bool isKnown = isPathKnown(pixel, light, path, blocker * at.texelsPerDepth, at.off);
+  return isKnown ? share : min(far, share);
 }

@@ -121,6 +121,20 @@ TEST(TwoScales, CastsTheShadowOfARidge) {
   EXPECT_GT(ridge.wrong(ridge.scene.answer("unshadowed", ridge.view, ridge.light)), 0.2);
 }
 
+// On a plane the march knows its path exactly, so that outlines owe nothing to a map of coarse
+// texels.
+TEST(TwoScales, LeavesOutlinesToTheMarchWhereItsPathIsKnown) {
+  const GlContext gl;
+  const Ridge ridge;
+  const Method method = readMethod(methodFile(shaderFolder(), "two-scales"));
+  const auto with = [&](double trust) {
+    return ridge.wrong(ridge.scene.answer(method, ridge.view, ridge.light, TableFilter::exact,
+                                          {{"depth_side", 64}, {"trust", trust}}));
+  };
+  EXPECT_EQ(with(1), 0);
+  EXPECT_GT(with(0), 0.01);
+}
+
 /// A bumpy ring, whose far side shades the near one.
 struct Ring {
   explicit Ring(double scale)
