@@ -26,6 +26,7 @@
 #include "cli/junit_file.h"
 #include "cli/list_option.h"
 #include "cli/output.h"
+#include "cli/paper_request.h"
 #include "cli/shards/merge_command.h"
 #include "cli/shards/plan_command.h"
 #include "cli/shards/shard.h"
@@ -45,7 +46,8 @@ Examples:
   gnomon run scenes/figure8.toml
   gnomon run scenes/sphere-columns.toml scenes/sphere-columns-flat.toml --out results
   gnomon run scenes/figure8.toml --set relief.height=4 --set bake.azimuths=16
-  gnomon run scenes/figure8.toml --method onoue-2004 --quick)";
+  gnomon run scenes/figure8.toml --method onoue-2004 --quick
+  gnomon run scenes/figure8.toml --figures column --paper-method onoue-2004 --paper-method max-forsyth)";
 
 constexpr const char* checkExamples = R"(
 Exit status: 0 all thresholds and references hold, 1 one failed or is undefined, 2 usage, 3 bad
@@ -131,9 +133,12 @@ void addRunOptions(CLI::App& command, RunRequest& request) {
   command.add_flag("--vary-radius", request.varyRadius,
                    "Also judge claims and verdicts at half and at twice the search radius, and "
                    "mark those that change");
-  command.add_flag("--metrics-only", request.metricsOnly,
-                   "Write figures only: no masks, pictures, pages, plots or times; the same input "
-                   "then gives the same folder, byte for byte");
+  CLI::Option* figures = addPaperOptions(command, request.paper);
+  command
+      .add_flag("--metrics-only", request.metricsOnly,
+                "Write figures only: no masks, pictures, pages, plots or times; the same input "
+                "then gives the same folder, byte for byte")
+      ->excludes(figures);
   addQuickOption(command, request);
 }
 

@@ -108,7 +108,7 @@ void report(const study::StudySpec& study, Records& records, std::size_t own,
   if (!records.folders.holds(record.name)) return;
   report::RunFolder& folder = records.folders.of(record.name);
   if (request.metricsOnly) return report::writeFigureFiles(record, folder);
-  report::writeRunFiles(record, folder, cache);
+  report::writeRunFiles(record, request.paper, folder, cache);
 }
 
 /// Whether a claim of the study needs the record of another one, which may be run later.
@@ -137,7 +137,7 @@ void writeSweep(const PlanRecords& part, Records& records, const RunRequest& req
   report::RunFolder& folder = records.folders.of(part.plan->name);
   const study::SweepRecord sweep = sweepOf(part, records, request);
   if (request.metricsOnly) return report::writeFigureFiles(sweep, folder);
-  report::writeSweepFiles(sweep, folder, cache);
+  report::writeSweepFiles(sweep, request.paper, folder, cache);
 }
 
 /// Forgets all records but the first of each kind.
@@ -247,7 +247,7 @@ void reportRanking(std::span<const study::StudyMeans> studies, const RunRequest&
   folder.write("ranking.csv", report::csvTable(report::studyMeansTable(studies)));
   const report::SuiteParts parts =
       request.metricsOnly ? report::SuiteParts::figures : report::SuiteParts::all;
-  if (report::writeSuiteOf(studies, request.command, parts, folder)) {
+  if (report::writeSuiteOf(studies, request.command, parts, request.paper, folder)) {
     const char* name = request.metricsOnly ? "suite.json" : "suite.html";
     printLine("Over the scenes: " + (request.out / name).string());
   }

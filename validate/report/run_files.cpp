@@ -15,22 +15,18 @@
 #include "report/json/sweep_json.h"
 #include "report/page/report_html.h"
 #include "report/page/sweep_html.h"
+#include "report/paper/paper_files.h"
 #include "report/plots/gnuplot.h"
 #include "report/plots/study_plots.h"
-#include "report/plots/sweep_cost_plots.h"
-#include "report/plots/sweep_lights_plot.h"
-#include "report/plots/sweep_map_plot.h"
-#include "report/plots/sweep_plot.h"
+#include "report/plots/sweep_plots.h"
 #include "report/tables/budget_table.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/formats.h"
-#include "report/tables/formats/latex_format.h"
 #include "report/tables/frontier_table.h"
 #include "report/tables/long_table.h"
 #include "report/tables/means_table.h"
 #include "report/tables/ranked_table.h"
-#include "report/tables/sweep_tables.h"
 
 namespace gnomon::report {
 namespace {
@@ -128,37 +124,17 @@ std::vector<DrawnPlot> writePlots(const SheetsFor& sheetsFor, RunFolder& folder,
   return plots;
 }
 
-/// All plots of a sweep, each with the section of the page that shows it.
-std::vector<PlotSheet> sweepSheets(const study::SweepRecord& sweep, PlotPlace place) {
-  std::vector<PlotSheet> sheets;
-  const auto add = [&](PlotSheet sheet, const char* section) {
-    sheet.section = section;
-    sheets.push_back(std::move(sheet));
-  };
-  const std::vector<SweepSlice> slices = slicesOf(sweep);
-  for (const SweepSlice& slice : slices) {
-    add(sweepPlot(sweep, slice, place), sweepErrorSection);
-    if (auto lights = sweepLightsPlot(sweep, slice, place))
-      add(std::move(*lights), sweepLightsSection);
-  }
-  if (isGrid(sweep)) add(sweepMapPlot(sweep, place), sweepErrorSection);
-  if (slices.size() == 1) {
-    for (PlotSheet& sheet : sweepCostPlots(sweep, slices.front(), place)) {
-      add(std::move(sheet), sweepCostSection);
-    }
-  }
-  return sheets;
-}
-
 }  // namespace
 
-void writeRunFiles(const study::StudyRecord& record, RunFolder& folder, cache::Cache& cache) {
+void writeRunFiles(const study::StudyRecord& record, const PaperOptions& paper, RunFolder& folder,
+                   cache::Cache& cache) {
   folder.removeIndex();
   folder.write("metrics.csv", csvTable(metricsTable(record)));
   const Table ranked = rankedTable(record, study::rankMethods(record));
   for (const TableFormat& format : tableFormats()) {
     if (format.isFile) folder.write(fmt::format("table.{}", format.name), format.print(ranked));
   }
+  writePaperFiles(record, paper, folder);
   const auto writeRows = [&](const char* name, const Table& table) {
     if (!table.rows.empty()) folder.write(name, csvTable(table));
   };
@@ -171,13 +147,14 @@ void writeRunFiles(const study::StudyRecord& record, RunFolder& folder, cache::C
   folder.finish(summaryJson(record));
 }
 
-void writeSweepFiles(const study::SweepRecord& sweep, RunFolder& folder, cache::Cache& cache) {
+void writeSweepFiles(const study::SweepRecord& sweep, const PaperOptions& paper, RunFolder& folder,
+                     cache::Cache& cache) {
   folder.removeIndex();
   folder.write("sweep.csv", csvTable(sweepMeansTable(sweep)));
   folder.write("cases.csv", longCsv(sweep));
-  folder.write("table.tex", latexTable(sweepPaperTable(sweep)));
+  writePaperFiles(sweep, paper, folder);
   const std::vector<DrawnPlot> plots =
-      writePlots([&](PlotPlace place) { return sweepSheets(sweep, place); }, folder, cache);
+      writePlots([&](PlotPlace place) { return sweepPlots(sweep, place); }, folder, cache);
   folder.write("report.html", sweepHtml(sweep, plots).text());
   folder.finish(sweepJson(sweep));
 }

@@ -14,6 +14,7 @@
 #include "cli/failure.h"
 #include "cli/junit_file.h"
 #include "cli/output.h"
+#include "cli/paper_request.h"
 #include "cli/plan_runs.h"
 #include "cli/study_plans.h"
 #include "common/files/atomic_file.h"
@@ -172,6 +173,17 @@ Study readOne(const fs::path& file, const CheckRequest& request, std::set<std::s
   }
   readBaselineOf(study, request);
   return study;
+}
+
+/// @throws UsageError for a chosen method that no study has; where one could not be read, it may be
+///   that study's
+void requirePaper(const std::vector<Study>& studies, const CheckRequest& request) {
+  std::vector<std::string> labels;
+  for (const Study& study : studies) {
+    if (!study.plan) return;
+    appendLabels(*study.plan, labels);
+  }
+  requirePaperMethods(request.run.paper, labels);
 }
 
 /// Studies that have not been judged have an error in it; nothing is told of them to who reads it
@@ -403,6 +415,7 @@ ExitStatus checkStudies(const CheckRequest& request) {
   for (const fs::path& file : request.run.studies) {
     studies.push_back(readOne(file, request, names));
   }
+  requirePaper(studies, request);
   writeJunit(request, studies, false);
   Records records;
   const std::unique_ptr<cache::Cache> cache = openCache(request.run.noCache);

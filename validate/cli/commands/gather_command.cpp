@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "cli/output.h"
+#include "cli/paper_request.h"
 #include "cli/run_folders.h"
 #include "common/files/atomic_file.h"
 #include "compare/scenes/resampled_mean.h"
@@ -139,6 +140,7 @@ CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request) {
                    "default")
       ->needs("--choose")
       ->type_name("FILE");
+  addPaperOptions(*command, request.paper);
   command->footer(gatherExamples);
   return command;
 }
@@ -159,6 +161,9 @@ ExitStatus gatherScenes(const GatherRequest& request) {
       }
     }
   }
+  std::vector<std::string> labels;
+  for (const study::SuiteMethod& method : statistics.methods) labels.push_back(method.label);
+  requirePaperMethods(request.paper, labels);
   std::optional<Choice> choice;
   if (request.choose) choice = chooseSettings(request, statistics.table);
   report::RunFolder claimed(request.out, suiteKind);
@@ -166,7 +171,7 @@ ExitStatus gatherScenes(const GatherRequest& request) {
   // Once more: while it was not locked another command may have changed it.
   report::RunFolder folder(request.out, suiteKind);
   folder.clear();
-  report::writeSuiteFiles(statistics, studies, request.command, folder);
+  report::writeSuiteFiles(statistics, studies, request.command, request.paper, folder);
   folder.finish(report::suiteJson(statistics, request.command));
   printLine(fmt::format("{}: {} scenes, {} methods", suite, statistics.table.scenes.size(),
                         statistics.methods.size()));

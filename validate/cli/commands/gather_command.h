@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "report/paper/paper_options.h"
 
 namespace CLI {
 class App;
@@ -20,6 +21,7 @@ struct GatherRequest {
   std::optional<std::filesystem::path> against;  ///< another suite's suite.json
   std::optional<std::filesystem::path> choose;   ///< where the chosen settings go
   std::optional<std::filesystem::path> methods;  ///< the list whose settings were tried
+  report::PaperOptions paper;
   std::string command;                           ///< the command line, for the report
 };
 

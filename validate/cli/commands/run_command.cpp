@@ -8,6 +8,7 @@
 #include "cli/commands/cache_command.h"
 #include "cli/failure.h"
 #include "cli/output.h"
+#include "cli/paper_request.h"
 #include "cli/plan_runs.h"
 #include "cli/run_plans.h"
 #include "cli/shards/shard_run.h"
@@ -41,6 +42,7 @@ void bakeTables(const study::StudySpec& study, const fs::path& out, cache::Cache
 ExitStatus runStudies(const RunRequest& request) {
   if (request.shard) return runShard(request);
   const std::vector<study::StudyPlan> plans = readPlans(request.studies, request.options);
+  requirePaperMethods(request.paper, plans);
   if (!request.metricsOnly) report::askGnuplotVersion();  // which it tells while OpenGL starts
   const render::GlContext gl;
   if (!request.metricsOnly) requirePlots();

@@ -8,6 +8,7 @@
 #include "cli/shards/arguments.h"
 #include "cli/shards/shard.h"
 #include "common/error.h"
+#include "report/paper/paper_options.h"
 #include "study/run/scene/stage_clock.h"
 #include "study/spec/study_file.h"
 
@@ -23,6 +24,7 @@ struct RunRequest {
   /// Figures alone: no masks, pictures, pages, plots and times. Then the same input gives the same
   /// folder, byte for byte.
   bool metricsOnly = false;
+  report::PaperOptions paper;
   std::string command;            ///< the command line, for the report
   Arguments arguments;            ///< the same, word by word
   std::optional<Shard> shard;     ///< runs only this part of the cases, see runShard

@@ -13,6 +13,7 @@
 #include "cli/commands/cache_command.h"
 #include "cli/failure.h"
 #include "cli/output.h"
+#include "cli/paper_request.h"
 #include "cli/plan_runs.h"
 #include "cli/run_plans.h"
 #include "cli/shards/case_list.h"
@@ -202,7 +203,9 @@ ShardManifest::Study manifestStudy(const study::StudyPlan& plan) {
 
 ExitStatus runShard(const RunRequest& request) {
   refuseStreams(request);
-  return ShardRun(request, readOutlines(request.studies, request.options)).run();
+  const std::vector<study::StudyPlan> outlines = readOutlines(request.studies, request.options);
+  requirePaperMethods(request.paper, outlines);
+  return ShardRun(request, outlines).run();
 }
 
 }  // namespace gnomon::cli

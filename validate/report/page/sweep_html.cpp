@@ -8,6 +8,7 @@
 
 #include "report/page/html_page.h"
 #include "report/page/reference_html.h"
+#include "report/plots/sweep_plots.h"
 #include "report/tables/formats/html_format.h"
 #include "report/tables/gate_table.h"
 #include "report/tables/means_table.h"

@@ -8,11 +8,6 @@
 
 namespace gnomon::report {
 
-/// The sections of a sweep's page that show plots, by PlotSheet::section.
-constexpr const char* sweepErrorSection = "plots";
-constexpr const char* sweepLightsSection = "lights";
-constexpr const char* sweepCostSection = "cost";
-
 /// A sweep as one page that loads nothing: its plots, the error rates of methods and cases tinted
 /// by size, its claims and the thresholds that failed. It links to the reports of its steps, whose
 /// folders lie beside it.

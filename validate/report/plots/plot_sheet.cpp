@@ -80,6 +80,10 @@ std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
         inches(sheet.width), inches(sheet.height));
     scripts.push_back(encoding + terminal + colourSettings(sheet) + sheet.commands);
   }
+  return undatedPdfs(scripts);
+}
+
+std::vector<std::string> undatedPdfs(const std::vector<std::string>& scripts) {
   std::vector<std::string> pdfs = drawByGnuplot(scripts);
   // cairo 1.18 compresses the date too.
   if (!std::all_of(pdfs.begin(), pdfs.end(), showsDate)) {

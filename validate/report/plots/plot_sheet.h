@@ -56,6 +56,8 @@ struct PlotSheet {
   Table table = {};                     ///< the same values
   /// Its colours are shades that mean something together, which a dark page inverts as a whole.
   bool isShaded = false;
+  /// Whether its first panel is a figure of a paper: what it shows is whole without the others.
+  bool isForPaper = true;
 };
 
 /// The plot as an SVG document, by a gnuplot of its own: the last colour of one SVG reaches into
@@ -71,5 +73,10 @@ std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets);
 /// The colour that an SVG for a page has in the place of the i-th of `frameColours` and then of the
 /// sheet's own, which `pageSvg` replaces by the page's.
 std::string placeholderColour(std::size_t index);
+
+/// What gnuplot's terminal pdfcairo draws for each of several scripts (drawByGnuplot), without its
+/// date.
+/// @throws InternalError as drawByGnuplot
+std::vector<std::string> undatedPdfs(const std::vector<std::string>& scripts);
 
 }  // namespace gnomon::report

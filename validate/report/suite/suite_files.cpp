@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/parallel.h"
+#include "report/paper/paper_files.h"
 #include "report/suite/suite_html.h"
 #include "report/suite/suite_json.h"
 #include "report/suite/suite_plots.h"
@@ -45,19 +46,20 @@ void writeTables(const study::SuiteStatistics& statistics,
 
 void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      std::span<const study::StudyMeans> studies, std::string_view command,
-                     RunFolder& folder) {
+                     const PaperOptions& paper, RunFolder& folder) {
   writeTables(statistics, studies, folder);
+  writePaperFiles(statistics, paper, folder);
   const std::vector<DrawnPlot> plots = writeSuitePlots(statistics, folder);
   folder.write("suite.html", suiteHtml(statistics, plots, command).text());
 }
 
 bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,
-                  SuiteParts parts, RunFolder& folder) {
+                  SuiteParts parts, const PaperOptions& paper, RunFolder& folder) {
   const std::string suite = study::suiteOf(studies);
   if (suite.empty()) return false;
   study::SuiteStatistics statistics = study::suiteStatistics(suite, studies);
   if (parts == SuiteParts::all) {
-    writeSuiteFiles(statistics, studies, command, folder);
+    writeSuiteFiles(statistics, studies, command, paper, folder);
   } else {
     for (study::SuiteScene& scene : statistics.scenes) scene.report.clear();
     writeTables(statistics, studies, folder);

@@ -466,7 +466,10 @@ std::vector<PlotSheet> suitePlots(const study::SuiteStatistics& statistics, Plot
   if (statistics.methods.empty()) return sheets;
   sheets.push_back(suiteErrorsPlot(statistics, place));
   if (statistics.methods.front().rank) sheets.push_back(suiteWinsPlot(statistics, place));
-  if (auto bins = suiteBinsPlot(statistics, place)) sheets.push_back(std::move(*bins));
+  if (auto bins = suiteBinsPlot(statistics, place)) {
+    bins->isForPaper = false;
+    sheets.push_back(std::move(*bins));
+  }
   return sheets;
 }
 

@@ -17,8 +17,9 @@ namespace {
 
 using Q = Quantity;
 
-Column column(std::string name, Q quantity, std::string about = "", unsigned readers = byAll) {
-  Column made{std::move(name), "", quantity, readers};
+Column column(std::string name, Q quantity, std::string about = "", std::string key = "",
+              unsigned readers = byAll) {
+  Column made{std::move(name), std::move(key), quantity, readers};
   made.about = std::move(about);
   return made;
 }
@@ -121,6 +122,7 @@ std::vector<std::string> suiteAxes(const study::SuiteStatistics& statistics) {
 }
 
 Table suiteRankedTable(const study::SuiteStatistics& statistics) {
+  constexpr unsigned wide = byAll & ~inColumn;
   const SuiteFigure figure = suiteFigure(statistics);
   Table table{
       .kind = "suite",
@@ -133,17 +135,21 @@ Table suiteRankedTable(const study::SuiteStatistics& statistics) {
                       "the scenes. ≈ marks methods that are not distinguishable from the first, by "
                       "Holm's correction over all pairs.",
                       figure.name, figure.of),
-      .columns = {column("", Q::rank), column("Method", Q::name), column("Mean", Q::percent),
-                  column("95 %", Q::interval, "of the mean, over scenes"),
+      .columns = {column("", Q::rank, "", "rank", wide), column("Method", Q::name),
+                  column("Mean", Q::percent),
+                  column("95 %", Q::interval, "of the mean, over scenes", "interval"),
                   column("Median", Q::percent),
-                  column("Quartiles", Q::interval, "half of the scenes lie between"),
-                  column("95th", Q::percent, "95 of 100 scenes have no more"),
-                  column("Worst 5 %", Q::percent, "mean over the worst twentieth of the scenes"),
-                  column("Worst", Q::percent, "on any scene"), column("Worst scene", Q::text),
+                  column("Quartiles", Q::interval, "half of the scenes lie between", "", wide),
+                  column("95th", Q::percent, "95 of 100 scenes have no more", "percentile95"),
+                  column("Worst 5 %", Q::percent, "mean over the worst twentieth of the scenes",
+                         "worst_twentieth", wide),
+                  column("Worst", Q::percent, "on any scene", "", wide),
+                  column("Worst scene", Q::text, "", "", wide),
                   column("Ranks", Q::text, "in 95 % of the resamples of the scenes"),
                   column("Same rank", Q::percent,
-                         "share of the resamples in which the rank is the same"),
-                  column("Truth ±", Q::percent, "mean of the truth's uncertainty over the scenes")},
+                         "share of the resamples in which the rank is the same", "", wide),
+                  column("Truth ±", Q::percent, "mean of the truth's uncertainty over the scenes",
+                         "uncertainty", wide)},
       .apart = "Not on every scene: no rank, since means over other scenes cannot be compared."};
   table.columns[2].isMain = true;
   for (const study::SuiteMethod& method : statistics.methods) {

@@ -140,17 +140,18 @@ Table rankedTable(const study::StudyRecord& record,
                           {"95 %", "", Q::interval},
                           {"", "uncertainty", Q::exact, asData},
                           {"", "same_as_best", Q::exact, asData},
-                          {"Test", "test_error_rate", Q::percent},
+                          {"Test", "test_error_rate", Q::percent, byAll & ~inColumn},
                           {"False shadow", "false_shadow", Q::percent},
                           {"False light", "false_light", Q::percent},
-                          {"IoU", "iou", Q::percent},
+                          {"IoU", "iou", Q::percent, byAll & ~inColumn},
                           {"BER", "", Q::percent, onPage},
                           {"", "cases", Q::exact, asData},
                           {"", "all_cases", Q::exact, asData},
                           {"", "leader_error_rate", Q::exact, asData},
-                          {"Memory", "bytes", Q::megabytes, onPaper | asData, "MB"},
+                          {"Memory", "bytes", Q::megabytes, onPaper | inColumn | asData, "MB"},
                           {"Frame", "frame_ms", Q::decimals, onPaper | asData, "ms"}}};
   table.columns[2].isMain = true;
+  table.columns[14].shortName = "MB";
   const double scale = barScale(ranked);
   for (const study::RankedMethod& method : ranked) {
     table.rows.push_back(rankedRow(record, method, ranked.front(), scale));

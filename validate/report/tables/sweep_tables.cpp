@@ -94,22 +94,36 @@ Table sweepSpreadTable(const study::SweepRecord& sweep) {
   return table;
 }
 
+namespace {
+
+/// The methods × the values of the one key.
+Table sweepValuesTable(const study::SweepRecord& sweep) {
+  Table table = sweepErrorsTable(sweep);
+  table.label = sweep.name;
+  table.title = sweep.title;
+  table.caption = fmt::format("{} By {}.", errorCaption, sweep.keys.front().axis);
+  return table;
+}
+
+}  // namespace
+
 Table readableSweepTable(const study::SweepRecord& sweep, std::size_t mostColumns,
                          std::size_t mostRows) {
-  if (sweep.keys.size() == 1 && sweep.cases.size() <= mostColumns) {
-    Table table = sweepErrorsTable(sweep);
-    table.label = sweep.name;
-    table.title = sweep.title;
-    table.caption = fmt::format("{} By {}.", errorCaption, sweep.keys.front().axis);
-    return table;
-  }
+  if (sweep.keys.size() == 1 && sweep.cases.size() <= mostColumns) return sweepValuesTable(sweep);
   return sweep.cases.size() <= mostRows ? sweepCasesTable(sweep) : sweepSpreadTable(sweep);
 }
 
-Table sweepPaperTable(const study::SweepRecord& sweep) {
-  constexpr std::size_t mostColumns = 12;
+Table sweepPaperTable(const study::SweepRecord& sweep, const TabularRoom& room) {
+  if (sweep.keys.size() == 1) {
+    Table values = sweepValuesTable(sweep);
+    if (fitsTabular(values, room)) return values;
+  }
   constexpr std::size_t mostRows = 100;
-  return readableSweepTable(sweep, mostColumns, mostRows);
+  if (sweep.cases.size() <= mostRows) {
+    Table cases = sweepCasesTable(sweep);
+    if (fitsTabular(cases, room)) return cases;
+  }
+  return sweepSpreadTable(sweep);
 }
 
 }  // namespace gnomon::report

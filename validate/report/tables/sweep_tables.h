@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/tables/formats/latex_format.h"
 #include "report/tables/table.h"
 #include "study/record/sweep_record.h"
 
@@ -20,7 +21,8 @@ Table sweepSpreadTable(const study::SweepRecord& sweep);
 Table readableSweepTable(const study::SweepRecord& sweep, std::size_t mostColumns,
                          std::size_t mostRows);
 
-/// The table for a paper.
-Table sweepPaperTable(const study::SweepRecord& sweep);
+/// The table for a paper: the first of sweepErrorsTable (of one key), sweepCasesTable (of up to 100
+/// cases) and sweepSpreadTable that fits its room.
+Table sweepPaperTable(const study::SweepRecord& sweep, const TabularRoom& room);
 
 }  // namespace gnomon::report

@@ -86,6 +86,13 @@ std::string heading(const Column& column) {
   return column.unit.empty() ? column.name : column.name + ", " + column.unit;
 }
 
+std::string nameOf(const Table& table, const Row& row) {
+  for (std::size_t i = 0; i < table.columns.size() && i < row.cells.size(); ++i) {
+    if (table.columns[i].quantity == Quantity::name) return row.cells[i].text.value_or("");
+  }
+  return "";
+}
+
 std::vector<std::size_t> columnsFor(const Table& table, Readers reader) {
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -37,9 +37,10 @@ enum class Quantity {
 enum Readers : unsigned {
   onTerminal = 1,
   onPage = 2,
-  onPaper = 4,  ///< LaTeX and Markdown
-  asData = 8,   ///< CSV
-  byAll = onTerminal | onPage | onPaper | asData,
+  onPaper = 4,    ///< LaTeX as wide as a page, and Markdown
+  asData = 8,     ///< CSV
+  inColumn = 16,  ///< LaTeX in a column of a page
+  byAll = onTerminal | onPage | onPaper | asData | inColumn,
 };
 
 struct Column {
@@ -47,13 +48,14 @@ struct Column {
   std::string key = {};  ///< heading for programs: "false_shadow"; else the name
   Quantity quantity = Quantity::text;
   unsigned readers = byAll;
-  std::string unit = {};      ///< stands in the heading: "ms"
-  std::string note = {};      ///< small under the heading, on a page
-  std::string about = {};     ///< shown when a reader points at the heading
-  std::string link = {};      ///< where the heading leads, on a page
-  std::size_t width = 0;      ///< that a terminal gives it at least, with its gap
-  std::size_t markWidth = 0;  ///< room behind the figures for their marks, on a terminal
-  bool isMain = false;        ///< the main column of the table: bold on a page
+  std::string unit = {};       ///< stands in the heading: "ms"
+  std::string note = {};       ///< small under the heading, on a page
+  std::string about = {};      ///< shown when a reader points at the heading
+  std::string link = {};       ///< where the heading leads, on a page
+  std::size_t width = 0;       ///< that a terminal gives it at least, with its gap
+  std::size_t markWidth = 0;   ///< room behind the figures for their marks, on a terminal
+  std::string shortName = {};  ///< heading in a column of a paper, with its unit
+  bool isMain = false;         ///< the main column of the table: bold on a page
 };
 
 enum class Emphasis { none, strong, quiet, good, bad, open };
@@ -117,6 +119,9 @@ std::string cellText(Quantity quantity, const Cell& cell);
 
 /// A column's heading for people: "Frame, ms".
 std::string heading(const Column& column);
+
+/// What a row is about: the text of its name; empty in a table without names.
+std::string nameOf(const Table& table, const Row& row);
 
 /// The indices of the columns that a reader sees.
 /// @throws InternalError for a row that has not one cell a column

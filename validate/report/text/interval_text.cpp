@@ -7,18 +7,16 @@
 #include "report/text/number_text.h"
 
 namespace gnomon::report {
-namespace {
 
-std::string endText(double share) {
-  const double percent = 100 * requireFinite(share, "interval");
+std::string intervalEndText(std::optional<double> end) {
+  if (!end) return "–";
+  const double percent = 100 * requireFinite(*end, "interval");
   const double rounded = std::round(100 * percent) / 100;
   return fmt::format("{}{:.2f}", rounded < 0 ? "−" : "", std::abs(rounded));
 }
 
-}  // namespace
-
 std::string intervalText(const std::optional<compare::Interval>& interval) {
-  return interval ? endText(interval->low) + " to " + endText(interval->high) : "–";
+  return interval ? intervalEndText(interval->low) + " to " + intervalEndText(interval->high) : "–";
 }
 
 std::optional<double> lowOf(const std::optional<compare::Interval>& interval) {

@@ -15,7 +15,7 @@ std::span<const TableFormat> tableFormats() {
       {"txt", terminalTable, false},
       {"html", [](const Table& table) { return htmlTable(table).text(); }, false},
       {"csv", csvTable, true},
-      {"tex", latexTable, true},
+      {"tex", [](const Table& table) { return latexTabular(table); }, false},
       {"md", markdownTable, true},
   }};
   return formats;

@@ -3,141 +3,232 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <numeric>
+#include <vector>
 
 #include "common/text/one_line.h"
-#include "report/text/interval_text.h"
+#include "common/text/utf8.h"
+#include "report/text/latex_text.h"
 
 namespace gnomon::report {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 27> signs = {{
-    {"\\", "\\textbackslash{}"},
-    {"&", "\\&"},
-    {"%", "\\%"},
-    {"$", "\\$"},
-    {"#", "\\#"},
-    {"_", "\\_"},
-    {"{", "\\{"},
-    {"}", "\\}"},
-    {"~", "\\textasciitilde{}"},
-    {"^", "\\textasciicircum{}"},
-    {"<", "\\textless{}"},
-    {">", "\\textgreater{}"},
-    {"\"", "\\textquotedbl{}"},
-    {"–", "--"},
-    {"--", "-{}-{}"},
-    {"’", "'"},
-    {"°", "\\textdegree{}"},
-    {"×", "$\\times$"},
-    {"≈", "$\\approx$"},
-    {"−", "$-$"},
-    {"≤", "$\\leq$"},
-    {"≥", "$\\geq$"},
-    {"±", "$\\pm$"},
-    {"κ", "$\\kappa$"},
-    {"…", "\\dots{}"},
-    {"\u202f", "\\,"},
-    {"→", "$\\to$"},
-}};
+// Lengths are in units of the font's size.
+constexpr double leastGap = 0.6;
+constexpr double mostGap = 1.4;
+constexpr double leastText = 4.5;  ///< of a column of texts that are broken
 
-/// One line; LaTeX refuses U+FFFD.
-std::string knownText(std::string_view text) {
-  std::string line = oneLine(text);
-  constexpr std::string_view unknown = "\uFFFD";
-  for (std::size_t at = 0; (at = line.find(unknown, at)) != std::string::npos;) {
-    line.replace(at, unknown.size(), 1, '?');
+/// "≈" of " ≈", with a space at which no line is broken.
+std::string markBefore(std::string_view mark) {
+  mark.remove_prefix(std::min(mark.find_first_not_of(' '), mark.size()));
+  return mark.empty() ? "" : std::string(mark) + "\u00a0";
+}
+
+/// An interval with a dash, unless one of its ends has a sign.
+std::string shortInterval(const std::string& text) {
+  const std::size_t word = text.find(" to ");
+  const bool isSigned = text.find("−") != std::string::npos;
+  return word == std::string::npos || isSigned ? text : std::string(text).replace(word, 4, "–");
+}
+
+/// A cell's text with its marks, before it is escaped.
+std::string shownText(const Column& column, const Cell& cell, const Row& row, Readers reader) {
+  const std::string mark = column.quantity == Quantity::name ? markBefore(row.mark) : "";
+  const std::string text = cellText(column.quantity, cell);
+  const bool isShort = column.quantity == Quantity::interval && reader == inColumn;
+  return mark + (isShort ? shortInterval(text) : text) + cell.mark;
+}
+
+std::string headOf(const Column& column, Readers reader) {
+  return reader == inColumn && !column.shortName.empty() ? column.shortName : heading(column);
+}
+
+double widestPart(const std::string& text) {
+  double widest = 0;
+  for (const std::string& part : breakableParts(text)) widest = std::max(widest, latexWidth(part));
+  return widest;
+}
+
+/// The text in lines no wider than `width`, if its parts are no wider.
+std::vector<std::string> linesOf(const std::string& text, double width) {
+  std::vector<std::string> lines;
+  for (const std::string& part : breakableParts(text)) {
+    if (lines.empty() || latexWidth(lines.back()) + latexWidth(part) > width + 1e-9) {
+      lines.emplace_back();
+    }
+    lines.back() += part;
   }
-  return line;
+  return lines;
 }
 
-/// Letters, digits and dashes.
-std::string latexKey(const std::string& name) {
-  std::string key;
-  for (const char c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    key += plain ? c : '-';
+/// How the columns of a reader are set.
+struct Layout {
+  Readers reader;
+  std::vector<std::size_t> columns;
+  std::vector<double> widths;
+  std::vector<bool> isBroken;  ///< texts are broken into lines
+  bool hasBrokenHeads = false;
+  double gap = leastGap;
+
+  /// With the gaps between its columns.
+  [[nodiscard]] double width() const {
+    const double gaps = columns.empty() ? 0 : gap * static_cast<double>(columns.size() - 1);
+    return std::accumulate(widths.begin(), widths.end(), gaps);
   }
-  return key;
+};
+
+/// Takes what is too much from the widest columns of texts.
+void narrowTexts(const Table& table, double room, Layout& layout) {
+  const auto isWider = [&](std::size_t a, std::size_t b) {
+    return layout.widths[a] < layout.widths[b];
+  };
+  std::vector<std::size_t> texts;
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    if (isText(table.columns[layout.columns[i]].quantity)) texts.push_back(i);
+  }
+  constexpr double step = 0.1;
+  while (!texts.empty() && layout.width() > room) {
+    const std::size_t widest = *std::max_element(texts.begin(), texts.end(), isWider);
+    if (layout.widths[widest] - step < leastText) return;
+    layout.widths[widest] -= step;
+    layout.isBroken[widest] = true;
+  }
 }
 
-/// "≈" of " ≈".
-std::string_view withoutSpace(std::string_view mark) {
-  return mark.substr(std::min(mark.find_first_not_of(' '), mark.size()));
+Layout layoutOf(const Table& table, const TabularRoom& room) {
+  const double most = room.width / room.fontSize;
+  Layout layout{room.reader, columnsFor(table, room.reader), {}, {}};
+  layout.isBroken.assign(layout.columns.size(), false);
+  std::vector<double> broken;  // with headings in lines
+  for (const std::size_t i : layout.columns) {
+    double width = 0;
+    for (const Row& row : table.rows) {
+      width =
+          std::max(width, latexWidth(shownText(table.columns[i], row.cells[i], row, room.reader)));
+    }
+    const std::string head = headOf(table.columns[i], room.reader);
+    layout.widths.push_back(std::max(width, latexWidth(head)));
+    broken.push_back(std::max(width, widestPart(head)));
+  }
+  if (layout.width() > most) {
+    layout.widths = broken;
+    layout.hasBrokenHeads = true;
+  }
+  narrowTexts(table, most, layout);
+  if (layout.columns.size() > 1) {
+    const auto gaps = static_cast<double>(layout.columns.size() - 1);
+    layout.gap = std::clamp(leastGap + (most - layout.width()) / gaps, leastGap, mostGap);
+  }
+  return layout;
 }
 
-std::string latexCell(const Column& column, const Cell& cell, const Row& row) {
-  const std::string text = escapeLatex(cellText(column.quantity, cell) + cell.mark);
-  if (column.quantity != Quantity::name || row.mark.empty()) return text;
-  return escapeLatex(withoutSpace(row.mark)) + " " + text;
+/// The text without what is wider; then it ends in "…".
+std::string cutText(const std::string& text, double width) {
+  if (latexWidth(text) <= width) return text;
+  const double room = width - latexWidth("…");
+  std::string cut;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t bytes = firstCharacter(rest).bytes;
+    const std::string longer = cut + std::string(rest.substr(0, bytes));
+    if (latexWidth(longer) > room) break;
+    cut = longer;
+    rest.remove_prefix(bytes);
+  }
+  return cut + "…";
 }
 
-std::string latexCaption(const Table& table) {
-  std::string caption = escapeLatex(table.title);
-  if (!table.caption.empty()) caption += ". " + escapeLatex(table.caption);
+std::string brokenCell(const std::string& text, double width) {
+  std::string cell;
+  for (const std::string& part : breakableParts(text)) {
+    // LaTeX itself breaks lines behind a space and a hyphen.
+    const bool isOpen = !cell.empty() && cell.back() != ' ' && cell.back() != '-';
+    cell += (isOpen ? "\\allowbreak{}" : "") + escapeLatex(cutText(part, width));
+  }
+  return "\\raggedright\\hangindent=0.8em " + cell;
+}
+
+std::string columnSpecs(const Table& table, const TabularRoom& room, const Layout& layout) {
+  std::string specs = "@{}";
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    if (i > 0) specs += fmt::format("@{{\\hspace{{{:.1f}pt}}}}", layout.gap * room.fontSize);
+    const bool isLeft = isText(table.columns[layout.columns[i]].quantity);
+    specs += layout.isBroken[i] ? fmt::format("p{{{:.1f}pt}}", layout.widths[i] * room.fontSize)
+             : isLeft           ? "l"
+                                : "r";
+  }
+  return specs + "@{}";
+}
+
+/// The rows of the headings: a heading ends in the last.
+std::string headRows(const Table& table, const Layout& layout) {
+  std::vector<std::vector<std::string>> heads;
+  std::size_t most = 1;
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    const std::string head = headOf(table.columns[layout.columns[i]], layout.reader);
+    const double width = std::max(layout.widths[i], widestPart(head));
+    heads.push_back(layout.hasBrokenHeads ? linesOf(head, width) : std::vector{head});
+    most = std::max(most, heads.back().size());
+  }
+  std::string rows;
+  for (std::size_t line = 0; line < most; ++line) {
+    std::string row;
+    for (const std::vector<std::string>& head : heads) {
+      const std::size_t blank = most - head.size();
+      row += row.empty() ? "  " : " & ";
+      if (line >= blank) row += escapeLatex(head[line - blank]);
+    }
+    rows += row + " \\\\\n";
+  }
+  return rows;
+}
+
+std::string bodyRow(const Table& table, const Layout& layout, const Row& row) {
+  std::string line;
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    const std::size_t at = layout.columns[i];
+    const std::string text = shownText(table.columns[at], row.cells[at], row, layout.reader);
+    line += line.empty() ? "  " : " & ";
+    line += layout.isBroken[i] ? brokenCell(text, layout.widths[i]) : escapeLatex(text);
+  }
+  return line + " \\\\\n";
+}
+
+std::string comment(const std::string& text) {
+  return text.empty() ? "" : "% " + oneLine(text) + "\n";
+}
+
+/// What a caption may say.
+std::string comments(const Table& table) {
+  std::string text = comment(table.title) + comment(table.caption);
+  for (const Column& column : table.columns) {
+    if (!column.shortName.empty()) text += comment(column.shortName + ": " + heading(column));
+  }
   for (const Row& row : table.rows) {
-    if (row.remark.empty()) continue;
-    const auto name = std::find_if(table.columns.begin(), table.columns.end(),
-                                   [](const auto& c) { return c.quantity == Quantity::name; });
-    const auto index = static_cast<std::size_t>(name - table.columns.begin());
-    const std::string label = index < row.cells.size() ? row.cells[index].text.value_or("") : "";
-    caption += fmt::format(" {} {}.", escapeLatex(label), escapeLatex(row.remark));
+    if (!row.remark.empty()) text += comment(nameOf(table, row) + ": " + row.remark);
   }
-  return caption;
+  return text;
 }
 
 }  // namespace
 
-std::string escapeLatex(std::string_view asked) {
-  const std::string clean = knownText(asked);
-  std::string_view text = clean;
-  std::string latex;
-  // After the end of a row they would be that command's own.
-  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
-  if (first < text.size() && (text[first] == '[' || text[first] == '*')) {
-    latex = fmt::format("{{{}}}", text[first]);
-    text.remove_prefix(first + 1);
-  }
-  while (!text.empty()) {
-    std::size_t length = 1;
-    std::string_view written = text.substr(0, 1);
-    for (const auto& [sign, command] : signs) {
-      if (!text.starts_with(sign)) continue;
-      length = sign.size();
-      written = command;
-      break;
-    }
-    latex += written;
-    text.remove_prefix(length);
-  }
-  return latex;
+bool fitsTabular(const Table& table, const TabularRoom& room) {
+  return layoutOf(table, room).width() <= room.width / room.fontSize;
 }
 
-std::string latexTable(const Table& table) {
-  const std::vector<std::size_t> columns = columnsFor(table, onPaper);
-  const auto lineOf = [&](const auto& textOf) {
-    std::string line;
-    for (const std::size_t i : columns) line += (line.empty() ? "    " : " & ") + textOf(i);
-    return line + " \\\\\n";
-  };
-  std::string sides;
-  for (const std::size_t i : columns) sides += isText(table.columns[i].quantity) ? 'l' : 'r';
-  const std::string head =
-      lineOf([&](std::size_t i) { return escapeLatex(heading(table.columns[i])); });
+std::string latexTabular(const Table& table, const TabularRoom& room) {
+  const Layout layout = layoutOf(table, room);
   std::string rows;
   bool isApart = false;
   for (const Row& row : table.rows) {
-    if (row.isApart && !isApart && !rows.empty()) rows += "    \\midrule\n";
+    if (row.isApart && !isApart && !rows.empty()) rows += "  \\midrule\n";
     isApart = row.isApart;
-    rows += lineOf([&](std::size_t i) { return latexCell(table.columns[i], row.cells[i], row); });
+    rows += bodyRow(table, layout, row);
   }
   return fmt::format(
-      "% \\usepackage{{booktabs}}\n"
-      "\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n"
-      "  \\begin{{tabular}}{{{}}}\n    \\toprule\n{}    \\midrule\n{}"
-      "    \\bottomrule\n  \\end{{tabular}}\n\\end{{table}}\n",
-      latexCaption(table), latexKey(table.label), sides, head, rows);
+      "{}% \\usepackage{{booktabs}}; {:.0f} mm wide in a font of {:g} points or smaller\n"
+      "\\begin{{tabular}}{{{}}}\n  \\toprule\n{}  \\midrule\n{}  \\bottomrule\n\\end{{tabular}}\n",
+      comments(table), room.width / pointsOfMillimetre, room.fontSize,
+      columnSpecs(table, room, layout), headRows(table, layout), rows);
 }
 
 }  // namespace gnomon::report

@@ -1,22 +1,34 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "report/tables/table.h"
 
 namespace gnomon::report {
 
-/// Text that stands for itself in LaTeX: its special characters are escaped, the signs that reports
-/// use beyond ASCII become commands, control characters spaces, what is no UTF-8 '?'. A [ or * at
-/// the beginning is put into braces, or the end of a row before it would read it. Other UTF-8 stays
-/// as it is, as LaTeX has read it since 2018.
-std::string escapeLatex(std::string_view text);
+/// TeX's points in a millimetre.
+constexpr double pointsOfMillimetre = 72.27 / 25.4;
 
-/// A table for a paper, by the package booktabs: its caption is the title, the caption's text and
-/// the rows' remarks, its label `tab:` and the table's, in letters, digits and dashes. A row's mark
-/// stands before its name; rows apart are ruled off.
+/// The room that a paper gives a table.
+struct TabularRoom {
+  Readers reader = inColumn;               ///< whose columns are printed
+  double width = 84 * pointsOfMillimetre;  ///< points
+  double fontSize = 9;                     ///< points
+};
+
+/// A table for a paper: a bare `tabular` of the package booktabs, which the paper puts into a table
+/// with a caption of its own. The table's title, its caption and the rows' remarks stand before it
+/// as comments. A row's mark stands before its name; rows apart are ruled off.
+///
+/// It is no wider than the room where that is possible. First its headings are broken into lines,
+/// then its texts, the widest column first: behind hyphens, spaces, slashes, underscores, commas
+/// and colons (breakableParts). A part that is wider than its column is cut and ends in "…". In a
+/// column an interval of two ends without signs has a dash: "0.78–2.41".
+/// Numbers stay whole: a table of too many of them is wider than the room (fitsTabular).
 /// @throws InternalError for a number that is not finite
-std::string latexTable(const Table& table);
+std::string latexTabular(const Table& table, const TabularRoom& room = {});
+
+/// Whether the table can be as narrow as the room.
+bool fitsTabular(const Table& table, const TabularRoom& room);
 
 }  // namespace gnomon::report

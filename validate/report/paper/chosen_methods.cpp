@@ -1,0 +1,73 @@
+#include "report/paper/chosen_methods.h"
+
+#include <algorithm>
+
+#include "common/lists.h"
+
+namespace gnomon::report {
+namespace {
+
+/// The rows whose method is among the labels.
+template <typename Rows, typename LabelOf>
+Rows rowsOf(const Rows& rows, const std::vector<std::string>& labels, const LabelOf& labelOf) {
+  Rows kept;
+  for (const auto& row : rows) {
+    if (contains(labels, labelOf(row))) kept.push_back(row);
+  }
+  return kept;
+}
+
+template <typename Rows>
+bool holdsAny(const Rows& methods, const std::vector<std::string>& labels) {
+  return std::any_of(methods.begin(), methods.end(),
+                     [&](const auto& method) { return contains(labels, method.label); });
+}
+
+constexpr auto methodOf = [](const auto& row) { return row.method; };
+constexpr auto labelOf = [](const auto& row) { return row.label; };
+
+}  // namespace
+
+study::StudyRecord withMethods(const study::StudyRecord& record,
+                               const std::vector<std::string>& labels) {
+  study::StudyRecord kept;
+  kept.name = record.name;
+  kept.title = record.title;
+  kept.truth = record.truth;
+  kept.atlasViews = record.atlasViews;
+  const bool isChoice = holdsAny(record.methods, labels);
+  std::vector<std::string> all;
+  for (const study::MethodRecord& method : record.methods) all.push_back(method.label);
+  const std::vector<std::string>& shown = isChoice ? labels : all;
+  kept.methods = rowsOf(record.methods, shown, labelOf);
+  kept.results = rowsOf(record.results, shown, methodOf);
+  kept.confidence = rowsOf(record.confidence, shown, methodOf);
+  kept.bins = rowsOf(record.bins, shown, methodOf);
+  kept.cost = rowsOf(record.cost, shown, methodOf);
+  kept.budgets = rowsOf(record.budgets, shown, methodOf);
+  return kept;
+}
+
+study::SweepRecord withMethods(const study::SweepRecord& sweep,
+                               const std::vector<std::string>& labels) {
+  study::SweepRecord kept;
+  kept.name = sweep.name;
+  kept.title = sweep.title;
+  kept.keys = sweep.keys;
+  kept.cases = sweep.cases;
+  kept.hasStepReports = sweep.hasStepReports;
+  for (const study::StudyRecord& step : sweep.steps) {
+    kept.steps.push_back(withMethods(step, labels));
+  }
+  return kept;
+}
+
+study::SuiteStatistics withMethods(study::SuiteStatistics statistics,
+                                   const std::vector<std::string>& labels) {
+  if (!holdsAny(statistics.methods, labels)) return statistics;
+  statistics.methods = rowsOf(statistics.methods, labels, labelOf);
+  statistics.bins = rowsOf(statistics.bins, labels, methodOf);
+  return statistics;
+}
+
+}  // namespace gnomon::report

@@ -1,0 +1,107 @@
+#include "report/paper/paper_files.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "report/paper/chosen_methods.h"
+#include "report/paper/numbers_tex.h"
+#include "report/paper/paper_plot.h"
+#include "report/paper/paper_table.h"
+#include "report/plots/study_plots.h"
+#include "report/plots/sweep_plots.h"
+#include "report/suite/suite_plots.h"
+#include "report/suite/suite_tables.h"
+#include "report/tables/ranked_table.h"
+#include "report/tables/sweep_tables.h"
+#include "study/judge/ranking.h"
+#include "study/judge/study_ranking.h"
+
+namespace gnomon::report {
+namespace {
+
+/// The chosen methods; without a choice the first of a ranking.
+template <typename Ranked>
+std::vector<std::string> figureMethods(const PaperOptions& options, const Ranked& ranked) {
+  if (!options.methods.empty()) return options.methods;
+  std::vector<std::string> labels;
+  for (const auto& method : ranked) {
+    if (labels.size() < mostFigureMethods) labels.push_back(method.label);
+  }
+  return labels;
+}
+
+/// figures/column/NAME.pdf and .pgf, and likewise of a page.
+void writeFigures(const std::vector<PlotSheet>& sheets, const PaperOptions& options,
+                  RunFolder& folder) {
+  for (const PaperWidth width : options.widths) {
+    std::vector<PaperFigure> figures;
+    for (const PlotSheet& sheet : sheets) {
+      if (auto figure = paperFigure(sheet, width, options.fontSize)) figures.push_back(*figure);
+    }
+    const std::vector<std::string> pdfs = paperPdfs(figures);
+    const std::vector<std::string> pgfs = paperPgfs(figures);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      const std::string path =
+          fmt::format("figures/{}/{}", paperWidthName(width), figures[i].name);
+      folder.write(path + ".pdf", pdfs[i]);
+      folder.write(path + ".pgf", pgfs[i]);
+    }
+  }
+}
+
+/// The table for a column, and where figures for a page are wanted that for a page.
+/// @param prefix   of the files' names
+/// @param tableOf  what fits a room
+template <typename TableOf>
+void writeTables(const std::string& prefix, const PaperOptions& options, const TableOf& tableOf,
+                 RunFolder& folder) {
+  const auto write = [&](const std::string& name, PaperWidth width) {
+    const TabularRoom room = roomOf(width, options.fontSize);
+    folder.write(prefix + name, latexTabular(tableOf(room), room));
+  };
+  write("table.tex", PaperWidth::column);
+  const bool isWide = std::find(options.widths.begin(), options.widths.end(), PaperWidth::page) !=
+                      options.widths.end();
+  if (isWide) write("table-page.tex", PaperWidth::page);
+}
+
+}  // namespace
+
+void writePaperFiles(const study::StudyRecord& record, const PaperOptions& options,
+                     RunFolder& folder) {
+  const std::vector<study::RankedMethod> ranked = study::rankMethods(record);
+  const Table table =
+      withRows(withColumns(rankedTable(record, ranked), options.columns), options.methods);
+  writeTables("", options, [&](const TabularRoom&) { return table; }, folder);
+  folder.write("numbers.tex", numbersTex(record, ranked));
+  if (options.widths.empty()) return;
+  writeFigures(studyPlots(withMethods(record, figureMethods(options, ranked)), PlotPlace::paper),
+               options, folder);
+}
+
+void writePaperFiles(const study::SweepRecord& sweep, const PaperOptions& options,
+                     RunFolder& folder) {
+  const study::SweepRecord chosen = withMethods(sweep, options.methods);
+  writeTables(
+      "", options, [&](const TabularRoom& room) { return sweepPaperTable(chosen, room); }, folder);
+  folder.write("numbers.tex", numbersTex(sweep));
+  if (options.widths.empty()) return;
+  const std::vector<study::StudyMeans> means = {study::studyMeans(sweep)};
+  const auto ranked = study::rankOverStudies(means);
+  writeFigures(sweepPlots(withMethods(sweep, figureMethods(options, ranked)), PlotPlace::paper),
+               options, folder);
+}
+
+void writePaperFiles(const study::SuiteStatistics& statistics, const PaperOptions& options,
+                     RunFolder& folder) {
+  const study::SuiteStatistics chosen = withMethods(statistics, options.methods);
+  const Table table = withColumns(suiteRankedTable(chosen), options.columns);
+  writeTables("suite-", options, [&](const TabularRoom&) { return table; }, folder);
+  folder.write("suite-numbers.tex", numbersTex(statistics));
+  if (options.widths.empty()) return;
+  const auto labels = figureMethods(options, statistics.methods);
+  writeFigures(suitePlots(withMethods(statistics, labels), PlotPlace::paper), options, folder);
+}
+
+}  // namespace gnomon::report
