@@ -14,8 +14,8 @@
 namespace gnomon::cli {
 
 CLI::Option* addPaperOptions(CLI::App& command, report::PaperOptions& options) {
-  const std::map<std::string, report::PaperWidth> widths = {
-      {"column", report::PaperWidth::column}, {"page", report::PaperWidth::page}};
+  const std::map<std::string, report::PaperWidth> widths = {{"column", report::PaperWidth::column},
+                                                            {"page", report::PaperWidth::page}};
   CLI::Option* figures =
       command
           .add_option("--figures", options.widths,
@@ -62,8 +62,9 @@ void requirePaperMethods(const report::PaperOptions& options,
                          const std::vector<std::string>& measured) {
   for (const std::string& label : options.methods) {
     if (contains(measured, label)) continue;
-    throw UsageError(fmt::format("--paper-method: \"{}\" found, a method that is measured expected: {}",
-                                 label, fmt::join(measured, ", ")));
+    throw UsageError(
+        fmt::format("--paper-method: \"{}\" found, a method that is measured expected: {}", label,
+                    fmt::join(measured, ", ")));
   }
 }
 

@@ -58,8 +58,8 @@ inline std::string lasting(const std::string& name, const std::string& text) {
   if (name.ends_with("/summary.json")) return lastingJson(text);
   if (name.ends_with("/report.html")) return lastingPage(text);
   if (name.ends_with("/table.csv")) return withoutLastColumn(text, ",");
-  if (name.ends_with("/table.tex")) return withoutLastColumn(text, "&");
-  for (const char* plot : {"/plots/sweep_frames", "/plots/frontier_time"}) {
+  if (name.ends_with("/table-page.tex")) return withoutLastColumn(text, "&");
+  for (const char* plot : {"/sweep_frames", "/frontier_time"}) {
     if (name.find(plot) != std::string::npos) return {};
   }
   // Its rows end with a stroke too.

@@ -22,7 +22,7 @@ struct GatherRequest {
   std::optional<std::filesystem::path> choose;   ///< where the chosen settings go
   std::optional<std::filesystem::path> methods;  ///< the list whose settings were tried
   report::PaperOptions paper;
-  std::string command;                           ///< the command line, for the report
+  std::string command;  ///< the command line, for the report
 };
 
 /// Adds the command `gather` with its options.

@@ -42,8 +42,7 @@ void writeFigures(const std::vector<PlotSheet>& sheets, const PaperOptions& opti
     const std::vector<std::string> pdfs = paperPdfs(figures);
     const std::vector<std::string> pgfs = paperPgfs(figures);
     for (std::size_t i = 0; i < figures.size(); ++i) {
-      const std::string path =
-          fmt::format("figures/{}/{}", paperWidthName(width), figures[i].name);
+      const std::string path = fmt::format("figures/{}/{}", paperWidthName(width), figures[i].name);
       folder.write(path + ".pdf", pdfs[i]);
       folder.write(path + ".pgf", pgfs[i]);
     }
@@ -73,7 +72,8 @@ void writePaperFiles(const study::StudyRecord& record, const PaperOptions& optio
   const std::vector<study::RankedMethod> ranked = study::rankMethods(record);
   const Table table =
       withRows(withColumns(rankedTable(record, ranked), options.columns), options.methods);
-  writeTables("", options, [&](const TabularRoom&) { return table; }, folder);
+  writeTables(
+      "", options, [&](const TabularRoom&) { return table; }, folder);
   folder.write("numbers.tex", numbersTex(record, ranked));
   if (options.widths.empty()) return;
   writeFigures(studyPlots(withMethods(record, figureMethods(options, ranked)), PlotPlace::paper),
@@ -97,7 +97,8 @@ void writePaperFiles(const study::SuiteStatistics& statistics, const PaperOption
                      RunFolder& folder) {
   const study::SuiteStatistics chosen = withMethods(statistics, options.methods);
   const Table table = withColumns(suiteRankedTable(chosen), options.columns);
-  writeTables("suite-", options, [&](const TabularRoom&) { return table; }, folder);
+  writeTables(
+      "suite-", options, [&](const TabularRoom&) { return table; }, folder);
   folder.write("suite-numbers.tex", numbersTex(statistics));
   if (options.widths.empty()) return;
   const auto labels = figureMethods(options, statistics.methods);

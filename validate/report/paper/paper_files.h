@@ -9,10 +9,10 @@
 namespace gnomon::report {
 
 /// What a run writes for a paper: always table.tex, a bare tabular that fits a column (see
-/// latexTabular), and numbers.tex (see numbersTex); where figures are wanted, figures/column/NAME.pdf
-/// and .pgf (see paperFigure), and of a page likewise, with table-page.tex. They show the chosen
-/// methods; without a choice the tables show all, the figures the first mostFigureMethods of the
-/// ranking.
+/// latexTabular), and numbers.tex (see numbersTex); where figures are wanted,
+/// figures/column/NAME.pdf and .pgf (see paperFigure), and of a page likewise, with table-page.tex.
+/// They show the chosen methods; without a choice the tables show all of them, the figures those
+/// that plots highlight.
 /// @throws InputError for a file that cannot be written; InternalError as the writers
 
 void writePaperFiles(const study::StudyRecord& record, const PaperOptions& options,

@@ -67,9 +67,10 @@ std::string paperSettings(const Legend& legend, double fontSize) {
   for (const char* label : {"xlabel", "x2label", "ylabel"}) {
     settings += fmt::format("set {} font ',{:g}' offset 0,0\n", label, fontSize);
   }
-  return settings + fmt::format("set key default\nset key below horizontal Left reverse samplen 1.5 "
-                                "spacing 1 width 0 font ',{:g}' maxcols {}\n",
-                                fontSize, legend.columns);
+  return settings + fmt::format(
+                        "set key default\nset key below horizontal Left reverse samplen 1.5 "
+                        "spacing 1 width 0 font ',{:g}' maxcols {}\n",
+                        fontSize, legend.columns);
 }
 
 constexpr double millimetresOfInch = 25.4;
@@ -94,9 +95,10 @@ std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width,
   if (!sheet.isForPaper || first.plot.empty() || legend.rows == 0) return std::nullopt;
   const double plotHeight = width == PaperWidth::column ? 62 : 80;
   const double line = 1.3 * fontSize * millimetresOfPoint;
-  return PaperFigure{sheet.name, millimetresOf(width),
-                     plotHeight + line * static_cast<double>(legend.rows), fontSize,
-                     first.settings + paperSettings(legend, fontSize) + first.plot};
+  return PaperFigure{
+      sheet.name, millimetresOf(width), plotHeight + line * static_cast<double>(legend.rows),
+      fontSize,
+      colourSettings(sheet) + first.settings + paperSettings(legend, fontSize) + first.plot};
 }
 
 std::vector<std::string> paperPdfs(const std::vector<PaperFigure>& figures) {

@@ -9,8 +9,8 @@
 
 namespace gnomon::report {
 
-/// A plot as a figure of a paper: as wide as asked for, with its legend below and all of its text in
-/// one size. Its commands are those of the page; what the page says of margins, fonts and the
+/// A plot as a figure of a paper: as wide as asked for, with its legend below and all of its text
+/// in one size. Its commands are those of the page; what the page says of margins, fonts and the
 /// legend's place is said anew before the plot is drawn. Of a sheet of several panels it is the
 /// first one.
 struct PaperFigure {
@@ -29,8 +29,8 @@ std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width,
 std::vector<std::string> paperPdfs(const std::vector<PaperFigure>& figures);
 
 /// Figures as pictures for `\input`, drawn by PGF's TikZ in the paper's own font. They need
-/// `\usepackage{tikz}` and `\usetikzlibrary{plotmarks}`, and nothing of gnuplot's. Same figure, same
-/// bytes.
+/// `\usepackage{tikz}` and `\usetikzlibrary{plotmarks}`, and nothing of gnuplot's. Same figure,
+/// same bytes.
 /// @throws InternalError as runGnuplot
 std::vector<std::string> paperPgfs(const std::vector<PaperFigure>& figures);
 
