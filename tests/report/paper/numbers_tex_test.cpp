@@ -25,7 +25,8 @@ std::map<std::string, std::string> macrosOf(const std::string& text) {
     std::smatch match;
     const bool isMacro = std::regex_match(one, match, line);
     EXPECT_TRUE(isMacro) << one;
-    if (isMacro) EXPECT_TRUE(macros.emplace(match[1], match[2]).second) << one;
+    const bool isNew = macros.emplace(match[1], match[2]).second;
+    EXPECT_TRUE(isNew) << one;
   }
   return macros;
 }

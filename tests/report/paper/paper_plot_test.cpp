@@ -17,7 +17,8 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 PlotSheet sheet() {
-  PlotSheet made{"errors", "Errors", "Errors of two methods"};
+  PlotSheet made;
+  made.name = "errors";
   made.commands =
       "$a << EOD\n0 1\n1 -2\nEOD\n"
       "set lmargin at screen 0.4\nset key outside right\nset xtics font ',3'\n"
@@ -36,8 +37,8 @@ TEST(PaperFigure, HasItsLegendBelowAndOneSizeOfText) {
   const std::string& commands = figure().commands;
   const std::size_t plot = commands.find("plot $a");
   ASSERT_NE(plot, std::string::npos);
-  EXPECT_GT(commands.find("set key below"), commands.find("set key outside right"));
-  EXPECT_LT(commands.find("set key below"), plot);
+  EXPECT_GT(commands.find("set key at screen"), commands.find("set key outside right"));
+  EXPECT_LT(commands.find("set key at screen"), plot);
   EXPECT_GT(commands.find("set lmargin\n"), commands.find("set lmargin at screen"));
   EXPECT_GT(commands.find("set xtics font ',9'"), commands.find("set xtics font ',3'"));
   EXPECT_THAT(paperFigure(sheet(), PaperWidth::column, 7.5)->commands,

@@ -42,39 +42,46 @@ std::vector<std::string> titlesOf(const std::string& plot) {
   return titles;
 }
 
-/// The legend's columns and rows.
+constexpr double legendLine = 1.3;  ///< of the legend, in units of the font's size
+
+/// The legend: as many columns as fit.
 struct Legend {
-  std::size_t columns = 1, rows = 0;
+  std::size_t rows = 0;
+  double fontSize = 0;  ///< smaller than the rest where one of its texts is wider than the figure
 };
 
 Legend legendOf(const std::vector<std::string>& titles, double width, double fontSize) {
-  if (titles.empty()) return {};
   double longest = 0;
   for (const std::string& title : titles) longest = std::max(longest, latexWidth(title));
-  constexpr double symbol = 3.5;  // with its gaps, in units of the font's size
-  const double room = width * pointsOfMillimetre / fontSize;
-  const auto fitting = static_cast<std::size_t>(std::max(1.0, room / (longest + symbol)));
-  const std::size_t columns = std::min({fitting, titles.size(), std::size_t{4}});
-  return {columns, (titles.size() + columns - 1) / columns};
+  constexpr double symbol = 4;  // with its gaps, in units of the font's size
+  const double entry = (longest + symbol) * fontSize;
+  const double room = width * pointsOfMillimetre;
+  const auto columns = static_cast<std::size_t>(std::clamp(room / entry, 1.0, 4.0));
+  return {(titles.size() + columns - 1) / columns, fontSize * std::min(1.0, room / entry)};
 }
 
 /// What the page has said of margins, fonts and the legend, anew.
-std::string paperSettings(const Legend& legend, double fontSize) {
-  std::string settings = "set lmargin\nset rmargin\nset tmargin\nset bmargin\nunset title\n";
+/// @param height  of the figure, points
+std::string paperSettings(const Legend& legend, double fontSize, double height) {
+  std::string settings = "set lmargin\nset rmargin\nset tmargin\nunset title\n";
   for (const char* axis : {"xtics", "x2tics", "ytics"}) {
     settings += fmt::format("set {} font ',{:g}'\n", axis, fontSize);
   }
   for (const char* label : {"xlabel", "x2label", "ylabel"}) {
     settings += fmt::format("set {} font ',{:g}' offset 0,0\n", label, fontSize);
   }
-  return settings + fmt::format(
-                        "set key default\nset key below horizontal Left reverse samplen 1.5 "
-                        "spacing 1 width 0 font ',{:g}' maxcols {}\n",
-                        fontSize, legend.columns);
+  const double legendHeight = static_cast<double>(legend.rows) * legendLine * fontSize;
+  constexpr double axisLines = 5;  // the numbers and the name of the axis
+  return settings +
+         fmt::format(
+             "set bmargin at screen {:.4f}\nset key default\n"
+             "set key at screen 0.5, screen {:.4f} center top vertical maxrows {} Left reverse "
+             "samplen 1.5 spacing legendSpacing font ',{:g}'\n",
+             (legendHeight + axisLines * fontSize) / height, legendHeight / height, legend.rows,
+             legend.fontSize);
 }
 
 constexpr double millimetresOfInch = 25.4;
-constexpr double millimetresOfPoint = 1 / pointsOfMillimetre;
 
 std::vector<std::string> scriptsOf(const std::vector<PaperFigure>& figures,
                                    std::string (*terminalOf)(const PaperFigure&)) {
@@ -93,19 +100,20 @@ std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width,
   const FirstPlot first = firstPlotOf(sheet.commands);
   const Legend legend = legendOf(titlesOf(first.plot), millimetresOf(width), fontSize);
   if (!sheet.isForPaper || first.plot.empty() || legend.rows == 0) return std::nullopt;
-  const double plotHeight = width == PaperWidth::column ? 62 : 80;
-  const double line = 1.3 * fontSize * millimetresOfPoint;
-  return PaperFigure{
-      sheet.name, millimetresOf(width), plotHeight + line * static_cast<double>(legend.rows),
-      fontSize,
-      colourSettings(sheet) + first.settings + paperSettings(legend, fontSize) + first.plot};
+  const double height = (width == PaperWidth::column ? 70 : 84) * pointsOfMillimetre +
+                        legendLine * fontSize * static_cast<double>(legend.rows);
+  return PaperFigure{sheet.name, millimetresOf(width), height / pointsOfMillimetre, fontSize,
+                     colourSettings(sheet) + first.settings +
+                         paperSettings(legend, fontSize, height) + first.plot};
 }
 
 std::vector<std::string> paperPdfs(const std::vector<PaperFigure>& figures) {
   return undatedPdfs(scriptsOf(figures, [](const PaperFigure& figure) {
+    // At 0.8 its points are points. Small letters of the usual plain fonts are higher than a
+    // paper's: at 0.68 they look alike.
     return fmt::format(
         "set terminal pdfcairo size {:.3f}in,{:.3f}in noenhanced font 'sans-serif,{:g}' "
-        "linewidth 0.5\n",
+        "fontscale 0.68 linewidth 0.5\nlegendSpacing = 1.1\n",
         figure.width / millimetresOfInch, figure.height / millimetresOfInch, figure.fontSize);
   }));
 }
@@ -113,8 +121,11 @@ std::vector<std::string> paperPdfs(const std::vector<PaperFigure>& figures) {
 std::vector<std::string> paperPgfs(const std::vector<PaperFigure>& figures) {
   std::vector<std::string> pictures =
       drawByGnuplot(scriptsOf(figures, [](const PaperFigure& figure) {
-        return fmt::format("set terminal tikz size {:.3f}cm,{:.3f}cm font ',{:g}'\n",
-                           figure.width / 10, figure.height / 10, figure.fontSize);
+        // It sets the lines of a legend too close.
+        return fmt::format(
+            "set terminal tikz size {:.3f}cm,{:.3f}cm font ',{:g}'\n"
+            "legendSpacing = 1.35\n",
+            figure.width / 10, figure.height / 10, figure.fontSize);
       }));
   for (std::string& picture : pictures) picture = tikzPicture(picture);
   return pictures;

@@ -43,7 +43,7 @@ constexpr std::string_view head =
 \def\gpsetlinewidth#1{\pgfsetlinewidth{#1*0.4pt}}
 \def\gpsetlinetype#1{\tikzset{gp path/.style={#1}}}
 \def\gpsetdashtype#1{\tikzset{gp path/.append style={#1}}}
-\def\gpsetpointsize#1{\tikzset{gp point/.style={mark size=#1*0.4pt}}}
+\def\gpsetpointsize#1{\tikzset{gp point/.style={mark size=#1*0.65pt}}}
 \def\gp3point#1#2#3{\path[solid#2] plot[only marks,gp point,mark options={shift only},#1]
   coordinates {#3};}
 \def\gppoint#1#2{\path[solid] plot[only marks,gp point,mark options={shift only},#1]
