@@ -44,6 +44,7 @@ study::StudyRecord withMethods(const study::StudyRecord& record,
   kept.confidence = rowsOf(record.confidence, shown, methodOf);
   kept.bins = rowsOf(record.bins, shown, methodOf);
   kept.cost = rowsOf(record.cost, shown, methodOf);
+  kept.claims = record.claims;
   kept.budgets = rowsOf(record.budgets, shown, methodOf);
   return kept;
 }

@@ -9,9 +9,6 @@
 
 namespace gnomon::report {
 
-/// The most methods that a figure shows where none are chosen: those of the best ranks.
-constexpr std::size_t mostFigureMethods = 8;
-
 /// What plots are made of, of some methods alone; without pictures. All methods where `labels`
 /// holds none of them.
 study::StudyRecord withMethods(const study::StudyRecord& record,

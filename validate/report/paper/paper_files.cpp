@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report/highlights.h"
 #include "report/paper/chosen_methods.h"
 #include "report/paper/numbers_tex.h"
 #include "report/paper/paper_plot.h"
@@ -15,20 +16,15 @@
 #include "report/tables/ranked_table.h"
 #include "report/tables/sweep_tables.h"
 #include "study/judge/ranking.h"
-#include "study/judge/study_ranking.h"
+#include "study/judge/study_means.h"
 
 namespace gnomon::report {
 namespace {
 
-/// The chosen methods; without a choice the first of a ranking.
-template <typename Ranked>
-std::vector<std::string> figureMethods(const PaperOptions& options, const Ranked& ranked) {
-  if (!options.methods.empty()) return options.methods;
-  std::vector<std::string> labels;
-  for (const auto& method : ranked) {
-    if (labels.size() < mostFigureMethods) labels.push_back(method.label);
-  }
-  return labels;
+/// The chosen methods; without a choice those that plots highlight.
+template <typename Study>
+std::vector<std::string> figureMethods(const PaperOptions& options, const Study& study) {
+  return options.methods.empty() ? highlights(study) : options.methods;
 }
 
 /// figures/column/NAME.pdf and .pgf, and likewise of a page.
@@ -76,8 +72,8 @@ void writePaperFiles(const study::StudyRecord& record, const PaperOptions& optio
       "", options, [&](const TabularRoom&) { return table; }, folder);
   folder.write("numbers.tex", numbersTex(record, ranked));
   if (options.widths.empty()) return;
-  writeFigures(studyPlots(withMethods(record, figureMethods(options, ranked)), PlotPlace::paper),
-               options, folder);
+  const auto labels = figureMethods(options, study::studyMeans(record));
+  writeFigures(studyPlots(withMethods(record, labels), PlotPlace::paper), options, folder);
 }
 
 void writePaperFiles(const study::SweepRecord& sweep, const PaperOptions& options,
@@ -87,10 +83,8 @@ void writePaperFiles(const study::SweepRecord& sweep, const PaperOptions& option
       "", options, [&](const TabularRoom& room) { return sweepPaperTable(chosen, room); }, folder);
   folder.write("numbers.tex", numbersTex(sweep));
   if (options.widths.empty()) return;
-  const std::vector<study::StudyMeans> means = {study::studyMeans(sweep)};
-  const auto ranked = study::rankOverStudies(means);
-  writeFigures(sweepPlots(withMethods(sweep, figureMethods(options, ranked)), PlotPlace::paper),
-               options, folder);
+  const auto labels = figureMethods(options, study::studyMeans(sweep));
+  writeFigures(sweepPlots(withMethods(sweep, labels), PlotPlace::paper), options, folder);
 }
 
 void writePaperFiles(const study::SuiteStatistics& statistics, const PaperOptions& options,
@@ -101,7 +95,7 @@ void writePaperFiles(const study::SuiteStatistics& statistics, const PaperOption
       "suite-", options, [&](const TabularRoom&) { return table; }, folder);
   folder.write("suite-numbers.tex", numbersTex(statistics));
   if (options.widths.empty()) return;
-  const auto labels = figureMethods(options, statistics.methods);
+  const auto labels = figureMethods(options, statistics);
   writeFigures(suitePlots(withMethods(statistics, labels), PlotPlace::paper), options, folder);
 }
 

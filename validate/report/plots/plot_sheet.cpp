@@ -27,21 +27,6 @@ std::string withoutDate(std::string pdf) {
   return pdf.replace(at + dateKey.size(), never.size(), never);
 }
 
-/// Gives the commands' colours their values.
-std::string colourSettings(const PlotSheet& sheet) {
-  const bool isPage = sheet.place != PlotPlace::paper && !sheet.isShaded;
-  std::string settings;
-  std::size_t index = 0;
-  for (const auto* colours : {&frameColours(), &sheet.colours}) {
-    for (const PlotColour& colour : *colours) {
-      settings += fmt::format("{} = '{}'\n", colour.variable,
-                              isPage ? placeholderColour(index) : colour.onWhite);
-      ++index;
-    }
-  }
-  return settings;
-}
-
 }  // namespace
 
 const std::vector<PlotColour>& frameColours() {
@@ -58,6 +43,20 @@ const std::vector<PlotColour>& frameColours() {
 
 std::string placeholderColour(std::size_t index) {
   return fmt::format("#01{:02x}{:02x}", index / 256 % 256, index % 256);
+}
+
+std::string colourSettings(const PlotSheet& sheet) {
+  const bool isPage = sheet.place != PlotPlace::paper && !sheet.isShaded;
+  std::string settings;
+  std::size_t index = 0;
+  for (const auto* colours : {&frameColours(), &sheet.colours}) {
+    for (const PlotColour& colour : *colours) {
+      settings += fmt::format("{} = '{}'\n", colour.variable,
+                              isPage ? placeholderColour(index) : colour.onWhite);
+      ++index;
+    }
+  }
+  return settings;
 }
 
 std::string svgOf(const PlotSheet& sheet) {

@@ -60,6 +60,9 @@ struct PlotSheet {
   bool isForPaper = true;
 };
 
+/// Commands that give the colours of the sheet's commands their values at its place.
+std::string colourSettings(const PlotSheet& sheet);
+
 /// The plot as an SVG document, by a gnuplot of its own: the last colour of one SVG reaches into
 /// the next that the same process draws. Same sheet, same bytes.
 /// @throws InternalError as runGnuplot
