@@ -102,7 +102,7 @@ double contrast(std::string_view a, std::string_view b) {
     const Triple light = lightOf(colour);
     return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
   };
-  const auto [dark, bright] = std::minmax(luminance(a), luminance(b));
+  const auto [dark, bright] = std::minmax({luminance(a), luminance(b)});
   return (bright + 0.05) / (dark + 0.05);
 }
 

@@ -99,7 +99,7 @@ class PageCopy {
       }
       // gnuplot has a group of its own about each value.
       const pugi::xml_node only = copy.first_child();
-      if (isGroup && only.attribute("class") && !only.next_sibling()) {
+      if (isGroup && !child.attribute("id") && only.attribute("class") && !only.next_sibling()) {
         to.append_move(only);
         to.remove_child(copy);
         continue;
