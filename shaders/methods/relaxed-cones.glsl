@@ -1,6 +1,8 @@
 /* gnomon-method
 title = "Relaxed cone stepping"
 citation = "Policarpo & Oliveira 2007"
+family = "march"
+symbol = "pentagon"
 tables = ["height"]
 
 [bakes.cone]

@@ -13,6 +13,7 @@
 #include "report/page/terminal_report.h"
 #include "report/plots/sweep_cost_plots.h"
 #include "report/plots/sweep_plot.h"
+#include "report/plots/sweep_plots.h"
 #include "report/sample_record.h"
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/means_table.h"

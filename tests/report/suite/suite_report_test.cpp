@@ -10,9 +10,9 @@
 #include "report/suite/suite_json.h"
 #include "report/suite/suite_plots.h"
 #include "report/suite/suite_tables.h"
-#include "report/text/number_text.h"
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/formats/markdown_format.h"
+#include "report/text/number_text.h"
 #include "study/judge/suite/suite_studies.h"
 #include "support/temporary_folder.h"
 
@@ -154,9 +154,9 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   std::filesystem::create_directories(folder.path());
   std::vector<study::StudyMeans> few = studies();
   few.resize(19);
-  EXPECT_FALSE(writeSuiteOf(few, "", SuiteParts::all, folder));
+  EXPECT_FALSE(writeSuiteOf(few, "", SuiteParts::all, PaperOptions{}, folder));
   EXPECT_FALSE(folder.names("suite.html"));
-  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::all, folder));
+  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::all, PaperOptions{}, folder));
   for (const char* name :
        {"suite.csv", "suite.md", "suite.html", "suite.json", "plots/suite-errors.svg",
         "plots/suite-wins.pdf", "plots/suite-bins.svg"}) {
@@ -168,7 +168,7 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
 TEST_F(SuiteFiles, OfFiguresAloneLeadToNoPage) {
   RunFolder folder(file("out"), {"ranking.json", {}, "ranking.txt"});
   std::filesystem::create_directories(folder.path());
-  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::figures, folder));
+  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::figures, PaperOptions{}, folder));
   EXPECT_TRUE(folder.names("suite.csv"));
   EXPECT_TRUE(folder.names("suite.json"));
   EXPECT_FALSE(folder.names("suite.html"));

@@ -24,7 +24,7 @@ bool holdsAny(const Rows& methods, const std::vector<std::string>& labels) {
 }
 
 constexpr auto methodOf = [](const auto& row) { return row.method; };
-constexpr auto labelOf = [](const auto& row) { return row.label; };
+constexpr auto labelOfRow = [](const auto& row) { return row.label; };
 
 }  // namespace
 
@@ -39,7 +39,7 @@ study::StudyRecord withMethods(const study::StudyRecord& record,
   std::vector<std::string> all;
   for (const study::MethodRecord& method : record.methods) all.push_back(method.label);
   const std::vector<std::string>& shown = isChoice ? labels : all;
-  kept.methods = rowsOf(record.methods, shown, labelOf);
+  kept.methods = rowsOf(record.methods, shown, labelOfRow);
   kept.results = rowsOf(record.results, shown, methodOf);
   kept.confidence = rowsOf(record.confidence, shown, methodOf);
   kept.bins = rowsOf(record.bins, shown, methodOf);
@@ -66,7 +66,7 @@ study::SweepRecord withMethods(const study::SweepRecord& sweep,
 study::SuiteStatistics withMethods(study::SuiteStatistics statistics,
                                    const std::vector<std::string>& labels) {
   if (!holdsAny(statistics.methods, labels)) return statistics;
-  statistics.methods = rowsOf(statistics.methods, labels, labelOf);
+  statistics.methods = rowsOf(statistics.methods, labels, labelOfRow);
   statistics.bins = rowsOf(statistics.bins, labels, methodOf);
   return statistics;
 }
