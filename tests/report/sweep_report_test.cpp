@@ -219,33 +219,28 @@ TEST(SweepPlot, LeavesAGapWhereAFigureIsNotDefined) {
   EXPECT_THAT(svgOf(sweepPlot(sweep, sliceOf(sweep))), HasSubstr("</svg>"));
 }
 
-/// The y coordinates of a line's points in the first panel, by its colour.
-std::vector<double> pointHeights(const std::string& svg, const std::string& colour) {
-  const std::size_t begin = svg.find("<title>gnuplot_plot_2a</title>");
-  const std::size_t end = svg.find("<title>gnuplot_plot_1b</title>", begin);
-  const std::string panel = svg.substr(begin, end - begin);
-  const std::regex line("stroke='rgb\\(" + colour + "\\)' *d='([^']*)'");
+/// The y coordinates of the points of a plot command's k-th line in the first panel.
+std::vector<double> pointHeights(const std::string& svg, int k) {
+  const std::size_t begin = svg.find("<title>gnuplot_plot_" + std::to_string(k) + "a</title>");
+  const std::string drawn = svg.substr(begin, svg.find("<title>", begin + 1) - begin);
+  const std::regex line(" d='(M[^']*L[^']*)'");
   std::smatch match;
   std::vector<double> heights;
-  if (!std::regex_search(panel, match, line)) return heights;
+  if (!std::regex_search(drawn, match, line)) return heights;
   std::istringstream path(match[1].str());
   char letter{};
   char comma{};
   double x{};
   double y{};
-  while (path >> letter >> x >> comma >> y) {
-    // The legend's line comes before.
-    if (letter == 'M') heights.clear();
-    heights.push_back(y);
-  }
+  while (path >> letter >> x >> comma >> y) heights.push_back(y);
   return heights;
 }
 
 TEST(SweepPlot, HasItsLinesWhereTheFiguresAre) {
   const std::string svg = svgOf(sweepPlot(sampleSweep(), sliceOf(sampleSweep())));
   // The axis goes from 0 at the bottom; flat is 4, 2, 8 percent, curved 1, 1, 3.
-  const auto flat = pointHeights(svg, "  0, 114, 178");
-  const auto curved = pointHeights(svg, "213,  94,   0");
+  const auto flat = pointHeights(svg, 2);
+  const auto curved = pointHeights(svg, 3);
   ASSERT_EQ(flat.size(), 3U);
   ASSERT_EQ(curved.size(), 3U);
   const double percent = (flat[1] - flat[0]) / 2;
@@ -338,7 +333,7 @@ TEST(SweepCostPlots, LeaveAGapWhereAFigureIsNotDefined) {
   for (study::ResultRecord& row : sweep.steps[0].results) row.counts = {};
   sweep.steps[1].cost[0].frameMs.reset();
   const std::vector<PlotSheet> sheets = sweepCostPlots(sweep, sliceOf(sweep));
-  EXPECT_THAT(sheets.at(0).commands, HasSubstr("$m0 << EOD\n0.25 NaN\n0.5 8\n1 16\nEOD\n"));
+  EXPECT_THAT(sheets.at(0).commands, HasSubstr("$m0 << EOD\nNaN NaN\n0.5 8\n1 16\nEOD\n"));
   EXPECT_THAT(sheets.at(1).commands, HasSubstr("$m0 << EOD\n1.5 4\nNaN NaN\n4 8\nEOD\n"));
 }
 
@@ -351,17 +346,18 @@ TEST(SweepHtml, HoldsPlotTableClaimsAndFailures) {
   PlotSheet cost;
   cost.title = "Time & money";
   cost.section = sweepCostSection;
-  const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}, {cost, "<svg />"}};
+  cost.width = 640;
+  const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}, {cost, "<svg/>"}};
   const std::string html = sweepHtml(sweep, plots).text();
   for (const char* part :
-       {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "data:image/svg+xml;base64,PHN2Zy8+",
-        "data:image/svg+xml;base64,PHN2ZyAvPg==", "<h3>Time &amp; money</h3>",
-        "href=\"0.25/report.html\"", ">8.00</td>", "The gain &lt;grows&gt;",
-        "1 of 2 thresholds met", "<h3>surface.curvature = 1</h3>", "--heat:1.000"}) {
+       {"<h1>Bumps &amp; &lt;dents&gt;</h1>", "viewBox=\"0 0 1000 560\"", "viewBox=\"0 0 640 560\"",
+        "<h3>Time &amp; money</h3>", "href=\"0.25/report.html\"", ">8.00</td>",
+        "The gain &lt;grows&gt;", "1 of 2 thresholds met", "<h3>surface.curvature = 1</h3>",
+        "--heat:1.000"}) {
     EXPECT_THAT(html, HasSubstr(part));
   }
   EXPECT_THAT(html, Not(HasSubstr("<h3>surface.curvature = 0.5</h3>"))) << "its gate was met";
-  for (const char* fetch : {"http://", "https://", "<link", "<script", "@import", "url("}) {
+  for (const char* fetch : {"http://", "https://", "<link", "<script src", "@import", "url("}) {
     EXPECT_THAT(html, Not(HasSubstr(fetch)));
   }
 }

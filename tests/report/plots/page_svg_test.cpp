@@ -66,8 +66,9 @@ TEST(PageSvg, TakesThePagesColours) {
   const std::string svg = pageSvg(svgOf(sheet), sheet).text();
   EXPECT_THAT(svg, HasSubstr("\"var(--plot-ink)\""));
   EXPECT_THAT(svg, HasSubstr("\"var(--plot-band)\""));
-  EXPECT_THAT(svg, HasSubstr("\"var(--plot-method0)\""));
-  EXPECT_THAT(svg, HasSubstr("data-method=\"method0\""));
+  const std::string own = MethodStyles(study::studyMeans(plotted())).variable("best");
+  EXPECT_THAT(svg, HasSubstr("\"var(--plot-" + own + ")\""));
+  EXPECT_THAT(svg, HasSubstr("data-method=\"" + own + "\""));
   EXPECT_THAT(svg, Not(HasSubstr("rgb(")));
   EXPECT_THAT(svg, Not(HasSubstr("#ffffff")));
   EXPECT_THAT(methodProperties(sheet), HasSubstr("--plot-method0:var(--plot-"));
@@ -80,7 +81,7 @@ TEST(PageSvg, TakesThePagesColours) {
 TEST(PageSvg, OnPaperThereAreNoValuesAndTheColoursAreWhites) {
   const PlotSheet sheet = sheetOf(plotted(), PlotPlace::paper);
   EXPECT_THAT(svgOf(sheet), Not(HasSubstr("showHypertext")));
-  EXPECT_THAT(svgOf(sheet), HasSubstr("rgb( 26,  29,  33)"));
+  EXPECT_THAT(svgOf(sheet), HasSubstr("rgb(26,29,33)"));
 }
 
 TEST(PageSvg, NoLabelBecomesMarkup) {

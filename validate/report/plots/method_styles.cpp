@@ -18,6 +18,9 @@ constexpr std::array<int, render::methodSymbols.size()> symbolPoints = {7,  5, 9
                                                                         15, 1, 2, 3};
 constexpr std::array<int, 6> outlinedPoints = {6, 4, 8, 10, 12, 14};
 
+/// Of labels that are no method of the report, whose label matches none.
+const MethodStyle unknownStyle = {"own"};
+
 /// FNV-1a of 32 bits: the same on every machine, so that a label looks the same in every report.
 std::uint32_t hashOf(std::string_view text) {
   std::uint32_t hash = 2166136261U;
@@ -59,6 +62,7 @@ MethodStyles::MethodStyles(const study::StudyMeans& study) : highlighted_(highli
     methods_.push_back({method.label, methodStyle(method.name, method.label, method.mark),
                         methodStyle(method.name, method.name, method.mark)});
   }
+  methods_.push_back({"", unknownStyle, unknownStyle});
 }
 
 MethodStyles::MethodStyles(const study::SuiteStatistics& statistics)
@@ -68,6 +72,7 @@ MethodStyles::MethodStyles(const study::SuiteStatistics& statistics)
     methods_.push_back({method.label, methodStyle(name, method.label, method.mark),
                         methodStyle(name, name, method.mark)});
   }
+  methods_.push_back({"", unknownStyle, unknownStyle});
 }
 
 bool MethodStyles::isHighlighted(const std::string& label) const {
@@ -75,7 +80,7 @@ bool MethodStyles::isHighlighted(const std::string& label) const {
 }
 
 std::size_t MethodStyles::indexOf(const std::string& label) const {
-  const auto found = std::find_if(methods_.begin(), methods_.end(),
+  const auto found = std::find_if(methods_.begin(), methods_.end() - 1,
                                   [&](const Styled& method) { return method.label == label; });
   return static_cast<std::size_t>(found - methods_.begin());
 }

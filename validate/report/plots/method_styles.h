@@ -59,7 +59,8 @@ struct LegendEntry {
   std::string text;  ///< the label, or more
 };
 
-/// The styles of a report's methods, and which of them it highlights.
+/// The styles of a report's methods, and which of them it highlights. A label that is none of them is
+/// drawn in grey.
 class MethodStyles {
  public:
   /// @param study  of a run or a sweep
@@ -102,9 +103,10 @@ class MethodStyles {
     MethodStyle own;  ///< under the method's own name
   };
   [[nodiscard]] std::string pointClause(const std::string& label, const MethodStyle& style) const;
+  /// Of an unknown label the last.
   [[nodiscard]] std::size_t indexOf(const std::string& label) const;
 
-  std::vector<Styled> methods_;
+  std::vector<Styled> methods_;  ///< and a last one, for labels that are none of theirs
   std::vector<std::string> highlighted_;
 };
 
