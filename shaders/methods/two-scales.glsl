@@ -213,7 +213,9 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   DepthPlace at = depthPlaceOf(pixel, light, path, piece, facet, cosine);
   Blockers seen = blockersAbout(at.place, at.tilt, outlineReach(piece));
   if (seen.count == 5) return true;
-  float end = min(at.near + seen.most * at.texelsPerDepth, path.limit);
+  // Blockers are off by as much as is lost to the map: past the farthest of them.
+  float past = seen.most > 0.0 ? seen.most * at.texelsPerDepth + at.near : 0.0;
+  float end = min(at.near + past, path.limit);
   if (shadowedAtCrossings(path, end)) return true;
   bool isLit = isPathKnown(pixel, light, path, seen.own * at.texelsPerDepth, at.off);
   return !isLit && shareNearer(at.place, at.tilt) > 0.5;
