@@ -80,7 +80,7 @@ TEST(NumbersTex, HoldBothEndsOfAnInterval) {
   EXPECT_EQ(macros.at("gnomonSampleBestInterval"), "$-$0.12 to 1.25");
   EXPECT_EQ(macros.at("gnomonSampleBestIntervalLow"), "$-$0.12");
   EXPECT_EQ(macros.at("gnomonSampleBestIntervalHigh"), "1.25");
-  EXPECT_EQ(macros.at("gnomonSampleLight"), "elevation 15\\textdegree{}");
+  EXPECT_EQ(macros.at("gnomonSampleLight"), "elevation 15$^\\circ$");
 }
 
 /// No two runs share a time.

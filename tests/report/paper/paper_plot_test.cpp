@@ -47,7 +47,8 @@ TEST(PaperFigure, HasItsLegendBelowAndOneSizeOfText) {
   EXPECT_EQ(figure(PaperWidth::page).width, 178);
 }
 
-/// One line of a legend a method, where labels are as long as a column is wide.
+/// One line of a legend a method, where labels are as long as a column is wide; longer
+/// ones are cut.
 TEST(PaperFigure, IsAsHighAsItsLegendNeeds) {
   PlotSheet longer = sheet();
   const std::string label(40, 'm');
@@ -55,7 +56,11 @@ TEST(PaperFigure, IsAsHighAsItsLegendNeeds) {
     longer.commands.replace(longer.commands.find(title), std::string(title).size(), label);
   }
   const double line = 1.3 * 9 / pointsOfMillimetre;
-  EXPECT_NEAR(paperFigure(longer, PaperWidth::column, 9)->height - figure().height, line, 1e-9);
+  const PaperFigure higher = paperFigure(longer, PaperWidth::column, 9).value();
+  EXPECT_NEAR(higher.height - figure().height, line, 1e-9);
+  EXPECT_THAT(higher.commands, HasSubstr("mmm…'"));
+  EXPECT_THAT(higher.commands, Not(HasSubstr(label)));
+  EXPECT_THAT(paperFigure(longer, PaperWidth::page, 9)->commands, HasSubstr(label));
 }
 
 TEST(PaperFigure, IsTheFirstPanelOfSeveral) {

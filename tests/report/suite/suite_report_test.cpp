@@ -156,10 +156,13 @@ TEST_F(SuiteFiles, AreWrittenForASuiteOnly) {
   few.resize(19);
   EXPECT_FALSE(writeSuiteOf(few, "", SuiteParts::all, PaperOptions{}, folder));
   EXPECT_FALSE(folder.names("suite.html"));
-  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::all, PaperOptions{}, folder));
+  PaperOptions paper;
+  paper.widths = {PaperWidth::page};
+  EXPECT_TRUE(writeSuiteOf(studies(), "", SuiteParts::all, paper, folder));
   for (const char* name :
        {"suite.csv", "suite.md", "suite.html", "suite.json", "plots/suite-errors.svg",
-        "plots/suite-wins.pdf", "plots/suite-bins.svg"}) {
+        "plots/suite-wins.pdf", "plots/suite-bins.svg", "suite-table.tex", "suite-table-page.tex",
+        "suite-numbers.tex", "figures/page/suite-errors.pdf", "figures/page/suite-errors.pgf"}) {
     EXPECT_TRUE(folder.names(name)) << name;
     EXPECT_GT(std::filesystem::file_size(folder.path() / name), 100U) << name;
   }

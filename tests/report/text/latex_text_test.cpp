@@ -12,7 +12,7 @@ TEST(EscapeLatex, EscapesEachOfItsOwn) {
   EXPECT_EQ(escapeLatex("\\ & % $ # _ { } ~ ^"),
             "\\textbackslash{} \\& \\% \\$ \\# \\_ \\{ \\} \\textasciitilde{} "
             "\\textasciicircum{}");
-  EXPECT_EQ(escapeLatex("30° – é 影\n"), "30\\textdegree{} -- é 影 ");
+  EXPECT_EQ(escapeLatex("30° – é 影\n"), "30$^\\circ$ -- é 影 ");
 }
 
 TEST(EscapeLatex, NeedsNoEncodingOfItsOwn) {

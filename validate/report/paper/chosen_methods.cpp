@@ -8,11 +8,11 @@ namespace gnomon::report {
 namespace {
 
 /// The rows whose method is among the labels.
-template <typename Rows, typename LabelOf>
-Rows rowsOf(const Rows& rows, const std::vector<std::string>& labels, const LabelOf& labelOf) {
+template <typename Rows, typename ValueIn>
+Rows rowsOf(const Rows& rows, const std::vector<std::string>& labels, const ValueIn& valueIn) {
   Rows kept;
   for (const auto& row : rows) {
-    if (contains(labels, labelOf(row))) kept.push_back(row);
+    if (contains(labels, valueIn(row))) kept.push_back(row);
   }
   return kept;
 }
@@ -23,8 +23,8 @@ bool holdsAny(const Rows& methods, const std::vector<std::string>& labels) {
                      [&](const auto& method) { return contains(labels, method.label); });
 }
 
-constexpr auto methodOf = [](const auto& row) { return row.method; };
-constexpr auto labelOfRow = [](const auto& row) { return row.label; };
+constexpr auto methodIn = [](const auto& row) { return row.method; };
+constexpr auto labelIn = [](const auto& row) { return row.label; };
 
 }  // namespace
 
@@ -39,13 +39,13 @@ study::StudyRecord withMethods(const study::StudyRecord& record,
   std::vector<std::string> all;
   for (const study::MethodRecord& method : record.methods) all.push_back(method.label);
   const std::vector<std::string>& shown = isChoice ? labels : all;
-  kept.methods = rowsOf(record.methods, shown, labelOfRow);
-  kept.results = rowsOf(record.results, shown, methodOf);
-  kept.confidence = rowsOf(record.confidence, shown, methodOf);
-  kept.bins = rowsOf(record.bins, shown, methodOf);
-  kept.cost = rowsOf(record.cost, shown, methodOf);
+  kept.methods = rowsOf(record.methods, shown, labelIn);
+  kept.results = rowsOf(record.results, shown, methodIn);
+  kept.confidence = rowsOf(record.confidence, shown, methodIn);
+  kept.bins = rowsOf(record.bins, shown, methodIn);
+  kept.cost = rowsOf(record.cost, shown, methodIn);
   kept.claims = record.claims;
-  kept.budgets = rowsOf(record.budgets, shown, methodOf);
+  kept.budgets = rowsOf(record.budgets, shown, methodIn);
   return kept;
 }
 
@@ -66,8 +66,8 @@ study::SweepRecord withMethods(const study::SweepRecord& sweep,
 study::SuiteStatistics withMethods(study::SuiteStatistics statistics,
                                    const std::vector<std::string>& labels) {
   if (!holdsAny(statistics.methods, labels)) return statistics;
-  statistics.methods = rowsOf(statistics.methods, labels, labelOfRow);
-  statistics.bins = rowsOf(statistics.bins, labels, methodOf);
+  statistics.methods = rowsOf(statistics.methods, labels, labelIn);
+  statistics.bins = rowsOf(statistics.bins, labels, methodIn);
   return statistics;
 }
 

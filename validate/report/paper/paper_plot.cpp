@@ -31,33 +31,31 @@ FirstPlot firstPlotOf(const std::string& commands) {
   return first;
 }
 
-/// The entries of the legend.
-std::vector<std::string> titlesOf(const std::string& plot) {
-  constexpr std::string_view word = " title '";
-  std::vector<std::string> titles;
-  for (std::size_t at = 0; (at = plot.find(word, at)) != std::string::npos;) {
-    at += word.size();
-    titles.push_back(plot.substr(at, plot.find('\'', at) - at));
-  }
-  return titles;
-}
-
 constexpr double legendLine = 1.3;  ///< of the legend, in units of the font's size
 
-/// The legend: as many columns as fit.
+/// How many texts a legend has, and in how many rows: in as many columns as fit.
 struct Legend {
-  std::size_t rows = 0;
-  double fontSize = 0;  ///< smaller than the rest where one of its texts is wider than the figure
+  std::size_t texts = 0, rows = 0;
 };
 
-Legend legendOf(const std::vector<std::string>& titles, double width, double fontSize) {
+/// Cuts what the plot command writes into its legend where it is wider than the figure.
+/// @param room  the figure's width, in units of the font's size
+Legend fitLegend(std::string& plot, double room) {
+  constexpr std::string_view word = " title '";
+  constexpr double symbol = 6;  // with the gaps on its sides, likewise
+  Legend legend;
   double longest = 0;
-  for (const std::string& title : titles) longest = std::max(longest, latexWidth(title));
-  constexpr double symbol = 4;  // with its gaps, in units of the font's size
-  const double entry = (longest + symbol) * fontSize;
-  const double room = width * pointsOfMillimetre;
-  const auto columns = static_cast<std::size_t>(std::clamp(room / entry, 1.0, 4.0));
-  return {(titles.size() + columns - 1) / columns, fontSize * std::min(1.0, room / entry)};
+  for (std::size_t at = 0; (at = plot.find(word, at)) != std::string::npos;) {
+    at += word.size();
+    const std::size_t length = plot.find('\'', at) - at;
+    const std::string text = cutText(plot.substr(at, length), room - symbol);
+    plot.replace(at, length, text);
+    longest = std::max(longest, latexWidth(text));
+    ++legend.texts;
+  }
+  const auto columns = static_cast<std::size_t>(std::clamp(room / (longest + symbol), 1.0, 4.0));
+  legend.rows = (legend.texts + columns - 1) / columns;
+  return legend;
 }
 
 /// What the page has said of margins, fonts and the legend, anew.
@@ -78,7 +76,7 @@ std::string paperSettings(const Legend& legend, double fontSize, double height) 
              "set key at screen 0.5, screen {:.4f} center top vertical maxrows {} Left reverse "
              "samplen 1.5 spacing legendSpacing font ',{:g}'\n",
              (legendHeight + axisLines * fontSize) / height, legendHeight / height, legend.rows,
-             legend.fontSize);
+             fontSize);
 }
 
 constexpr double millimetresOfInch = 25.4;
@@ -97,13 +95,14 @@ std::vector<std::string> scriptsOf(const std::vector<PaperFigure>& figures,
 }  // namespace
 
 std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width, double fontSize) {
-  const FirstPlot first = firstPlotOf(sheet.commands);
-  const Legend legend = legendOf(titlesOf(first.plot), millimetresOf(width), fontSize);
+  FirstPlot first = firstPlotOf(sheet.commands);
+  const Legend legend = fitLegend(first.plot, millimetresOf(width) * pointsOfMillimetre / fontSize);
   if (!sheet.isForPaper || first.plot.empty() || legend.rows == 0) return std::nullopt;
   const double height = (width == PaperWidth::column ? 70 : 84) * pointsOfMillimetre +
                         legendLine * fontSize * static_cast<double>(legend.rows);
   return PaperFigure{sheet.name, millimetresOf(width), height / pointsOfMillimetre, fontSize,
                      colourSettings(sheet) + first.settings +
+                         (width == PaperWidth::column ? sheet.columnCommands : "") +
                          paperSettings(legend, fontSize, height) + first.plot};
 }
 

@@ -10,9 +10,9 @@
 namespace gnomon::report {
 
 /// A plot as a figure of a paper: as wide as asked for, with its legend below and all of its text
-/// in one size. Its commands are those of the page; what the page says of margins, fonts and the
-/// legend's place is said anew before the plot is drawn. Of a sheet of several panels it is the
-/// first one.
+/// in one size; a label that is wider than the figure is cut (cutText). Its commands are those of
+/// the page; what the page says of margins, fonts and the legend's place is said anew before the
+/// plot is drawn. Of a sheet of several panels it is the first one.
 struct PaperFigure {
   std::string name;      ///< of its files
   double width = 0;      ///< millimetres

@@ -121,30 +121,35 @@ std::string ticsWhereRoom(const BinAxis& axis,
   return tics;
 }
 
-/// Tics at the edges of the bins, and over each bin its share of the samples.
-std::string tics(const std::vector<const study::BinRecord*>& bins, const std::vector<Ends>& ends,
-                 const BinAxis& axis, const std::string& method, int pixels) {
+/// Tics at the edges of the bins, those that have room on so many pixels.
+std::string edgeTics(const std::vector<Ends>& ends, const BinAxis& axis, int pixels) {
+  std::vector<std::pair<double, std::string>> edges;
+  for (const auto& [low, high] : ends) {
+    for (const auto& edge : {low, high}) {
+      if (edge && (edges.empty() || edges.back().first != *edge)) {
+        edges.emplace_back(*edge, exactText(*edge));
+      }
+    }
+  }
+  return "set xtics (" + ticsWhereRoom(axis, edges, 8.0 / pixels) + ")\n";
+}
+
+/// Over each bin its share of the samples, likewise.
+std::string shareTics(const std::vector<const study::BinRecord*>& bins,
+                      const std::vector<Ends>& ends, const BinAxis& axis, const std::string& method,
+                      int pixels) {
   const auto samplesIn = [&](const Ends& bin) {
     const study::BinRecord* found = findBin(bins, method, bin);
     return found == nullptr ? 0 : static_cast<double>(found->counts.samples);
   };
   double all = 0;
   for (const Ends& bin : ends) all += samplesIn(bin);
-  std::vector<std::pair<double, std::string>> edges;
   std::vector<std::pair<double, std::string>> shares;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    for (const auto& edge : {ends[i].first, ends[i].second}) {
-      if (edge && (edges.empty() || edges.back().first != *edge)) {
-        edges.emplace_back(*edge, exactText(*edge));
-      }
-    }
     shares.emplace_back(axis.places[i].middle,
                         fmt::format("{:.1f} %%", all > 0 ? 100 * samplesIn(ends[i]) / all : 0));
   }
-  const double edgeRoom = 8.0 / pixels;
-  const double shareRoom = 6.5 / pixels;
-  return "set xtics (" + ticsWhereRoom(axis, edges, edgeRoom) + ")\nset x2tics (" +
-         ticsWhereRoom(axis, shares, shareRoom) + ")\n";
+  return "set x2tics (" + ticsWhereRoom(axis, shares, 6.5 / pixels) + ")\n";
 }
 
 /// Middle, error, lower end, width of each bin; no row of a bin without samples, which is a gap.
@@ -277,12 +282,15 @@ PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::
   sheet.legend = styles.items(legend, true);
   sheet.legend.push_back(bandItem());
   const bool isPhone = place == PlotPlace::phone;
+  const int pixels = sheet.width - margins.left - margins.right;
+  // Of 84 mm some 300 of these pixels are left for the axis; a row of shares has no room.
+  sheet.columnCommands = "unset x2tics\nunset x2label\n" + edgeTics(ends, places, 300);
   sheet.commands =
       data + values.data(sheet) + plotFrame(3, "ytics ") +
       plotMargins(margins, sheet.width, sheet.height) +
       (places.isLogarithmic ? "set logscale x\nset logscale x2\n" : "") +
-      tics(bins, ends, places, methods.empty() ? "" : methods.front(),
-           sheet.width - margins.left - margins.right) +
+      edgeTics(ends, places, pixels) +
+      shareTics(bins, ends, places, methods.empty() ? "" : methods.front(), pixels) +
       fmt::format("set xrange [{0}:{1}]\nset x2range [{0}:{1}]\nset yrange [0:*]\n",
                   exactText(places.left()), exactText(places.right())) +
       "set xtics font ',11'\n"

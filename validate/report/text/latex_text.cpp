@@ -31,7 +31,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> signs = 
     {"–", "--"},
     {"--", "-{}-{}"},
     {"’", "'"},
-    {"°", "\\textdegree{}"},
+    // Not \textdegree, which has no outlines in the usual fonts.
+    {"°", "$^\\circ$"},
     {"×", "$\\times$"},
     {"≈", "$\\approx$"},
     {"−", "$-$"},
@@ -61,6 +62,7 @@ std::string knownText(std::string_view text) {
 double characterWidth(std::uint32_t code) {
   if (code == 0x202f) return 0.17;
   if (code == 0xa0) return 0.34;
+  if (code == 0x2026) return 1.3;
   if (code > 0x7f) return code < 0x2e80 ? 0.78 : 1.0;
   const char c = static_cast<char>(code);
   const auto isOneOf = [&](std::string_view characters) {
@@ -69,7 +71,7 @@ double characterWidth(std::uint32_t code) {
   if (isOneOf("ijl.,:;!|' ")) return 0.29;
   if (isOneOf("ftr-()[]/")) return 0.4;
   if (isOneOf("MW%@")) return 0.96;
-  if (isOneOf("mw<>+=~&")) return 0.79;
+  if (isOneOf("mw<>+=~&")) return 0.86;
   if (c >= 'A' && c <= 'Z') return 0.76;
   return c >= '0' && c <= '9' ? 0.514 : 0.54;
 }
@@ -110,6 +112,20 @@ double latexWidth(std::string_view text) {
     rest.remove_prefix(character.bytes);
   }
   return width;
+}
+
+std::string cutText(const std::string& text, double width) {
+  if (latexWidth(text) <= width) return text;
+  const double room = width - latexWidth("…");
+  std::string cut;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t bytes = firstCharacter(rest).bytes;
+    const std::string longer = cut + std::string(rest.substr(0, bytes));
+    if (latexWidth(longer) > room) break;
+    cut = longer;
+    rest.remove_prefix(bytes);
+  }
+  return cut + "…";
 }
 
 std::vector<std::string> breakableParts(std::string_view text) {

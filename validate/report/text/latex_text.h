@@ -16,6 +16,9 @@ std::string escapeLatex(std::string_view text);
 /// Computer Modern and Times, from 9 points on.
 double latexWidth(std::string_view text);
 
+/// The text, cut where it is wider than that (latexWidth); then it ends in "…".
+std::string cutText(const std::string& text, double width);
+
 /// The parts between which a text may be broken into lines: each ends behind a space, a hyphen, a
 /// slash, an underscore, a comma, a colon or the last of several of them.
 std::vector<std::string> breakableParts(std::string_view text);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "common/text/one_line.h"
-#include "common/text/utf8.h"
 #include "report/text/latex_text.h"
 
 namespace gnomon::report {
@@ -120,21 +119,6 @@ Layout layoutOf(const Table& table, const TabularRoom& room) {
     layout.gap = std::clamp(leastGap + (most - layout.width()) / gaps, leastGap, mostGap);
   }
   return layout;
-}
-
-/// The text without what is wider; then it ends in "…".
-std::string cutText(const std::string& text, double width) {
-  if (latexWidth(text) <= width) return text;
-  const double room = width - latexWidth("…");
-  std::string cut;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t bytes = firstCharacter(rest).bytes;
-    const std::string longer = cut + std::string(rest.substr(0, bytes));
-    if (latexWidth(longer) > room) break;
-    cut = longer;
-    rest.remove_prefix(bytes);
-  }
-  return cut + "…";
 }
 
 std::string brokenCell(const std::string& text, double width) {
