@@ -46,7 +46,6 @@ struct PlotSheet {
   int width = 1000;                      ///< of the SVG, pixels; on paper 144 of them are an inch
   int height = 560;                      ///< likewise
   std::string commands = {};             ///< gnuplot's, without the terminal
-  std::string columnCommands = {};       ///< what a figure as wide as a paper's column sets instead
   std::string section = "plots";         ///< of the page that shows it
   std::vector<PlotColour> colours = {};  ///< of its methods
   PlotPlace place = PlotPlace::paper;
@@ -59,6 +58,7 @@ struct PlotSheet {
   bool isShaded = false;
   /// Whether its first panel is a figure of a paper: what it shows is whole without the others.
   bool isForPaper = true;
+  std::string columnCommands = {};  ///< what a figure as wide as a paper's column sets instead
 };
 
 /// Commands that give the colours of the sheet's commands their values at its place.
