@@ -102,8 +102,8 @@ std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width,
                         legendLine * fontSize * static_cast<double>(legend.rows);
   return PaperFigure{sheet.name, millimetresOf(width), height / pointsOfMillimetre, fontSize,
                      colourSettings(sheet) + first.settings +
-                         (width == PaperWidth::column ? sheet.columnCommands : "") +
-                         paperSettings(legend, fontSize, height) + first.plot};
+                         paperSettings(legend, fontSize, height) +
+                         (width == PaperWidth::column ? sheet.columnCommands : "") + first.plot};
 }
 
 std::vector<std::string> paperPdfs(const std::vector<PaperFigure>& figures) {
