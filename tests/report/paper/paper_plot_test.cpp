@@ -43,6 +43,7 @@ TEST(PaperFigure, HasItsLegendBelowAndOneSizeOfText) {
   EXPECT_GT(commands.find("set xtics font ',9'"), commands.find("set xtics font ',3'"));
   EXPECT_THAT(paperFigure(sheet(), PaperWidth::column, 7.5)->commands,
               HasSubstr("set ylabel font ',7.5'"));
+  EXPECT_THAT(commands, Not(HasSubstr("x2tics"))) << "the page has no upper axis";
   EXPECT_EQ(figure().width, 84);
   EXPECT_EQ(figure(PaperWidth::page).width, 178);
 }

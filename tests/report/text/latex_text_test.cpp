@@ -33,6 +33,8 @@ TEST(LatexWidth, BoundsComputerModern) {
   EXPECT_GE(latexWidth("resampled-horizon"), 73.586 / 9);
   EXPECT_GE(latexWidth("10.25–12.61"), 46.764 / 9);
   EXPECT_GE(latexWidth("Memory"), 33.426 / 9);
+  EXPECT_GE(latexWidth("a a"), 12.334 / 9);
+  EXPECT_GE(latexWidth("mW…"), (7.709 + 9.506 + 12.334) / 9);
   EXPECT_LE(latexWidth("resampled-horizon"), 1.15 * 73.586 / 9);
 }
 

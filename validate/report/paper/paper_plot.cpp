@@ -36,6 +36,7 @@ constexpr double legendLine = 1.3;  ///< of the legend, in units of the font's s
 /// How many texts a legend has, and in how many rows: in as many columns as fit.
 struct Legend {
   std::size_t texts = 0, rows = 0;
+  double left = 0;  ///< where it begins, as a share of the figure's width
 };
 
 /// Cuts what the plot command writes into its legend where it is wider than the figure.
@@ -55,14 +56,21 @@ Legend fitLegend(std::string& plot, double room) {
   }
   const auto columns = static_cast<std::size_t>(std::clamp(room / (longest + symbol), 1.0, 4.0));
   legend.rows = (legend.texts + columns - 1) / columns;
+  const double width = static_cast<double>(std::min(columns, legend.texts)) * (longest + symbol);
+  legend.left = std::max(0.0, (room - width) / (2 * room));
   return legend;
 }
 
 /// What the page has said of margins, fonts and the legend, anew.
 /// @param height  of the figure, points
-std::string paperSettings(const Legend& legend, double fontSize, double height) {
+/// @param page    the page's settings
+std::string paperSettings(const std::string& page, const Legend& legend, double fontSize,
+                          double height) {
   std::string settings = "set lmargin\nset rmargin\nset tmargin\nunset title\n";
   for (const char* axis : {"xtics", "x2tics", "ytics"}) {
+    // A font alone would give a plot an upper axis.
+    const bool isUpper = axis == std::string_view("x2tics");
+    if (isUpper && page.find("set x2tics") == std::string::npos) continue;
     settings += fmt::format("set {} font ',{:g}'\n", axis, fontSize);
   }
   for (const char* label : {"xlabel", "x2label", "ylabel"}) {
@@ -70,13 +78,14 @@ std::string paperSettings(const Legend& legend, double fontSize, double height) 
   }
   const double legendHeight = static_cast<double>(legend.rows) * legendLine * fontSize;
   constexpr double axisLines = 5;  // the numbers and the name of the axis
+  // gnuplot knows no widths of a paper's font: it is given where the legend begins.
   return settings +
          fmt::format(
              "set bmargin at screen {:.4f}\nset key default\n"
-             "set key at screen 0.5, screen {:.4f} center top vertical maxrows {} Left reverse "
+             "set key at screen {:.4f}, screen {:.4f} left top vertical maxrows {} Left reverse "
              "samplen 1.5 spacing legendSpacing font ',{:g}'\n",
-             (legendHeight + axisLines * fontSize) / height, legendHeight / height, legend.rows,
-             fontSize);
+             (legendHeight + axisLines * fontSize) / height, legend.left, legendHeight / height,
+             legend.rows, fontSize);
 }
 
 constexpr double millimetresOfInch = 25.4;
@@ -102,7 +111,7 @@ std::optional<PaperFigure> paperFigure(const PlotSheet& sheet, PaperWidth width,
                         legendLine * fontSize * static_cast<double>(legend.rows);
   return PaperFigure{sheet.name, millimetresOf(width), height / pointsOfMillimetre, fontSize,
                      colourSettings(sheet) + first.settings +
-                         paperSettings(legend, fontSize, height) +
+                         paperSettings(first.settings, legend, fontSize, height) +
                          (width == PaperWidth::column ? sheet.columnCommands : "") + first.plot};
 }
 

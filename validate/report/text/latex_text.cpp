@@ -62,17 +62,18 @@ std::string knownText(std::string_view text) {
 double characterWidth(std::uint32_t code) {
   if (code == 0x202f) return 0.17;
   if (code == 0xa0) return 0.34;
-  if (code == 0x2026) return 1.3;
+  if (code == 0x2026) return 1.38;
   if (code > 0x7f) return code < 0x2e80 ? 0.78 : 1.0;
   const char c = static_cast<char>(code);
   const auto isOneOf = [&](std::string_view characters) {
     return characters.find(c) != std::string_view::npos;
   };
-  if (isOneOf("ijl.,:;!|' ")) return 0.29;
+  if (isOneOf("ijl.,:;!|'")) return 0.29;
+  if (c == ' ') return 0.35;
   if (isOneOf("ftr-()[]/")) return 0.4;
-  if (isOneOf("MW%@")) return 0.96;
-  if (isOneOf("mw<>+=~&")) return 0.86;
-  if (c >= 'A' && c <= 'Z') return 0.76;
+  if (isOneOf("MW%@")) return 1.06;
+  if (isOneOf("mw<>+=~&#")) return 0.86;
+  if (c >= 'A' && c <= 'Z') return 0.81;
   return c >= '0' && c <= '9' ? 0.514 : 0.54;
 }
 
