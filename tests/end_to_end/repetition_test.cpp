@@ -27,7 +27,7 @@ class Repetition : public EndToEnd {
     // Two lights: 4 masks, 3 of tests alone and the truth's regions each in 2 views; 4 pictures, 3
     // differences, 1 displaced in one view. Two tables, the study, the list of files, an atlas's
     // weights; plots of five axes in both views, as SVG and PDF.
-    EXPECT_EQ(files.size(), 5U + 2 * 5 * 2 + 2 * (2 * (4 + 3 + 1 + 4 + 3) + 1));
+    EXPECT_EQ(files.size(), 6U + 2 * 5 * 2 + 2 * (2 * (4 + 3 + 1 + 4 + 3) + 1));
     for (const std::string& name : files) {
       const std::string file = "/" + name;
       const bool same = read(a + file) == read(b + file);

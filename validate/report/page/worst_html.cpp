@@ -88,12 +88,13 @@ Html cropAddress(const image::GreyPicture& picture, const Window& window) {
 /// The method's picture and the truth's, both at the method's own samples.
 struct PairPaths {
   std::string method, truth;
+  std::string channel = {};  ///< to show; a mask has one alone
 };
 
 PairPaths pairPaths(const study::PanelRecord& panel, const std::string& method) {
   const study::PictureRecord& own = *shadedPicture(panel, method);
   const study::PictureRecord& truth = *shadedPicture(panel, truthMethod);
-  return own.truth->mask == truth.mask ? PairPaths{own.path, truth.path}
+  return own.truth->mask == truth.mask ? PairPaths{own.path, truth.path, "R"}
                                        : PairPaths{own.mask, own.truth->mask};
 }
 
@@ -133,8 +134,8 @@ Html methodHtml(const study::StudyRecord& record, const std::string& method,
       worstWindows(errorsOf(answer, right), right.width, right.height, windowSide, mostPlaces);
   if (windows.empty()) return {};
   const PairPaths paths = pairPaths(*panel, method);
-  const image::GreyPicture own = image::readGreyPicture(folder / paths.method, "R");
-  const image::GreyPicture truth = image::readGreyPicture(folder / paths.truth, "R");
+  const image::GreyPicture own = image::readGreyPicture(folder / paths.method, paths.channel);
+  const image::GreyPicture truth = image::readGreyPicture(folder / paths.truth, paths.channel);
   requireSize(folder / paths.method, own.values.size(), right);
   requireSize(folder / paths.truth, truth.values.size(), right);
   const auto* row = study::findResult(record, method, {panel->view, panel->light});
