@@ -95,7 +95,7 @@ TEST(PaperPgfs, StandByThemselves) {
   EXPECT_THAT(picture, HasSubstr("{\\textbackslash{}input\\{x\\}};"));
   EXPECT_THAT(picture, HasSubstr("{$-$2};"));
   EXPECT_THAT(picture, Not(HasSubstr("GNUPLOT")));
-  EXPECT_TRUE(picture.ends_with("\\end{tikzpicture}\n"));
+  EXPECT_TRUE(picture.ends_with("\\end{tikzpicture}%\n"));
   // Every command and style of gnuplot's that it uses it also defines.
   static const std::regex command(R"(\\gp[a-z]+)");
   std::set<std::string> used;

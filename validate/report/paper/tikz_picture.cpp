@@ -84,7 +84,9 @@ std::string tikzPicture(const std::string& drawn) {
   std::istringstream lines(drawn.substr(drawn.find('\n', start) + 1));
   std::string picture(head);
   for (std::string line; std::getline(lines, line);) {
-    if (!isLeftOut(line)) picture += escapedNode(line) + "\n";
+    // The end of the file is no space beside the picture.
+    const bool isEnd = line == "\\end{tikzpicture}";
+    if (!isLeftOut(line)) picture += escapedNode(line) + (isEnd ? "%\n" : "\n");
   }
   return picture;
 }
