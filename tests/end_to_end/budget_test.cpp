@@ -145,7 +145,7 @@ TEST_F(BudgetRun, IsInEveryReport) {
   const std::size_t section = page.find("<section id=\"budget\">");
   ASSERT_NE(section, std::string::npos);
   EXPECT_THAT(page.substr(section, page.find("</section>", section) - section),
-              HasSubstr("<figure class=\"plot\">"));
+              HasSubstr("<figure class=\"plot"));
   // A study without ladders leaves no older budget beside its report.
   write("budget.toml", budgetStudy());
   ASSERT_EQ(gnomon({"run", "budget.toml"}).status, 0);

@@ -59,8 +59,8 @@ struct LegendEntry {
   std::string text;  ///< the label, or more
 };
 
-/// The styles of a report's methods, and which of them it highlights. A label that is none of them is
-/// drawn in grey.
+/// The styles of a report's methods, and which of them it highlights. A label that is none of them
+/// is drawn in grey.
 class MethodStyles {
  public:
   /// @param study  of a run or a sweep
