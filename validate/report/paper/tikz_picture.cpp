@@ -84,11 +84,10 @@ std::string tikzPicture(const std::string& drawn) {
   std::istringstream lines(drawn.substr(drawn.find('\n', start) + 1));
   std::string picture(head);
   for (std::string line; std::getline(lines, line);) {
-    // The end of the file is no space beside the picture.
-    const bool isEnd = line == "\\end{tikzpicture}";
-    if (!isLeftOut(line)) picture += escapedNode(line) + (isEnd ? "%\n" : "\n");
+    if (!isLeftOut(line)) picture += escapedNode(line) + "\n";
   }
-  return picture;
+  // The end of its last line would be a space beside it.
+  return picture.substr(0, picture.find_last_not_of('\n') + 1) + "%\n";
 }
 
 }  // namespace gnomon::report

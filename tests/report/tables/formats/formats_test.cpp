@@ -165,7 +165,7 @@ TEST(LatexFormat, IsABareTabularOfBooktabs) {
       "  2 & $\\approx$~a\\textbar{}b\\_\\& \\textless{}c\\textgreater{} & -- & -- & -- \\\\\n"
       "  \\midrule\n"
       "  -- & 影の長さ & \\textless{}0.01* & -- & 1.00 \\\\\n"
-      "  \\bottomrule\n\\end{tabular}\n");
+      "  \\bottomrule\n\\end{tabular}%\n");
 }
 
 /// 200 points of 10: headings break first, then names, and numbers never.

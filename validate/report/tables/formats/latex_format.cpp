@@ -210,7 +210,7 @@ std::string latexTabular(const Table& table, const TabularRoom& room) {
   }
   return fmt::format(
       "{}% \\usepackage{{booktabs}}; {:.0f} mm wide in a font of {:g} points or smaller\n"
-      "\\begin{{tabular}}{{{}}}\n  \\toprule\n{}  \\midrule\n{}  \\bottomrule\n\\end{{tabular}}\n",
+      "\\begin{{tabular}}{{{}}}\n  \\toprule\n{}  \\midrule\n{}  \\bottomrule\n\\end{{tabular}}%\n",
       comments(table), room.width / pointsOfMillimetre, room.fontSize,
       columnSpecs(table, room, layout), headRows(table, layout), rows);
 }
