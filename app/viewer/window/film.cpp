@@ -1,13 +1,10 @@
 #include "viewer/window/film.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -17,84 +14,12 @@
 
 #include "common/error.h"
 #include "common/files/disk_sync.h"
-#include "common/system/interruption.h"
+#include "common/system/child_process.h"
 #include "common/text/one_line.h"
 #include "model/light_path.h"
 
 namespace gnomon::app {
 namespace fs = std::filesystem;
-namespace {
-
-/// Signals as a program finds them that a shell starts: it dies of an interruption.
-class UsualSignals {
- public:
-  UsualSignals() {
-    sigset_t none;
-    sigemptyset(&none);
-    sigset_t ignored;
-    sigemptyset(&ignored);
-    sigaddset(&ignored, SIGPIPE);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setsigdefault(&attributes_, &ignored);
-    posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  }
-  UsualSignals(const UsualSignals&) = delete;
-  UsualSignals& operator=(const UsualSignals&) = delete;
-  ~UsualSignals() { posix_spawnattr_destroy(&attributes_); }
-  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
-
-/// Starts a program in a folder, without input, its messages in a file.
-/// @throws InputError where it cannot be started
-pid_t start(std::vector<std::string> words, const fs::path& folder, std::FILE* messages) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(messages), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(messages), STDERR_FILENO);
-  const UsualSignals signals;
-  pid_t process = -1;
-  int failure = 0;
-  changeUnfinished([&](Unfinished& unfinished) {
-    failure = posix_spawnp(&process, arguments.front(), &actions, signals.get(), arguments.data(),
-                           environ);
-    if (failure == 0) unfinished.helpers.insert(process);
-  });
-  posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) throw InputError(fmt::format("{}: {}", words.front(), std::strerror(failure)));
-  return process;
-}
-
-/// @return as waitpid tells it; nothing while the process runs
-std::optional<int> endOf(pid_t process, int options) {
-  int state = 0;
-  pid_t ended = 0;
-  // Together, so that its number is never another process's while it is in the list.
-  changeUnfinished([&](Unfinished& unfinished) {
-    ended = ::waitpid(process, &state, options);
-    if (ended != 0) unfinished.helpers.erase(process);
-  });
-  return ended == 0 ? std::nullopt : std::optional(state);
-}
-
-std::string contentOf(std::FILE* file) {
-  std::rewind(file);
-  std::array<char, 4096> buffer{};
-  std::size_t size = std::fread(buffer.data(), 1, buffer.size(), file);
-  while (size > 0 && buffer.at(size - 1) == '\n') --size;
-  return {buffer.data(), size};
-}
-
-}  // namespace
-
 bool hasFfmpeg() {
   const char* path = std::getenv("PATH");
   std::string_view folders = path != nullptr ? path : "";
@@ -114,33 +39,38 @@ Film::Film(fs::path folder, const std::string& pictures, std::string name)
       file_(std::make_unique<PartFile>(folder_, ".webm")),
       messages_(std::tmpfile()) {
   if (!messages_) throw InputError(fmt::format("no temporary file: {}", std::strerror(errno)));
-  process_ = start({"ffmpeg",
-                    "-nostdin",
-                    "-loglevel",
-                    "error",
-                    "-y",
-                    "-framerate",
-                    std::to_string(pathFramesPerSecond),
-                    "-i",
-                    pictures,
-                    "-c:v",
-                    "libvpx-vp9",
-                    "-crf",
-                    "24",
-                    "-b:v",
-                    "0",
-                    "-pix_fmt",
-                    "yuv420p",
-                    "-f",
-                    "webm",
-                    "file:" + file_->path().filename().string()},
-                   folder_, messages_.get());
+  const std::vector<std::string> words = {"ffmpeg",
+                                          "-nostdin",
+                                          "-loglevel",
+                                          "error",
+                                          "-y",
+                                          "-framerate",
+                                          std::to_string(pathFramesPerSecond),
+                                          "-i",
+                                          pictures,
+                                          "-c:v",
+                                          "libvpx-vp9",
+                                          "-crf",
+                                          "24",
+                                          "-b:v",
+                                          "0",
+                                          "-pix_fmt",
+                                          "yuv420p",
+                                          "-f",
+                                          "webm",
+                                          "file:" + file_->path().filename().string()};
+  const ChildStart started =
+      startChild({words, {}, folder_, nullptr, messages_.get(), messages_.get()});
+  if (started.failure != 0) {
+    throw InputError(fmt::format("ffmpeg: {}", std::strerror(started.failure)));
+  }
+  process_ = started.process;
 }
 
 Film::~Film() {
   if (process_ <= 0) return;
   ::kill(process_, SIGKILL);
-  (void)endOf(process_, 0);
+  (void)endOfChild(process_, true);
 }
 
 Film::Outcome Film::finish(int state) {
@@ -160,7 +90,7 @@ Film::Outcome Film::finish(int state) {
 
 std::optional<Film::Outcome> Film::poll() {
   if (process_ <= 0) return std::nullopt;
-  const auto state = endOf(process_, WNOHANG);
+  const auto state = endOfChild(process_, false);
   if (!state) return std::nullopt;
   process_ = -1;
   Outcome outcome = finish(*state);

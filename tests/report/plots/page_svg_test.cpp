@@ -85,11 +85,13 @@ TEST(PageSvg, OnPaperThereAreNoValuesAndTheColoursAreWhites) {
 }
 
 TEST(PageSvg, NoLabelBecomesMarkup) {
-  const std::string hostile = "</title><script>x()</script>\" onload='x'";
+  const std::string hostile = "</title><script>x()</script>\" onload='x'\u202e";
   const PlotSheet sheet = sheetOf(plotted(hostile), PlotPlace::page);
   const std::string svg = pageSvg(svgOf(sheet), sheet).text();
   EXPECT_THAT(svg, Not(HasSubstr("<script")));
   EXPECT_THAT(svg, Not(HasSubstr("onmousemove")));
+  EXPECT_THAT(svg, Not(HasSubstr("onload='")));
+  EXPECT_THAT(svg, Not(HasSubstr("\u202e")));
   EXPECT_THAT(svg, HasSubstr("&lt;script&gt;"));
 }
 

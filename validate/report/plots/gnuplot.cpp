@@ -2,10 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -17,7 +14,7 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/system/interruption.h"
+#include "common/system/child_process.h"
 #include "common/text/one_line.h"
 #include "report/text/html.h"
 
@@ -44,16 +41,6 @@ ScratchFile scratchFile(const std::string& content = "") {
   return file;
 }
 
-std::string contentOf(std::FILE* file) {
-  std::rewind(file);
-  std::string text;
-  std::array<char, 65536> buffer{};
-  while (const std::size_t read = std::fread(buffer.data(), 1, buffer.size(), file)) {
-    text.append(buffer.data(), read);
-  }
-  return text;
-}
-
 /// What gnuplot's process knows of this one's variables: where programs, libraries, temporary files
 /// and the list of known fonts lie. All else could change what it draws (GNUTERM, GDFONTPATH,
 /// FONTCONFIG_FILE, the locale). The time is UTC: a PDF tells the hour's distance from it.
@@ -66,82 +53,22 @@ std::vector<std::string> plotVariables() {
   return variables;
 }
 
-/// Lets a process that is started die of the signals that this one ignores or whose threads block
-/// them: a plot that could not be written whole is then no plot.
-class SignalsAsUsual {
- public:
-  SignalsAsUsual() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    for (const int number : {SIGPIPE, SIGXFSZ}) sigaddset(&signals, number);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setsigdefault(&attributes_, &signals);
-    sigset_t noSignal;
-    sigemptyset(&noSignal);
-    posix_spawnattr_setsigmask(&attributes_, &noSignal);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-  }
-  ~SignalsAsUsual() { posix_spawnattr_destroy(&attributes_); }
-  SignalsAsUsual(const SignalsAsUsual&) = delete;
-  SignalsAsUsual& operator=(const SignalsAsUsual&) = delete;
-  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
-
 /// Starts gnuplot with the three files as its standard streams.
 /// @param extra  variables beside this process's own, "NAME=value"
 pid_t start(std::FILE* in, std::FILE* out, std::FILE* err, const std::vector<std::string>& extra) {
-  std::string program = "gnuplot";
-  std::string noSettings = "-d";
-  std::array<char*, 3> words = {program.data(), noSettings.data(), nullptr};
   std::vector<std::string> variables = plotVariables();
   variables.insert(variables.end(), extra.begin(), extra.end());
-  std::vector<char*> environment;
-  for (std::string& variable : variables) environment.push_back(variable.data());
-  environment.push_back(nullptr);
-  posix_spawn_file_actions_t streams;
-  posix_spawn_file_actions_init(&streams);
-  posix_spawn_file_actions_adddup2(&streams, fileno(in), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&streams, fileno(out), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&streams, fileno(err), STDERR_FILENO);
-  const SignalsAsUsual signals;
-  pid_t process = 0;
-  int failure = 0;
-  changeUnfinished([&](Unfinished& unfinished) {
-    failure = posix_spawnp(&process, program.c_str(), &streams, signals.get(), words.data(),
-                           environment.data());
-    if (failure == 0) unfinished.helpers.insert(process);
-  });
-  posix_spawn_file_actions_destroy(&streams);
-  if (failure != 0) {
+  const ChildStart started = startChild({{"gnuplot", "-d"}, variables, {}, in, out, err});
+  if (started.failure != 0) {
     fail(fmt::format("cannot be started: {}; reports need it for their plots (gnuplot-nox)",
-                     std::strerror(failure)));
+                     std::strerror(started.failure)));
   }
-  return process;
-}
-
-/// Waits for its end.
-/// @return as waitpid tells it
-/// @throws InternalError where there is no such process
-int awaitEnd(pid_t process) {
-  siginfo_t ended;
-  while (waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT) != 0) {
-    if (errno != EINTR) fail(std::strerror(errno));
-  }
-  int state = 0;
-  // Together, so that its number is never another process's while it is in the list.
-  changeUnfinished([&](Unfinished& unfinished) {
-    ::waitpid(process, &state, 0);
-    unfinished.helpers.erase(process);
-  });
-  return state;
+  return started.process;
 }
 
 /// @throws InternalError where a signal ended it
 bool succeeded(pid_t process) {
-  const int state = awaitEnd(process);
+  const int state = endOfChild(process, true).value_or(0);
   if (WIFSIGNALED(state)) fail(fmt::format("ended: {}", strsignal(WTERMSIG(state))));
   return WEXITSTATUS(state) == 0;
 }
@@ -167,7 +94,7 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
   ~Running() {
-    if (process_ > 0) awaitEnd(process_);
+    if (process_ > 0) (void)endOfChild(process_, true);
   }
 
   /// Waits for its end. Once.

@@ -68,6 +68,11 @@ std::optional<std::array<unsigned, 3>> bytesOf(const char* colour) {
   return std::nullopt;
 }
 
+/// A text as the page holds it, names of a study among them; textOf escapes nothing more.
+std::string escaped(std::string_view text) {
+  return escapeHtml(text).text();
+}
+
 /// Copies what a page needs of gnuplot's elements.
 class PageCopy {
  public:
@@ -81,7 +86,7 @@ class PageCopy {
   void copyChildren(const pugi::xml_node& from, pugi::xml_node to) {
     for (const pugi::xml_node& child : from) {
       if (child.type() == pugi::node_pcdata)
-        to.append_child(pugi::node_pcdata).set_value(child.value());
+        to.append_child(pugi::node_pcdata).set_value(escaped(child.value()).c_str());
       if (child.type() != pugi::node_element ||
           !contains(knownElements, std::string_view(child.name())))
         continue;
@@ -142,13 +147,13 @@ class PageCopy {
   void copyAttributes(const pugi::xml_node& from, pugi::xml_node to) {
     for (const pugi::xml_attribute& attribute : from.attributes()) {
       const std::string_view name = attribute.name();
-      if (name == oldHref) to.append_attribute("href") = attribute.value();
+      if (name == oldHref) to.append_attribute("href") = escaped(attribute.value()).c_str();
       if (!contains(knownAttributes, name) || isDefault(attribute)) continue;
-      to.append_attribute(attribute.name()) = shown(attribute.value()).c_str();
+      to.append_attribute(attribute.name()) = escaped(shown(attribute.value())).c_str();
     }
   }
 
-  /// A colour of the page in the place of a placeholder, and for gnuplot's black.
+  /// The page's colour for one that stands for an index (indexColour), and for gnuplot's black.
   std::string shown(const char* value) {
     if (std::string_view(value) == "black" && !sheet_.isShaded) return "var(--plot-ink)";
     const auto rgb = bytesOf(value);
@@ -169,7 +174,7 @@ class PageCopy {
     to.append_attribute("class") = "value";
     to.append_child("title")
         .append_child(pugi::node_pcdata)
-        .set_value(sheet_.values[index].c_str());
+        .set_value(escaped(sheet_.values[index]).c_str());
   }
 
   const PlotSheet& sheet_;
@@ -178,7 +183,7 @@ class PageCopy {
 
 std::string textOf(const pugi::xml_node& node) {
   std::ostringstream text;
-  node.print(text, "", pugi::format_raw | pugi::format_no_declaration);
+  node.print(text, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_escapes);
   return text.str();
 }
 
@@ -202,7 +207,7 @@ Html pageSvg(const std::string& svg, const PlotSheet& sheet) {
   pugi::xml_node root = page.append_child("svg");
   root.append_attribute("viewBox") = fmt::format("0 0 {} {}", sheet.width, sheet.height).c_str();
   root.append_attribute("role") = "img";
-  root.append_attribute("aria-label") = sheet.about.c_str();
+  root.append_attribute("aria-label") = escaped(sheet.about).c_str();
   if (!sheet.values.empty()) root.append_attribute("tabindex") = "0";
   PageCopy(sheet).copyChildren(document.child("svg"), root);
   return Html(textOf(root));

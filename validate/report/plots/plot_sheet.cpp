@@ -41,7 +41,7 @@ const std::vector<PlotColour>& frameColours() {
   return colours;
 }
 
-std::string placeholderColour(std::size_t index) {
+std::string indexColour(std::size_t index) {
   return fmt::format("#01{:02x}{:02x}", index / 256 % 256, index % 256);
 }
 
@@ -51,8 +51,8 @@ std::string colourSettings(const PlotSheet& sheet) {
   std::size_t index = 0;
   for (const auto* colours : {&frameColours(), &sheet.colours}) {
     for (const PlotColour& colour : *colours) {
-      settings += fmt::format("{} = '{}'\n", colour.variable,
-                              isPage ? placeholderColour(index) : colour.onWhite);
+      settings +=
+          fmt::format("{} = '{}'\n", colour.variable, isPage ? indexColour(index) : colour.onWhite);
       ++index;
     }
   }

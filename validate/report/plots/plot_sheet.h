@@ -74,9 +74,9 @@ std::string svgOf(const PlotSheet& sheet);
 /// @throws InternalError as runGnuplot
 std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets);
 
-/// The colour that an SVG for a page has in the place of the i-th of `frameColours` and then of the
-/// sheet's own, which `pageSvg` replaces by the page's.
-std::string placeholderColour(std::size_t index);
+/// The colour that gnuplot is given for a page: #01 and the index in two bytes, of `frameColours`
+/// and then of the sheet's own. `pageSvg` puts the page's colour of that index in its place.
+std::string indexColour(std::size_t index);
 
 /// What gnuplot's terminal pdfcairo draws for each of several scripts (drawByGnuplot), without its
 /// date.
