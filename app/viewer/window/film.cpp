@@ -75,8 +75,9 @@ Film::~Film() {
 
 Film::Outcome Film::finish(int state) {
   if (!WIFEXITED(state) || WEXITSTATUS(state) != 0) {
-    const std::string said = oneLine(contentOf(messages_.get()));
-    return {false, said.empty() ? "it ended without a word" : said};
+    std::string said = contentOf(messages_.get());
+    while (said.ends_with('\n')) said.pop_back();
+    return {false, said.empty() ? "it ended without a word" : oneLine(said)};
   }
   try {
     if (fs::file_size(file_->path()) == 0) return {false, "it wrote nothing"};

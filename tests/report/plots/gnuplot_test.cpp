@@ -40,8 +40,9 @@ TEST(Gnuplot, ErrorsAreOneLine) {
 TEST(Gnuplot, WithoutTheTerminalThatDrawsIsAnError) {
   // gnuplot 5 fails, gnuplot 6 warns and draws nothing.
   for (const auto objects : {PdfObjects::compressed, PdfObjects::plain}) {
-    EXPECT_THAT(messageOf<InternalError>(
-                    [&] { (void)drawByGnuplot({"set terminal nosuch\nplot x\n"}, objects); }),
+    EXPECT_THAT(messageOf<InternalError>([&] {
+                  (void)drawByGnuplot({"set terminal nosuch\nplot x\n"}, {"", objects});
+                }),
                 StartsWith("gnuplot: "));
   }
 }

@@ -106,7 +106,7 @@ TEST(PlotSheet, PdfIsOnePageOfTheSizeWithoutADate) {
 }
 
 /// One gnuplot draws all: nothing that one plot sets reaches the next.
-TEST(PlotSheet, PdfIsTheSameBesideOthers) {
+TEST(PlotSheet, IsTheSameBesideOthers) {
   const PlotSheet meddler{
       "x",
       "x",
@@ -117,12 +117,17 @@ TEST(PlotSheet, PdfIsTheSameBesideOthers) {
       "set format x '%.9f'\nset style data lines\nset multiplot layout 1,2\n"
       "set encoding iso_8859_1\n"
       "$bins << EOD\n1 2\nEOD\nplot x\nplot x\nunset multiplot\n"};
-  const PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
-  const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet};
-  const std::vector<std::string> pdfs = pdfsOf(beside);
-  ASSERT_EQ(pdfs.size(), 4U);
-  for (const std::size_t i : {0U, 1U, 2U, 3U}) {
-    EXPECT_EQ(pdfs[i], pdfsOf({beside[i]}).front()) << i;
+  for (const PlotPlace place : {PlotPlace::paper, PlotPlace::phone}) {
+    PlotSheet sheet = binPlot(plottedRecord(), "elevation", "camera", styles());
+    sheet.place = place;
+    const std::vector<PlotSheet> beside = {meddler, sheet, meddler, sheet, sheet};
+    for (auto* format : {&svgsOf, &pdfsOf}) {
+      const std::vector<std::string> drawn = (*format)(beside);
+      ASSERT_EQ(drawn.size(), beside.size());
+      for (std::size_t i = 0; i < beside.size(); ++i) {
+        EXPECT_EQ(drawn[i], (*format)({beside[i]}).front()) << i;
+      }
+    }
   }
 }
 

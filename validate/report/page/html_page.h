@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/plots/study_plots.h"
+#include "report/plots/drawn_plots.h"
 #include "report/text/html.h"
 #include "study/record/gate.h"
 #include "study/record/record.h"

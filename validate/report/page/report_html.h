@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "report/plots/study_plots.h"
+#include "report/plots/drawn_plots.h"
 #include "report/text/html.h"
 #include "study/record/record.h"
 

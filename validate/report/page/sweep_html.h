@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "report/plots/study_plots.h"
+#include "report/plots/drawn_plots.h"
 #include "report/text/html.h"
 #include "study/record/sweep_record.h"
 

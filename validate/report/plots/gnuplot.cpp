@@ -53,12 +53,14 @@ std::vector<std::string> plotVariables() {
   return variables;
 }
 
-/// Starts gnuplot with the three files as its standard streams.
+/// Starts gnuplot with the three files as its standard streams. It opens its input anew, as a file:
+/// from the stream itself it reads every character by a call of the system.
 /// @param extra  variables beside this process's own, "NAME=value"
 pid_t start(std::FILE* in, std::FILE* out, std::FILE* err, const std::vector<std::string>& extra) {
   std::vector<std::string> variables = plotVariables();
   variables.insert(variables.end(), extra.begin(), extra.end());
-  const ChildStart started = startChild({{"gnuplot", "-d"}, variables, {}, in, out, err});
+  const ChildStart started =
+      startChild({{"gnuplot", "-d", "/dev/stdin"}, variables, {}, in, out, err});
   if (started.failure != 0) {
     fail(fmt::format("cannot be started: {}; reports need it for their plots (gnuplot-nox)",
                      std::strerror(started.failure)));
@@ -128,17 +130,18 @@ std::string runGnuplot(const std::string& script) {
 }
 
 std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts,
-                                       PdfObjects objects) {
+                                       const DrawingOptions& options) {
   std::vector<ScratchFile> files;
   std::string all;
   for (const std::string& script : scripts) {
     files.push_back(scratchFile());
-    all += fmt::format("reset session\nset output '{}'\n{}\nunset output\n",
-                       inheritedName(files.back()), script);
+    all += fmt::format("reset session\n{}reset session\nset output '{}'\n{}\nunset output\n",
+                       options.before, inheritedName(files.back()), script);
   }
   // A variable of cairo's own: 1.18 knows no other way.
   const std::vector<std::string> plain = {"CAIRO_DEBUG_PDF=1"};
-  (void)Running(all, objects == PdfObjects::plain ? plain : std::vector<std::string>()).output();
+  (void)Running(all, options.objects == PdfObjects::plain ? plain : std::vector<std::string>())
+      .output();
   std::vector<std::string> drawn;
   drawn.reserve(files.size());
   for (const ScratchFile& file : files) {

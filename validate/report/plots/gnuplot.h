@@ -16,13 +16,18 @@ enum class PdfObjects {
   plain,       ///< as text, and its drawings too
 };
 
+struct DrawingOptions {
+  std::string before = {};  ///< a script that runs before each of the others, and draws nothing
+  PdfObjects objects = PdfObjects::compressed;
+};
+
 /// What gnuplot draws for each of several scripts, one after the other in one process, whose start
 /// takes longer than most plots. From one to the next pass only redefined linetypes, and what a
 /// terminal itself remembers.
 /// @param scripts  set a terminal, and no output
 /// @throws as runGnuplot, and where a script draws nothing
 std::vector<std::string> drawByGnuplot(const std::vector<std::string>& scripts,
-                                       PdfObjects objects = PdfObjects::compressed);
+                                       const DrawingOptions& options = {});
 
 /// Starts a gnuplot that tells its version, so that a missing one shows at once.
 /// @throws InternalError where it cannot be started

@@ -59,12 +59,25 @@ std::string colourSettings(const PlotSheet& sheet) {
   return settings;
 }
 
+std::vector<std::string> svgsOf(const std::vector<PlotSheet>& sheets) {
+  // The last colour of one SVG reaches into the next: let it be the same before each.
+  const std::string before =
+      "set terminal svg noenhanced background '#ffffff'\nset output '/dev/null'\n"
+      "unset border\nunset tics\nunset key\nplot [0:1] [0:1] 2 lc rgb 'black'\nunset output\n";
+  std::vector<std::string> scripts;
+  for (const PlotSheet& sheet : sheets) {
+    const std::string terminal = fmt::format(
+        "set terminal svg size {},{} noenhanced font 'sans-serif,{}' background '#ffffff'\n",
+        sheet.width, sheet.height, sheet.place == PlotPlace::phone ? 13 : 14);
+    scripts.push_back(encoding + terminal + colourSettings(sheet) + sheet.commands);
+  }
+  std::vector<std::string> svgs = drawByGnuplot(scripts, {before});
+  for (std::size_t i = 0; i < svgs.size(); ++i) svgs[i] = cleanSvg(svgs[i], sheets[i].title);
+  return svgs;
+}
+
 std::string svgOf(const PlotSheet& sheet) {
-  const std::string terminal = fmt::format(
-      "set terminal svg size {},{} noenhanced font 'sans-serif,{}' background '#ffffff'\n",
-      sheet.width, sheet.height, sheet.place == PlotPlace::phone ? 13 : 14);
-  return cleanSvg(runGnuplot(encoding + terminal + colourSettings(sheet) + sheet.commands),
-                  sheet.title);
+  return std::move(svgsOf({sheet}).front());
 }
 
 std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets) {
@@ -86,7 +99,7 @@ std::vector<std::string> undatedPdfs(const std::vector<std::string>& scripts) {
   std::vector<std::string> pdfs = drawByGnuplot(scripts);
   // cairo 1.18 compresses the date too.
   if (!std::all_of(pdfs.begin(), pdfs.end(), showsDate)) {
-    pdfs = drawByGnuplot(scripts, PdfObjects::plain);
+    pdfs = drawByGnuplot(scripts, {{}, PdfObjects::plain});
   }
   for (std::string& pdf : pdfs) pdf = withoutDate(std::move(pdf));
   return pdfs;

@@ -64,14 +64,16 @@ struct PlotSheet {
 /// Commands that give the colours of the sheet's commands their values at its place.
 std::string colourSettings(const PlotSheet& sheet);
 
-/// The plot as an SVG document, by a gnuplot of its own: the last colour of one SVG reaches into
-/// the next that the same process draws. Same sheet, same bytes.
-/// @throws InternalError as runGnuplot
+/// Plots as SVG documents. Same sheet, same bytes, whatever is drawn beside it.
+/// @throws InternalError as drawByGnuplot
+std::vector<std::string> svgsOf(const std::vector<PlotSheet>& sheets);
+
+/// One of them.
 std::string svgOf(const PlotSheet& sheet);
 
 /// Plots as PDFs of one page, for a paper: 1000 pixels are 6.94 inches, text has 7 points. Same
 /// sheet, same bytes, whatever is drawn beside it.
-/// @throws InternalError as runGnuplot
+/// @throws InternalError as drawByGnuplot
 std::vector<std::string> pdfsOf(const std::vector<PlotSheet>& sheets);
 
 /// The colour that gnuplot is given for a page: #01 and the index in two bytes, of `frameColours`

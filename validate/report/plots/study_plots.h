@@ -7,14 +7,6 @@
 
 namespace gnomon::report {
 
-/// A plot as a report embeds it.
-struct DrawnPlot {
-  PlotSheet sheet;  ///< for PlotPlace::page
-  std::string svg;
-  PlotSheet narrow = {};  ///< for PlotPlace::phone
-  std::string narrowSvg = {};
-};
-
 /// All plots of a study: error against memory, where there is something to trade; error by the bins
 /// of every axis in every view; the error budgets of all lights together and of each of several.
 /// Names are distinct.

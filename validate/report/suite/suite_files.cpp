@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "common/parallel.h"
 #include "report/paper/paper_files.h"
+#include "report/plots/drawn_plots.h"
 #include "report/suite/suite_html.h"
 #include "report/suite/suite_json.h"
 #include "report/suite/suite_plots.h"
@@ -15,26 +15,6 @@
 
 namespace gnomon::report {
 namespace {
-
-std::vector<DrawnPlot> writeSuitePlots(const study::SuiteStatistics& statistics,
-                                       RunFolder& folder) {
-  const std::vector<PlotSheet> paper = suitePlots(statistics);
-  const std::vector<PlotSheet> wide = suitePlots(statistics, PlotPlace::page);
-  const std::vector<PlotSheet> narrow = suitePlots(statistics, PlotPlace::phone);
-  std::vector<DrawnPlot> plots(wide.size());
-  parallelFor(0, wide.size(), [&](std::size_t i) {
-    plots[i] = {wide[i], svgOf(wide[i])};
-    if (narrow[i].width == wide[i].width) return;
-    plots[i].narrow = narrow[i];
-    plots[i].narrowSvg = svgOf(narrow[i]);
-  });
-  const std::vector<std::string> pdfs = pdfsOf(paper);
-  for (std::size_t i = 0; i < paper.size(); ++i) {
-    folder.write(fmt::format("plots/{}.svg", paper[i].name), svgOf(paper[i]));
-    folder.write(fmt::format("plots/{}.pdf", paper[i].name), pdfs[i]);
-  }
-  return plots;
-}
 
 void writeTables(const study::SuiteStatistics& statistics,
                  std::span<const study::StudyMeans> studies, RunFolder& folder) {
@@ -49,8 +29,10 @@ void writeSuiteFiles(const study::SuiteStatistics& statistics,
                      const PaperOptions& paper, RunFolder& folder) {
   writeTables(statistics, studies, folder);
   writePaperFiles(statistics, paper, folder);
-  const std::vector<DrawnPlot> plots = writeSuitePlots(statistics, folder);
-  folder.write("suite.html", suiteHtml(statistics, plots, command).text());
+  const DrawnPlots plots =
+      drawPlots([&](PlotPlace place) { return suitePlots(statistics, place); }, nullptr);
+  for (const DrawnPlots::File& file : plots.paper) folder.write(file.name, file.bytes);
+  folder.write("suite.html", suiteHtml(statistics, plots.page, command).text());
 }
 
 bool writeSuiteOf(std::span<const study::StudyMeans> studies, std::string_view command,

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/plots/study_plots.h"
+#include "report/plots/drawn_plots.h"
 #include "report/text/html.h"
 #include "study/judge/suite/suite_statistics.h"
 
