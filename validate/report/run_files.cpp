@@ -9,6 +9,7 @@
 
 #include "report/json/summary_json.h"
 #include "report/json/sweep_json.h"
+#include "report/page/case_html.h"
 #include "report/page/report_html.h"
 #include "report/page/sweep_html.h"
 #include "report/paper/paper_files.h"
@@ -54,6 +55,9 @@ void writeRunFiles(const study::StudyRecord& record, const PaperOptions& paper, 
   writeRows("budget.csv", budgetPartsTable(record));
   const std::vector<DrawnPlot> plots =
       writePlots([&](PlotPlace place) { return studyPlots(record, place); }, folder, cache);
+  for (const CasePage& page : casePages(record, folder.path())) {
+    folder.write(page.file, page.page.text());
+  }
   folder.write("report.html", reportHtml(record, folder.path(), plots).text());
   folder.finish(summaryJson(record));
 }

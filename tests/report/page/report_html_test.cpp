@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/files/atomic_file.h"
 #include "image/images.h"
+#include "report/page/case_html.h"
 #include "report/page/page.h"
 #include "report/sample_record.h"
 
@@ -343,6 +344,24 @@ TEST_F(ReportHtml, ManyLightsAreATableAndFoldedAway) {
   EXPECT_LT(heat.find("n heat\" style=\"--heat:1.000\""), heat.find("</section>"));
   EXPECT_TRUE(holds(heat.substr(0, heat.find("</section>")), ">10.00</td>"));
   EXPECT_FALSE(holds(reportText(sampleRecord(3), folder_), "<details class=\"case\">"));
+  EXPECT_TRUE(casePages(record, folder_).empty());
+}
+
+TEST_F(ReportHtml, OfVeryManyLightsEachHasAPage) {
+  const study::StudyRecord record = sampleRecord(9);
+  const std::string html = reportText(record, folder_);
+  EXPECT_EQ(count(html, "<details class=\"case\">"), 0U);
+  const std::vector<CasePage> pages = casePages(record, folder_);
+  ASSERT_EQ(pages.size(), 9U);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    EXPECT_EQ(count(html, "<a href=\"" + pages[i].file + "\">"), 1U) << pages[i].file;
+    const std::string page = pages[i].page.text();
+    EXPECT_TRUE(holds(page, "<a href=\"../report.html\">"));
+    EXPECT_EQ(holds(page, ">Before: camera"), i > 0);
+    EXPECT_EQ(holds(page, ">Next: camera"), i < 8);
+    const std::string table = page.substr(page.find("<h3>All samples</h3>"));
+    EXPECT_TRUE(holds(table, "best"));
+  }
 }
 
 TEST_F(ReportHtml, SmallRecordsDoNotStopIt) {

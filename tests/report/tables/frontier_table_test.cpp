@@ -116,6 +116,20 @@ TEST(Frontier, MayBeAskedForTheTimeOfAFrame) {
   EXPECT_NE(svgOf(sheet).find("frame, ms"), std::string::npos);
 }
 
+TEST(Frontier, MayBeAskedForTheTexelsRead) {
+  study::StudyRecord record = recordOf({{"a 8", "a", 800, 0, 50}, {"a 16", "a", 800, 0, 20}});
+  record.cost[0].texels = 2.5;
+  record.cost[1].texels = 9;
+  const auto points = frontier(record, Price::texels);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].price, 2.5);
+  const MethodStyles styles(study::studyMeans(record));
+  const PlotSheet sheet = frontierPlot(points, Price::texels, styles);
+  EXPECT_EQ(sheet.name, "frontier_texels");
+  ASSERT_EQ(sheet.values.size(), 2U);
+  EXPECT_EQ(sheet.values[0], "a 8: 5.00 % wrong, 2.5 texels");
+}
+
 TEST(Frontier, PlotAndRowsHoldEveryEntry) {
   const study::StudyRecord record =
       recordOf({{"a, 8", "a", 800, 0, 50}, {"a 16", "a", 1600, 0, 0}});

@@ -5,14 +5,13 @@
 
 #include "common/lists.h"
 #include "common/system/memory.h"
-#include "report/page/html_figures.h"
+#include "report/page/case_html.h"
 #include "report/page/html_page.h"
 #include "report/page/opening_html.h"
 #include "report/page/page.h"
 #include "report/page/reference_html.h"
 #include "report/page/worst_html.h"
 #include "report/tables/budget_table.h"
-#include "report/tables/case_tables.h"
 #include "report/tables/confidence_table.h"
 #include "report/tables/cost_table.h"
 #include "report/tables/formats/html_format.h"
@@ -51,87 +50,6 @@ Html thresholdSection(const study::StudyRecord& record) {
   const std::vector<study::Judgement> thresholds = study::byOrigin(record.judgements).thresholds;
   if (thresholds.empty()) return {};
   return htmlSection("thresholds", "Thresholds", htmlTable(gateTable(thresholds)));
-}
-
-std::vector<study::Case> casesWithPictures(const study::StudyRecord& record) {
-  std::vector<study::Case> cases = study::casesOf(record);
-  for (const study::PanelRecord& panel : record.panels) {
-    appendOnce(cases, study::Case{panel.view, panel.light});
-  }
-  return cases;
-}
-
-Html caseTables(const study::StudyRecord& record, const study::Case& which) {
-  Html content;
-  const Table metrics = caseTable(record, std::array{which});
-  if (!metrics.rows.empty()) {
-    content +=
-        html("<h3>All samples</h3>\n{}{}",
-             htmlNote("In percent of the samples. ≈ marks methods that are not distinguishable "
-                      "from the best."),
-             htmlTable(metrics));
-  }
-  const Table regions = regionTable(record, which);
-  if (!regions.rows.empty()) {
-    content += html("<h3>Error by region</h3>\n{}{}",
-                    html("<p class=\"note\">Percent of the samples of each {}; the stronger the "
-                         "tint, the larger the error.</p>\n",
-                         htmlTerm("region")),
-                    htmlTable(regions));
-  }
-  return content;
-}
-
-/// Links to the cases: with many lights a reader needs them.
-Html navigation(const std::vector<study::Case>& cases) {
-  if (cases.size() < 2) return {};
-  Html links;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    links += html("<a href=\"#case-{}\">{} · {}</a>\n", i + 1, cases[i].view, cases[i].light);
-  }
-  return html("<nav aria-label=\"Cases\">\n{}</nav>\n", links);
-}
-
-/// From more cases on, their pictures and tables are folded away.
-constexpr std::size_t mostOpenCases = 3;
-
-Html caseSection(const study::StudyRecord& record, const study::Case& which, std::size_t number,
-                 const std::filesystem::path& folder, bool isOpen) {
-  Html content;
-  for (const study::PanelRecord& panel : record.panels) {
-    if (study::Case{panel.view, panel.light} != which) continue;
-    content += panelFigures(record, panel, folder);
-  }
-  content += caseTables(record, which);
-  const std::string id = fmt::format("case-{}", number);
-  if (!isOpen) {
-    // A link to what is inside opens it.
-    return html(
-        "<details class=\"case\"><summary>{} · {}</summary>\n<div id=\"{}\">\n{}</div>\n"
-        "</details>\n",
-        which.view, which.light, id, content);
-  }
-  return htmlSection(id, html("{} <span class=\"light\">{}</span>", which.view, which.light),
-                     content);
-}
-
-/// What every method gets wrong in every case, then the cases: folded away where they are many.
-Html caseSections(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
-                  const std::filesystem::path& folder) {
-  const std::vector<study::Case> cases = casesWithPictures(record);
-  const bool areOpen = cases.size() <= mostOpenCases;
-  Html content;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    content += caseSection(record, cases[i], i + 1, folder, areOpen);
-  }
-  if (areOpen) return navigation(cases) + content;
-  std::vector<std::string> labels;
-  for (const study::RankedMethod& method : ranked) labels.push_back(method.label);
-  return htmlSection("heat", "Error by light",
-                     html("<p class=\"note\">Percent of the samples; the stronger the tint, the "
-                          "larger the error. Each light leads to its pictures and tables.</p>\n{}",
-                          htmlTable(caseErrorsTable(record, labels, cases)))) +
-         htmlSection("cases", "Pictures and tables, light by light", content);
 }
 
 /// The plots of a section of the page, each under its title.
@@ -265,7 +183,7 @@ Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> 
 Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots) {
   const std::vector<study::RankedMethod> ranked = study::rankMethods(record);
-  const bool hasPictures = !record.panels.empty();
+  const bool hasPictures = holdsPictures(record);
   Html claims;
   for (const study::ClaimRecord& claim : record.claims) claims += htmlClaim(claim);
   Html main = htmlSymbols(plots) + htmlClaims(claims) + rankingSection(record, ranked) +

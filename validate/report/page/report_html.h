@@ -10,7 +10,8 @@
 namespace gnomon::report {
 
 /// A run as one page that needs nothing beside it: style and pictures are inside, and its own
-/// content policy forbids it to load anything. In the order of a reader's questions: which
+/// content policy forbids it to load anything. Of many cases the pictures have pages of their own
+/// (casePages). In the order of a reader's questions: which
 /// method is right (opening, claims, ranking, thresholds), where are they wrong (pictures and
 /// regions a case, worst places), what do they cost, how far can the truth be trusted, how is it
 /// run again, what do the words mean.

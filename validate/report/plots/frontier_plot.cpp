@@ -19,6 +19,7 @@ struct PriceWords {
   const char* title;
   const char* about;
   const char* axis;
+  const char* unitName;
   const char* section;  ///< of the page that shows it
   double unit;          ///< of the axis, in prices
 };
@@ -28,14 +29,36 @@ constexpr PriceWords byMemory = {
     "Error against memory",
     "Error rate of each method against the memory of its tables and height map",
     "tables and height map, MB",
+    "MB",
     "plots",
     1e6};
 constexpr PriceWords byFrameTime = {"frontier_time",
                                     "Error against the time of a frame",
                                     "Error rate of each method against the time of its frame",
                                     "frame, ms",
+                                    "ms",
                                     "cost",
                                     1};
+constexpr PriceWords byTexels = {"frontier_texels",
+                                 "Error against texels read",
+                                 "Error rate of each method against the texels that it reads for a "
+                                 "sample",
+                                 "texels read for a sample",
+                                 "texels",
+                                 "cost",
+                                 1};
+
+const PriceWords& wordsOf(Price price) {
+  switch (price) {
+    case Price::memory:
+      return byMemory;
+    case Price::frameTime:
+      return byFrameTime;
+    case Price::texels:
+      break;
+  }
+  return byTexels;
+}
 
 /// The least error that a logarithmic axis shows: an error of nothing has no place there.
 constexpr double leastError = 1e-5;
@@ -91,7 +114,7 @@ Table valuesTable(const std::vector<FrontierPoint>& points, const PriceWords& wo
 PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
                        const MethodStyles& styles, std::optional<double> uncertainty,
                        PlotPlace place) {
-  const PriceWords& words = price == Price::memory ? byMemory : byFrameTime;
+  const PriceWords& words = wordsOf(price);
   PlotSheet sheet{.name = words.name,
                   .title = words.title,
                   .about = words.about,
@@ -130,7 +153,7 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
       rows += dataRow(point, words.unit);
       values.add(sheet, point.price / words.unit, 100 * std::max(point.errorRate, leastError),
                  fmt::format("{}: {} % wrong, {:.3g} {}", point.label, percentText(point.errorRate),
-                             point.price / words.unit, words.name == byMemory.name ? "MB" : "ms"));
+                             point.price / words.unit, words.unitName));
     }
     values.endCurve();
     data += plotData(fmt::format("$m{}", m), rows);

@@ -9,9 +9,10 @@
 
 namespace gnomon::report {
 
-/// The points as a plot, error against memory ("frontier") or against the time of a frame
-/// ("frontier_time"), both axes logarithmic, one series a method, in the colour of the first of its
-/// entries that is highlighted, the efficient ones joined by steps.
+/// The points as a plot, error against memory ("frontier"), against the time of a frame
+/// ("frontier_time") or against the texels read ("frontier_texels"), both axes logarithmic, one
+/// series a method, in the colour of the first of its entries that is highlighted, the efficient
+/// ones joined by steps.
 /// @param uncertainty  of the truth, shown as a band; none where it was not measured
 /// @throws InternalError for a number that is not finite
 PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,

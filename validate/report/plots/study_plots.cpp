@@ -38,7 +38,7 @@ std::vector<PlotSheet> studyPlots(const study::StudyRecord& record, PlotPlace pl
   const study::StudyMeans means = study::studyMeans(record);
   const MethodStyles styles(means);
   addBins(plots, record, styles, place);
-  for (const Price price : {Price::memory, Price::frameTime}) {
+  for (const Price price : {Price::memory, Price::frameTime, Price::texels}) {
     const std::vector<FrontierPoint> points = frontier(record, price);
     if (!points.empty())
       plots.push_back(frontierPlot(points, price, styles, study::largestUncertainty(means), place));

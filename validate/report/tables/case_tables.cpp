@@ -173,7 +173,7 @@ Table caseTable(const study::StudyRecord& record, std::span<const study::Case> c
 }
 
 Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::string>& methods,
-                      std::span<const study::Case> cases) {
+                      std::span<const study::Case> cases, std::span<const std::string> links) {
   Table table{.kind = "regions", .columns = {{"View and light", "case", Quantity::name}}};
   double worst = 0;
   for (const std::string& method : methods) {
@@ -186,7 +186,7 @@ Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::s
   }
   for (std::size_t i = 0; i < cases.size(); ++i) {
     Row row{{textCell(cases[i].view + " · " + cases[i].light)}};
-    row.cells.front().link = fmt::format("#case-{}", i + 1);
+    row.cells.front().link = links[i];
     for (const std::string& method : methods) {
       row.cells.push_back(regionCell(study::findResult(record, method, cases[i]), worst));
     }

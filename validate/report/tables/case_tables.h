@@ -27,9 +27,10 @@ Table metricsTable(const study::StudyRecord& record);
 /// false_light.
 Table binsTable(const study::StudyRecord& record);
 
-/// The error of every method in every case: a row a case, which leads to "#case-1" and so on.
+/// The error of every method in every case: a row a case.
 /// @param methods  labels, a column each
+/// @param links    where each case leads to
 Table caseErrorsTable(const study::StudyRecord& record, const std::vector<std::string>& methods,
-                      std::span<const study::Case> cases);
+                      std::span<const study::Case> cases, std::span<const std::string> links);
 
 }  // namespace gnomon::report

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "report/text/html.h"
+#include "study/judge/ranking.h"
+#include "study/record/record.h"
+
+namespace gnomon::report {
+
+/// The cases of a report, each a view under a light: its pictures and its tables. Up to three stand
+/// open on the report's page, up to eight are folded away there. Of more, each has a page of its
+/// own, so that the report of any number of lights opens at once.
+
+/// Whether the report's page itself has the pictures of its cases.
+bool holdsPictures(const study::StudyRecord& record);
+
+/// The cases on the report's page. Where they are not open, first a table of every method's error
+/// in each, which leads to them.
+/// @param folder  the run's, where its pictures are
+/// @throws InputError, InternalError as panelFigures
+Html caseSections(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
+                  const std::filesystem::path& folder);
+
+struct CasePage {
+  std::string file;  ///< in the run's folder: "cases/camera_noon.html"
+  Html page;         ///< needs nothing beside it
+};
+
+/// The pages of a report's cases; none where its own page has them.
+/// @throws InputError, InternalError as panelFigures
+std::vector<CasePage> casePages(const study::StudyRecord& record,
+                                const std::filesystem::path& folder);
+
+}  // namespace gnomon::report
