@@ -48,7 +48,8 @@ TEST(Gnuplot, WithoutTheTerminalThatDrawsIsAnError) {
 }
 
 TEST(Gnuplot, ThatIsMissingIsNamed) {
-  const std::string path = std::getenv("PATH");
+  const char* before = std::getenv("PATH");
+  const std::string path = before == nullptr ? "" : before;
   ::setenv("PATH", "/nowhere", 1);
   const std::string message = messageOf<InternalError>([] { (void)runGnuplot(""); });
   ::setenv("PATH", path.c_str(), 1);

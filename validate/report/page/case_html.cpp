@@ -36,6 +36,7 @@ std::vector<Place> placesOf(const study::StudyRecord& record) {
     appendOnce(cases, study::Case{panel.view, panel.light});
   }
   std::vector<std::string> names;
+  names.reserve(cases.size());
   for (const study::Case& which : cases) names.push_back(which.view + "_" + which.light);
   const std::vector<std::string> files = study::fileNames(names);
   std::vector<Place> places;
@@ -117,6 +118,7 @@ Html foldedCases(const study::StudyRecord& record, std::span<const Place> places
 Html errorsByLight(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
                    std::span<const Place> places) {
   std::vector<std::string> labels;
+  labels.reserve(ranked.size());
   for (const study::RankedMethod& method : ranked) labels.push_back(method.label);
   std::vector<study::Case> cases;
   std::vector<std::string> links;

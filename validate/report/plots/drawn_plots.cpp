@@ -76,6 +76,7 @@ std::vector<std::string> inFormat(std::span<const PlotSheet> sheets, const PlotF
     draw(rest.first(std::min(format.plotsAtOnce, rest.size())), format, cache);
   });
   std::vector<std::string> drawn;
+  drawn.reserve(all.size());
   for (Drawing& drawing : all) drawn.push_back(std::move(drawing.bytes));
   return drawn;
 }
