@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -67,6 +68,10 @@ TEST_F(ChildProcess, IsAskedWithoutWaiting) {
   EXPECT_EQ(endOfChild(started.process, false), std::nullopt);
   ::kill(started.process, SIGKILL);
   EXPECT_EQ(WTERMSIG(endOfChild(started.process, true).value_or(0)), SIGKILL);
+}
+
+TEST_F(ChildProcess, ThatIsNoneHasFailed) {
+  EXPECT_EQ(WEXITSTATUS(endOfChild(::getpid(), true).value_or(0)), 127);
 }
 
 TEST_F(ChildProcess, ThatIsNotThereHasAReason) {

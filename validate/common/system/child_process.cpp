@@ -99,7 +99,7 @@ std::optional<int> endOfChild(pid_t process, bool isAwaited) {
     failed = waitid(P_PID, static_cast<id_t>(process), &ended, options);
   } while (failed != 0 && errno == EINTR);
   if (failed == 0 && ended.si_pid == 0) return std::nullopt;
-  int state = 0;
+  int state = W_EXITCODE(127, 0);  // stays where there is no such process
   // Together, so that its number is never another process's while it is in the list.
   changeUnfinished([&](Unfinished& unfinished) {
     ::waitpid(process, &state, 0);

@@ -32,7 +32,8 @@ struct ChildStart {
 /// what it could not write whole does not pass for whole.
 ChildStart startChild(const ChildProgram& program);
 
-/// The state of a started program as waitpid tells it, which frees its number.
+/// The state of a started program as waitpid tells it, which frees its number. Of a process that is
+/// no child of this one: the exit status 127.
 /// @param isAwaited  waits for its end; else nothing is returned while it runs
 std::optional<int> endOfChild(pid_t process, bool isAwaited);
 

@@ -16,6 +16,7 @@ enum class PdfObjects {
   plain,       ///< as text, and its drawings too
 };
 
+/// How drawByGnuplot draws.
 struct DrawingOptions {
   std::string before = {};  ///< a script that runs before each of the others, and draws nothing
   PdfObjects objects = PdfObjects::compressed;
