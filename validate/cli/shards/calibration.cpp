@@ -163,7 +163,7 @@ Calibration calibrate(const study::StudyPlan& plan, const study::StudySpec& step
     kept->isKept = true;
     return *kept;
   }
-  const Calibration found = measured(plan, step, request);
+  Calibration found = measured(plan, step, request);
   cache.keep(key.key(), found);
   return found;
 }

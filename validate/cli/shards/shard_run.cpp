@@ -47,9 +47,11 @@ std::vector<study::StudyPlan> readParts(const RunRequest& request,
   std::map<std::size_t, std::set<std::size_t>> steps;
   for (const CasePlace& place : cases) steps[place.plan].insert(place.step);
   std::vector<study::StudyPlan> parts;
+  parts.reserve(steps.size());
   for (const auto& [plan, wanted] : steps) {
-    parts.push_back(study::readStudyPlan(request.studies[plan], request.options,
-                                         [&](std::size_t step) { return wanted.contains(step); }));
+    // A lambda can't capture a part of a structured binding in clang 14.
+    const auto isWanted = [&kept = wanted](std::size_t step) { return kept.contains(step); };
+    parts.push_back(study::readStudyPlan(request.studies[plan], request.options, isWanted));
   }
   return parts;
 }

@@ -93,6 +93,7 @@ constexpr double millimetresOfInch = 25.4;
 std::vector<std::string> scriptsOf(const std::vector<PaperFigure>& figures,
                                    std::string (*terminalOf)(const PaperFigure&)) {
   std::vector<std::string> scripts;
+  scripts.reserve(figures.size());
   for (const PaperFigure& figure : figures) {
     // Numbers without the spaces and the signs of mathematics that some terminals give them.
     scripts.push_back("set encoding utf8\n" + terminalOf(figure) + "set format '%g'\n" +
