@@ -71,8 +71,9 @@ about = "soft light: texels of the depth map that the share is taken of"
 //    go up to  t = A / (σ √(1 + tan² θ)). That is a few texels, whatever the body.
 //  - Outlines of shadows of flat pieces, sampled at texels, run beside the true ones. Within `edge`
 //    pieces of them, or a texel, the map sees something nearer at some texels only, by D at most. The
-//    march then goes on as far as that is, and overrules the map where it knows the way better
-//    (isPathKnown).
+//    march then goes on as far as that is, or as its path is nearer to the true one than u
+//    (marchEnd): what it meets hides the light. And light that it finds overrules the map where it
+//    knows the way much better (isPathKnown).
 //
 // The camera draws the base mesh. It lies below the surface where that is convex: see surfacePoint.
 
@@ -109,13 +110,19 @@ vec3 surfacePoint(Pixel pixel) {
   return pixel.position + above * pixel.normal;
 }
 
-// World length of a piece's side: (s, t) is even over a triangle, as the position is, so that the
-// quotient of areas on the screen holds in every view. Calls derivatives.
+// World length of a piece's side: of the square with the piece's diagonals, √(½ (|P_s|² + |P_t|²)) over
+// the pieces a side, since a long piece is as far off as it is long. Both (s, t) and the position are
+// even over a triangle, so that P_s and P_t follow from the derivatives in every view. Calls
+// derivatives.
 float pieceLength() {
   vec2 stX = dFdx(st);
   vec2 stY = dFdy(st);
-  float world = length(cross(dFdx(position), dFdy(position)));
-  return sqrt(world / max(abs(stX.x * stY.y - stX.y * stY.x), 1e-20)) / light_pieces;
+  vec3 alongX = dFdx(position);
+  vec3 alongY = dFdy(position);
+  vec3 alongS = stY.y * alongX - stX.y * alongY;
+  vec3 alongT = stX.x * alongY - stY.x * alongX;
+  float area = max(abs(stX.x * stY.y - stX.y * stY.x), 1e-20);
+  return sqrt(0.5 * (dot(alongS, alongS) + dot(alongT, alongT))) / (area * light_pieces);
 }
 
 // Whether a texel of the depth map is nearer to the light than the plane through place.z.
@@ -186,20 +193,31 @@ DepthPlace depthPlaceOf(Pixel pixel, LocalLight light, Path path, float piece, v
   return at;
 }
 
-// Whether the march knows its path as far as t, texels, better than the depth map knows the mesh. After
-// the arc length s the path errs by
-//   ½ κ² s³     in height: the order of the first term that a changing circle leaves out,
-//   |τ| s H     sideways, at the highest relief H: the surface's normal turns about the path by its
-//               geodesic torsion τ, and the path's columns of relief lean with it.
-// And both see the same: at the map's blocker the relief ends within 2u of the ray.
-bool isPathKnown(Pixel pixel, LocalLight light, Path path, float t, float off) {
-  float s = t * path.worldPerTexel;
-  float angle = path.curvature * s;
+// By how much the march errs sideways for each world length of its path, |τ| H at the highest relief
+// H: the surface's normal turns about the path by its geodesic torsion τ, and the path's columns of
+// relief lean with it.
+float leanOf(Pixel pixel, LocalLight light, Path path) {
   float square = max(dot(light.tangent, light.tangent), 1e-30);
   vec3 side = cross(pixel.normal, light.tangent);
   float torsion = dot(turnOfNormal(pixel, light.tangent), side) / square;
-  float highest = max(path.height, path.scale * heightBounds.y);
-  float error = 0.5 * angle * angle * s + abs(torsion) * s * highest;
+  return abs(torsion) * max(path.height, path.scale * heightBounds.y);
+}
+
+// Where the march ends, texels: `past` what is lost to the map, but there only as far as its columns
+// lean less than the map may be off.
+float marchEnd(DepthPlace at, Path path, float past, float lean) {
+  float known = at.off / max(lean * path.worldPerTexel, 1e-30);
+  return min(min(at.near + past, max(at.near, known)), path.limit);
+}
+
+// Whether the march knows its path as far as t, texels, better than the depth map knows the mesh. After
+// the arc length s the path errs by the lean, and in height by ½ κ² s³, the order of the first term
+// that a changing circle leaves out. And both see the same: at the map's blocker the relief ends
+// within 2u of the ray.
+bool isPathKnown(Path path, float t, float off, float lean) {
+  float s = t * path.worldPerTexel;
+  float angle = path.curvature * s;
+  float error = 0.5 * angle * angle * s + lean * s;
   return t < path.limit && error < trust * off && abs(excess(path, t)) < 2.0 * off;
 }
 
@@ -215,9 +233,9 @@ bool isShadowed(Pixel pixel, LocalLight light) {
   if (seen.count == 5) return true;
   // Blockers are off by as much as is lost to the map: past the farthest of them.
   float past = seen.most > 0.0 ? seen.most * at.texelsPerDepth + at.near : 0.0;
-  float end = min(at.near + past, path.limit);
-  if (shadowedAtCrossings(path, end)) return true;
-  bool isLit = isPathKnown(pixel, light, path, seen.own * at.texelsPerDepth, at.off);
+  float lean = leanOf(pixel, light, path);
+  if (shadowedAtCrossings(path, marchEnd(at, path, past, lean))) return true;
+  bool isLit = isPathKnown(path, seen.own * at.texelsPerDepth, at.off, lean);
   return !isLit && shareNearer(at.place, at.tilt) > 0.5;
 }
 
@@ -283,7 +301,9 @@ float visibility(Pixel pixel, LocalLight light) {
   Blockers seen = blockersAbout(at.place, at.tilt, outlineReach(piece));
   if (far <= 0.0 && seen.count == 5) return 0.0;
   float enough = slopeTurned(light.slope, tan(lightRadius));
-  float end = min(at.near + max(distances.y, seen.most) * at.texelsPerDepth, path.limit);
+  float lean = leanOf(pixel, light, path);
+  float past = max(distances.y, seen.most) * at.texelsPerDepth;
+  float end = marchEnd(at, path, past, lean);
   int marches = marchesUpTo(end);
   float sum = 0.0;
   for (int march = 0; march < marches; ++march) {
@@ -294,6 +314,6 @@ float visibility(Pixel pixel, LocalLight light) {
   }
   float share = sum / float(marches);
   float blocker = distances.x > 0.0 ? distances.x : seen.own;
-  bool isKnown = isPathKnown(pixel, light, path, blocker * at.texelsPerDepth, at.off);
+  bool isKnown = isPathKnown(path, blocker * at.texelsPerDepth, at.off, lean);
   return isKnown ? share : min(far, share);
 }

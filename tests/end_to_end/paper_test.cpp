@@ -46,10 +46,10 @@ constexpr const char* tooWide = "Overfull \\hbox";
 TEST_F(Paper, TypesetsThePageOfTheManual) {
   const std::string text = read(GNOMON_DOCS "/paper.tex");
   ASSERT_THAT(text, HasSubstr("gnomon run scenes/figure8.toml --figures column --figures page"));
-  const Outcome run =
-      gnomon({"run", GNOMON_SCENES "/figure8.toml", "--figures", "column", "--figures", "page",
-              "--quick", "--set", "study.frames=0", "--method", "onoue-2004", "--method",
-              "max-forsyth", "--method", "resampled-horizon, 32 azimuths"});
+  const std::string figure8 = GNOMON_SCENES "/figure8.toml";
+  const Outcome run = gnomon({"run", figure8, "--figures", "column", "--figures", "page", "--quick",
+                              "--set", "study.frames=0", "--method", "onoue-2004", "--method",
+                              "max-forsyth", "--method", "resampled-horizon, 32 azimuths"});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string log = typeset(text);
   EXPECT_THAT(log, HasSubstr("Output written on paper.pdf (2 pages"));

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
 #include <fstream>
 
 #include "common/error.h"
@@ -112,7 +114,7 @@ TEST_F(MethodFiles, ThatCannotBeIncludedAreNamedWithFileAndLine) {
       {"#include \"below/up.glsl\"", "this file includes itself"},
   };
   for (const auto& [code, expected] : faults) {
-    EXPECT_THAT(errorOf("", code + "\n" + asksWrong), HasSubstr(expected)) << code;
+    EXPECT_THAT(errorOf("", fmt::format("{}\n{}", code, asksWrong)), HasSubstr(expected)) << code;
   }
   write("long.glsl", std::string(300'000, ' '));
   EXPECT_THAT(errorOf("", "#include \"long.glsl\"\n" + asksWrong),

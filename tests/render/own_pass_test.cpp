@@ -13,7 +13,6 @@
 namespace gnomon::render {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 

@@ -168,6 +168,44 @@ TEST(TwoScales, SeesTheFarSideOfABodyWhereAMarchOverTheTextureDoesNot) {
   EXPECT_GT(error("unshadowed"), 0.02);
 }
 
+// Bumps lean to the side along a path that twists, as from the inside of a ring to its far wall:
+// what the march would meet there is no shadow, however wide about outlines it is asked.
+TEST(TwoScales, EndsItsMarchWhereThePathTwists) {
+  const GlContext gl;
+  const Ring ring(1);
+  const Method method = readMethod(methodFile(shaderFolder(), "two-scales"));
+  const RenderView view = cameraView(cameraAt({0, 4, 10}, {0, 0, -30}, 60, 96), ring.scene.mesh);
+  const surface::SampleGrid samples = ring.scene.samples(view);
+  const Vec3 light = lightToward(30, 25);
+  const Mask truth = Rays(DisplacedScene(Ring::cage(1), ring.relief, 2), 2).mask(samples, light);
+  const auto wrong = [&](double edge) {
+    return judge(ring.scene.answer(method, view, light, TableFilter::exact, {{"edge", edge}}),
+                 truth, samples)
+        .wrong;
+  };
+  EXPECT_LT(wrong(0.25), 16);
+  EXPECT_LT(wrong(8), 16);
+}
+
+// The depth map is off by how long a piece is, here sixteen times its width, not by the side of a
+// square as large. On a plane `geodesic-march` is exact.
+TEST(TwoScales, KnowsHowLongAPieceIs) {
+  const GlContext gl;
+  const RenderScene scene(surface::makePlane(64, 64, 64, 4), randomRelief(64, 64, 1, 3), {4, 48},
+                          horizon::TableBits::thirtyTwo);
+  const RenderView view = atlasView(scene.surface, 4);
+  const Vec3 light = lightToward(10, 15);
+  const Method method = readMethod(methodFile(shaderFolder(), "two-scales"));
+  const Mask exact = scene.answer("geodesic-march", view, light);
+  const auto wrong = [&](double pieces) {
+    return difference(
+        exact, scene.answer(method, view, light, TableFilter::exact, {{"light_pieces", pieces}}));
+  };
+  EXPECT_LT(wrong(2), 5e-4);
+  EXPECT_LT(wrong(4), 5e-4);
+  EXPECT_GT(difference(exact, scene.answer("unshadowed", view, light)), 0.02);
+}
+
 TEST(TwoScales, KnowsNoUnit) {
   const GlContext gl;
   const Mask one = Ring(1).answer("two-scales");

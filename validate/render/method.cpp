@@ -75,7 +75,7 @@ std::string readName(const Declaration& declaration, std::string_view key,
                      const std::array<std::string_view, count>& names) {
   const toml::node_view<const toml::node> found = declaration.table()[key];
   if (!found) return {};
-  const auto name = found.value<std::string>().value_or("");
+  auto name = found.value<std::string>().value_or("");
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     declaration.fail(*found.node(),
                      fmt::format("{} `{}`, expected one of {}", key, name, fmt::join(names, ", ")));

@@ -126,7 +126,7 @@ std::vector<SharedName> sharedNames(const fs::path& shaders) {
 std::string ownNameOf(const std::string& word) {
   for (const std::string_view ending : {"At", "Texel", "Bake", "Texture", "Pass", "Origin"}) {
     if (!word.ends_with(ending)) continue;
-    const std::string name = word.substr(0, word.size() - ending.size());
+    std::string name = word.substr(0, word.size() - ending.size());
     if (isOwnName(name)) return name;
   }
   return "";

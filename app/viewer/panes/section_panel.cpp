@@ -139,7 +139,7 @@ void drawLight(const Plot& plot, const CrossSection& section, Vec2 eye) {
 }
 
 std::string lightText(const CrossSection& section) {
-  const std::string centre = fmt::format("light {}", degrees(section.lightSlope));
+  std::string centre = fmt::format("light {}", degrees(section.lightSlope));
   if (!(section.lightRadius > 0)) return centre;
   return fmt::format("{} ± {:.4g}°", centre, section.lightRadius * 180 / pi);
 }

@@ -48,7 +48,7 @@ ViewSession::ViewSession(OpenedStudy opened, ViewState state, const std::functio
 ViewSession::ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake)
     : ViewSession(openStudy(request), wake) {}
 
-ViewSession::ViewSession(OpenedStudy opened, const std::function<void()>& wake)
+ViewSession::ViewSession(const OpenedStudy& opened, const std::function<void()>& wake)
     : ViewSession(opened, firstView(opened), wake) {}
 
 void ViewSession::resetView() {

@@ -34,7 +34,7 @@ class ViewSession {
   ViewSession(OpenedStudy opened, ViewState state, const std::function<void()>& wake);
   /// Begins with the study's first view.
   /// @throws UsageError as firstView
-  ViewSession(OpenedStudy opened, const std::function<void()>& wake);
+  ViewSession(const OpenedStudy& opened, const std::function<void()>& wake);
   /// Reads the study, and begins with its first view.
   /// @throws InputError as readStudy, UsageError as firstView
   ViewSession(const cli::ViewRequest& request, const std::function<void()>& wake);

@@ -14,7 +14,6 @@
 namespace gnomon::render {
 namespace {
 
-using test::cliff;
 using test::lightToward;
 
 // ---- methods that draw the displaced mesh

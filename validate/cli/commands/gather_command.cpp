@@ -148,6 +148,7 @@ CLI::App* addGatherCommand(CLI::App& app, GatherRequest& request) {
 ExitStatus gatherScenes(const GatherRequest& request) {
   const std::vector<report::FinishedScene> scenes = readAll(request.folders);
   std::vector<study::StudyMeans> studies;
+  studies.reserve(scenes.size());
   for (const report::FinishedScene& scene : scenes) studies.push_back(scene.means);
   const std::string suite = requireSuite(studies, request.folders.front());
   std::optional<study::SuiteRanking> other;

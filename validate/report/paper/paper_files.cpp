@@ -66,7 +66,7 @@ void writeTables(const std::string& prefix, const PaperOptions& options, const T
 void writePaperFiles(const study::StudyRecord& record, const PaperOptions& options,
                      RunFolder& folder) {
   const std::vector<study::RankedMethod> ranked = study::rankMethods(record);
-  const Table table =
+  Table table =
       withRows(withColumns(rankedTable(record, ranked), options.columns), options.methods);
   writeTables(
       "", options, [&](const TabularRoom&) { return table; }, folder);
@@ -90,7 +90,7 @@ void writePaperFiles(const study::SweepRecord& sweep, const PaperOptions& option
 void writePaperFiles(const study::SuiteStatistics& statistics, const PaperOptions& options,
                      RunFolder& folder) {
   const study::SuiteStatistics chosen = withMethods(statistics, options.methods);
-  const Table table = withColumns(suiteRankedTable(chosen), options.columns);
+  Table table = withColumns(suiteRankedTable(chosen), options.columns);
   writeTables(
       "suite-", options, [&](const TabularRoom&) { return table; }, folder);
   folder.write("suite-numbers.tex", numbersTex(statistics));

@@ -277,6 +277,7 @@ PlotSheet binPlot(const study::StudyRecord& record, std::string_view axis, std::
     }
     values.endCurve();
   }
+  legend.reserve(legend.size() + methods.size());
   for (const std::string& method : methods) legend.push_back({method, method});
   plot += styles.legend(legend, "linespoints", &MethodStyles::line);
   sheet.legend = styles.items(legend, true);

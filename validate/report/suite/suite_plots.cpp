@@ -439,6 +439,7 @@ std::optional<PlotSheet> suiteBinsPlot(const study::SuiteStatistics& statistics,
   }
   if (panels.plots.empty()) return std::nullopt;
   std::vector<LegendEntry> legend;
+  legend.reserve(methods.size());
   for (const std::string& method : methods) legend.push_back({method, method});
   sheet.legend = styles.items(legend, true);
   const double uncertainty = 100 * largestUncertainty(statistics);

@@ -146,7 +146,8 @@ TEST_F(ViewerWindow, StepsAreTakenBackAndStudiesOpened) {
   };
   choose("study.bad.toml");
   EXPECT_TRUE(viewer.waitFor([](const json& now) {
-    return now.at("notice").at("is_error").get<bool>() && now.at("opening") == "";
+    return now.at("notice").at("is_error").get<bool>() &&
+           now.at("opening").get<std::string>().empty();
   })) << viewer.status().dump(2);
   const json refused = viewer.status();
   const std::string said = refused.at("notice").at("text");
@@ -158,7 +159,7 @@ TEST_F(ViewerWindow, StepsAreTakenBackAndStudiesOpened) {
   choose("study.late.toml");
   EXPECT_TRUE(viewer.waitFor([](const json& now) {
     return now.at("notice").at("text").get<std::string>().starts_with("base.subdivisions: 1024") &&
-           now.at("opening") == "" && now.at("study") == "ball.toml";
+           now.at("opening").get<std::string>().empty() && now.at("study") == "ball.toml";
   })) << viewer.status().dump(2);
 
   choose("study.other.toml");

@@ -19,7 +19,6 @@
 
 namespace gnomon::study {
 namespace {
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 const SuiteSpec& firstSuite() {
