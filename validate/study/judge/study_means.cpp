@@ -98,6 +98,7 @@ std::vector<std::optional<double>> caseErrors(const StudyRecord& record, const s
 std::optional<double> meanUncertainty(const StudyRecord& record,
                                       const std::vector<const ResultRecord*>& rows) {
   std::vector<std::optional<double>> values;
+  values.reserve(rows.size());
   for (const ResultRecord* row : rows) {
     values.push_back(uncertaintyOf(record, {row->view, row->light}));
   }
@@ -108,6 +109,7 @@ MethodMeans meansOf(const StudyRecord& record, const std::string& label) {
   const std::vector<const ResultRecord*> rows = rankedRows(record, label, Answer::drawn);
   const auto mean = [&](std::string_view metric) {
     std::vector<std::optional<double>> values;
+    values.reserve(rows.size());
     for (const ResultRecord* row : rows) values.push_back(compare::rate(row->counts, metric).value);
     return meanOf(values);
   };

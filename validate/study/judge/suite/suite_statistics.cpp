@@ -57,6 +57,7 @@ compare::SceneTable tableOf(const Scenes& scenes) {
 std::vector<double> chosen(const std::vector<double>& values,
                            const std::vector<std::size_t>& indices) {
   std::vector<double> found;
+  found.reserve(indices.size());
   for (const std::size_t i : indices) found.push_back(values[i]);
   return found;
 }
@@ -64,6 +65,7 @@ std::vector<double> chosen(const std::vector<double>& values,
 std::vector<double> errorsOn(const compare::SceneTable& table, std::size_t method,
                              const std::vector<std::size_t>& scenes) {
   std::vector<double> errors;
+  errors.reserve(scenes.size());
   for (const std::size_t s : scenes) errors.push_back(*table.errors[method][s]);
   return errors;
 }

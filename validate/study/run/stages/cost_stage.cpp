@@ -48,7 +48,7 @@ cache::ContentKey costKey(const RunScene& scene, const MethodCase& method,
   cache::KeyBuilder key("cost");
   key.add("method", method.key).add("host", hostName());
   key.add("threads", threadCount());
-  StudyHeader header = scene.study;
+  auto header = static_cast<const StudyHeader&>(scene.study);
   header.frames = frames;
   addSettings(key, header, Enters::costs);
   if (view) key.add("mask", scene.keys.mask(method.key, method.base->choice, *view, 0));
