@@ -66,5 +66,14 @@ TEST(Opening, EachPictureHasItsErrorThere) {
   EXPECT_THAT(openingHtml(test::sampleRecord(), {}).text(), Not(HasSubstr("<figure")));
 }
 
+TEST(Opening, OfSoftLightAnErrorIsAShareOfTheLight) {
+  study::StudyRecord record = recordWith({"best", "close", "rough, \"old\"", "truth"});
+  const auto opening = [&] { return openingHtml(record, study::rankMethods(record)).text(); };
+  EXPECT_THAT(opening(), HasSubstr("</button> at <b>0.10&#8239;%</b> of the <button"));
+  for (study::ResultRecord& result : record.results) result.shares.push_back({"mae", 0.01, {}});
+  EXPECT_THAT(opening(), HasSubstr("share of the light</button> is off by <b>0.10&#8239;%</b>, "));
+  EXPECT_THAT(opening(), Not(HasSubstr("of the <button")));
+}
+
 }  // namespace
 }  // namespace gnomon::report

@@ -364,6 +364,21 @@ TEST_F(ReportHtml, OfVeryManyLightsEachHasAPage) {
   }
 }
 
+TEST_F(ReportHtml, OfLargePicturesEachCaseHasAPage) {
+  study::StudyRecord record = recordWithPanel();
+  EXPECT_TRUE(casePages(record, folder_).empty());
+  record.panels[0].layers = {{std::string(7'500'000, 'x'), ""}};
+  const std::vector<CasePage> pages = casePages(record, folder_);
+  ASSERT_EQ(pages.size(), 2U);
+  const std::string html = reportText(record, folder_);
+  EXPECT_LT(html.size(), 1'000'000U);
+  EXPECT_FALSE(holds(html, "<script"));
+  for (const CasePage& page : pages) {
+    EXPECT_EQ(count(html, "<a href=\"" + page.file + "\">"), 1U) << page.file;
+  }
+  EXPECT_TRUE(holds(pages[0].page.text(), "<script"));
+}
+
 TEST_F(ReportHtml, SmallRecordsDoNotStopIt) {
   EXPECT_TRUE(holds(reportText(study::StudyRecord{}, folder_), "No result has an error rate."));
   study::StudyRecord record = recordWithPanel();

@@ -53,11 +53,12 @@ TEST(SweepSlices, ValuesOfOneRatioHaveALogarithmicAxis) {
     slice.positions = positions;
     return axisCommands(slice);
   };
-  EXPECT_EQ(axisOf({1, 2.52, 6.35, 16}), "set logscale x\n");
-  EXPECT_EQ(axisOf({1, 2, 3, 4}), "");
-  EXPECT_EQ(axisOf({1, 2, 4}), "");         // three say little
-  EXPECT_EQ(axisOf({-8, -4, -2, -1}), "");  // of one ratio, but without a logarithm
-  EXPECT_EQ(axisOf({0, 1, 2, 4}), "");
+  const std::string even = "set autoscale xfix\n";
+  EXPECT_EQ(axisOf({1, 2.52, 6.35, 16}), even + "set logscale x\n");
+  EXPECT_EQ(axisOf({1, 2, 3, 4}), even);
+  EXPECT_EQ(axisOf({1, 2, 4}), even);         // three say little
+  EXPECT_EQ(axisOf({-8, -4, -2, -1}), even);  // of one ratio, but without a logarithm
+  EXPECT_EQ(axisOf({0, 1, 2, 4}), even);
   SweepSlice named;
   named.positions = {1, 2, 4, 8};
   named.categories = {"a", "b", "c", "d"};
@@ -173,6 +174,8 @@ TEST(SweepLights, HasACurveALight) {
   EXPECT_THAT(sheet->commands, HasSubstr("$m0l1 << EOD\n1 4\n2 2\nEOD\n"));
   EXPECT_THAT(sheet->commands, HasSubstr("$b0l1 << EOD\n2 1.5 3\nEOD\n"));
   EXPECT_THAT(svgOf(*sheet), HasSubstr(">dusk</"));
+  sweep.steps = {stepOf({{"noon", 10}}), stepOf({{"noon, radius 1°", 30}})};
+  EXPECT_FALSE(sweepLightsPlot(sweep, slicesOf(sweep).at(0))) << "each at one value alone";
 }
 
 }  // namespace

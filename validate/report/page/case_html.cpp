@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
 #include <span>
+#include <system_error>
 
 #include "common/lists.h"
 #include "report/page/html_figures.h"
@@ -11,7 +14,9 @@
 #include "report/page/page.h"
 #include "report/tables/case_tables.h"
 #include "report/tables/formats/html_format.h"
+#include "report/text/number_text.h"
 #include "report/text/terms_html.h"
+#include "study/judge/study_means.h"
 #include "study/spec/file_names.h"
 
 namespace gnomon::report {
@@ -19,6 +24,34 @@ namespace {
 
 constexpr std::size_t mostOpenCases = 3;
 constexpr std::size_t mostFoldedCases = 8;
+constexpr std::size_t mostPictureBytes = 7'500'000;  // a third more as text of a page
+
+/// The bytes of a file; 0 where it cannot be read, which its reader tells.
+std::size_t fileSize(const std::filesystem::path& path) {
+  std::error_code failure;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, failure);
+  return failure ? 0 : bytes;
+}
+
+/// The bytes of all pictures that pages embed.
+std::size_t pictureBytes(const study::StudyRecord& record, const std::filesystem::path& folder) {
+  std::size_t bytes = 0;
+  for (const study::PanelRecord& panel : record.panels) {
+    for (const study::LayersRecord& layers : panel.layers) {
+      bytes += layers.lit.size() + layers.dark.size();
+    }
+    for (const study::PictureRecord& picture : panel.pictures) {
+      bytes += picture.embedded.empty() ? fileSize(folder / picture.path) : picture.embedded.size();
+    }
+  }
+  return bytes;
+}
+
+/// Whether each case has a page of its own.
+bool haveOwnPages(const study::StudyRecord& record, std::size_t cases,
+                  const std::filesystem::path& folder) {
+  return cases > mostFoldedCases || pictureBytes(record, folder) > mostPictureBytes;
+}
 
 /// A case, and where a page finds it.
 struct Place {
@@ -30,7 +63,12 @@ std::string nameOf(const Place& place) {
   return place.which.view + " · " + place.which.light;
 }
 
-std::vector<Place> placesOf(const study::StudyRecord& record) {
+struct Places {
+  std::vector<Place> all;
+  bool areOwnPages = false;
+};
+
+Places placesOf(const study::StudyRecord& record, const std::filesystem::path& folder) {
   std::vector<study::Case> cases = study::casesOf(record);
   for (const study::PanelRecord& panel : record.panels) {
     appendOnce(cases, study::Case{panel.view, panel.light});
@@ -39,11 +77,11 @@ std::vector<Place> placesOf(const study::StudyRecord& record) {
   names.reserve(cases.size());
   for (const study::Case& which : cases) names.push_back(which.view + "_" + which.light);
   const std::vector<std::string> files = study::fileNames(names);
-  std::vector<Place> places;
+  Places places;
+  places.areOwnPages = haveOwnPages(record, cases.size(), folder);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    places.push_back({cases[i], cases.size() > mostFoldedCases
-                                    ? fmt::format("cases/{}.html", files[i])
-                                    : fmt::format("#case-{}", i + 1)});
+    places.all.push_back({cases[i], places.areOwnPages ? fmt::format("cases/{}.html", files[i])
+                                                       : fmt::format("#case-{}", i + 1)});
   }
   return places;
 }
@@ -54,8 +92,9 @@ Html caseTables(const study::StudyRecord& record, const study::Case& which) {
   if (!metrics.rows.empty()) {
     content +=
         html("<h3>All samples</h3>\n{}{}",
-             htmlNote("In percent of the samples. ≈ marks methods that are not distinguishable "
-                      "from the best."),
+             htmlNote(fmt::format("In percent of {}. ≈ marks methods that are not distinguishable "
+                                  "from the best.",
+                                  errorWhole(study::isSoft(record)))),
              htmlTable(metrics));
   }
   const Table regions = regionTable(record, which);
@@ -128,8 +167,9 @@ Html errorsByLight(const study::StudyRecord& record, const std::vector<study::Ra
   }
   return htmlSection(
       "heat", "Error by light",
-      htmlNote("Percent of the samples; the stronger the tint, the larger the error. Each light "
-               "leads to its pictures and tables.") +
+      htmlNote(fmt::format("Percent of {}; the stronger the tint, the larger the error. Each light "
+                           "leads to its pictures and tables.",
+                           errorWhole(study::isSoft(record)))) +
           htmlTable(caseErrorsTable(record, labels, cases, links)));
 }
 
@@ -159,25 +199,27 @@ Html casePage(const study::StudyRecord& record, std::span<const Place> places, s
 
 }  // namespace
 
-bool holdsPictures(const study::StudyRecord& record) {
-  return !record.panels.empty() && placesOf(record).size() <= mostFoldedCases;
+bool holdsPictures(const study::StudyRecord& record, const std::filesystem::path& folder) {
+  return !record.panels.empty() && !placesOf(record, folder).areOwnPages;
 }
 
 Html caseSections(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked,
                   const std::filesystem::path& folder) {
-  const std::vector<Place> places = placesOf(record);
-  if (places.size() <= mostOpenCases) return openCases(record, places, folder);
-  const Html errors = errorsByLight(record, ranked, places);
-  return places.size() > mostFoldedCases ? errors : errors + foldedCases(record, places, folder);
+  const Places places = placesOf(record, folder);
+  const bool areOpen = places.all.size() <= mostOpenCases && !places.areOwnPages;
+  if (areOpen) return openCases(record, places.all, folder);
+  const Html errors = errorsByLight(record, ranked, places.all);
+  return places.areOwnPages ? errors : errors + foldedCases(record, places.all, folder);
 }
 
 std::vector<CasePage> casePages(const study::StudyRecord& record,
                                 const std::filesystem::path& folder) {
-  const std::vector<Place> places = placesOf(record);
+  const Places places = placesOf(record, folder);
   std::vector<CasePage> pages;
-  if (places.size() <= mostFoldedCases) return pages;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    pages.push_back({places[i].link, casePage(record, places, i, folder)});
+  if (!places.areOwnPages) return pages;
+  pages.reserve(places.all.size());
+  for (std::size_t i = 0; i < places.all.size(); ++i) {
+    pages.push_back({places.all[i].link, casePage(record, places.all, i, folder)});
   }
   return pages;
 }

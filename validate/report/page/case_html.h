@@ -11,11 +11,12 @@
 namespace gnomon::report {
 
 /// The cases of a report, each a view under a light: its pictures and its tables. Up to three stand
-/// open on the report's page, up to eight are folded away there. Of more, each has a page of its
-/// own, so that the report of any number of lights opens at once.
+/// open on the report's page, up to eight are folded away there. Of more, or where their pictures
+/// take more than 7.5 MB, each has a page of its own, so that any report opens at once.
 
 /// Whether the report's page itself has the pictures of its cases.
-bool holdsPictures(const study::StudyRecord& record);
+/// @param folder  the run's, where its pictures are
+bool holdsPictures(const study::StudyRecord& record, const std::filesystem::path& folder);
 
 /// The cases on the report's page. Where they are not open, first a table of every method's error
 /// in each, which leads to them.

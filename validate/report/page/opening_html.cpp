@@ -15,6 +15,7 @@
 #include "report/text/number_text.h"
 #include "report/text/terms_html.h"
 #include "study/judge/distinguish.h"
+#include "study/judge/study_means.h"
 #include "study/record/cases.h"
 
 namespace gnomon::report {
@@ -63,10 +64,14 @@ Html answerHtml(const study::StudyRecord& record, const std::vector<study::Ranke
     return html("No method answers in every {}, so none is ranked.", htmlTerm("case"));
   }
   const study::RankedMethod& best = ranked.front();
+  const std::string error = percentText(best.errorRate.value);
+  const Html how = study::isSoft(record) ? html("its {} is off by <b>{}&#8239;%</b>",
+                                                htmlTerm("visibility", "share of the light"), error)
+                                         : html("it is {} at <b>{}&#8239;%</b> of the {}",
+                                                htmlTerm("wrong"), error, htmlTerm("samples"));
   const Html text =
-      html("Of {}, <b>{}</b> is closest to the {}: it is {} at <b>{}&#8239;%</b> of the {}, {}.",
-           plural(inAllCases, "method"), best.label, htmlTerm("truth"), htmlTerm("wrong"),
-           percentText(best.errorRate.value), htmlTerm("samples"), placesText(record));
+      html("Of {}, <b>{}</b> is closest to the {}: {}, {}.", plural(inAllCases, "method"),
+           best.label, htmlTerm("truth"), how, placesText(record));
   if (!best.uncertainty) {
     return html("{} How uncertain the truth itself is was not measured.", text);
   }

@@ -25,6 +25,7 @@
 #include "report/text/refinement_text.h"
 #include "report/text/terms_html.h"
 #include "study/judge/distinguish.h"
+#include "study/judge/study_means.h"
 
 namespace gnomon::report {
 namespace {
@@ -34,16 +35,15 @@ Html rankingSection(const study::StudyRecord& record,
   if (ranked.empty()) return {};
   return htmlSection(
       "ranking", "Methods, best first",
-      html(
-          "<p class=\"note\">Percent of the samples, mean over all lights and views. The bar shows "
-          "the two parts of the error, <i class=\"chip shadow\"></i> {} and "
-          "<i class=\"chip light\"></i> {}; round its end the {} "
-          "<i class=\"chip truth\"></i> and the 95 % interval <i class=\"chip whisker\"></i>. "
-          "≈ means {} from the best. A method that does not answer in every {} has no "
-          "rank.</p>\n{}",
-          htmlTerm("false shadow"), htmlTerm("false light"), htmlTerm("uncertainty of the truth"),
-          htmlTerm("not distinguishable"), htmlTerm("case"),
-          htmlTable(rankedTable(record, ranked))));
+      html("<p class=\"note\">Percent of {}, mean over all lights and views. The bar shows "
+           "the two parts of the error, <i class=\"chip shadow\"></i> {} and "
+           "<i class=\"chip light\"></i> {}; round its end the {} "
+           "<i class=\"chip truth\"></i> and the 95 % interval <i class=\"chip whisker\"></i>. "
+           "≈ means {} from the best. A method that does not answer in every {} has no "
+           "rank.</p>\n{}",
+           errorWhole(study::isSoft(record)), htmlTerm("false shadow"), htmlTerm("false light"),
+           htmlTerm("uncertainty of the truth"), htmlTerm("not distinguishable"), htmlTerm("case"),
+           htmlTable(rankedTable(record, ranked))));
 }
 
 Html thresholdSection(const study::StudyRecord& record) {
@@ -183,7 +183,7 @@ Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> 
 Html reportHtml(const study::StudyRecord& record, const std::filesystem::path& folder,
                 std::span<const DrawnPlot> plots) {
   const std::vector<study::RankedMethod> ranked = study::rankMethods(record);
-  const bool hasPictures = holdsPictures(record);
+  const bool hasPictures = holdsPictures(record, folder);
   Html claims;
   for (const study::ClaimRecord& claim : record.claims) claims += htmlClaim(claim);
   Html main = htmlSymbols(plots) + htmlClaims(claims) + rankingSection(record, ranked) +

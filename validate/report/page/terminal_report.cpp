@@ -20,6 +20,7 @@
 #include "report/text/number_text.h"
 #include "report/text/refinement_text.h"
 #include "report/text/terminal_page.h"
+#include "study/judge/study_means.h"
 
 namespace gnomon::report {
 namespace {
@@ -72,12 +73,12 @@ void appendViewBlock(TerminalPage& page, const study::StudyRecord& record,
 void appendResults(TerminalPage& page, const study::StudyRecord& record) {
   std::vector<study::Case> left = study::casesOf(record);
   if (left.empty()) return;
-  page.paragraph(
-      "Percent of the samples that are wrong in the drawn picture, which is the shadow test and "
-      "the "
-      "shading together. Test: wrong by the shadow test alone. Length: how long cast shadows are, "
-      "divided by the truth's; the median. ≈ means not distinguishable from the best under that "
-      "light.");
+  page.paragraph(fmt::format(
+      "Percent of {} wrong in the drawn picture, which is the shadow test and the shading "
+      "together. "
+      "Test: wrong by the shadow test alone. Length: how long cast shadows are, divided by the "
+      "truth's; the median. ≈ means not distinguishable from the best under that light.",
+      study::isSoft(record) ? "the light that is" : "the samples that are"));
   while (!left.empty()) {
     const std::string view = left.front().view;
     const auto rest = std::stable_partition(left.begin(), left.end(),

@@ -169,7 +169,7 @@ class PageCopy {
     const auto index =
         static_cast<std::size_t>(quote == nullptr ? 0 : std::strtoul(quote + 1, nullptr, 10));
     if (quote == nullptr || index >= sheet_.values.size()) {
-      throw InternalError("gnuplot: its SVG has a value that the plot has not");
+      throw InternalError("gnuplot: its SVG has a value that the plot lacks");
     }
     to.append_attribute("class") = "value";
     to.append_child("title")

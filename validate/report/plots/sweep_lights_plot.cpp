@@ -37,6 +37,15 @@ Curves curvesOf(const study::SweepRecord& sweep, const SweepSlice& slice) {
   return curves;
 }
 
+/// Whether a light is at more than one value: those that the sweep itself changes are not.
+bool recurs(const study::SweepRecord& sweep, const SweepSlice& slice, const std::string& light) {
+  return std::count_if(slice.cases.begin(), slice.cases.end(), [&](std::size_t i) {
+           const std::vector<study::Case> cases = study::comparedCases(sweep.steps[i]);
+           return std::any_of(cases.begin(), cases.end(),
+                              [&](const study::Case& which) { return which.light == light; });
+         }) > 1;
+}
+
 /// A method's error rate under one light, mean over the views that have it; of the interval the
 /// mean of its ends. None where a view has none.
 struct LightMean {
@@ -152,6 +161,10 @@ std::optional<PlotSheet> sweepLightsPlot(const study::SweepRecord& sweep, const 
                                          PlotPlace place) {
   const Curves curves = curvesOf(sweep, slice);
   if (curves.lights.size() < 2 || curves.lights.size() > mostPlottedLights) return std::nullopt;
+  if (std::none_of(curves.lights.begin(), curves.lights.end(),
+                   [&](const std::string& light) { return recurs(sweep, slice, light); })) {
+    return std::nullopt;
+  }
   const bool isPaper = place == PlotPlace::paper;
   const PanelGrid grid(curves.methods.size(), isPaper ? curves.lights : std::vector<std::string>(),
                        place);

@@ -190,7 +190,9 @@ std::string valueText(const SweepSlice& slice, std::size_t i) {
 
 std::string axisCommands(const SweepSlice& slice) {
   if (!slice.categories.empty()) return categoryTics("xtics", slice.categories);
-  return isGeometric(slice.positions) ? "set logscale x\n" : "";
+  // Up to the values, not to the next tic: a radius of 0 has nothing below it.
+  return std::string("set autoscale xfix\n") +
+         (isGeometric(slice.positions) ? "set logscale x\n" : "");
 }
 
 std::string categoryTics(const char* axis, const std::vector<std::string>& labels) {

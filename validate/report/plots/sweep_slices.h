@@ -44,7 +44,8 @@ std::string placeText(const SweepSlice& slice, std::size_t i);
 std::string valueText(const SweepSlice& slice, std::size_t i);
 
 /// The slice's axis across a plot: its labels where its values are no numbers, logarithmic where
-/// each of four or more is the same multiple of the one before, to a hundredth.
+/// each of four or more is the same multiple of the one before, to a hundredth. It ends at the
+/// first and the last value, but for the plot's own offsets.
 std::string axisCommands(const SweepSlice& slice);
 
 /// "set xtics (…)" for labels at 0, 1, …, of many only some.

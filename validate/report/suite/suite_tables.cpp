@@ -98,8 +98,9 @@ std::map<std::string, std::size_t> ranksOn(const compare::SceneTable& table, std
 }  // namespace
 
 SuiteFigure suiteFigure(const study::SuiteStatistics& statistics) {
-  if (statistics.isSoft) return {"mae", "Mean |ΔV|", "the light"};
-  return {"error_rate", "Error rate", "the samples"};
+  const char* whole = errorWhole(statistics.isSoft);
+  if (statistics.isSoft) return {"mae", "Mean |ΔV|", whole};
+  return {"error_rate", "Error rate", whole};
 }
 
 std::string probabilityText(double probability) {

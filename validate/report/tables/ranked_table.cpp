@@ -8,6 +8,7 @@
 #include "report/tables/cost_table.h"
 #include "report/text/number_text.h"
 #include "report/text/ranking_text.h"
+#include "study/judge/study_means.h"
 
 namespace gnomon::report {
 namespace {
@@ -89,9 +90,10 @@ bool isTimed(const study::StudyRecord& record) {
 
 std::string rankedCaption(const study::StudyRecord& record,
                           const std::vector<study::RankedMethod>& ranked) {
-  std::string text =
-      "Means over all lights and views, in percent of the samples, with 95\u202f% intervals of the "
-      "error. Test: the error of the shadow test without the shading.";
+  std::string text = fmt::format(
+      "Means over all lights and views, in percent of {}, with 95\u202f% intervals of the error. "
+      "Test: the error of the shadow test without the shading.",
+      errorWhole(study::isSoft(record)));
   if (!ranked.empty() && ranked.front().uncertainty) {
     text += fmt::format(
         " The truth itself is uncertain by {}\u202f%; ≈ marks methods that are not distinguishable "

@@ -12,6 +12,7 @@
 #include "report/text/radius_text.h"
 #include "report/text/ranking_text.h"
 #include "study/judge/distinguish.h"
+#include "study/judge/study_means.h"
 
 namespace gnomon::report {
 namespace {
@@ -50,12 +51,13 @@ std::vector<study::DifferenceRecord> differencesToBest(
 }
 
 /// @param difference  of the worse method, less the best
-std::string betterText(const study::DifferenceRecord& difference) {
+/// @param whole  what it is a share of (errorWhole)
+std::string betterText(const study::DifferenceRecord& difference, const char* whole) {
   // It says what becomes of the best.
   const std::string radius = radiusNote(study::swapped(difference));
-  return fmt::format("{} is better than {} by {} % of the samples (95 % interval {}){}.",
+  return fmt::format("{} is better than {} by {} % of {} (95 % interval {}){}.",
                      quotedText(difference.second), quotedText(difference.first),
-                     percentText(difference.difference), intervalText(difference.interval),
+                     percentText(difference.difference), whole, intervalText(difference.interval),
                      radius.empty() ? "" : ", which " + radius);
 }
 
@@ -91,7 +93,7 @@ std::string verdictText(const study::StudyRecord& record, const std::string& vie
     if (difference->verdict == study::DifferenceVerdict::notDistinguishable) {
       (difference->interval ? like.close : like.withoutInterval).push_back(ranked[i].method);
     } else if (better.empty()) {
-      better = betterText(*difference);
+      better = betterText(*difference, errorWhole(study::isSoft(record)));
     }
   }
   std::string text = better;
@@ -134,11 +136,12 @@ std::string confidenceNote(const study::StudyRecord& record, const std::string& 
           : fmt::format(", or the difference is within the truth’s uncertainty of {} %",
                         uncertainty.text([](double share) { return percentText(share); }));
   return fmt::format(
-      "Percent of the samples, mean over the lights. {} It comes from {} blocks of {} × {} "
+      "Percent of {}, mean over the lights. {} It comes from {} blocks of {} × {} "
       "samples. ≈ means not distinguishable from the best: the 95 % interval of the difference "
       "contains 0 or could not be measured{}.{}",
-      intervalMeaning, blocks.text([](double count) { return fmt::format("{}", count); }),
-      ranked.front().blockSide, ranked.front().blockSide, truth, radius);
+      errorWhole(study::isSoft(record)), intervalMeaning,
+      blocks.text([](double count) { return fmt::format("{}", count); }), ranked.front().blockSide,
+      ranked.front().blockSide, truth, radius);
 }
 
 }  // namespace gnomon::report

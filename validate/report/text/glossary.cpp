@@ -93,7 +93,7 @@ constexpr auto terms = std::to_array<Term>({
     {"Height map", "Memory of the bump map itself, where the method reads it while it draws."},
     {"Texels read",
      "How many texels of tables, maps and textures the method reads to answer for one sample, on "
-     "average: a measure of its cost that does not hang on the machine."},
+     "average: a measure of its cost that is the same on every machine."},
     {"Passes", "How often a frame is drawn over before it is finished."},
     {"Frame", "The median time that one frame takes."},
     {"Light still",

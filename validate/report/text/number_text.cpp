@@ -23,6 +23,10 @@ std::string percentText(std::optional<double> share) {
   return fmt::format("{:.2f}", percent);
 }
 
+const char* errorWhole(bool isSoft) {
+  return isSoft ? "the light" : "the samples";
+}
+
 std::string signedPercent(double share) {
   if (share == 0) return "0.00";
   return (share < 0 ? "−" : "+") + percentText(std::abs(share));

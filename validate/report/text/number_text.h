@@ -16,6 +16,9 @@ double requireFinite(double value, std::string_view what);
 /// ">99.99" where a value would round to an end of the scale: 0.00 always means none, 100.00 all.
 std::string percentText(std::optional<double> share);
 
+/// What an error is a share of: "the samples"; where a light has a disc "the light".
+const char* errorWhole(bool isSoft);
+
 /// A share in percent with its sign and two decimals, "+1.20", "−0.03"; "0.00" for none at all, and
 /// "+<0.01" or "−<0.01" for what would round to it.
 std::string signedPercent(double share);

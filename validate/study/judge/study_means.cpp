@@ -134,6 +134,11 @@ std::size_t MethodMeans::cases() const {
       std::count_if(caseErrors.begin(), caseErrors.end(), [](const auto& e) { return bool(e); }));
 }
 
+bool isSoft(const StudyRecord& record) {
+  return std::any_of(record.results.begin(), record.results.end(),
+                     [](const ResultRecord& result) { return !result.shares.empty(); });
+}
+
 StudyMeans studyMeans(const StudyRecord& record) {
   StudyMeans study{record.name, record.title, record.status(), {}, record.claims, {}};
   for (const std::string& label : methodsOf(record)) {
@@ -142,8 +147,7 @@ StudyMeans studyMeans(const StudyRecord& record) {
   study.differences = allDifferences(record);
   study.suite = suiteNameOf(record);
   if (!study.suite.empty()) study.bins = sceneBins(record);
-  study.isSoft = std::any_of(record.results.begin(), record.results.end(),
-                             [](const ResultRecord& result) { return !result.shares.empty(); });
+  study.isSoft = isSoft(record);
   return study;
 }
 

@@ -56,6 +56,9 @@ struct StudyMeans {
   bool isSoft = false;  ///< a light of a single study has a disc: there an error is a `mae`
 };
 
+/// Whether a light has a disc: there an error is a share of light, `mae`.
+bool isSoft(const StudyRecord& record);
+
 StudyMeans studyMeans(const StudyRecord& record);
 
 /// A sweep as one study: each figure the mean over its steps, none where a step has none.

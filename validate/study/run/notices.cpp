@@ -102,8 +102,9 @@ std::optional<std::string> softNotice(const StudySpec& study) {
   const bool areAll = std::all_of(study.lights.begin(), study.lights.end(), isSoft);
   return fmt::format(
       "{}: each sample is compared by V, the share of the disc that it sees, traced toward {} "
-      "directions. There error_rate is the mean of |V - V_truth|, false_shadow and false_light are "
-      "its parts; boundaries and lengths are those of both maps cut at V < 0.5.",
+      "directions. There an error of 1 % means that V is off by 0.01 on average; false shadow is V "
+      "too small, false light V too large. Boundaries and lengths are those of both maps cut at "
+      "V < 0.5.",
       areAll ? "The lights are discs" : "Some of the lights are discs", study.truth.directions);
 }
 
