@@ -17,6 +17,7 @@
 #include "report/sample_record.h"
 #include "report/tables/formats/csv_format.h"
 #include "report/tables/means_table.h"
+#include "report/tables/sweep_tables.h"
 #include "report/text/text_width.h"
 #include "study/judge/gates.h"
 #include "study/judge/study_ranking.h"
@@ -389,6 +390,24 @@ TEST(SweepTable, FitsHoweverManyTheValues) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(displayWidth(line), 100U) << line;
   for (const study::SweepCase& which : sweep.cases) {
     EXPECT_THAT(text, HasSubstr(which.name.substr(0, 8)));
+  }
+}
+
+TEST(SweepHtml, OfSoftLightErrorsAreSharesOfTheLight) {
+  study::SweepRecord sweep = sampleSweep();
+  const auto texts = [&] {
+    const SweepSlice slice = sliceOf(sweep);
+    const std::vector<DrawnPlot> plots = {{{}, "<svg/>"}};
+    return sweepHtml(sweep, plots).text() + sweepPlot(sweep, slice, PlotPlace::page).commands +
+           sweepCasesTable(sweep).caption;
+  };
+  EXPECT_THAT(texts(), Not(HasSubstr("of the light")));
+  EXPECT_THAT(texts(), HasSubstr("rate, percent of the samples"));
+  for (study::ResultRecord& row : sweep.steps[1].results) row.shares.push_back({"mae", 0.01, {}});
+  EXPECT_THAT(texts(), Not(HasSubstr("ercent of the samples")));
+  for (const char* part : {"Percent of the light, mean", "rate, percent of the light",
+                           "rate in percent of the light"}) {
+    EXPECT_THAT(texts(), HasSubstr(part));
   }
 }
 

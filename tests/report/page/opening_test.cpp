@@ -66,6 +66,22 @@ TEST(Opening, EachPictureHasItsErrorThere) {
   EXPECT_THAT(openingHtml(test::sampleRecord(), {}).text(), Not(HasSubstr("<figure")));
 }
 
+TEST(Opening, ExplainsOnlyTheRolesThatAPictureHas) {
+  const auto opening = [](const study::StudyRecord& record) {
+    return openingHtml(record, study::rankMethods(record)).text();
+  };
+  study::StudyRecord record = recordWith({"best", "close", "rough, \"old\"", "truth"});
+  for (const char* role : {" Flat: ", " Claimed: ", " Best: "}) {
+    EXPECT_THAT(opening(record), HasSubstr(role));
+  }
+  record.claims.clear();
+  EXPECT_THAT(opening(record), Not(HasSubstr(" Claimed: ")));
+  EXPECT_THAT(opening(record), HasSubstr(" Best: "));
+  const std::string claimed = opening(recordWith({"close", "truth"}));
+  EXPECT_THAT(claimed, HasSubstr(" Claimed: "));
+  for (const char* role : {" Flat: ", " Best: "}) EXPECT_THAT(claimed, Not(HasSubstr(role)));
+}
+
 TEST(Opening, OfSoftLightAnErrorIsAShareOfTheLight) {
   study::StudyRecord record = recordWith({"best", "close", "rough, \"old\"", "truth"});
   const auto opening = [&] { return openingHtml(record, study::rankMethods(record)).text(); };

@@ -13,6 +13,7 @@
 namespace gnomon::report {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::Not;
 
@@ -84,6 +85,15 @@ TEST(NumbersTex, HoldBothEndsOfAnInterval) {
 }
 
 /// No two runs share a time.
+TEST(NumbersTex, SayWhatTheyAreSharesOf) {
+  study::StudyRecord record = test::sampleRecord(1);
+  const auto numbers = [&] { return numbersTex(record, study::rankMethods(record)); };
+  EXPECT_THAT(numbers(), HasSubstr("uncertainty of the truth, percent of the samples"));
+  for (study::ResultRecord& result : record.results) result.shares.push_back({"mae", 0.01, {}});
+  EXPECT_THAT(numbers(), Not(HasSubstr("percent of the samples")));
+  EXPECT_THAT(numbers(), HasSubstr("uncertainty of the truth, percent of the light"));
+}
+
 TEST(NumbersTex, HoldNoTimes) {
   study::StudyRecord record = test::sampleRecord();
   const std::string before = numbersTex(record, study::rankMethods(record));

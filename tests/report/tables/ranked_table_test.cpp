@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <sstream>
 
@@ -184,6 +185,15 @@ TEST(TableFiles, RefuseNumbersThatAreNone) {
   broken.confidence[0].interval->low = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)tableTex(broken), InternalError);
   EXPECT_THROW((void)tableCsv(broken), InternalError);
+}
+
+TEST(RankedTable, OverStudiesNamesWhatErrorsAreSharesOf) {
+  std::array<study::StudyMeans, 2> studies;
+  EXPECT_EQ(errorWholeOver(studies), "the samples");
+  studies[1].isSoft = true;
+  EXPECT_EQ(errorWholeOver(studies), "the samples (the light where a light has a disc)");
+  studies[0].isSoft = true;
+  EXPECT_EQ(errorWholeOver(studies), "the light");
 }
 
 }  // namespace

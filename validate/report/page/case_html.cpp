@@ -100,9 +100,9 @@ Html caseTables(const study::StudyRecord& record, const study::Case& which) {
   const Table regions = regionTable(record, which);
   if (!regions.rows.empty()) {
     content += html("<h3>Error by region</h3>\n{}{}",
-                    html("<p class=\"note\">Percent of the samples of each {}; the stronger the "
+                    html("<p class=\"note\">Percent of {} of each {}; the stronger the "
                          "tint, the larger the error.</p>\n",
-                         htmlTerm("region")),
+                         errorWhole(study::isSoft(record)), htmlTerm("region")),
                     htmlTable(regions));
   }
   return content;

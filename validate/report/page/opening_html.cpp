@@ -94,9 +94,26 @@ Html comparedMethods(const study::StudyRecord& record) {
   return paragraphs;
 }
 
+/// What the roles of the pictures mean, of those that a picture has.
+Html rolesHtml(const std::vector<OpeningFigure>& figures) {
+  const auto has = [&](const char* role) {
+    return std::any_of(figures.begin(), figures.end(), [&](const OpeningFigure& figure) {
+      return figure.role.find(role) != std::string::npos;
+    });
+  };
+  Html text;
+  if (has("flat")) text += html(" Flat: the {}.", htmlTerm("flat horizon map"));
+  if (has("claimed")) text += html(" Claimed: the method that the study’s first claim is about.");
+  if (has("best")) {
+    text += html(" Best: the lowest error over the whole study, {}s aside.", htmlTerm("control"));
+  }
+  return text;
+}
+
 Html figuresHtml(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked) {
+  const std::vector<OpeningFigure> shown = openingFigures(record, ranked);
   Html figures;
-  for (const OpeningFigure& figure : openingFigures(record, ranked)) {
+  for (const OpeningFigure& figure : shown) {
     const study::PanelRecord& panel = record.panels.front();
     const bool isTruth = figure.method == truthLabel;
     figures += html(
@@ -109,10 +126,8 @@ Html figuresHtml(const study::StudyRecord& record, const std::vector<study::Rank
   const study::PanelRecord& panel = record.panels.front();
   return html(
       "<div class=\"opening\">\n{}</div>\n<p class=\"note\">View {}, light {}; the errors are "
-      "those "
-      "there. Flat: the {}. Claimed: the method that the study’s first claim is about. Best: the "
-      "lowest error over the whole study, {}s aside.</p>\n",
-      figures, panel.view, panel.light, htmlTerm("flat horizon map"), htmlTerm("control"));
+      "those there.{}</p>\n",
+      figures, panel.view, panel.light, rolesHtml(shown));
 }
 
 }  // namespace

@@ -60,12 +60,12 @@ Html rankingHtml(std::span<const study::StudyMeans> studies, std::string_view co
       "Methods over all studies", header,
       htmlSection(
           "ranking", "Methods, best first",
-          html("<p class=\"note\">Percent of the samples: in each study the mean over its "
+          html("<p class=\"note\">Percent of {}: in each study the mean over its "
                "lights and views, then the mean over the studies, each with the same "
                "weight. A case is a view under a light; a method that lacks one has no "
                "rank. <b>Truth ±</b> is the truth’s own uncertainty, ≈ a method that is not "
                "distinguishable from the best.</p>\n{}",
-               htmlTable(rankedOverStudiesTable(studies, ranking)))) +
+               errorWholeOver(studies), htmlTable(rankedOverStudiesTable(studies, ranking)))) +
           htmlSection("matrix", "Error by study",
                       html("<p class=\"note\">The stronger the tint, the larger the error.{}</p>\n"
                            "{}",

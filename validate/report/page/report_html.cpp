@@ -83,8 +83,9 @@ Html truthSection(const study::StudyRecord& record) {
   const Html facts =
       htmlFact("Micro-triangles", groupedText(truth.microTriangles)) +
       htmlFact("Longest side of a triangle", stepText(truth.stepTexels) + " texels") +
-      htmlFact("Largest uncertainty",
-               measured ? percentText(truth.uncertainty) + " % of the samples" : "not measured") +
+      htmlFact("Largest uncertainty", measured ? percentText(truth.uncertainty) + " % of " +
+                                                     errorWhole(study::isSoft(record))
+                                               : "not measured") +
       htmlFact("Search radius", radiusText(record.radius)) +
       htmlFact("Memory for tracing rays", bytesText(truth.bvhBytes.value_or(0))) +
       htmlFact("Memory of the mesh", bytesText(truth.meshBytes)) +
@@ -166,13 +167,14 @@ Html budgetSection(const study::StudyRecord& record, std::span<const DrawnPlot> 
   for (const DrawnPlot& plot : plots) {
     if (plot.sheet.section == "budget") own.push_back(&plot);
   }
-  Html content = htmlNote(budgetNote(record.budgets.front()));
+  Html content = htmlNote(budgetNote(record.budgets.front(), study::isSoft(record)));
   const std::vector<std::string> lights = budgetLights(record);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     Html part = i < own.size() ? htmlPlot(*own[i]) : Html();
     for (const study::BudgetRecord& budget : budgetsOf(record, lights[i])) {
-      part += html("<h3>{}</h3>\n{}{}", budget.method, htmlNote(orderText(budget)),
-                   htmlTable(budgetTable(budget)));
+      part +=
+          html("<h3>{}</h3>\n{}{}", budget.method,
+               htmlNote(orderText(budget, study::isSoft(record))), htmlTable(budgetTable(budget)));
     }
     content +=
         i == 0 ? part : html("<details><summary>{}</summary>\n{}</details>\n", lights[i], part);

@@ -13,6 +13,7 @@
 #include "report/tables/gate_table.h"
 #include "report/tables/means_table.h"
 #include "report/tables/sweep_tables.h"
+#include "report/text/number_text.h"
 #include "study/judge/study_ranking.h"
 
 namespace gnomon::report {
@@ -89,9 +90,10 @@ Html errorPlots(const study::SweepRecord& sweep, const std::vector<DrawnPlot>& p
         plural(sweep.cases.size(), "case"));
   }
   return htmlNote(
-             "Percent of the samples, mean over all lights and views. The grey band is how "
-             "uncertain "
-             "the truth itself is: smaller differences mean nothing. Bars are 95 % intervals.") +
+             fmt::format("Percent of {}, mean over all lights and views. The grey band is how "
+                         "uncertain the truth itself is: smaller differences mean nothing. Bars "
+                         "are 95 % intervals.",
+                         errorWhole(study::isSoft(sweep)))) +
          htmlNote(plotReading) + drawn;
 }
 

@@ -98,10 +98,10 @@ void appendBudgets(TerminalPage& page, const study::StudyRecord& record) {
   const study::BudgetRecord& first = record.budgets.front();
   page.blank();
   page.heading("Where the error comes from");
-  page.paragraph(budgetNote(first));
+  page.paragraph(budgetNote(first, study::isSoft(record)));
   for (const study::BudgetRecord& budget : budgetsOf(record, first.light)) {
     page.blank();
-    page.paragraph(budget.method + ": " + orderText(budget));
+    page.paragraph(budget.method + ": " + orderText(budget, study::isSoft(record)));
     appendTable(page, budgetTable(budget));
   }
 }

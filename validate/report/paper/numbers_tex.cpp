@@ -121,11 +121,13 @@ void addPlaces(Numbers& numbers, const study::StudyRecord& record) {
   if (lights.size() == 1) numbers.add({"light"}, *lights.begin(), "the light");
 }
 
-void addTruth(Numbers& numbers, const study::TruthRecord& truth) {
+void addTruth(Numbers& numbers, const study::StudyRecord& record) {
+  const study::TruthRecord& truth = record.truth;
   const bool isMeasured = !truth.flips.empty() || truth.uncertainty > 0;
   numbers.add({"largest uncertainty"},
               percentText(isMeasured ? std::optional(truth.uncertainty) : std::nullopt),
-              "largest uncertainty of the truth, percent of the samples");
+              std::string("largest uncertainty of the truth, percent of ") +
+                  errorWhole(study::isSoft(record)));
   numbers.add({"step"}, stepText(truth.stepTexels), "longest side of a micro-triangle, texels");
   numbers.add({"micro triangles"}, groupedText(truth.microTriangles), "triangles of the truth");
 }
@@ -156,10 +158,11 @@ std::string numbersTex(const study::StudyRecord& record,
   if (!ranked.empty()) {
     numbers.add({"best"}, ranked.front().label, "the method of the first row");
     numbers.add({"uncertainty"}, percentText(ranked.front().uncertainty),
-                "mean uncertainty of the truth, percent of the samples");
+                std::string("mean uncertainty of the truth, percent of ") +
+                    errorWhole(study::isSoft(record)));
     addSamples(numbers, record, ranked.front());
   }
-  addTruth(numbers, record.truth);
+  addTruth(numbers, record);
   numbers.add({"radius"}, stepText(record.radius.texels), "search radius, texels");
   addRows(numbers, rankedTable(record, ranked));
   return numbers.text();

@@ -78,7 +78,7 @@ void addBar(std::vector<BudgetPart>& parts, const study::BudgetRecord& budget,
 
 }  // namespace
 
-PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets, PlotPlace place) {
+PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets, PlotPlace place, bool isSoft) {
   std::vector<BudgetPart> parts = partsOf(budgets);
   std::string names;
   std::string totals;
@@ -118,9 +118,9 @@ PlotSheet budgetPlot(std::span<const study::BudgetRecord> budgets, PlotPlace pla
               (isEmpty ? "set xrange [0:1]\n" : "") +
               fmt::format("set yrange [{}:-0.75]\n", exactText(y - 0.75)) + "set ytics scale 0 (" +
               names + ")\n" + totals +
-              "set xlabel 'percent of the samples; black line: all of the error'\n"
-              "set key outside right top Left reverse samplen 1 spacing 1.1\n" +
-              plot + "\n",
+              fmt::format("set xlabel 'percent of {}; black line: all of the error'\n",
+                          errorWhole(isSoft)) +
+              "set key outside right top Left reverse samplen 1 spacing 1.1\n" + plot + "\n",
           "budget",
           {},
           place,

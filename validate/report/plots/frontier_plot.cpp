@@ -113,7 +113,7 @@ Table valuesTable(const std::vector<FrontierPoint>& points, const PriceWords& wo
 
 PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
                        const MethodStyles& styles, std::optional<double> uncertainty,
-                       PlotPlace place) {
+                       PlotPlace place, bool isSoft) {
   const PriceWords& words = wordsOf(price);
   PlotSheet sheet{.name = words.name,
                   .title = words.title,
@@ -175,7 +175,7 @@ PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
       "set format x '%g'\nset format y '%g'\n" +
       fmt::format("set xlabel '{}' offset 0,0.5\n", words.axis) +
       (isPhone ? "set ylabel 'wrong, percent' offset 2,0\n"
-               : "set ylabel 'error rate, percent of the samples'\n") +
+               : fmt::format("set ylabel '{}'\n", errorAxis(isSoft))) +
       (place == PlotPlace::paper
            ? "set key outside right top Left reverse samplen 2 spacing 1.25\n"
            : "unset key\n" + plotMargins({isPhone ? 52 : 76, 12, 10, isPhone ? 64 : 68},

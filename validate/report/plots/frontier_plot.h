@@ -14,9 +14,10 @@ namespace gnomon::report {
 /// series a method, in the colour of the first of its entries that is highlighted, the efficient
 /// ones joined by steps.
 /// @param uncertainty  of the truth, shown as a band; none where it was not measured
+/// @param isSoft  whether errors are shares of light (study::isSoft)
 /// @throws InternalError for a number that is not finite
 PlotSheet frontierPlot(const std::vector<FrontierPoint>& points, Price price,
                        const MethodStyles& styles, std::optional<double> uncertainty = {},
-                       PlotPlace place = PlotPlace::paper);
+                       PlotPlace place = PlotPlace::paper, bool isSoft = false);
 
 }  // namespace gnomon::report

@@ -26,7 +26,7 @@ void addBudgets(std::vector<PlotSheet>& plots, const study::StudyRecord& record,
   const std::vector<std::string> lights = budgetLights(record);
   const std::vector<std::string> files = study::fileNames(lights);
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    plots.push_back(budgetPlot(budgetsOf(record, lights[i]), place));
+    plots.push_back(budgetPlot(budgetsOf(record, lights[i]), place, study::isSoft(record)));
     if (i > 0) plots.back().name += "_" + files[i];
   }
 }
@@ -41,7 +41,8 @@ std::vector<PlotSheet> studyPlots(const study::StudyRecord& record, PlotPlace pl
   for (const Price price : {Price::memory, Price::frameTime, Price::texels}) {
     const std::vector<FrontierPoint> points = frontier(record, price);
     if (!points.empty())
-      plots.push_back(frontierPlot(points, price, styles, study::largestUncertainty(means), place));
+      plots.push_back(frontierPlot(points, price, styles, study::largestUncertainty(means), place,
+                                   means.isSoft));
   }
   addBudgets(plots, record, place);
   return plots;

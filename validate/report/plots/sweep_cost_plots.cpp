@@ -162,16 +162,18 @@ PlotSheet framePlot(std::vector<Line> lines, const SweepSlice& slice, const Meth
   return sheet;
 }
 
-PlotSheet memoryPlot(std::vector<Line> lines, const SweepSlice& slice, const MethodStyles& styles,
-                     std::optional<double> uncertainty, PlotPlace place) {
+PlotSheet memoryPlot(std::vector<Line> lines, const SweepSlice& slice,
+                     const study::StudyMeans& means, const MethodStyles& styles, PlotPlace place) {
   std::erase_if(lines, [](const Line& line) { return !tradesMemory(line); });
   // An error of nothing has no place on a logarithmic axis.
   constexpr double leastShown = 1e-5;
+  const std::optional<double> uncertainty = study::largestUncertainty(means);
   const bool hasBand = uncertainty && *uncertainty > leastShown;
   PlotSheet sheet = sheetOf(
       lines, styles, place,
-      std::string("set logscale xy\nset format x '%g'\nset xlabel 'tables and height map, MB'\n"
-                  "set ylabel 'error rate, percent of the samples'\n") +
+      fmt::format("set logscale xy\nset format x '%g'\nset xlabel 'tables and height map, MB'\n"
+                  "set ylabel '{}'\n",
+                  errorAxis(means.isSoft)) +
           (hasBand ? plotBandBelow(100 * *uncertainty) : ""),
       [&](const Point& point) {
         const auto y = point.errorRate ? std::optional(100 * std::max(*point.errorRate, leastShown))
@@ -204,7 +206,7 @@ std::vector<PlotSheet> sweepCostPlots(const study::SweepRecord& sweep, const Swe
     sheets.push_back(framePlot(lines, slice, styles, place));
   }
   if (std::any_of(lines.begin(), lines.end(), tradesMemory)) {
-    sheets.push_back(memoryPlot(lines, slice, styles, study::largestUncertainty(means), place));
+    sheets.push_back(memoryPlot(lines, slice, means, styles, place));
   }
   return sheets;
 }

@@ -20,15 +20,15 @@ using MeanFigure = std::optional<double> study::MethodMeans::*;
 
 struct Panel {
   MeanFigure figure;
-  const char* name;  ///< of its data, as a suffix
-  const char* title;
+  const char* name;   ///< of its data, as a suffix
+  const char* title;  ///< errorAxis in its place for the error rate
   const char* words;  ///< of one of its values: "0.39 % wrong"
 };
 
 constexpr int pageWidth = 1000;  // pixels
 
 constexpr std::array<Panel, 3> sweepPanels = {{
-    {&study::MethodMeans::errorRate, "e", "error rate, percent of the samples", "wrong"},
+    {&study::MethodMeans::errorRate, "e", "error rate", "wrong"},
     {&study::MethodMeans::falseShadow, "s", "false shadow, percent", "false shadow"},
     {&study::MethodMeans::falseLight, "l", "false light, percent", "false light"},
 }};
@@ -277,8 +277,9 @@ PlotSheet sweepPlot(const study::SweepRecord& sweep, const SweepSlice& slice, Pl
     const ValuePoints points = valuesOf(series, slice, panel, styles, sheet);
     values += points.data(sheet);
     panels += plotMargins(marginsOf(i, series, sheet), sheet.width, sheet.height) + "set title " +
-              gnuplotText(panel.title) + "\n" + plotCommand(series, panel, styles) +
-              points.plot(sheet) + "\nunset key\nset xtics font ',10'\n";  // narrow from here on
+              gnuplotText(i == 0 ? errorAxis(study::isSoft(sweep)) : panel.title) + "\n" +
+              plotCommand(series, panel, styles) + points.plot(sheet) +
+              "\nunset key\nset xtics font ',10'\n";  // narrow from here on
   }
   sheet.commands =
       dataBlocks(series) + values + "set multiplot\n" + plotFrame(3, "ytics ") +

@@ -161,16 +161,24 @@ Table rankedTable(const study::StudyRecord& record,
   return table;
 }
 
+std::string errorWholeOver(std::span<const study::StudyMeans> studies) {
+  const auto soft = std::count_if(studies.begin(), studies.end(),
+                                  [](const study::StudyMeans& study) { return study.isSoft; });
+  if (soft == 0 || soft == std::ssize(studies)) return errorWhole(soft > 0);
+  return fmt::format("{} ({} where a light has a disc)", errorWhole(false), errorWhole(true));
+}
+
 Table rankedOverStudiesTable(std::span<const study::StudyMeans> studies,
                              const std::vector<study::RankedOverStudies>& ranked) {
   using Q = Quantity;
   Table table{.kind = "ranking",
               .label = "ranking",
               .title = fmt::format("Methods over {} studies", studies.size()),
-              .caption =
-                  "Error rate in percent of the samples: in each study the mean over its "
-                  "lights and views, then over the studies, each with the same weight. "
-                  "≈ marks methods that are not distinguishable from the best.",
+              .caption = fmt::format(
+                  "Error rate in percent of {}: in each study the mean over its lights and "
+                  "views, then over the studies, each with the same weight. ≈ marks methods "
+                  "that are not distinguishable from the best.",
+                  errorWholeOver(studies)),
               .columns = {{"", "rank", Q::rank},
                           {"Method", "method", Q::name},
                           {"Mean", "mean_error_rate", Q::percent},

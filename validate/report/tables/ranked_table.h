@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "report/tables/table.h"
@@ -14,6 +15,10 @@ namespace gnomon::report {
 /// a ranked method that is not distinguishable from the first.
 /// @param ranked  rankMethods of the record
 Table rankedTable(const study::StudyRecord& record, const std::vector<study::RankedMethod>& ranked);
+
+/// What the errors of several studies are shares of: errorWhole, both where only some have a light
+/// with a disc.
+std::string errorWholeOver(std::span<const study::StudyMeans> studies);
 
 /// The methods over all studies of a run: mean and worst error rate, the study it is worst on, in
 /// how many cases it was measured, and the truth's mean uncertainty. Methods that lack a case stand

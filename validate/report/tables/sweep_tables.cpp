@@ -28,8 +28,10 @@ std::vector<std::optional<double>> errorsOf(const std::vector<study::StudyMeans>
   return errors;
 }
 
-constexpr const char* errorCaption =
-    "Error rate in percent of the samples, mean over lights and views.";
+std::string errorCaption(const study::SweepRecord& sweep) {
+  return fmt::format("Error rate in percent of {}, mean over lights and views.",
+                     errorWhole(study::isSoft(sweep)));
+}
 
 }  // namespace
 
@@ -37,7 +39,7 @@ Table sweepCasesTable(const study::SweepRecord& sweep) {
   Table table{.kind = "regions",
               .label = sweep.name,
               .title = sweep.title,
-              .caption = errorCaption,
+              .caption = errorCaption(sweep),
               .columns = {{"Case", "case", Quantity::name, onPage | asData}}};
   const std::vector<std::string> names = study::shortNames(sweep.keys);
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -68,7 +70,7 @@ Table sweepSpreadTable(const study::SweepRecord& sweep) {
   Table table{.kind = "regions",
               .label = sweep.name,
               .title = sweep.title,
-              .caption = fmt::format("{} Over {} cases.", errorCaption, sweep.cases.size()),
+              .caption = fmt::format("{} Over {} cases.", errorCaption(sweep), sweep.cases.size()),
               .columns = {{"Method", "method", Quantity::name},
                           {"Mean", "mean", Quantity::percent},
                           {"Least", "least", Quantity::percent},
@@ -101,7 +103,7 @@ Table sweepValuesTable(const study::SweepRecord& sweep) {
   Table table = sweepErrorsTable(sweep);
   table.label = sweep.name;
   table.title = sweep.title;
-  table.caption = fmt::format("{} By {}.", errorCaption, sweep.keys.front().axis);
+  table.caption = fmt::format("{} By {}.", errorCaption(sweep), sweep.keys.front().axis);
   return table;
 }
 

@@ -14,9 +14,9 @@ std::string restName(std::string_view rest) {
   return fmt::format("left: {}", rest);
 }
 
-std::string budgetNote(const study::BudgetRecord& budget) {
+std::string budgetNote(const study::BudgetRecord& budget, bool isSoft) {
   return fmt::format(
-      "Percent of the samples of view {}, {}. A cause’s share is the error before the cause is "
+      "Percent of {} of view {}, {}. A cause’s share is the error before the cause is "
       "corrected minus the error after. Causes are corrected in the order of the list (forward) or "
       "from its end (backward), each time starting from the published method. A share below zero: "
       "the correction made the error larger. {} It comes from {} blocks. ≈ not distinguishable "
@@ -24,17 +24,19 @@ std::string budgetNote(const study::BudgetRecord& budget) {
       "uncertainty of {} %. What is left is split by region, each sample in the first that it is "
       "in: "
       "{}.",
-      budget.view, budget.light == "all" ? "mean over all lights" : budget.light, intervalMeaning,
-      budget.blocks, percentText(budget.uncertainty), fmt::join(study::budgetRestNames(), ", "));
+      errorWhole(isSoft), budget.view,
+      budget.light == "all" ? "mean over all lights" : budget.light, intervalMeaning, budget.blocks,
+      percentText(budget.uncertainty), fmt::join(study::budgetRestNames(), ", "));
 }
 
-std::string orderText(const study::BudgetRecord& budget) {
+std::string orderText(const study::BudgetRecord& budget, bool isSoft) {
   const double moved = study::orderDependence(budget);
   if (!(budget.total.value > 0)) return "No error to attribute.";
   return fmt::format(
-      "{} % wrong. The two orders assign {} % of the samples, {:.0f} % of the error, to different "
+      "{} % wrong. The two orders assign {} % of {}, {:.0f} % of the error, to different "
       "causes.",
-      percentText(budget.total.value), percentText(moved), 100 * moved / budget.total.value);
+      percentText(budget.total.value), percentText(moved), errorWhole(isSoft),
+      100 * moved / budget.total.value);
 }
 
 std::vector<std::string> budgetLights(const study::StudyRecord& record) {

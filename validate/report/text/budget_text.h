@@ -15,10 +15,11 @@ namespace gnomon::report {
 std::string restName(std::string_view rest);
 
 /// What the figures mean, of how many lights and blocks they are, and the truth's uncertainty.
-std::string budgetNote(const study::BudgetRecord& budget);
+/// @param isSoft  whether errors are shares of light (study::isSoft)
+std::string budgetNote(const study::BudgetRecord& budget, bool isSoft = false);
 
 /// How much of a method's error is assigned to another cause in the other order.
-std::string orderText(const study::BudgetRecord& budget);
+std::string orderText(const study::BudgetRecord& budget, bool isSoft = false);
 
 /// The lights of a record's budgets, each once: all together first.
 std::vector<std::string> budgetLights(const study::StudyRecord& record);

@@ -27,6 +27,10 @@ const char* errorWhole(bool isSoft) {
   return isSoft ? "the light" : "the samples";
 }
 
+std::string errorAxis(bool isSoft) {
+  return fmt::format("error rate, percent of {}", errorWhole(isSoft));
+}
+
 std::string signedPercent(double share) {
   if (share == 0) return "0.00";
   return (share < 0 ? "−" : "+") + percentText(std::abs(share));

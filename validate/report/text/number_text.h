@@ -19,6 +19,9 @@ std::string percentText(std::optional<double> share);
 /// What an error is a share of: "the samples"; where a light has a disc "the light".
 const char* errorWhole(bool isSoft);
 
+/// The title of an axis of error rates: "error rate, percent of the samples".
+std::string errorAxis(bool isSoft);
+
 /// A share in percent with its sign and two decimals, "+1.20", "−0.03"; "0.00" for none at all, and
 /// "+<0.01" or "−<0.01" for what would round to it.
 std::string signedPercent(double share);

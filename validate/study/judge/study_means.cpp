@@ -139,6 +139,11 @@ bool isSoft(const StudyRecord& record) {
                      [](const ResultRecord& result) { return !result.shares.empty(); });
 }
 
+bool isSoft(const SweepRecord& sweep) {
+  return std::any_of(sweep.steps.begin(), sweep.steps.end(),
+                     [](const StudyRecord& step) { return isSoft(step); });
+}
+
 StudyMeans studyMeans(const StudyRecord& record) {
   StudyMeans study{record.name, record.title, record.status(), {}, record.claims, {}};
   for (const std::string& label : methodsOf(record)) {
@@ -158,6 +163,7 @@ StudyMeans studyMeans(const SweepRecord& sweep) {
   const std::vector<std::string> labels = labelsOf(steps);
   for (const std::string& label : labels) study.methods.push_back(meanOver(steps, label));
   study.differences = meanDifferences(steps, labels);
+  study.isSoft = isSoft(sweep);
   return study;
 }
 

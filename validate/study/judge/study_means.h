@@ -53,11 +53,14 @@ struct StudyMeans {
   /// the suite's bins. Empty for any other, and for a sweep.
   std::string suite = {};
   std::vector<SceneBin> bins = {};
-  bool isSoft = false;  ///< a light of a single study has a disc: there an error is a `mae`
+  bool isSoft = false;  ///< a light has a disc: there an error is a `mae`
 };
 
 /// Whether a light has a disc: there an error is a share of light, `mae`.
 bool isSoft(const StudyRecord& record);
+
+/// The same of any step.
+bool isSoft(const SweepRecord& sweep);
 
 StudyMeans studyMeans(const StudyRecord& record);
 
